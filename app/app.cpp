@@ -11,6 +11,7 @@
 #include "app/course/lab_progress.h"
 #include "app/files/file_commands.h"
 #include "app/files/reports.h"
+#include "app/files/study_files.h"
 #include "app/frame_pacing.h"
 #include "app/insight/explanation.h"
 #include "app/insight/predictions.h"
@@ -52,6 +53,7 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
                                                                             : std::filesystem::path{}),
       catalogue_(read_catalogue()),
       lectures_(read_lecture_catalogue()),
+      studies_(shipped_study_list()),
       anchors_file_(options_.anchors),
       state_file_(options_.state),
       gallery_(options_.screenshot.empty() ? folders_.cache : std::filesystem::path{}) {
@@ -166,6 +168,7 @@ void App::follow_jobs() {
     update_predictions(lab_, jobs_);
     update_explanation(lab_);
     update_map(lab_, jobs_);
+    update_study(lab_.study, jobs_);
     follow_progress(lab_);
 }
 
@@ -219,7 +222,7 @@ bool App::moves() const {
     const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
     const bool predicts = lab_.predictions.job || lab_.predictions.job_before;
-    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || makes_pictures_ ||
+    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || lab_.study.runs || makes_pictures_ ||
            (lesson && lesson->grading) || !lab_.files.empty();
 }
 

@@ -127,6 +127,7 @@ private:
     bool got_input_ = false;                  // in the last frame
     int exit_code_ = 0;
     std::vector<CatalogueEntry> catalogue_, lectures_;
+    std::vector<insight::Study> studies_;
     AppliedTheme theme_;
     FilesView files_;
     ui::PanelState panels_;

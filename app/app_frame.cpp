@@ -102,6 +102,7 @@ void App::frame(float passed) {
     LabView view = view_of(lab_);
     view.catalogue = &catalogue_;
     view.lectures = &lectures_;
+    view.study.shipped = &studies_;
     view.languages = &words_.languages;
     view.native_language = settings_.native_language;
     view.type_size = reduced_type_size();

@@ -7,8 +7,10 @@
 #include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
+#include "app/files/study_files.h"
 #include "app/platform/page.h"
 #include "app/platform/platform.h"
+#include "core/insight/study_file.h"
 #include "core/messages.h"
 
 namespace braitenlab {
@@ -46,6 +48,16 @@ Result<Opened> open_asked(const Options& options) {
         auto lab = open_lab(lecture->pages.front().file, std::nullopt, {});
         if (!lab) return lab.error();
         return Opened{*path, std::move(*lab), std::make_shared<const Lecture>(std::move(*lecture))};
+    }
+    if (const auto file = read_file(*path); file && file->kind == FileKind::study) {
+        const auto study = insight::parse_study(file->text, path->string());
+        if (!study) return study.error();
+        const auto scene = scene_of_study(*study, *path);
+        if (!scene) return scene.error();
+        auto lab = open_lab(*scene, options.seed, options.settings);
+        if (!lab) return lab.error();
+        show_study(lab->study, path->string());
+        return Opened{*path, std::move(*lab)};
     }
     auto lab = open_lab(*path, options.seed, options.settings);
     if (!lab) return lab.error();

@@ -88,6 +88,7 @@ LabView view_of(const Lab& lab) {
     if (may_show_future(view)) view.last_run = last_run_of(lab), view.prediction = prediction_of(lab);
     view.why = explanation_of(lab, view);
     view.map = map_of(lab, view);
+    view.study = study_of(lab.study);
     view.students = &lab.students;
     view.student = lab.students.student().name;
     view.opened = document.name;

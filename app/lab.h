@@ -16,6 +16,7 @@
 #include "app/insight/explanation.h"
 #include "app/insight/last_run.h"
 #include "app/insight/predictions.h"
+#include "app/insight/study_runs.h"
 #include "app/playback.h"
 #include "core/lesson/progress.h"
 #include "render/view/view_settings.h"
@@ -59,6 +60,7 @@ struct Lab {
     LastRun last_run{};          // of the open document, before the last reset
     Explanation explanation{};   // of the selected vehicle's turn
     BehaviourMap map{};          // of the selected vehicle's brains
+    StudyRuns study{};           // on its sheet
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

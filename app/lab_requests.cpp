@@ -474,6 +474,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
                      [&](const SeedRequest& r) { reset(lab, r.seed); },
                      [&](const MapRequest& r) { choose_map(lab.map, r); },
+                     [&](const StudyRequest& r) { handle_study(lab.study, r); },
                      [&](const SeekRequest& r) { seek(lab, r); },
                      [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
                      [&](const OpenRequest& r) { lab.files.push_back(r); },

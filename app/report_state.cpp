@@ -273,12 +273,19 @@ Json map_json(const std::optional<MapView>& map) {
             {"cells", std::move(rows)}};
 }
 
+Json study_json(const StudyView& study) {
+    if (!study.base) return nullptr;
+    const insight::Study& of = study.base->study();
+    return {{"id", of.id}, {"runs", of.runs()}, {"done", study.rows->size()}, {"running", study.runs}};
+}
+
 void add_insight(Json& state, const Lab& lab) {
     const LabView view = view_of(lab);
     state["prediction"] = prediction_json(view.prediction);
     state["ghost"] = ghost_json(view.last_run);
     state["why"] = why_json(view.why);
     state["map"] = map_json(view.map);
+    state["study"] = study_json(view.study);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/files/data.h"
+#include "app/files/study_files.h"
 #include "app/platform/platform.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/lecture.h"
@@ -29,6 +30,7 @@ Result<Strings> load_strings(const std::filesystem::path& folder, const std::str
         if (const auto scene = load_scene(path)) add_translations(*strings, texts_of(*scene), *words);
     for (const auto& path : shipped_lectures())
         if (const auto lecture = read_lecture(path)) add_translations(*strings, texts_of(*lecture), *words);
+    for (const insight::Study& study : shipped_study_list()) add_translations(*strings, texts_of(study), *words);
     return strings;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/insight/map.h"
+#include "core/insight/study.h"
 #include "core/insight/why.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
@@ -117,6 +118,16 @@ struct MapView {
     const std::vector<Pose>* path = nullptr;   // of that cell; null: not known yet
 };
 
+// The study on its sheet.
+struct StudyView {
+    const std::vector<insight::Study>* shipped = nullptr;  // null: none
+    std::shared_ptr<const insight::StudyBase> base{};      // null: none is open
+    const std::vector<insight::StudyRow>* rows = nullptr;  // complete runs, in order; null with `base`
+    bool runs = false;
+    std::optional<Error> error{};  // why it could not be opened or continued
+    int shown = 0;                 // increases with each study that is opened from a file: its sheet is shown then
+};
+
 // The open lecture and where it stands.
 struct LectureView {
     std::shared_ptr<const Lecture> lecture;  // never null
@@ -181,12 +192,13 @@ struct LabView {
     ViewSettings settings;
     const CameraView* camera_view = nullptr;  // the camera of the scene; null: no mouse input to the scene
     int undo_depth = 0, redo_depth = 0;
-    std::size_t copied_objects = 0;                          // that can be pasted into the scene
-    const LessonView* lesson = nullptr;                      // null outside exercises
-    std::optional<GhostView> ghost;                          // while LessonView::compares and it is known
-    std::optional<GhostView> last_run;                       // the selected vehicle in the run before the reset
-    std::optional<PredictionView> prediction;                // while something is tried, and until it is driven
-    std::optional<MapView> map{};                            // nullopt: not shown, or it may not be shown now
+    std::size_t copied_objects = 0;            // that can be pasted into the scene
+    const LessonView* lesson = nullptr;        // null outside exercises
+    std::optional<GhostView> ghost;            // while LessonView::compares and it is known
+    std::optional<GhostView> last_run;         // the selected vehicle in the run before the reset
+    std::optional<PredictionView> prediction;  // while something is tried, and until it is driven
+    std::optional<MapView> map{};              // nullopt: not shown, or it may not be shown now
+    StudyView study{};
     const insight::Why* why = nullptr;                       // of the selected vehicle's turn; null: not asked
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     std::string student;                                     // name of the student; empty: none is named

@@ -72,6 +72,7 @@ enum class Action {
     smaller,
     settings,
     charts,
+    studies,  // opens their sheet
     keys,
     hint,
     exercise_reset,
@@ -234,6 +235,12 @@ struct MapRequest {                       // what the map of behaviour shows; nu
     std::optional<insight::MapMeasure> measure{};
     std::optional<int> seeds{};
 };
+// open: a file or the name of a shipped study. run: goes on with the runs that are missing. stop: keeps complete runs.
+enum class StudyEdit { open, run, stop };
+struct StudyRequest {
+    StudyEdit edit = StudyEdit::open;
+    std::string path{};
+};
 struct SpeedRequest {
     float time_scale = 1;
 };
@@ -309,7 +316,7 @@ using Request =
                  BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
-                 LabRecordRequest, BeginRequest, MapRequest, UploadRequest>;
+                 LabRecordRequest, BeginRequest, MapRequest, StudyRequest, UploadRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

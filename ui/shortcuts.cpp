@@ -211,6 +211,7 @@ constexpr NamedAction action_names[]{
     {Action::smaller, "smaller"},
     {Action::settings, "settings"},
     {Action::charts, "charts"},
+    {Action::studies, "studies"},
     {Action::keys, "keys"},
     {Action::hint, "hint"},
     {Action::exercise_reset, "exercise_reset"},

@@ -235,6 +235,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     about_card(view, state, ui, layout.window);
     children_sheet(view, state, ui, layout.window);
     student_sheet(view, state, ui, layout.window);
+    study_sheet(view, state, ui, layout.window);
     glossary_sheet(view, state, ui, layout.window);
     term_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);

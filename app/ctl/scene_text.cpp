@@ -20,6 +20,8 @@ Result<std::string> read_scene_text(const std::filesystem::path& path, std::stri
                          "use 'check' to test the exercise, 'grade' for a brain or hand-ins, 'show' to print it");
         case FileKind::lecture:
             return other("a lecture", "use 'check' to test the lecture");
+        case FileKind::study:
+            return other("a study", "use 'study' to run it");
         case FileKind::brain:
             return other("a brain alone", "use 'grade EXERCISE FILE'");
         default:

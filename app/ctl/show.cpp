@@ -105,6 +105,8 @@ int show(const std::string& name) {
         show_exercise(*exercise);
     } else if (kind == FileKind::lecture) {
         return complain({"this is a lecture, which 'show' does not print; use 'check'", path->string()});
+    } else if (kind == FileKind::study) {
+        return complain({"this is a study, which 'show' does not print; use 'study'", path->string()});
     } else if (kind == FileKind::brain) {
         const auto brain = parse_brain(*text, path->string());
         if (!brain) return complain(brain.error());

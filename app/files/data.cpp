@@ -87,6 +87,11 @@ std::vector<fs::path> shipped_lectures() {
     return data ? toml_files(*data / "exercises" / "lectures") : std::vector<fs::path>{};
 }
 
+std::vector<fs::path> shipped_studies() {
+    const auto data = data_folder();
+    return data ? toml_files(*data / "exercises" / "studies") : std::vector<fs::path>{};
+}
+
 Result<Lecture> read_lecture(const fs::path& path) {
     const auto data = data_folder();
     if (!data) return data.error();

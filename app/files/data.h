@@ -23,10 +23,11 @@ Result<std::filesystem::path> data_folder();
 // nearest shipped name.
 Result<std::filesystem::path> find_shipped(const std::string& path_or_name);
 
-// The shipped exercises, scenes and lectures, each sorted by file name.
+// The shipped exercises, scenes, lectures and studies, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();
 std::vector<std::filesystem::path> shipped_scenes();
 std::vector<std::filesystem::path> shipped_lectures();
+std::vector<std::filesystem::path> shipped_studies();
 
 // load_lecture() with the shipped scenes and exercises.
 Result<Lecture> read_lecture(const std::filesystem::path&);

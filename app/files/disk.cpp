@@ -8,6 +8,7 @@
 
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
+#include "core/insight/study_file.h"
 #include "core/io/run_file.h"
 #include "core/messages.h"
 
@@ -29,6 +30,8 @@ bool parses(const FileText& file) {
             return static_cast<bool>(parse_exercise(file.text, file.path));
         case FileKind::lecture:
             return static_cast<bool>(read_lecture(file.path));
+        case FileKind::study:
+            return static_cast<bool>(insight::parse_study(file.text, file.path.string()));
         case FileKind::run:
             return static_cast<bool>(io::load_run(file.path));
         case FileKind::scene:

@@ -82,6 +82,10 @@ struct FileCommands {
             return report_time_change(lab, latest);
         }
         if (file->kind == FileKind::lecture) return open_pages(path, discard, resume);
+        if (file->kind == FileKind::study) {
+            show_study(lab.study, path.string());
+            return done(path, {});
+        }
         auto opened = open_document(*file, std::nullopt, {});
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {

@@ -16,17 +16,31 @@ namespace braitenlab {
 namespace fs = std::filesystem;
 using insight::StudyRow;
 
+std::vector<insight::Study> shipped_study_list() {
+    std::vector<insight::Study> studies;
+    for (const fs::path& path : shipped_studies())
+        if (const auto text = read_text(path))
+            if (auto study = insight::parse_study(*text, path.string())) studies.push_back(std::move(*study));
+    return studies;
+}
+
+Result<fs::path> scene_of_study(const insight::Study& study, const fs::path& study_file) {
+    const fs::path beside = study_file.parent_path() / study.scene;
+    std::error_code none;
+    if (fs::is_regular_file(beside, none)) return beside;
+    return find_shipped(study.scene);
+}
+
 Result<std::shared_ptr<const insight::StudyBase>> load_study(const fs::path& path) {
     const auto text = read_text(path);
     if (!text) return text.error();
     auto study = insight::parse_study(*text, path.string());
     if (!study) return study.error();
-    const auto scene = find_shipped((path.parent_path() / study->scene).string());
-    const auto shipped = scene ? scene : find_shipped(study->scene);
-    if (!shipped) return shipped.error();
-    const auto scene_text = read_text(*shipped);
+    const auto scene = scene_of_study(*study, path);
+    if (!scene) return scene.error();
+    const auto scene_text = read_text(*scene);
     if (!scene_text) return scene_text.error();
-    return insight::StudyBase::create(std::move(*study), *scene_text, shipped->string());
+    return insight::StudyBase::create(std::move(*study), *scene_text, scene->string());
 }
 
 StudyTable::StudyTable(std::shared_ptr<const insight::StudyBase> base, const std::string& path)

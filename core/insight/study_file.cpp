@@ -1,6 +1,8 @@
 #include "core/insight/study_file.h"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
@@ -27,6 +29,7 @@ void describe(Visitor& v, Of<StudyValue>) {
 template <class Visitor>
 void describe(Visitor& v, Of<Study>) {
     v.text("title", &Study::title, limits::title_length, "must be given");
+    v.text("story", &Study::story, limits::text_length, "what the study asks, in a sentence or two");
     v.text("scene", &Study::scene, limits::text_length,
            "name of a shipped scene, or a path relative to this file; must be given");
     v.text("vehicle", &Study::vehicle, limits::name_length,
@@ -97,6 +100,7 @@ Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
     if (!file) return file.error();
     check_format(*file);
     Study study;
+    study.id = std::filesystem::path(file_name).stem().string();
     TomlTable top(*file, file->root, "");
     top.find("format");
     TomlReader<Study> reader(top, study);
@@ -117,16 +121,26 @@ std::vector<std::size_t> levels_of(const Study& study, std::size_t combination) 
     return levels;
 }
 
+std::string level_text(const StudyValue& value, std::size_t level) {
+    const bool is_word = !value.unit.empty() && std::isalpha(static_cast<unsigned char>(value.unit.front()));
+    return fmt::format("{:g}{}{}", value.levels[level], is_word ? " " : "", value.unit);
+}
+
 std::string combination_text(const Study& study, std::size_t combination) {
     const std::vector<std::size_t> levels = levels_of(study, combination);
     std::string text;
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        const StudyValue& value = study.values[i];
-        const bool is_sign = !value.unit.empty() && !std::isalpha(static_cast<unsigned char>(value.unit.front()));
-        text += fmt::format("{}{} {:g}{}{}", i > 0 ? ", " : "", value.name, value.levels[levels[i]],
-                            value.unit.empty() || is_sign ? "" : " ", value.unit);
-    }
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        text += fmt::format("{}{} {}", i > 0 ? ", " : "", study.values[i].name, level_text(study.values[i], levels[i]));
     return text;
+}
+
+std::vector<TranslatableText> texts_of(const Study& study) {
+    const std::string begin = "study." + study.id + ".";
+    std::vector<TranslatableText> texts{{begin + "title", study.title}};
+    if (!study.story.empty()) texts.push_back({begin + "story", study.story});
+    for (std::size_t i = 0; i < study.values.size(); ++i)
+        texts.push_back({fmt::format("{}value.{}", begin, i + 1), study.values[i].name});
+    return texts;
 }
 
 std::string describe_study_format() {

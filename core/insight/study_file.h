@@ -11,6 +11,7 @@
 
 #include "core/enum_table.h"
 #include "core/result.h"
+#include "core/scene/translatable.h"
 
 namespace braitenlab::insight {
 
@@ -62,9 +63,11 @@ struct StudyValue {
 };
 
 struct Study {
-    std::string title, scene;  // scene: a name or a path, as in the file
-    std::string vehicle;       // NAME of a [vehicle.NAME]; empty: the first
-    float seconds = 60;        // of each run
+    std::string id;  // the file's name without folder and ending
+    std::string title, story;
+    std::string scene;    // a name or a path, as in the file
+    std::string vehicle;  // NAME of a [vehicle.NAME]; empty: the first
+    float seconds = 60;   // of each run
     int seeds = 20;
     std::uint64_t first_seed = 1;
     std::vector<StudyValue> values;
@@ -79,11 +82,16 @@ struct Study {
 // limits::study_runs runs.
 Result<Study> parse_study(std::string_view toml, const std::string& file_name);
 
+// By ids like "study.prey-eyes.value.1".
+std::vector<TranslatableText> texts_of(const Study&);
+
 // Index of the level of each value in a combination; the last value varies fastest.
 std::vector<std::size_t> levels_of(const Study&, std::size_t combination);
 
 // "eyes 80°, speed 1.3 m/s".
 std::string combination_text(const Study&, std::size_t combination);
+// "80°", "1.3 m/s".
+std::string level_text(const StudyValue&, std::size_t level);
 
 // The tables of docs/study-format.md, in Markdown.
 std::string describe_study_format();

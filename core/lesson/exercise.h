@@ -14,6 +14,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
+#include "core/scene/translatable.h"
 
 namespace braitenlab {
 
@@ -100,11 +101,7 @@ Result<Exercise> load_exercise(const std::filesystem::path&, const std::vector<S
 Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& file,
                                 const std::vector<Setting>& more = {});
 
-// A text that can be translated, by an id that does not depend on its wording: "05-aggressor.step.1.text",
-// "scene.2a-coward.story". Translations: exercises/words/*.toml.
-struct TranslatableText {
-    std::string id, text;
-};
+// By ids like "05-aggressor.step.1.text" and "scene.2a-coward.story".
 std::vector<TranslatableText> texts_of(const Exercise&);  // those that are not empty
 std::vector<TranslatableText> texts_of(const Scene&);
 

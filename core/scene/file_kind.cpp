@@ -17,6 +17,7 @@ FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
         if (line.starts_with("[[step]]")) return FileKind::exercise;
         if (line.starts_with("[[page]]")) return FileKind::lecture;
+        if (line.starts_with("[[value]]")) return FileKind::study;
         is_scene |= line.starts_with("[kind.") || line.starts_with("[arena]") || line.starts_with("[source.");
         is_brain |= line.starts_with("[brain");
     }

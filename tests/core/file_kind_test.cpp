@@ -14,6 +14,8 @@ TEST(FileKind, IsDetectedByTheTables) {
     EXPECT_EQ(detect_kind("a.toml", "format = 1\n[brain]\nLL = 1\n"), FileKind::brain);
     EXPECT_EQ(detect_kind("a.toml", "format = 1\n[set]\n[[step]]\n"), FileKind::exercise);
     EXPECT_EQ(detect_kind("a.toml", "  [[step]]\n"), FileKind::exercise) << "indented";
+    EXPECT_EQ(detect_kind("a.toml", "scene = \"x\"\n[[page]]\n"), FileKind::lecture);
+    EXPECT_EQ(detect_kind("a.toml", "scene = \"x\"\n[[value]]\n"), FileKind::study);
     EXPECT_EQ(detect_kind("a.toml", ""), FileKind::scene);
 }
 

@@ -3,8 +3,10 @@
 #include <map>
 #include <set>
 
+#include "core/insight/study_file.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/lecture.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "desk.h"
 #include "ui/strings.h"
@@ -38,6 +40,11 @@ std::vector<TranslatableText> all_texts() {
         const auto lecture = load_lecture(entry.path(), shipped);
         EXPECT_TRUE(lecture) << entry.path();
         if (lecture) add(texts_of(*lecture));
+    }
+    for (const auto& entry : fs::directory_iterator(shipped / "studies")) {
+        const auto study = insight::parse_study(*read_text(entry.path()), entry.path().string());
+        EXPECT_TRUE(study) << entry.path();
+        if (study) add(texts_of(*study));
     }
     return texts;
 }

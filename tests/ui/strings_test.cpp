@@ -171,6 +171,7 @@ std::set<std::string> composed() {
         for (const char* end : {".name", ".text", ".forms"}) keys.insert("glossary." + std::string(term.id) + end);
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     for (const auto& row : insight::behaviour_table) keys.insert("map.kind." + std::string(row.word));
+    for (const auto& row : insight::study_measure_table) keys.insert("study.measure." + std::string(row.word));
     for (const auto& row : insight::map_measure_table) keys.insert("map.measure." + std::string(row.word));
     return keys;
 }

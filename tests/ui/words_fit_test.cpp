@@ -2,6 +2,8 @@
 #include <functional>
 #include <regex>
 
+#include "core/insight/study.h"
+#include "core/scene/file_kind.h"
 #include "desk.h"
 #include "ui/widgets/paint.h"
 
@@ -172,6 +174,17 @@ std::vector<Screen> screens() {
              const StartResult run{1, false, {}, {{0, 0}, {1, 1}}, 12.5f};
              d.lesson.selection = SelectionView{.generation = 12, .parent = run, .children = {9, run}};
              d.panels.sheet = Sheet::children;
+         }},
+        {"study",
+         [](Desk& d) {
+             static const std::filesystem::path folder = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises";
+             static const auto path = folder / "studies" / "weight-and-mismatch.toml";
+             static const std::vector<insight::Study> studies{*insight::parse_study(*read_text(path), path.string())};
+             static const std::vector<insight::StudyRow> rows(300, {12.5, 0.65});
+             d.view.study.shipped = &studies, d.view.study.rows = &rows;
+             d.view.study.base = *insight::StudyBase::create(
+                 studies.front(), *read_text(folder / "scenes" / "2b-aggressor.toml"), "scene");
+             d.panels.sheet = Sheet::study;
          }},
         {"exercise, not from every start",
          [](Desk& d) {

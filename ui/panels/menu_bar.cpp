@@ -111,6 +111,7 @@ constexpr MenuPlace menu_places[]{
     {"simulation", Action::drive, true},
     {"simulation", Action::why},
     {"simulation", Action::map},
+    {"simulation", Action::studies},
 
     {"exercises", Action::hint},
     {"exercises", Action::exercise_reset},

@@ -38,7 +38,7 @@ std::array<CardState, card_count> initial_cards();
 enum class Chart { signals, neurons, population, energy, bars };
 
 // The sheet that covers the window; at most one.
-enum class Sheet { none, keys, settings, files, about, recovery, leaving, author, children, glossary, students };
+enum class Sheet { none, keys, settings, files, about, recovery, leaving, author, children, glossary, students, study };
 
 // State that a lecture changes and restores at its end.
 struct BeforeLecture {
@@ -121,7 +121,9 @@ struct PanelState {
     bool note_begins = false;  // their field gets the focus when it is drawn
     TextField note;
     Sheet sheet = Sheet::none;
-    SheetState keys, settings, about, recovery, leaving, children, students;
+    SheetState keys, settings, about, recovery, leaving, children, students, study;
+    int study_shown = 0;            // StudyView::shown at the last frame
+    std::size_t study_measure = 0;  // in Study::measures, shown on the sheet of the study
     GlossaryState glossary;
     TextField student_name;  // on the sheet of the students
     bool recovery_asked = false;

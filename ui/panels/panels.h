@@ -82,6 +82,8 @@ void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version,
 void children_sheet(const LabView&, PanelState&, Ui&, Rect window);  // children of a brain, of which one is chosen
 void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the students of this computer
 
+void study_sheet(const LabView&, PanelState&, Ui&, Rect window);  // runs of a study, as dots and boxes
+
 // unsaved_sheets.cpp
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while LabView::recovery is set
 void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while FilesView::leaving is set

@@ -44,14 +44,14 @@ ImVec2 plot_point(Rect r, const Axis& x, const Axis& y, float at_x, float at_y) 
 
 Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     const float line = line_height(ui, Face::label);
-    const float aside = std::max(text_width(ui, Face::label, number(ui, y.high, y)),
-                                 text_width(ui, Face::label, number(ui, y.low, y))) +
-                        ui.px(6);
+    const float numbers =
+        std::max(text_width(ui, Face::label, number(ui, y.high, y)), text_width(ui, Face::label, number(ui, y.low, y)));
+    const float aside = (y.numbers ? numbers : 0) + ui.px(6);
     const Rect inner{outer.x + aside, outer.y + line / 2, outer.w - aside - ui.px(6), outer.h - 1.5f * line - ui.px(3)};
     fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), 3);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float y_step = step_of(y, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
-    for (float v = first_on(y, y_step); v <= y.high + y_step * 1e-3f; v += y_step) {
+    for (float v = first_on(y, y_step); y.numbers && v <= y.high + y_step * 1e-3f; v += y_step) {
         const float at = plot_point(inner, x, y, x.low, v).y;
         draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3f)), ui.px(1));
         put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(ui, v, y), ui.palette.second_text, Face::label);

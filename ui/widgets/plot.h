@@ -18,7 +18,7 @@ struct Axis {
     float low = 0, high = 1;
     std::string_view unit{};
     int decimals = 0;
-    bool numbers = true;  // false: grid lines without numbers
+    bool numbers = true;  // false: neither grid lines nor numbers
 };
 
 // Background, grid, numbers and units. Returns the rectangle of the lines; the numbers are outside of it.

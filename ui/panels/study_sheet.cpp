@@ -1,0 +1,304 @@
+// The sheet of a study: a row for each combination of values, with a dot for each run, the box from quartile to
+// quartile and the median, and beside them how often the runs of the same seed differ from those of the first row.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/insight/study_table.h"
+#include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/plot.h"
+#include "ui/widgets/sheet.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+using insight::Study;
+using insight::StudyMeasureTraits;
+using insight::StudyRow;
+using insight::StudySummary;
+
+// Layout pixels.
+constexpr float sheet_width = 940, least_row = 20, most_row = 44, column_gap = 14, dot_radius = 2.2f;
+
+std::string measure_words(const Ui& ui, const StudyMeasureTraits& measure) {
+    std::string words(ui.strings("study.measure." + std::string(measure.word)));
+    return measure.unit.empty() ? words : words + " (" + std::string(measure.unit) + ")";
+}
+
+// "eyes 80°, speed 3 m/s", with the names in the language of the strings.
+std::string row_words(const Ui& ui, const Study& study, std::size_t combination) {
+    const std::vector<std::size_t> levels = levels_of(study, combination);
+    std::string words;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        std::string level = level_text(study.values[i], levels[i]);
+        std::replace(level.begin(), level.end(), '.', decimal_mark(ui.strings));
+        words += (i > 0 ? ", " : "") + std::string(translated(ui, study.values[i].name)) + " " + level;
+    }
+    return words;
+}
+
+class StudyPlot {
+public:
+    StudyPlot(const StudyView& view, std::size_t measure, Ui& ui)
+        : ui_(ui), study_(view.base->study()), rows_(*view.rows), measure_(measure) {
+        for (std::size_t i = 0; i < study_.combinations(); ++i)
+            summaries_.push_back(summary_of(study_, rows_, i, measure_));
+        find_range();
+    }
+
+    void draw(float width, float height) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float line = line_height(ui_, Face::small) + ui_.px(4);
+        const auto count = static_cast<float>(summaries_.size());
+        const float row = std::clamp((height - 2 * line) / count, ui_.px(least_row), ui_.px(most_row));
+        const Rect all{at.x, at.y, width, 2 * line + row * count};
+        mark(ui_, "study.plot", all);
+        columns(all);
+        headings(all.y);
+        const Axis unused{0, 1, "", 0, false};
+        const Rect outer{plot_.x, all.y + line, plot_.w, row * count + line};
+        const Rect inner = plot_ground(ui_, outer, axis_, unused);
+        plot_.x = inner.x, plot_.w = inner.w;
+        if (has_never_)
+            put_centred(ui_, {inner.x + inner.w, inner.y + inner.h + ui_.px(3)}, ui_.strings("map.never"),
+                        ui_.palette.second_text, Face::label);
+        for (std::size_t i = 0; i < summaries_.size(); ++i)
+            draw_row(i, {inner.x, inner.y + inner.h / count * static_cast<float>(i), inner.w, inner.h / count});
+        ImGui::Dummy({width, all.h});
+    }
+
+private:
+    double number(std::size_t combination, std::size_t seed) const {
+        const std::size_t run = combination * static_cast<std::size_t>(study_.seeds) + seed;
+        return run < rows_.size() ? rows_[run][measure_] : NAN;
+    }
+
+    void find_range() {
+        double low = INFINITY, high = -INFINITY;
+        for (const StudyRow& row : rows_)
+            if (std::isfinite(row[measure_]))
+                low = std::min(low, row[measure_]), high = std::max(high, row[measure_]);
+            else if (std::isinf(row[measure_]))
+                has_never_ = true;
+        if (!(low <= high)) low = 0, high = 1;
+        low = std::min(low, 0.0);  // lengths of boxes compare only from 0
+        if (high <= low) high = low + 1;
+        const double span = high - low;
+        axis_ = {static_cast<float>(low), static_cast<float>(high + 0.04 * span), "", span < 5 ? 1 : 0};
+        if (has_never_) axis_.high = static_cast<float>(high + 0.12 * span);
+        decimals_ = row_of(study_.measures[measure_]).unit.empty() ? 0 : span < 10 ? 2 : 1;
+    }
+
+    std::string text(double number) const {
+        if (!std::isfinite(number)) return std::string(ui_.strings("map.never"));
+        const bool is_whole = decimals_ == 0 && number == std::floor(number);
+        return fixed(ui_, static_cast<float>(number), is_whole ? 0 : std::max(1, decimals_));
+    }
+
+    std::string against_words(const StudySummary& summary) const {
+        const bool more = summary.more >= summary.less;
+        return fill(ui_.strings(more ? "study.more" : "study.less"),
+                    {std::to_string(more ? summary.more : summary.less), std::to_string(summary.pairs)});
+    }
+
+    // Words on the left, the median and the comparison on the right, the plot between them.
+    void columns(Rect all) {
+        const float space = ui_.px(column_gap);
+        float words = 0, against = text_width(ui_, Face::small, ui_.strings("study.against"));
+        float median = text_width(ui_, Face::small, ui_.strings("study.median"));
+        for (std::size_t i = 0; i < summaries_.size(); ++i) {
+            words = std::max(words, text_width(ui_, Face::small, row_words(ui_, study_, i)));
+            median = std::max(median, text_width(ui_, Face::strong, text(summaries_[i].spread.median)));
+            against = std::max(against, text_width(ui_, Face::small, against_words(summaries_[i])));
+        }
+        words_ = {all.x, all.y, std::min(words, 0.34f * all.w), all.h};
+        against_right_ = all.x + all.w;
+        median_right_ = against_right_ - against - space;
+        plot_ = {words_.x + words_.w + space, all.y, median_right_ - median - 2 * space - words_.x - words_.w, all.h};
+    }
+
+    void headings(float y) const {
+        const Colour quiet = ui_.palette.second_text;
+        put(ui_, {plot_.x, y},
+            shortened(ui_, measure_words(ui_, row_of(study_.measures[measure_])), Face::small, plot_.w), quiet,
+            Face::small);
+        put_right(ui_, {median_right_, y}, ui_.strings("study.median"), quiet, Face::small);
+        if (summaries_.size() > 1)
+            put_right(ui_, {against_right_, y}, ui_.strings("study.against"), quiet, Face::small);
+    }
+
+    float x_of(double number, Rect row) const {
+        const double shown = std::isfinite(number) ? number : axis_.high;
+        const float share = (static_cast<float>(shown) - axis_.low) / (axis_.high - axis_.low);
+        return row.x + std::clamp(share, 0.0f, 1.0f) * row.w;
+    }
+
+    void draw_row(std::size_t i, Rect row) const {
+        const StudySummary& summary = summaries_[i];
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const float small = line_height(ui_, Face::small), middle = row.y + row.h / 2;
+        const std::size_t group = summaries_.size() / study_.values.front().levels.size();
+        if (i > 0 && i % group == 0)
+            draw.AddLine({words_.x, row.y}, {against_right_, row.y}, paint(ui_.palette.line), ui_.px(1));
+        put(ui_, {words_.x, middle - small / 2}, shortened(ui_, row_words(ui_, study_, i), Face::small, words_.w),
+            ui_.palette.text, Face::small);
+        if (summary.spread.count == 0) return;
+        box(draw, summary.spread, row);
+        for (std::size_t seed = 0; seed < static_cast<std::size_t>(study_.seeds); ++seed)
+            dot(draw, number(i, seed), seed, row);
+        put_right(ui_, {median_right_, middle - line_height(ui_, Face::strong) / 2}, text(summary.spread.median),
+                  ui_.palette.text, Face::strong);
+        if (i > 0 && summary.pairs > 0)
+            put_right(ui_, {against_right_, middle - small / 2}, against_words(summary), ui_.palette.second_text,
+                      Face::small);
+    }
+
+    void box(ImDrawList& draw, const maths::Spread& spread, Rect row) const {
+        const float half = 0.32f * row.h, middle = row.y + row.h / 2;
+        const float left = x_of(spread.lower, row), right = x_of(spread.upper, row), at = x_of(spread.median, row);
+        const Colour tone = ui_.palette.accent;
+        draw.AddRectFilled({left, middle - half}, {right, middle + half}, paint(tone.with_alpha(0.28f)), ui_.px(2));
+        draw.AddRect({left, middle - half}, {right, middle + half}, paint(tone.with_alpha(0.8f)), ui_.px(2), 0,
+                     ui_.px(1));
+        draw.AddLine({at, middle - half - ui_.px(2)}, {at, middle + half + ui_.px(2)}, paint(tone), ui_.px(3));
+    }
+
+    // Runs of one seed have the same height in their rows.
+    void dot(ImDrawList& draw, double number, std::size_t seed, Rect row) const {
+        if (std::isnan(number)) return;
+        constexpr float golden = 0.61803399f;
+        const float share = std::fmod(static_cast<float>(seed + 1) * golden, 1.0f) - 0.5f;
+        draw.AddCircleFilled({x_of(number, row), row.y + row.h / 2 + 0.5f * share * row.h}, ui_.px(dot_radius),
+                             paint(ui_.palette.text.with_alpha(0.62f)), 10);
+    }
+
+    Ui& ui_;
+    const Study& study_;
+    const std::vector<StudyRow>& rows_;
+    std::size_t measure_;
+    std::vector<StudySummary> summaries_;
+    Axis axis_;
+    bool has_never_ = false;
+    int decimals_ = 0;
+    Rect words_, plot_;
+    float median_right_ = 0, against_right_ = 0;
+};
+
+// The shipped studies, and the one from a file of the user.
+void study_choice(const StudyView& view, Ui& ui, float right) {
+    const auto choice = [&](const Study& study, bool first) {
+        const bool on = view.base && view.base->study().id == study.id;
+        const std::string id = "study.open." + study.id;
+        const SmallButton which{id, {}, translated(ui, study.title), on};
+        if (!first) beside_or_below(ui, small_button_width(ui, which, true), right);
+        if (small_button(ui, which).pressed && !on) ui.outbox.emplace_back(StudyRequest{StudyEdit::open, study.id});
+        return on;
+    };
+    bool is_shipped = false;
+    for (const Study& study : *view.shipped) is_shipped |= choice(study, &study == &view.shipped->front());
+    if (view.base && !is_shipped) choice(view.base->study(), false);
+}
+
+void measure_choice(const Study& study, PanelState& state, Ui& ui, float right) {
+    if (study.measures.size() < 2) return;
+    for (std::size_t i = 0; i < study.measures.size(); ++i) {
+        const StudyMeasureTraits& row = row_of(study.measures[i]);
+        const std::string id = "study.measure." + std::string(row.word), words = measure_words(ui, row);
+        const SmallButton which{id, {}, words, i == state.study_measure};
+        if (i > 0) beside_or_below(ui, small_button_width(ui, which, true), right);
+        if (small_button(ui, which).pressed) state.study_measure = i;
+    }
+}
+
+// "83 of 240 runs of 60 s", with a bar while they are computed.
+void progress(const StudyView& view, Ui& ui) {
+    const Study& study = view.base->study();
+    const std::size_t done = view.rows->size();
+    const std::string seconds = fixed(ui, study.seconds, 0);
+    paragraph(ui,
+              fill(ui.strings("study.progress"),
+                   {std::to_string(done), std::to_string(study.runs()), seconds, std::to_string(study.seeds)}),
+              ui.palette.second_text, Face::small);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui), height = ui.px(4);
+    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, 2);
+    const float share = static_cast<float>(done) / static_cast<float>(study.runs());
+    if (done > 0) fill_box(ui, {at.x, at.y, width * share, height}, ui.palette.accent, 2);
+    ImGui::Dummy({width, height + ui.px(4)});
+}
+
+void save_table(const StudyView& view, Ui& ui) {
+    const Study& study = view.base->study();
+    ExportRequest table{study.id, insight::study_header(study)};
+    for (std::size_t run = 0; run < view.rows->size(); ++run)
+        table.text += insight::study_line(*view.base, run, (*view.rows)[run]);
+    ui.outbox.emplace_back(std::move(table));
+}
+
+// True if the sheet closes.
+bool study_buttons(const StudyView& view, Ui& ui) {
+    const std::size_t done = view.base ? view.rows->size() : 0;
+    if (view.base && view.runs) {
+        const Item stop = button(ui, "study.stop", {icon::pause, ui.strings("study.stop"), Emphasis::primary});
+        if (stop.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::stop, {}});
+        ImGui::SameLine();
+    } else if (view.base && done < view.base->study().runs()) {
+        const Item run = button(ui, "study.run",
+                                {icon::play, ui.strings(done > 0 ? "study.go_on" : "study.run"), Emphasis::primary});
+        if (run.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::run, {}});
+        ImGui::SameLine();
+    }
+    ButtonLook look{icon::save, ui.strings("study.save")};
+    look.enabled = done > 0;
+    const Item save = button(ui, "study.save", look);
+    tooltip(ui, save, ui.strings("study.save_how"));
+    if (save.pressed) save_table(view, ui);
+    ImGui::SameLine();
+    const Item close = button(ui, "study.close", {{}, ui.strings("keys.close")});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    return close.pressed;
+}
+
+}  // namespace
+
+void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
+    const StudyView& view = lab.study;
+    if (std::exchange(state.study_shown, view.shown) != view.shown) state.sheet = Sheet::study;
+    if (state.sheet != Sheet::study) return;
+    if (!view.base && !view.error && view.shipped && !view.shipped->empty())
+        ui.outbox.emplace_back(StudyRequest{StudyEdit::open, view.shipped->front().id});
+    begin_sheet(ui, state.study, "card.study", ui.strings("study.heading"), sheet_width, window);
+    const float top = ImGui::GetCursorScreenPos().y, right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    if (view.shipped) study_choice(view, ui, right);
+    gap(ui, 8);
+    if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
+    if (view.base) {
+        const Study& study = view.base->study();
+        if (state.study_measure >= study.measures.size()) state.study_measure = 0;
+        if (!study.story.empty()) paragraph(ui, translated(ui, study.story), ui.palette.text);
+        progress(view, ui);
+        measure_choice(study, state, ui, right);
+        gap(ui, 8);
+        const float used = ImGui::GetCursorScreenPos().y - top;
+        StudyPlot(view, state.study_measure, ui).draw(card_width(ui), window.h - used - ui.px(220));
+        if (study.combinations() > 1) paragraph(ui, ui.strings("study.how"), ui.palette.second_text, Face::small);
+    }
+    sheet_buttons(ui, state.study);
+    const bool closed = study_buttons(view, ui);
+    if (end_sheet(state.study) || closed) state.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab::ui
