@@ -19,7 +19,7 @@ foreach(package IN ITEMS fonts-noto-core fonts-noto-mono fonts-fork-awesome emsc
                          libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev)
   list(APPEND licences "${package}=/usr/share/doc/${package}/copyright")
 endforeach()
-foreach(package IN ITEMS box2d imgui freetype libstb)
+foreach(package IN ITEMS box2d imgui freetype libstb zlib)
   file(GLOB licence "${BRAITENLAB_SOURCES}/${package}-*/debian/copyright")
   list(APPEND licences "${package}=${licence}")
 endforeach()

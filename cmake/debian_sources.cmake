@@ -49,6 +49,13 @@ function(provide_box2d)
   target_include_directories(box2d_box2d PRIVATE "${folder}/src")
 endfunction()
 
+function(provide_ZLIB)
+  source_folder(folder zlib)
+  file(GLOB sources "${folder}/*.c")
+  source_library(ZLIB::ZLIB "${folder}" ${sources})
+  target_compile_definitions(ZLIB_ZLIB PRIVATE HAVE_UNISTD_H)
+endfunction()
+
 function(provide_fmt)
   header_library(fmt::fmt fmt)
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
