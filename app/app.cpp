@@ -4,6 +4,8 @@
 #include <iostream>
 #include <utility>
 
+#include <imgui.h>
+
 #include "app/course/exercise_check.h"
 #include "app/course/lab_children.h"
 #include "app/course/lab_lecture.h"
@@ -58,6 +60,7 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
       state_file_(options_.state),
       gallery_(options_.screenshot.empty() ? folders_.cache : std::filesystem::path{}) {
     lab_.preferences = settings_.at_start;
+    lab_.link_base = is_on_page() ? page_address() : lab_.preferences.link_base;
     restore_view(lab_, panels_, settings_.state.view);
     if (options_.camera) lab_.view.camera.mode = *options_.camera;
     lab_.view.overlays.field = options_.field;
@@ -106,6 +109,7 @@ bool App::turn() {
     write_reports();
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
+    if (!lab_.to_copy.empty()) ImGui::SetClipboardText(std::exchange(lab_.to_copy, {}).c_str());
     if (std::exchange(lab_.uploads, false)) choose_files();
     if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
     if (repeatable()) return true;

@@ -7,10 +7,12 @@
 #include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
+#include "app/files/links.h"
 #include "app/files/study_files.h"
 #include "app/platform/page.h"
 #include "app/platform/platform.h"
 #include "core/insight/study_file.h"
+#include "core/io/link.h"
 #include "core/messages.h"
 
 namespace braitenlab {
@@ -20,7 +22,7 @@ namespace {
 constexpr const char* first_exercise = "01-drive";
 
 struct Opened {
-    std::filesystem::path path;
+    std::filesystem::path path;  // empty: a link
     Lab lab;
     std::shared_ptr<const Lecture> lecture{};  // whose first page is open
 };
@@ -40,7 +42,15 @@ Result<Opened> open_usual(const Options& options, Settings& settings) {
 }
 
 Result<Opened> open_asked(const Options& options) {
-    const auto path = find_shipped(options.file);
+    const bool is_link = io::is_link(options.file);
+    auto linked = is_link ? io::decode_link(options.file) : io::Linked{};
+    if (!linked) return linked.error();
+    if (is_link && linked->exercise.empty()) {
+        auto document = linked_document(std::move(linked->scene));
+        if (!document) return document.error();
+        return Opened{{}, make_lab(std::move(*document))};
+    }
+    const auto path = is_link ? linked_exercise(linked->exercise) : find_shipped(options.file);
     if (!path) return path.error();
     if (const auto file = read_file(*path); file && file->kind == FileKind::lecture) {
         auto lecture = read_whole_lecture(*path);
@@ -100,7 +110,7 @@ int open_and_run(Options options) {
     auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());
     options.pages = opened->lecture;
-    if (!opened->lecture) add_recent_file(settings.state, opened->path, opened->lab.document);
+    if (!opened->lecture && !opened->path.empty()) add_recent_file(settings.state, opened->path, opened->lab.document);
     auto words = load_words(*data / "ui" / "strings", settings.at_start.language);
     if (!words) return complain(words.error());
     const auto [width, height] = window_size(options, settings.state);

@@ -65,7 +65,10 @@ struct Lab {
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;
 
+    std::string link_base{};  // address before the '#' of a copied link; empty: unknown
+
     // Requests that the window executes and clears.
+    std::string to_copy{};  // text for the clipboard
     bool exit = false, screenshot = false, full_screen = false;
     bool begins = false;                         // leaves the title page
     bool uploads = false;                        // the user chooses files of the computer

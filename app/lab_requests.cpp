@@ -9,6 +9,7 @@
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
+#include "app/files/links.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
 #include "core/lesson/utf8.h"
@@ -378,6 +379,9 @@ void act(Lab& lab, Action action) {
             break;
         case Action::save:
             lab.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});
+            break;
+        case Action::copy_link:
+            copy_link(lab);
             break;
         case Action::screenshot:
             lab.screenshot = true;

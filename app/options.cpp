@@ -44,7 +44,8 @@ CommandLine read_command_line(int argc, char** argv) {
     Options& o = line.options;
     CLI::App app{"Braitenlab: a lab for Braitenberg vehicles.\nDrag a weight and see character change."};
     app.set_version_flag("--version", fmt::format("braitenlab {}", version_text()));
-    app.add_option("FILE", o.file, "a scene, an exercise or a lecture: a path, or the bare name of a shipped one");
+    app.add_option("FILE", o.file,
+                   "a scene, an exercise or a lecture: a path, the bare name of a shipped one, or a link in quotes");
     app.add_option_function<std::string>(
            "--size",
            [&](const std::string& text) {

@@ -79,6 +79,7 @@ enum class Action {
     open,
     save,
     save_as,
+    copy_link,   // puts a link to the scene onto the clipboard
     lecture,     // starts or ends the lecture view; after leaving a lecture file it goes back to the page
     first_page,  // of the lecture that is open or was left
     next_page,   // of a lecture: shows the next part of the page, or goes to the next page
@@ -149,6 +150,7 @@ struct Preferences {
     std::string language = "en";  // code of the strings file
     float type_size = 1;          // factor on the display's scale; least_type_size .. largest_type_size
     bool reduce_motion = false;   // no easing, no pulsing
+    std::string link_base{};      // address of the lab on the web, for links; only in the file of the settings
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
@@ -256,7 +258,7 @@ struct BookmarkRequest {
     bool remove = false;  // else go to it
 };
 struct OpenRequest {
-    std::string path;            // a scene, exercise, brain, run or folder, as typed; may be relative
+    std::string path;            // a scene, exercise, brain, run or folder, as typed, may be relative; or a link
     bool dropped = false;        // dropped onto the window, not chosen in the file browser
     bool next_exercise = false;  // requested by the button of a passed exercise, whose edited brain may be lost
     bool resume = false;         // a lecture that was left: at the page where it was left

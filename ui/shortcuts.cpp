@@ -218,6 +218,7 @@ constexpr NamedAction action_names[]{
     {Action::open, "open"},
     {Action::save, "save"},
     {Action::save_as, "save_as"},
+    {Action::copy_link, "copy_link"},
     {Action::lecture, "lecture"},
     {Action::first_page, "first_page"},
     {Action::next_page, "next_page"},

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include <imgui.h>
+
+#include "core/io/link.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/keyboard.h"
@@ -205,6 +208,22 @@ bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox&
     }
 }
 
+std::string clipboard_text() {
+    const char* text = ImGui::GetClipboardText();
+    return text ? text : "";
+}
+
+// Ctrl+V opens a link from the clipboard, unless objects or nodes have been copied in the lab since.
+bool key_for_link(PanelState& state, KeyPress press, Outbox& outbox) {
+    const auto action = action_for(press, KeyPlace::scene);
+    if (action == Action::copy || action == Action::cut) state.clipboard_at_copy = clipboard_text();
+    if (action != Action::paste) return false;
+    std::string text = clipboard_text();
+    if (!io::is_link(text) || text == state.clipboard_at_copy) return false;
+    outbox.push_back(OpenRequest{std::move(text)});
+    return true;
+}
+
 bool selects_vehicle(Action action) { return action == Action::next_vehicle || action == Action::previous_vehicle; }
 
 // True if Tab has a vehicle to select. Without one it moves the focus into the cards, as it does in other programs.
@@ -319,6 +338,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         state.marks.drawing = false;
         return true;
     }
+    if (key_for_link(state, press, outbox)) return true;
     if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;
     const bool watched = state.keyboard.focus == wiring::canvas_focus && view.mode != Mode::wiring;
     if (watched && works_in_watched_canvas(press) && key_for_canvas(state.canvas, press)) return true;

@@ -114,6 +114,19 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     return command;
 }
 
+CLI::App* add_link(CLI::App& app, LinkOptions& options) {
+    CLI::App* command = app.add_subcommand("link", "print a scene as a link, or write the scene of a link");
+    command
+        ->add_option("SCENE", options.what,
+                     "a scene, the bare name of a shipped scene or exercise, or a link in quotes")
+        ->required();
+    command->add_option("--base", options.base, "the address of the lab on the web, put before the link")
+        ->type_name("ADDRESS");
+    command->add_option("--out", options.out, "the file of the scene of a link; without it, standard output")
+        ->type_name("FILE");
+    return command;
+}
+
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
     app.require_subcommand(1);
@@ -225,12 +238,15 @@ int command_line(int argc, char** argv) {
     ThinkOptions thought;
     CLI::App* think_command = add_think(app, thought);
 
+    LinkOptions linked;
+    CLI::App* link_command = add_link(app, linked);
+
     StudyOptions studied;
     CLI::App* study_command = add_study(app, studied);
 
     std::vector<std::string_view> commands;
     for (const CLI::App* command : {run_command, map_command, check_command, grade_command, show_command,
-                                    hashes_command, export_command, think_command, study_command})
+                                    hashes_command, export_command, think_command, study_command, link_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -248,6 +264,7 @@ int command_line(int argc, char** argv) {
     if (*export_command) return export_to_robot(exported);
     if (*study_command) return study(studied);
     if (*think_command) return think_vectors(thought);
+    if (*link_command) return link(linked);
     if (all) return check_all(checked.seed, checked.json);
     if (checked.exercise.empty()) return complain({"check needs an EXERCISE or --all"});
     return check(checked);

@@ -114,6 +114,14 @@ struct HashOptions {
 // there are any.
 int print_hashes(const HashOptions&);
 
+struct LinkOptions {
+    std::string what;  // a scene, the name of a shipped scene or exercise, or a link
+    std::string base;  // the address before '#' of a link that is printed
+    std::string out;   // file of the scene of a link; empty: standard output
+};
+// Prints the link of a scene or a shipped exercise; of a link, writes the scene that it holds.
+int link(const LinkOptions&);
+
 struct ExportOptions {
     std::string file;    // a brain, scene, saved run, or the name of a preset
     BrainChoice choice;  // of the brain in a scene or a saved run

@@ -10,9 +10,11 @@
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
 #include "app/files/disk.h"
+#include "app/files/links.h"
 #include "app/files/reports.h"
 #include "app/files/safe_file.h"
 #include "app/lab_requests.h"
+#include "core/io/link.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"
 #include "core/lesson/write_exercise.h"
@@ -64,6 +66,7 @@ struct FileCommands {
     }
 
     void open(const std::string& typed, bool discard = false, bool dropped = false, bool resume = false) const {
+        if (io::is_link(typed)) return open_link(typed, discard);
         const fs::path path = resolved(typed, folder(), folders.home);
         std::error_code none;
         if (fs::is_directory(path, none)) {
@@ -96,6 +99,24 @@ struct FileCommands {
         replace_document(lab, std::move(*opened));
         add_recent_file(state, path, lab.document);
         done(path, {});
+    }
+
+    void open_link(const std::string& link, bool discard) const {
+        auto linked = io::decode_link(link);
+        if (!linked) return fail(linked.error());
+        if (!linked->exercise.empty()) {
+            const auto path = linked_exercise(linked->exercise);
+            return path ? open(path->string(), discard) : fail(path.error());
+        }
+        auto opened = linked_document(std::move(linked->scene));
+        if (!opened) return fail(opened.error());
+        if (!discard && has_unsaved_edits(lab)) {
+            view.leaving = Leaving{title_of(lab.document), link, title_of(*opened)};
+            return view.refused.reset();
+        }
+        leave_pages(lab);
+        replace_document(lab, std::move(*opened));
+        done({}, {});
     }
 
     void open_pages(const fs::path& path, bool discard, bool resume) const {

@@ -65,6 +65,7 @@ Result<Preferences> parse_preferences(std::string_view toml, std::string file_na
     reader->read("language", p.language, "text_in_quotes");
     reader->read("type_size", p.type_size, "a_number");
     reader->read("reduce_motion", p.reduce_motion, "true_or_false");
+    reader->read("link_base", p.link_base, "text_in_quotes");
     if (reader->error) return *reader->error;
     p.theme = theme == word(Theme::light) ? Theme::light : Theme::dark;
     p.type_size = p.type_size > least_type_size ? std::min(p.type_size, largest_type_size) : least_type_size;
@@ -72,12 +73,13 @@ Result<Preferences> parse_preferences(std::string_view toml, std::string file_na
 }
 
 std::string write_preferences(const Preferences& p) {
-    return toml_text(toml::table{{"format", 1},
-                                 {"theme", word(p.theme)},
-                                 {"language", p.language},
-                                 {"type_size", p.type_size},
-                                 {"reduce_motion", p.reduce_motion}},
-                     "Preferences of Braitenlab.");
+    toml::table table{{"format", 1},
+                      {"theme", word(p.theme)},
+                      {"language", p.language},
+                      {"type_size", p.type_size},
+                      {"reduce_motion", p.reduce_motion}};
+    if (!p.link_base.empty()) table.insert("link_base", p.link_base);
+    return toml_text(table, "Preferences of Braitenlab.");
 }
 
 namespace {

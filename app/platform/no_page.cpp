@@ -9,6 +9,8 @@ void repeat(std::function<bool()> turn) {
 
 bool is_on_page() { return false; }
 
+std::string page_address() { return {}; }
+
 void choose_files() {}
 
 void when_page_is_left(std::function<void()>) {}

@@ -13,6 +13,9 @@ void repeat(std::function<bool()> turn);
 // True in a browser: files come by upload and leave by download, and the program has no terminal.
 bool is_on_page();
 
+// The address of the page without what follows '?' or '#'; empty elsewhere.
+std::string page_address();
+
 // Lets the user choose files of the computer; they arrive as dropped files do.
 void choose_files();
 

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -22,6 +23,14 @@ std::map<std::string, std::function<std::string()>>& offered() {
 EM_JS(void, tell_page_of_first_picture, (), { if (Module.onFirstPicture) Module.onFirstPicture(); });
 EM_JS(void, tell_page_of_end, (), { if (Module.onEnd) Module.onEnd(); });
 EM_JS(void, choose_files_on_page, (), { Module.chooseFiles(); });
+// Released by the caller.
+EM_JS(char*, address_of_page, (), {
+    const text = location.href.split(/[?#]/)[0];
+    const size = lengthBytesUTF8(text) + 1;
+    const bytes = _malloc(size);
+    stringToUTF8(text, bytes, size);
+    return bytes;
+});
 // clang-format on
 
 std::function<void()> keep_work;
@@ -55,6 +64,13 @@ void repeat(std::function<bool()> turn) {
 }
 
 bool is_on_page() { return true; }
+
+std::string page_address() {
+    char* bytes = address_of_page();
+    std::string address = bytes;
+    std::free(bytes);
+    return address;
+}
 
 void choose_files() { choose_files_on_page(); }
 

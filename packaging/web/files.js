@@ -102,6 +102,9 @@ const files = {
         };
         addEventListener("pagehide", leave);
         addEventListener("visibilitychange", () => document.visibilityState === "hidden" && leave());
+        addEventListener("hashchange", () => {
+            if (isLink(location.hash)) Module.ccall("braitenlab_open", null, ["string"], [location.hash]);
+        });
         addEventListener("dragover", (event) => event.preventDefault());
         addEventListener("drop", (event) => {
             event.preventDefault();

@@ -101,10 +101,14 @@ async function load(name) {
 
 // ── The program ──
 
+// A scene or an exercise in the address (core/io/link.h).
+const isLink = (text) => /^#[be]\d/.test(text);
+
 // What the address asks for, as options of the command line: ?open=3a-love&lang=de&play
 function programArguments() {
     const list = [];
-    if (query.get("open")) list.push(query.get("open").replace(/^-+/, ""));
+    if (isLink(location.hash)) list.push(location.hash);
+    else if (query.get("open")) list.push(query.get("open").replace(/^-+/, ""));
     for (const name of ["lang", "seed", "scale", "camera", "quality"])
         if (query.get(name)) list.push(`--${name}=${query.get(name)}`);
     for (const name of ["play", "lecture", "projector"])

@@ -143,6 +143,79 @@ test("Text is pasted from the clipboard", limit, () =>
         await lab.until((state) => state.typed === "größer");
     }));
 
+// Scenes and exercises in the address.
+
+// Copies a link by the menu; returns it.
+async function copiedLink(lab) {
+    await lab.page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+    await lab.click("menu.file");
+    await lab.click("menu.file.copy_link");
+    await lab.until((state) => /^\d+$/.test(state.notice), null, "the notice with the length");
+    return lab.page.evaluate(() => navigator.clipboard.readText());
+}
+
+async function turnSlider(lab, anchor) {
+    const before = (await lab.state()).weights;
+    const [x, y, w, h] = await lab.rectangle(anchor);
+    await lab.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+    await lab.until((state, old) => JSON.stringify(state.weights) !== old, JSON.stringify(before));
+    await lab.page.keyboard.press("Escape");
+    return (await lab.state()).weights;
+}
+
+test("A copied link opens the edited scene in another browser", limit, async () => {
+    let link, edited;
+    await withLab("?open=2a-coward&lang=en", async (lab) => {
+        edited = await turnSlider(lab, "slider.LL");
+        link = await copiedLink(lab);
+    });
+    assert.ok(link.startsWith(server.address + "#b1."), link);
+    await withLab(link.slice(server.address.length), async (lab) => {
+        assert.deepEqual((await lab.state()).weights, edited);
+        assert.equal((await lab.state()).exercise, null);
+    });
+});
+
+test("A link to an exercise opens it", limit, () =>
+    withLab("#e1.05-aggressor", async (lab) => {
+        await lab.until((state) => state.exercise?.id === "05-aggressor");
+        assert.equal(await copiedLink(lab), server.address + "#e1.05-aggressor");
+    }));
+
+test("A new link in the address asks about unsaved work first", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const edited = await turnSlider(lab, "slider.LL");
+        await lab.page.evaluate(() => (location.hash = "#e1.05-aggressor"));
+        await lab.rectangle("leaving.discard");
+        assert.deepEqual((await lab.state()).weights, edited);
+        await lab.click("leaving.discard");
+        await lab.until((state) => state.exercise?.id === "05-aggressor");
+    }));
+
+test("A broken link is refused and leaves the open work alone", limit, async () => {
+    await withLab("?open=2a-coward", async (lab) => {
+        const edited = await turnSlider(lab, "slider.LL");
+        for (const [link, reason] of [["#b1.eNpLyy", /incomplete/], ["#b9.eNpLyy", /version/], ["#b1.!!", /characters/]]) {
+            await lab.page.evaluate((hash) => (location.hash = hash), link);
+            await lab.until((state, text) => new RegExp(text).test(JSON.stringify(state.notice)), reason.source);
+            assert.deepEqual((await lab.state()).weights, edited);
+        }
+    });
+    // At the start the lab opens its first exercise instead.
+    await withLab("#b1.eNpLyy", async (lab) => {
+        await lab.until((state) => /incomplete/.test(JSON.stringify(state.notice)));
+        assert.equal((await lab.state()).exercise.id, "01-drive");
+    });
+});
+
+test("A link is opened by pasting it", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        await lab.page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+        await lab.page.evaluate(() => navigator.clipboard.writeText("https://lab.example/#e1.05-aggressor"));
+        await lab.page.keyboard.press("Control+v");
+        await lab.until((state) => state.exercise?.id === "05-aggressor");
+    }));
+
 test("Keys of the browser are left to it", limit, () =>
     withLab("?open=2a-coward", async (lab) => {
         const kept = await lab.page.evaluate(() =>

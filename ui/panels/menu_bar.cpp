@@ -45,7 +45,8 @@ constexpr MenuPlace menu_places[]{
     {"file", Action::save_run},
     {"file", Action::save_brain},
     {"file", Action::save_exercise},
-    {"file", Action::export_csv, true},
+    {"file", Action::copy_link, true},
+    {"file", Action::export_csv},
     {"file", Action::screenshot},
     {"file", Action::exit, true},
 

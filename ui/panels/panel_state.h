@@ -133,7 +133,8 @@ struct PanelState {
     AuthorState author;
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
     MenuBarState menu_bar;
-    std::vector<Action> chosen;  // with toolbar and menus, executed at the end of the frame
+    std::string clipboard_at_copy;  // the system's clipboard when objects were copied last; a later link is opened
+    std::vector<Action> chosen;     // with toolbar and menus, executed at the end of the frame
     bool presets_open = false, close_presets = false;
     std::string preset_asked;    // the preset whose sensors the menu offers to use, too; empty: it lists the presets
     bool open_presets = false;   // requested by a click on their button while another menu covered it

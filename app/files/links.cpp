@@ -1,0 +1,66 @@
+#include "app/files/links.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "app/files/data.h"
+#include "app/files/disk.h"
+#include "core/io/link.h"
+#include "core/messages.h"
+
+namespace braitenlab {
+
+namespace {
+
+// A name for a file: the letters and digits of the title with a '-' between its words.
+std::string name_of_title(const std::string& title) {
+    std::string name;
+    for (const char c : title) {
+        const bool is_upper = c >= 'A' && c <= 'Z';
+        if (is_upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+            name += is_upper ? static_cast<char>(c - 'A' + 'a') : c;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    }
+    while (name.ends_with('-')) name.pop_back();
+    return name.empty() ? "link" : name;
+}
+
+}  // namespace
+
+void copy_link(Lab& lab) {
+    const Document& document = lab.document;
+    const bool is_exercise = document.lesson && ships(document.path);
+    lab.to_copy = lab.link_base + (is_exercise ? io::encode_exercise_link(document.path.stem().string())
+                                               : io::encode_link(document.session.edited_scene()));
+    const std::size_t length = lab.to_copy.size();
+    const std::string characters = std::to_string(length);
+    if (is_exercise)
+        say(lab, {NoticeKind::done, "notice.link_exercise", characters});
+    else if (length > io::longest_useful_link)
+        say(lab, {NoticeKind::notice, "notice.link_too_long", characters, std::to_string(io::longest_useful_link)});
+    else if (length > io::safe_link)
+        say(lab, {NoticeKind::notice, "notice.link_long", characters, std::to_string(io::safe_link)});
+    else
+        say(lab, {NoticeKind::done, "notice.link", characters});
+}
+
+Result<Document> linked_document(Scene scene) {
+    auto session = Session::open(scene, 1);
+    if (!session) return session.error();
+    Document document{.session = std::move(*session)};
+    document.name = name_of_title(scene.title);
+    document.file = std::make_shared<const Scene>(std::move(scene));
+    return document;
+}
+
+Result<std::filesystem::path> linked_exercise(const std::string& name) {
+    const auto shipped = shipped_exercises();
+    const auto found = std::find_if(shipped.begin(), shipped.end(),
+                                    [&](const std::filesystem::path& path) { return path.stem().string() == name; });
+    if (found == shipped.end()) return error_of(message_of("no_exercise_of_link", name));
+    return *found;
+}
+
+}  // namespace braitenlab

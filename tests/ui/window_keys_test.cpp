@@ -1,0 +1,66 @@
+// Ctrl+V with a link on the clipboard.
+#include "ui/window_keys.h"
+
+#include "desk.h"
+
+namespace braitenlab::tests::window_keys_test {
+
+using namespace ui;
+
+namespace {
+
+constexpr KeyPress copy_key{'C', true}, paste_key{'V', true};
+constexpr const char* link = "https://lab.example/#b1.abc";
+
+}  // namespace
+
+TEST(WindowKeys, OpenALinkFromTheClipboard) {
+    Desk desk;
+    desk.frame(2);
+    ImGui::SetClipboardText(link);
+    desk.key(paste_key);
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_EQ(desk.last<OpenRequest>()->path, link);
+    EXPECT_FALSE(desk.last<PasteRequest>());
+}
+
+TEST(WindowKeys, OpenALinkWhileWiring) {
+    Desk desk;
+    desk.view.mode = Mode::wiring;
+    desk.frame(2);
+    ImGui::SetClipboardText(link);
+    desk.key(paste_key);
+    EXPECT_TRUE(desk.last<OpenRequest>());
+}
+
+TEST(WindowKeys, PasteObjectsThatWereCopiedAfterTheLink) {
+    Desk desk;
+    desk.frame(2);
+    ImGui::SetClipboardText(link);
+    desk.key(copy_key);
+    desk.key(paste_key);
+    EXPECT_FALSE(desk.last<OpenRequest>());
+    ImGui::SetClipboardText("https://lab.example/#b1.newer");
+    desk.key(paste_key);
+    EXPECT_TRUE(desk.last<OpenRequest>());
+}
+
+TEST(WindowKeys, TakeOtherTextOfTheClipboardForNoLink) {
+    Desk desk;
+    desk.frame(2);
+    ImGui::SetClipboardText("https://lab.example/");
+    desk.key(paste_key);
+    EXPECT_FALSE(desk.last<OpenRequest>());
+}
+
+TEST(WindowKeys, GiveATextFieldWhatIsPastedThere) {
+    Desk desk;
+    desk.frame(2);
+    ImGui::SetClipboardText(link);
+    desk.panels.sheet = Sheet::files;
+    desk.frame(4);
+    desk.key(paste_key);
+    EXPECT_FALSE(desk.last<OpenRequest>());
+}
+
+}  // namespace braitenlab::tests::window_keys_test
