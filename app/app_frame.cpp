@@ -40,6 +40,12 @@ bool has_input(const ui::KeysOfAFrame& keys, const ImGuiIO& io) {
     return std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
 }
 
+// Of an edit by keys of this frame or a moment ago, of a slider or of an object in the scene; 0: none.
+std::uint64_t gesture_by_keys(const ui::PanelState& panels, double now) {
+    const std::uint64_t of_slider = ui::gesture_by_keys(panels.sliders, now);
+    return of_slider != 0 ? of_slider : ui::gesture_by_keys(panels.scene_input, now);
+}
+
 std::string typed_text(const ui::PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
     for (const ui::TextField* field :
@@ -159,7 +165,7 @@ void App::frame(float passed) {
     facts_.typed = typed_text(panels_);
     window_.bind();
     window_.end_frame();
-    note_press(lab_, io.MouseDown[0]);
+    note_press(lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
     lab_.predictions.what_if = panels_.what_if;
     lab_.map.hovered = panels_.map.hovered;
     handle_all(lab_, outbox_);

@@ -126,13 +126,15 @@ void follow_drag(Lab& lab, Jobs& jobs, const PredictionSubject& now) {
 
 }  // namespace
 
-void note_press(Lab& lab, bool down) {
+void note_press(Lab& lab, bool down, std::uint64_t keys) {
     Predictions& p = lab.predictions;
-    if (down && !p.pressed) {
+    if ((down && !p.button) || (keys != 0 && keys != p.keys)) {
         p.at_press = question_of(lab);
         p.subject_at_press = subject_of(lab);
     }
-    p.pressed = down;
+    p.button = down;
+    p.keys = keys;
+    p.pressed = down || keys != 0;
 }
 
 void update_predictions(Lab& lab, Jobs& jobs) {

@@ -1,5 +1,5 @@
-// The coming seconds of the selected vehicle, computed in the background: while something is dragged, beside the path
-// before the drag; and while the pointer is over a preset or a wire, what that one would change.
+// The coming seconds of the selected vehicle, computed in the background: while something is dragged or set by keys,
+// beside the path before that; and while the pointer is over a preset or a wire, what that one would change.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,10 @@ struct PredictedPaths {
 struct Predictions {
     std::vector<Command> what_if{};  // of the preset or wire under the pointer; set once per frame. Empty: none
 
-    bool pressed = false;                         // the left button is down; set by note_press()
-    std::optional<insight::Question> at_press{};  // the run when the button was pressed
+    bool pressed = false;                         // something is dragged or set by keys; set by note_press()
+    bool button = false;                          // the left button is down
+    std::uint64_t keys = 0;                       // gesture number of an edit by keys; 0: none
+    std::optional<insight::Question> at_press{};  // the run before the first edit of the drag or of the keys
     PredictionSubject subject_at_press{};
 
     std::optional<PredictedPaths> shown{}, before{};  // `before`: without the edits of the drag or without `what_if`
@@ -44,8 +46,9 @@ struct Predictions {
     bool is_what_if = false;  // `shown` is about `what_if`
 };
 
-// Call once per frame, before the requests of the frame are executed. `down`: the left mouse button.
-void note_press(Lab&, bool down);
+// Call once per frame, before the requests of the frame are executed. `down`: the left mouse button. `keys`: gesture
+// number of an edit by keys in this frame or a moment ago, which counts as a drag; 0: none.
+void note_press(Lab&, bool down, std::uint64_t keys = 0);
 
 // Call once per turn, after Jobs::deliver. Asks for the paths that are needed and takes finished ones. While a path of
 // a drag is computed, only the newest edit waits; another drag, preset or wire cancels what is computed.

@@ -52,6 +52,28 @@ TEST_F(Predictions, IsShownDuringADragBesideThePathBeforeIt) {
     EXPECT_NE(*shown()->path, first) << "the path of the newest value";
 }
 
+TEST_F(Predictions, IsShownForEditsByKeysToo) {
+    run(90);
+    const auto nudge = [&](float value, std::uint64_t gesture) {
+        note_press(lab, false, gesture);
+        handle(lab, EditRequest{TurnDial{{.vehicle = selected()}, Dial::LM, value}, gesture});
+        turn();
+    };
+    nudge(0.35f, 7);
+    ASSERT_TRUE(shown());
+    ASSERT_TRUE(shown()->before);
+    EXPECT_NE(shown()->path->back(), shown()->before->back());
+    const Pose before = shown()->before->back();
+    nudge(0.4f, 7);
+    EXPECT_EQ(shown()->before->back(), before) << "of one gesture: the path before its first key";
+    release();
+    ASSERT_TRUE(shown()) << "it stays after the last key";
+    const Pose last = shown()->path->back();
+    nudge(0.45f, 8);
+    ASSERT_TRUE(shown()->before);
+    EXPECT_EQ(shown()->before->back(), last) << "another gesture begins with the path of the last one";
+}
+
 TEST_F(Predictions, ComesTrueAfterTheDrag) {
     run(130);
     drag(0.2f);

@@ -258,7 +258,7 @@ TEST(Slider, BlocksShortcutsWhileANumberIsTyped) {
     EXPECT_TRUE(desk.actions().empty());
 }
 
-TEST(Slider, KeysChangeTheFocusedSliderByATenthAndWithShiftByAHundredth) {
+TEST(Slider, KeysChangeTheFocusedSliderByATwentiethAndWithShiftByAHundredth) {
     Desk desk;
     desk.frame(3);
     desk.key({'3'});
@@ -269,9 +269,27 @@ TEST(Slider, KeysChangeTheFocusedSliderByATenthAndWithShiftByAHundredth) {
     const auto edits = desk.edits();
     ASSERT_EQ(edits.size(), 2u);
     EXPECT_EQ(turned(edits[0]).dial, Dial::RL);
-    EXPECT_FLOAT_EQ(turned(edits[0]).value, 1.6f);
+    EXPECT_FLOAT_EQ(turned(edits[0]).value, 1.55f);
     EXPECT_FLOAT_EQ(turned(edits[1]).value, 1.49f);
     EXPECT_EQ(edits[0].gesture, edits[1].gesture) << "quick presses are one step of undo";
+}
+
+TEST(Slider, TellsForASecondThatKeysHaveChangedIt) {
+    Desk desk;
+    desk.frame(3);
+    EXPECT_EQ(gesture_by_keys(desk.panels.sliders, desk.view.wall_seconds), 0u);
+    desk.key({'3'});
+    desk.key({key::right});
+    desk.frame();
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_EQ(gesture_by_keys(desk.panels.sliders, desk.view.wall_seconds), desk.edits()[0].gesture);
+    desk.frame(70);
+    EXPECT_EQ(gesture_by_keys(desk.panels.sliders, desk.view.wall_seconds), 0u);
+    desk.type_into("slider.LL", "1.2");
+    EXPECT_EQ(gesture_by_keys(desk.panels.sliders, desk.view.wall_seconds), desk.edits().back().gesture) << "typed";
+    desk.frame(70);
+    desk.click("slider.LL", 0, 0.3f);
+    EXPECT_EQ(gesture_by_keys(desk.panels.sliders, desk.view.wall_seconds), 0u) << "a drag is not by keys";
 }
 
 TEST(Slider, EveryDialHasASlider) {

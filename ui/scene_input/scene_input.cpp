@@ -185,6 +185,11 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
     draw_point_handles(state, frame, ui);
 }
 
+std::uint64_t gesture_by_keys(const SceneInputState& state, double wall_seconds) {
+    const bool is_recent = state.nudged_at >= 0 && wall_seconds - state.nudged_at <= nudge_pause;
+    return is_recent && state.drag.phase == SceneInputPhase::idle ? gestures::viewport + state.gesture : 0;
+}
+
 bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, KeyPress press, Outbox& outbox) {
     if (!view.camera_view || view.mode == Mode::wiring) return false;
     if (state.menu.open && key_for_menu(state.menu, keyboard, press)) return true;

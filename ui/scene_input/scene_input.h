@@ -98,8 +98,8 @@ struct SceneInputState {
     PathDrawing path;
     bool below_menu = false;  // the view menu is open over the whole window; a right click into the scene closes it
     std::uint64_t gesture = 0;
-    SceneObject nudged;  // by arrow keys; presses within a second are one gesture
-    double nudged_at = 0;
+    SceneObject nudged;        // by arrow keys; presses within a second are one gesture
+    double nudged_at = -1;     // wall seconds; negative: never
     std::uint64_t run_id = 0;  // LabView::run_id of the document that the values above belong to
 };
 
@@ -122,6 +122,9 @@ void scene_input(const LabView&, SceneInputState&, Ui&, Rect area);
 // Handles a key: Esc, Enter, Backspace and arrows while a tool draws, arrows for the chosen lamp, obstacle or zone
 // (with Ctrl also for vehicles), and keys of the open menu. Returns false if the key is not used.
 bool press_key(const LabView&, SceneInputState&, Keyboard&, KeyPress, Outbox&);
+
+// Gesture number of the last press of a key that moved an object, less than a second ago; 0: there was none.
+std::uint64_t gesture_by_keys(const SceneInputState&, double wall_seconds);
 
 // True if the arrow keys move an object or the crosshair of a tool and not the camera.
 bool takes_arrows(const LabView&, const SceneInputState&, bool ctrl);

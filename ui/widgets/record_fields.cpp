@@ -83,6 +83,7 @@ SliderLook look_of(const NumberField& field) {
     SliderLook look;
     look.low = static_cast<float>(field.range.low), look.high = static_cast<float>(field.range.high);
     look.home = field.home;
+    look.nudge = 10;
     const float span = look.high - look.low;
     const bool is_angle = field.unit == "°", is_rate = field.unit == "1/s";
     look.wide = !is_angle && (span > 60 || is_rate || (look.low > 0 && look.high >= 100 * look.low));

@@ -17,9 +17,9 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float knob_radius = 7;
-constexpr float zero_reach = 3;  // layout pixels; a drag without Shift snaps to 0 within this distance
-constexpr float mouse_steps = 5, nudge_steps = 10;  // per movement of the mouse, and per press of an arrow key
-constexpr double gesture_pause = 1;                 // seconds without a key end a gesture
+constexpr float zero_reach = 3;      // layout pixels; a drag without Shift snaps to 0 within this distance
+constexpr float mouse_steps = 5;     // per movement of the mouse
+constexpr double gesture_pause = 1;  // seconds without a key end a gesture
 
 struct SliderTrack {
     float x0, x1, y, low, high;
@@ -100,7 +100,7 @@ std::optional<float> nudge_knob(Ui& ui, SliderState& state, const Item& at, std:
     float change = 0;
     for (const int direction : {-1, 1})
         while (const auto press = take(*ui.keyboard, direction < 0 ? key::left : key::right))
-            change += static_cast<float>(direction) * step_at(value, look) * (press->shift ? 1 : nudge_steps);
+            change += static_cast<float>(direction) * step_at(value, look) * (press->shift ? 1 : look.nudge);
     if (change == 0) return std::nullopt;
     if (state.nudged != id || now - state.nudged_at > gesture_pause) ++state.gesture;
     state.nudged = id;
@@ -166,6 +166,11 @@ void draw_slider(const Ui& ui, const Item& at, const SliderTrack& t, float value
 
 }  // namespace
 
+std::uint64_t gesture_by_keys(const SliderState& state, double wall_seconds) {
+    const bool is_recent = state.set_at >= 0 && wall_seconds - state.set_at <= gesture_pause;
+    return is_recent && state.dragged.empty() ? gestures::panels + state.gesture : 0;
+}
+
 std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id, float value, float width,
                                  double wall_seconds, const SliderLook& look) {
     const bool typing = state.typed == id;
@@ -230,6 +235,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     const bool changed = std::fabs(edited - (state.dragged == id ? state.asked : value)) > look.step / 20;
     if (!changed) return std::nullopt;
     state.asked = edited;
+    if (state.dragged != id) state.set_at = wall_seconds;
     return SliderEdit{edited, gestures::panels + state.gesture};
 }
 

@@ -28,18 +28,24 @@ struct SliderState {
     std::uint64_t gesture = 0;  // last gesture number used
     std::string nudged;         // anchor of the slider moved by keys; presses within a second are one gesture
     double nudged_at = 0;       // wall seconds
+    double set_at = -1;         // wall seconds of the last edit other than a drag; negative: none yet
     std::string typed;          // anchor of the slider being edited
     char text[24] = {};
     bool text_opened = false;              // its text field is active
     bool commit = false, give_up = false;  // Enter and Esc while typing, set by press_key
 };
 
+// Gesture number of the edit by keys, by typing or by a right click that was made less than a second ago; 0: none was.
+// Call after the sliders of the frame have been drawn.
+std::uint64_t gesture_by_keys(const SliderState&, double wall_seconds);
+
 struct SliderLook {
     std::string_view words;  // "LL"
     std::string_view tooltip;
     float low = -2, high = 2;  // filled from 0 when 0 is between them, else from `low`
     float home = 0;            // value restored by a right click
-    float step = 0.01f;        // 1/n; all values are multiples. The mouse moves by 5 steps, a nudge is 10
+    float step = 0.01f;        // 1/n; all values are multiples. The mouse moves by 5 steps
+    float nudge = 5;           // steps per press of an arrow key; with Shift one
     int decimals = 2;          // shown; 10^-decimals <= step
     std::string_view unit{};   // after the number, with its space: " m", "°"
     bool signed_number = true;
