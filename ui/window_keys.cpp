@@ -10,6 +10,7 @@
 
 #include "core/io/link.h"
 #include "ui/panels/course/exercise_keys.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/wiring/input.h"
@@ -224,6 +225,32 @@ bool key_for_link(PanelState& state, KeyPress press, Outbox& outbox) {
     return true;
 }
 
+// Moves the focus to a slider of the brain. Where the exercise does not offer it, to the first one that it offers, and
+// says which ones these are.
+void focus_slider(const LabView& view, PanelState& state, std::string_view wanted, Outbox& outbox) {
+    std::string_view found = wanted;
+    if (offers_some(view)) {
+        found = {};
+        std::string offered;
+        const std::vector<Offer> offers = offered_dials(*view.lesson->exercise);
+        for (const Offer& offer : offers) {
+            offered += (offered.empty() ? "" : ", ") + words_of(offer);
+            for (const Dial dial : offer.dials)
+                if (anchor_of(dial) == wanted) found = anchor_of(offer.dials.front());
+        }
+        const std::string missing(wanted.substr(wanted.find('.') + 1));
+        if (found.empty() && offers.empty())
+            outbox.push_back(NoticeRequest{"notice.no_slider_offered", missing, {}});
+        else if (found.empty())
+            outbox.push_back(NoticeRequest{"notice.slider_not_offered", missing, offered});
+        if (found.empty() && !offers.empty()) found = anchor_of(offers.front().dials.front());
+    }
+    if (found.empty()) return;
+    state.card(Card::brain).folded = false;
+    state.keyboard.focus = found;
+    state.keyboard.revealed = true;
+}
+
 bool selects_vehicle(Action action) { return action == Action::next_vehicle || action == Action::previous_vehicle; }
 
 // True if Tab has a vehicle to select. Without one it moves the focus into the cards, as it does in other programs.
@@ -234,11 +261,9 @@ bool has_other_vehicle(const LabView& view) {
 
 // Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
 bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press, Outbox& outbox) {
-    if (const auto slider = slider_of(action)) {
-        state.card(Card::brain).folded = false;
-        state.keyboard.focus = *slider;
-        state.keyboard.revealed = true;
-    } else if (action == Action::next_card)
+    if (const auto slider = slider_of(action))
+        focus_slider(view, state, *slider, outbox);
+    else if (action == Action::next_card)
         state.keyboard.presses.push_back(press);
     else if (action == Action::keys)
         state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;

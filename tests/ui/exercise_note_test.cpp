@@ -77,8 +77,13 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     EXPECT_EQ(desk.last<PredictRequest>()->option, 1);
     desk.lesson.prediction = 1;
     desk.panels.keyboard.focus.clear();
+    press({'1'});
+    EXPECT_EQ(desk.last<PredictRequest>()->option, 0) << "it can be corrected until the first run";
+    desk.lesson.has_run = true;
+    desk.panels.keyboard.focus.clear();
     press({'2'});
-    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "once it is made, a digit takes a slider";
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "after it has begun, a digit takes a slider";
+    desk.lesson.has_run = false;
     desk.lesson.prediction = -1;
     desk.panels.keyboard.focus = "exercise.predict.1";
     desk.panels.keyboard.shown = true;

@@ -61,6 +61,21 @@ TEST(HintBar, ShowsTheWholeTextUnderThePointerIfItDoesNotFit) {
     EXPECT_TRUE(reads_end());
 }
 
+TEST(HintBar, ListsTheKeysOfASliderThatKeysHaveReached) {
+    const auto said = [](Desk& desk) {
+        desk.frame(2);
+        std::string all;
+        for (const Written& w : desk.written) all += w.words + " ";
+        return all;
+    };
+    Desk desk(1280, 800, 1, true);
+    EXPECT_EQ(said(desk).find("types a number"), std::string::npos);
+    desk.key({'1'});
+    EXPECT_NE(said(desk).find("types a number"), std::string::npos);
+    desk.panels.keyboard.shown = false;
+    EXPECT_EQ(said(desk).find("types a number"), std::string::npos) << "the mouse is used";
+}
+
 TEST(HintBar, NamesTheKeyThatEndsManualDrivingAndDriverView) {
     const auto said = [](Desk& desk) {
         desk.frame(2);

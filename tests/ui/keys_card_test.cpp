@@ -50,6 +50,23 @@ TEST(KeysCard, ListsMouseActionsAndAllFourArrowKeys) {
     EXPECT_EQ(all.find("←"), std::string::npos);
 }
 
+TEST(KeysCard, BeginsInAnExerciseWithTheKeysOfAnswersAndSliders) {
+    Desk desk(1280, 2400, 1, true);
+    const auto top = [&](std::string_view key) {
+        float y = -1;
+        for (const Written& w : desk.written)
+            if (w.words == desk.strings(key)) y = w.rect.y;
+        return y;
+    };
+    desk.key({key::f1});
+    desk.frame(3);
+    EXPECT_GT(top("keys.place.answer"), top("keys.place.everywhere"));
+    desk.open_exercise();
+    desk.frame(3);
+    EXPECT_LT(top("keys.place.answer"), top("keys.place.widget"));
+    EXPECT_LT(top("keys.place.widget"), top("keys.place.everywhere"));
+}
+
 TEST(KeysCard, KeepsWordsAndKeysApartInEveryLanguage) {
     for (const char* code : {"en", "de", "es"}) {
         Desk desk(1280, 2400, 1, true);

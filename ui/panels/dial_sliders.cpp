@@ -44,6 +44,13 @@ const DialSlider& slider_of(Dial dial) {
     return bias_sliders[dial == Dial::LM ? 0 : 1];
 }
 
+// "LL", "θ LL" for its threshold.
+std::string shown_name(Dial dial) {
+    const std::string_view key = name(dial);
+    constexpr std::string_view of_threshold = "threshold_";
+    return key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
+}
+
 constexpr float threshold_width = 104, between_sliders = 14;  // layout pixels
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
@@ -174,8 +181,7 @@ private:
     void turn_together(const Offer& offer, float width) {
         const Dial first = offer.dials.front();
         const DialRange limits = range(first);
-        std::string words;
-        for (const Dial dial : offer.dials) words += (words.empty() ? "" : " = ") + shown_name(dial);
+        const std::string words = words_of(offer);
         SliderLook look;
         look.words = words;
         std::string tip(ui_.strings(slider_of(first).tooltip));
@@ -232,13 +238,6 @@ private:
     // Width in layout pixels of the words in front of a slider, with a gap.
     float room_for(std::string_view words) const { return text_width(ui_, Face::strong, words) / ui_.px(1) + 12; }
 
-    // "LL", "θ LL" for its threshold.
-    static std::string shown_name(Dial dial) {
-        const std::string_view key = name(dial);
-        constexpr std::string_view of_threshold = "threshold_";
-        return key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
-    }
-
     const LabView& view_;
     PanelState& state_;
     Ui& ui_;
@@ -252,6 +251,12 @@ private:
 }  // namespace
 
 std::string_view anchor_of(Dial dial) { return slider_of(dial).anchor; }
+
+std::string words_of(const Offer& offer) {
+    std::string words;
+    for (const Dial dial : offer.dials) words += (words.empty() ? "" : " = ") + shown_name(dial);
+    return words;
+}
 
 void dial_sliders(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     DialSliders sliders(view, state, ui, vehicle);

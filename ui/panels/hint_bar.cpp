@@ -9,6 +9,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -67,8 +68,20 @@ std::string_view usual_hint(const LabView& view) {
     return view.settings.selection.vehicle == no_vehicle ? "hint.no_vehicle" : "hint.paused";
 }
 
+// True if keys have brought the focus to a slider of the brain.
+bool is_slider_focused(const Ui& ui) {
+    if (!ui.keyboard || !ui.keyboard->shown) return false;
+    const std::string& focus = ui.keyboard->focus;
+    return focus.starts_with("slider.") || focus.starts_with("bias.") || focus.starts_with("threshold.") ||
+           focus.starts_with("curve.");
+}
+
 void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
     if (mode_hint(view, ui, x, bar)) return;
+    if (is_slider_focused(ui)) {
+        hint_line(ui, fill(ui.strings("hint.slider_keys"), {ui.strings("key.shift")}), ui.palette.text, x, bar);
+        return;
+    }
     const bool prompted = !hint.empty();
     if (prompted) {
         put_icon(ui, {x + ui.px(6), bar.y + bar.h / 2}, icon::hint, ui.palette.accent, Face::small);

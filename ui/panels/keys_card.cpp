@@ -78,13 +78,21 @@ void add_rows(std::vector<KeyRow>& list, KeyPlace place, const Strings& strings)
     }
 }
 
-std::vector<KeyRow> key_rows(const Strings& strings) {
-    std::vector<KeyRow> list;
-    for (int place = 0; place <= static_cast<int>(last_place); ++place)
-        add_rows(list, static_cast<KeyPlace>(place), strings);
+void add_answer_rows(std::vector<KeyRow>& list, const Strings& strings) {
     list.push_back({"", std::string(strings("keys.place.answer")), true});
     list.push_back({"1 … 4", std::string(strings("keys.answer"))});
     list.push_back({key_name({' '}, strings), std::string(strings("keys.answer_space"))});
+}
+
+// In an exercise the keys of the prediction and of sliders are first.
+std::vector<KeyRow> key_rows(const LabView& view, const Strings& strings) {
+    std::vector<KeyRow> list;
+    const bool in_exercise = view.lesson != nullptr;
+    if (in_exercise) add_answer_rows(list, strings), add_rows(list, KeyPlace::widget, strings);
+    for (int place = 0; place <= static_cast<int>(last_place); ++place)
+        if (!in_exercise || static_cast<KeyPlace>(place) != KeyPlace::widget)
+            add_rows(list, static_cast<KeyPlace>(place), strings);
+    if (!in_exercise) add_answer_rows(list, strings);
     list.push_back({"", std::string(strings("keys.place.mouse")), true});
     for (const auto& [gesture, what] : gestures_of_mouse)
         list.push_back({std::string(strings(gesture)), std::string(strings(what))});
@@ -146,11 +154,11 @@ void write_row(const Ui& ui, const KeyRow& row, ImVec2 at, float width, float li
 
 }  // namespace
 
-void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
+void keys_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (state.sheet != Sheet::keys) return;
     constexpr float narrowest = 300, space = 36;  // layout pixels
     begin_sheet(ui, state.keys, "card.keys", ui.strings("keys.heading"), 1060, window);
-    std::vector<KeyRow> list = key_rows(ui.strings);
+    std::vector<KeyRow> list = key_rows(view, ui.strings);
     const float line = line_height(ui, Face::text) + ui.px(line_gap), width = card_width(ui);
     const auto columns =
         static_cast<std::size_t>(std::clamp((width + ui.px(space)) / ui.px(narrowest + space), 1.0f, 3.0f));

@@ -85,13 +85,19 @@ void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the stud
 void study_sheet(const LabView&, PanelState&, Ui&, Rect window);  // runs of a study, as dots and boxes
 
 // unsaved_sheets.cpp
+// "today at 14:05" for the time `when`, "2026-03-01 14:05:12", on the day `today`, "2026-03-01".
+std::string time_words(const Ui&, const std::string& when, const std::string& today);
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while LabView::recovery is set
 void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while FilesView::leaving is set
 
 // Parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
-std::string_view anchor_of(Dial);  // of its slider, in dial_sliders.cpp
+std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
+std::string words_of(const Offer&);  // of its slider: "LL = RR"
 void equations(const LabView&, Ui&, const VehicleView&);
+// True while it is played and does not move. Where its brain drives the wheels, something is then in the way. Not known
+// in the first half second.
+bool is_stuck(const LabView&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);
 

@@ -38,9 +38,8 @@ bool asks_before_play(const LabView& view) {
 bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (press.ctrl || press.shift || !is_asked(view, state)) return false;
     const int count = static_cast<int>(view.lesson->exercise->prediction.options.size());
-    const bool is_unmade = view.lesson->prediction < 0 && !view.lecture;
     int wanted = -1;
-    if (press.key >= '1' && press.key <= '9' && is_unmade) wanted = press.key - '1';
+    if (press.key >= '1' && press.key <= '9' && !view.lecture) wanted = press.key - '1';
     if (press.key == ' ' && state.keyboard.shown) wanted = focused_answer(state, count);
     if (wanted < 0 || wanted >= count || (press.key == ' ' && wanted == view.lesson->prediction)) return false;
     outbox.emplace_back(PredictRequest{wanted});

@@ -9,7 +9,8 @@
 
 namespace braitenlab::ui {
 
-// While the prediction is not made (in a lecture: never), 1 to 9 choose an answer; afterwards they select sliders.
+// While the prediction can be made or changed (in a lecture: never), 1 to 9 choose an answer; afterwards they select
+// sliders.
 // While it can be changed, Space chooses the answer that has a visible focus and is not chosen yet; else, and so at the
 // second press, it plays. True if the key is handled.
 bool key_for_prediction(const LabView&, PanelState&, KeyPress, Outbox&);
