@@ -73,6 +73,7 @@ struct Lesson {
     std::optional<Job<Grade>> shipped_grading{};  // for Exercise::median; begins with the first grade
     std::optional<GradedSubmission> graded{};     // view.grade is its grade while the vehicle has this submission
     std::optional<Selecting> selecting{};         // nullopt: not begun
+    std::optional<Submission> done_with{};        // when every step of this run was done; nullopt: they are not
     bool was_shown = false;                  // the solution, since the exercise was opened; it may come back by undo
     std::uint64_t selections = 0;            // begun since the exercise was opened
     std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick

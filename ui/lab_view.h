@@ -57,21 +57,23 @@ struct LessonView {
     std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
     std::optional<Grade> grade;                // of the starts, once every step has been done in a run
     std::optional<Grade> shipped_grade;        // of the starts as shipped, for Exercise::median
-    bool by_hand = false;                      // the user has moved an object: this run is not judged
-    bool free_play = false;                    // all controls are shown, not only the offered ones
-    bool solution_shown = false;               // the solution was set for the student; Action::exercise_reset clears it
-    bool outside_offers = false;               // the submission changes what is not offered: it is not graded
-    bool too_many_changes = false;             // it changes more controls than Exercise::changes: it is not graded
-    std::string notes;                         // written by the student
-    bool compares = false;                     // the run with the solution is shown beside the student's
-    std::vector<maths::vec2> drawn_path;       // the prediction as a path on the floor, m; empty: none was drawn
-    std::vector<maths::vec2> real_path;        // what was to be drawn, m; empty until the outcome is known
-    float path_difference = 0;                 // m, between both paths, see path_distance; valid with real_path
-    bool path_reversed = false;                // drawn against the way it was driven; valid with real_path
-    std::string written;                       // path of the last hand-in or lab record since it was opened; or empty
-    std::optional<SelectionView> selection;    // nullopt: the exercise does not offer it
-    bool together = false;                     // the graded starts run at once in place of the exercise's own run
-    bool has_kept = false;                     // the student's progress has a submission that is not the present one
+    bool changed_since_done = false;         // every step was done, and the brain was changed since, or during the run
+    bool passed_before = false;              // the student has passed it, with any brain
+    bool by_hand = false;                    // the user has moved an object: this run is not judged
+    bool free_play = false;                  // all controls are shown, not only the offered ones
+    bool solution_shown = false;             // the solution was set for the student; Action::exercise_reset clears it
+    bool outside_offers = false;             // the submission changes what is not offered: it is not graded
+    bool too_many_changes = false;           // it changes more controls than Exercise::changes: it is not graded
+    std::string notes;                       // written by the student
+    bool compares = false;                   // the run with the solution is shown beside the student's
+    std::vector<maths::vec2> drawn_path;     // the prediction as a path on the floor, m; empty: none was drawn
+    std::vector<maths::vec2> real_path;      // what was to be drawn, m; empty until the outcome is known
+    float path_difference = 0;               // m, between both paths, see path_distance; valid with real_path
+    bool path_reversed = false;              // drawn against the way it was driven; valid with real_path
+    std::string written;                     // path of the last hand-in or lab record since it was opened; or empty
+    std::optional<SelectionView> selection;  // nullopt: the exercise does not offer it
+    bool together = false;                   // the graded starts run at once in place of the exercise's own run
+    bool has_kept = false;                   // the student's progress has a submission that is not the present one
 };
 
 // True once an option is chosen or a path is drawn.

@@ -32,12 +32,13 @@ bool fits(float value, int digits) {
     return std::fabs(scaled - std::round(scaled)) < 1e-3f;
 }
 
-// The number of digits that shows the needed value, at most two, and which of two values is larger: 10.4° and 10.0°.
-int telling_decimals(const Measure& measure) {
+// The number of digits that shows the needed value, at most two, and, until the step is done, which of two values is
+// larger: 10.4° and 10.0°.
+int telling_decimals(const Measure& measure, bool done) {
     int digits = decimals(measure.unit);
     const float most_needed = measure.needed_most.value_or(measure.needed);
     while (digits < 2 && !(fits(measure.needed, digits) && fits(most_needed, digits))) ++digits;
-    const bool differ = std::fabs(measure.value - measure.needed) > 1e-4f;
+    const bool differ = !done && std::fabs(measure.value - measure.needed) > 1e-4f;
     for (const int most = std::min(digits + 2, 3); digits < most && differ; ++digits)
         if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
     return digits;
@@ -50,7 +51,7 @@ std::string value_text(const Strings& strings, const Measure& measure) {
 }
 
 std::string measure_text(const Strings& strings, const Measure& measure, bool done) {
-    const int digits = telling_decimals(measure);
+    const int digits = telling_decimals(measure, done);
     const std::string value = with_unit(strings, measure.value, measure.unit, digits);
     if (measure.needed_most)
         return fill(strings(done ? "exercise.done_between" : "exercise.now_between"),

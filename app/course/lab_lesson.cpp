@@ -155,16 +155,39 @@ void update_shipped_grade(Lesson& lesson, Jobs& jobs) {
 
 }  // namespace
 
+namespace {
+
+// True if the grade has the start of the present run as failed: then the brain was changed during the run.
+bool fails_here(const Lesson& lesson, std::uint64_t seed) {
+    if (!lesson.view.grade) return false;
+    const auto& starts = lesson.view.grade->starts;
+    return std::any_of(starts.begin(), starts.end(),
+                       [seed](const StartResult& start) { return start.seed == seed && !start.passed; });
+}
+
+// Whether the steps that are done say what the present submission does.
+void note_changes(Lesson& lesson, const Submission& now, std::uint64_t seed) {
+    if (!lesson.referee.passed())
+        lesson.done_with.reset();
+    else if (!lesson.done_with)
+        lesson.done_with = now;
+    lesson.view.changed_since_done = lesson.done_with && (*lesson.done_with != now || fails_here(lesson, seed));
+}
+
+}  // namespace
+
 void update_grading(Lab& lab, Jobs& jobs) {
     if (!lab.document.lesson) return;
     Lesson& lesson = *lab.document.lesson;
     update_shipped_grade(lesson, jobs);
     if (!lesson.grading && !lesson.graded && !lesson.referee.passed()) {
-        lesson.view.outside_offers = lesson.view.too_many_changes = false;
+        lesson.view.outside_offers = lesson.view.too_many_changes = lesson.view.changed_since_done = false;
+        lesson.done_with.reset();
         return;
     }
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
     show_grade(lesson, now);
+    note_changes(lesson, now, lab.document.session.seed());
     if (lesson.was_shown && now == with_solution(*lesson.exercise)) lesson.view.solution_shown = true;
     lesson.view.outside_offers = !outside_offers(*lesson.exercise, now).empty();
     lesson.view.too_many_changes = changes_too_many(*lesson.exercise, now);

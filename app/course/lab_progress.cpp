@@ -55,6 +55,7 @@ void follow_progress(Lab& lab) {
     ExerciseProgress now = progressed(before, lesson);
     lesson.view.has_kept =
         now.submission && *now.submission != submission_of(*lesson.exercise, lab.document.session.snapshot());
+    lesson.view.passed_before = now.passed;
     if (now == before) return;
     lab.students.before_reset.reset();
     lab.students.student().exercises[lesson.view.key] = std::move(now);

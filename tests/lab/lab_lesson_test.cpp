@@ -381,6 +381,42 @@ TEST(LabLesson, GradesTheEditedSubmissionWhenItIsEditedMeanwhile) {
     }
 }
 
+TEST(LabLesson, TellsStepsOfAnotherBrainApart) {
+    Jobs jobs(0);
+    Lab lab = solved_exercise();
+    run_until_every_step_is_done(lab);
+    turn(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).changed_since_done);
+    grade_to_the_end(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).changed_since_done);
+    handle(lab, Action::undo);
+    turn(lab, jobs);
+    EXPECT_TRUE(lesson_of(lab).changed_since_done) << "the brain is that of the file again";
+    grade_to_the_end(lab, jobs);
+    EXPECT_EQ(lesson_of(lab).grade->count, 0);
+    EXPECT_TRUE(lesson_of(lab).changed_since_done);
+    handle(lab, Action::redo);
+    turn(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).changed_since_done);
+    handle(lab, Action::undo);
+    handle(lab, Action::reset);
+    turn(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).changed_since_done) << "no step is done";
+}
+
+TEST(LabLesson, TellsThatTheBrainWasChangedDuringTheRun) {
+    Jobs jobs(0);
+    Lab lab = exercise_that_offers({});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
+    run_until_every_step_is_done(lab);
+    // Graded with a brain that does nothing, as after an edit in the last tick before the steps were done.
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph({.LM = 0.1f, .RM = 0.1f})}});
+    turn(lab, jobs);
+    grade_to_the_end(lab, jobs);
+    turn(lab, jobs);
+    EXPECT_TRUE(lesson_of(lab).changed_since_done) << "the start of this run fails with it";
+}
+
 TEST(LabLesson, CancelsGradingWhenTheDocumentIsReplacedOrTheExerciseRestarted) {
     Jobs jobs(0);
     for (const bool replace : {true, false}) {

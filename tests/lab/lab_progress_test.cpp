@@ -75,6 +75,7 @@ TEST(LabProgress, KeepsThePassedBrainSoThatLeavingAsksNothing) {
     handle(attempt.lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 3}});
     attempt.turn();
     EXPECT_TRUE(has_unsaved_edits(attempt.lab)) << "something else has changed";
+    EXPECT_TRUE(attempt.lab.document.lesson->view.passed_before);
     EXPECT_TRUE(attempt.progress().passed);
 }
 

@@ -286,9 +286,20 @@ TEST_F(LessonPrompts, AskForNoChangeWhileTheRunCompletesAStep) {
     desk.lesson.verdicts[0].measures[0].value = 0;
     EXPECT_EQ(anchor(), "exercise.hint") << "the condition does not hold";
     desk.lesson.verdicts[0].measures[0] = {.value = 2, .needed = 9, .unit = "s"};
+    desk.lesson.verdicts.push_back({.measures = {{.value = 1, .needed = 2, .unit = "m"}}});
     EXPECT_EQ(anchor(), "exercise.hint") << "it takes long";
+    desk.lesson.verdicts.pop_back();
     desk.lesson.verdicts[0].measures[0] = {.value = 8.9f, .needed = 9, .unit = "m"};
     EXPECT_EQ(anchor(), "exercise.hint") << "a distance";
+}
+
+TEST_F(LessonPrompts, AskForNoChangeWhileWaitingCompletesEveryStep) {
+    desk.opened.seconds = 31;
+    at(21);
+    desk.lesson.verdicts.assign(2, Verdict{false, {{21, 30, "s"}}});
+    EXPECT_TRUE(next().hint.empty());
+    desk.lesson.verdicts[1].lost = true;
+    EXPECT_EQ(next().hint, "hint.ask");
 }
 
 TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
@@ -336,6 +347,10 @@ TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     EXPECT_EQ(next().hint, "hint.steps_done") << "the other starts have no dots yet";
     desk.lesson.grade = graded({true, false}, false);
     EXPECT_EQ(next().hint, "hint.other_starts");
+    desk.lesson.changed_since_done = true;
+    EXPECT_EQ(next().hint, "hint.changed_since") << "the steps say nothing about the present brain";
+    EXPECT_EQ(anchor(), "button.reset");
+    desk.lesson.changed_since_done = false;
     desk.lesson.grade = graded({true, true}, true);
     EXPECT_EQ(anchor(), "exercise.next");
     EXPECT_EQ(next().hint, "hint.passed");

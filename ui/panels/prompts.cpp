@@ -150,17 +150,21 @@ bool may_ask_for_a_hint(const LabView& view) {
     return left && lesson.hint_ready && view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
 }
 
-// True if the run alone completes a step within the next seconds: then no hint asks for a change.
+// True if the run alone completes a step within the next seconds, or every step in the end: then no hint asks for a
+// change.
 bool is_completing_a_step(const LessonView& lesson) {
     constexpr float soon = 5;  // s
-    const auto runs_out = [](const Measure& m) {
-        return m.unit == "s" && !m.at_most && !m.best && m.value > 0 && m.value < m.needed &&
-               m.needed - m.value <= soon;
-    };
-    return std::any_of(lesson.verdicts.begin(), lesson.verdicts.end(), [&](const Verdict& verdict) {
+    const auto lasts_for = [](const Verdict& verdict, float most) {
         return !verdict.done && !verdict.lost &&
-               std::any_of(verdict.measures.begin(), verdict.measures.end(), runs_out);
-    });
+               std::any_of(verdict.measures.begin(), verdict.measures.end(), [most](const Measure& m) {
+                   return m.unit == "s" && !m.at_most && !m.best && m.value > 0 && m.value < m.needed &&
+                          m.needed - m.value <= most;
+               });
+    };
+    const auto& verdicts = lesson.verdicts;
+    return std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return lasts_for(v, soon); }) ||
+           std::all_of(verdicts.begin(), verdicts.end(),
+                       [&](const Verdict& v) { return v.done || lasts_for(v, INFINITY); });
 }
 
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
@@ -169,6 +173,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (awaits_prediction(lesson)) return {"exercise.predict", "hint.predict"};
     if (!lesson.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
+    if (all_steps_done(lesson) && lesson.changed_since_done) return {"button.reset", "hint.changed_since"};
     if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
     if (const auto anchor = hinted(memory, view); !anchor.empty()) return {anchor, "hint.follow_hint"};
     if (at_start) return {"button.play", "hint.press_play"};

@@ -85,6 +85,15 @@ void kept_button(const LabView& view, Ui& ui) {
     gap(ui, 12);
 }
 
+// The key of what the grade says.
+std::string_view next_words(const LessonView& lesson) {
+    const Grade& grade = *lesson.grade;
+    if (!grade.good) return grade.count == 0 ? "exercise.not_yet_none" : "exercise.not_yet_next";
+    if (lesson.solution_shown) return "exercise.passed_shown";
+    return static_cast<std::size_t>(grade.count) == grade.starts.size() ? "exercise.passed_all"
+                                                                        : "exercise.passed_next";
+}
+
 void result(const LabView& view, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     if (lesson.starts_tested) {
@@ -106,11 +115,7 @@ void result(const LabView& view, Ui& ui) {
     start_pictures(view, ui);
     median_rows(lesson, ui);
     if (grade.good) together_button(lesson, ui);
-    paragraph(ui,
-              ui.strings(!grade.good             ? "exercise.not_yet_next"
-                         : lesson.solution_shown ? "exercise.passed_shown"
-                                                 : "exercise.passed_next"),
-              ui.palette.second_text, Face::small);
+    paragraph(ui, ui.strings(next_words(lesson)), ui.palette.second_text, Face::small);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     mark(ui, "exercise.grade", {start.x, start.y, card_width(ui), end.y - start.y - ui.px(8)});
     gap(ui, 12);
@@ -173,8 +178,8 @@ const CatalogueEntry* next_exercise(const LabView& view) {
 // Opens the next exercise, or the list of files after the last one.
 void next_button(const LabView& view, PanelState& state, Ui& ui) {
     const CatalogueEntry* next = next_exercise(view);
-    const Item at =
-        button(ui, "exercise.next", {{}, ui.strings(next ? "exercise.next" : "exercise.more"), Emphasis::primary});
+    const Emphasis emphasis = has_passed(*view.lesson) ? Emphasis::primary : Emphasis::plain;
+    const Item at = button(ui, "exercise.next", {{}, ui.strings(next ? "exercise.next" : "exercise.more"), emphasis});
     tooltip(ui, at, next ? entry_words(view, ui, *next) : std::string(ui.strings("exercise.more_how")),
             key_name({key::enter}, ui.strings));
     if (!at.pressed) return;
@@ -191,9 +196,14 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
         next_button(view, state, ui);
     else
         hint_button(*view.lesson, ui);
+    if (!passed && view.lesson->passed_before) {  // with another brain, or at another time
+        const ButtonLook next{{}, ui.strings(next_exercise(view) ? "exercise.next" : "exercise.more")};
+        beside_or_below(ui, button_width(ui, next), right);
+        next_button(view, state, ui);
+    }
     ButtonLook reset{{}, ui.strings("exercise.reset")};
     const bool fits = ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) <= right;
-    if (!fits && has_icons(ui)) reset = {icon::reset, {}};  // a second row of buttons would cover the steps
+    if (!fits && has_icons(ui)) reset = {icon::start_over, {}};  // a second row of buttons would cover the steps
     beside_or_below(ui, button_width(ui, reset), right);
     const Item at = button(ui, "exercise.reset", reset);
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
@@ -228,6 +238,10 @@ void steps(const LabView& view, Ui& ui) {
                   colour_of(NoticeKind::notice, ui.palette), Face::small);
     if (lesson.outside_offers)
         paragraph(ui, ui.strings("exercise.outside_offers"), ui.palette.second_text, Face::small);
+    if (lesson.changed_since_done)
+        paragraph(ui, ui.strings("exercise.ticks_before"), colour_of(NoticeKind::notice, ui.palette), Face::small);
+    else if (has_passed(lesson) && !all_steps_ticked(lesson))
+        paragraph(ui, ui.strings("exercise.ticks_of_run"), ui.palette.second_text, Face::small);
     for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
     gap(ui, 12);
 }
@@ -257,8 +271,8 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
     return fill(ui.strings("exercise.heading"), {number_words(view, exercise.number, exercise.id)});
 }
 
-// When the exercise is passed, the result and the steps are at the top. Once the brain is changed, the steps are above
-// the outcome of the prediction. In a low window the rest scrolls.
+// When the exercise is passed, the result and the steps are at the top. Once the outcome is known, the steps are above
+// it: a change of the brain moves nothing. In a low window the rest scrolls.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
@@ -272,7 +286,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (passed) question(lesson, state, ui), steps(view, ui);
         task(view, state, ui);
         if (!hides_outcome(view)) selection_button(view, state, ui);
-        const bool steps_first = rewired && !hides_outcome(view);
+        const bool steps_first = (rewired || lesson.outcome_known) && !hides_outcome(view);
         if (!passed && steps_first) steps(view, ui), hints(lesson, state, ui);
         prediction(view, state, rewired, ui);
         if (!passed && !steps_first) steps(view, ui);

@@ -4,8 +4,24 @@
 
 namespace braitenlab::ui {
 
+namespace {
+
+// The key of what a unit measures; empty where the unit says it: rounds, contacts.
+std::string_view quantity(std::string_view unit) {
+    if (unit == "m") return "exercise.distance";
+    if (unit == "s") return "exercise.time";
+    if (unit == "m/s") return "exercise.speed";
+    return unit == "°" ? "exercise.angle" : std::string_view{};
+}
+
+}  // namespace
+
 std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
-    return measure_text(ui.strings, measure, done);
+    std::string words = measure_text(ui.strings, measure, done);
+    const std::string_view what = quantity(measure.unit);
+    const bool is_rest_of_way = measure.at_most && measure.needed == 0;  // "1.44 m to go"
+    if (done || what.empty() || words.empty() || is_rest_of_way) return words;
+    return std::string(ui.strings(what)) + " " + words;
 }
 
 }  // namespace braitenlab::ui
