@@ -45,6 +45,7 @@ struct Leaving {
     std::string next{};        // the file or link to open next; empty: the program ends
     std::string next_title{};  // of the scene or exercise in it
     bool resume = false;       // of OpenRequest
+    bool passed = false;       // an exercise that the student has passed: its progress is kept
 };
 
 // State of file operations, for the panels.

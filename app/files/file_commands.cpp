@@ -28,6 +28,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // True if the open exercise is passed with the present brain.
+bool passed_before(const Lab& lab) { return lab.document.lesson && lab.document.lesson->view.passed_before; }
+
 bool has_passed(const Lab& lab) {
     const auto& lesson = lab.document.lesson;
     return lesson && lesson->view.grade && lesson->view.grade->good;
@@ -92,7 +94,7 @@ struct FileCommands {
         auto opened = open_document(*file, std::nullopt, {});
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened)};
+            view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened), false, passed_before(lab)};
             return view.refused.reset();
         }
         leave_pages(lab);
@@ -123,7 +125,7 @@ struct FileCommands {
         auto lecture = read_whole_lecture(path);
         if (!lecture) return fail(lecture.error());
         if (!discard && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{title_of(lab.document), path.string(), lecture->title, resume};
+            view.leaving = Leaving{title_of(lab.document), path.string(), lecture->title, resume, passed_before(lab)};
             return view.refused.reset();
         }
         auto shared = std::make_shared<const Lecture>(std::move(*lecture));
@@ -249,7 +251,7 @@ bool has_unsaved_edits(const Lab& lab) {
 
 bool may_leave(const Lab& lab, FilesView& view) {
     if (!has_unsaved_edits(lab)) return true;
-    view.leaving = Leaving{title_of(lab.document)};
+    view.leaving = Leaving{.title = title_of(lab.document), .passed = passed_before(lab)};
     view.refused.reset();
     return false;
 }

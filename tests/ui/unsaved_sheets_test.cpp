@@ -44,6 +44,27 @@ TEST_F(UnsavedSheets, NamesTheUnsavedDocumentAndTheNextOne) {
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
 }
 
+TEST_F(UnsavedSheets, SayThatAPassedExerciseIsKept) {
+    files.leaving = Leaving{.title = "Coward", .next = "/home/me/other.toml", .next_title = "Values", .passed = true};
+    desk.frame(3);
+    EXPECT_TRUE(says("You have passed this exercise"));
+    EXPECT_FALSE(says("changes that no file has yet"));
+}
+
+TEST_F(UnsavedSheets, TellTheTimeOfTheKeptWorkAndItsFile) {
+    ui::Ui ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked, {}, 1};
+    EXPECT_EQ(time_words(ui, "2026-03-01 14:05:42", "2026-03-01"), "today at 14:05");
+    EXPECT_EQ(time_words(ui, "2026-02-28 14:05:42", "2026-03-01"), "on 2026-02-28 at 14:05");
+    const RecoveryOffer offer{"Drive", "/home/me/exercises/drive.toml", "2026-02-28 14:05:42"};
+    desk.view.recovery = &offer;
+    desk.frame(3);
+    EXPECT_TRUE(says("drive.toml"));
+    EXPECT_FALSE(says("/home/me"));
+    desk.point("recovery.file");
+    desk.frame(60);
+    EXPECT_TRUE(says("/home/me/exercises"));
+}
+
 TEST_F(UnsavedSheets, SavesOnEnterIfTheSceneHasAFile) {
     files.save_to = "/home/me/mine.toml";
     ask();
@@ -176,7 +197,7 @@ TEST(RecoverySheet, NamesTitleFileAndTime) {
     desk.frame(3);
     std::string all;
     for (const Written& w : desk.written) all += w.words + "\n";
-    for (const std::string& words : {offer.title, offer.file, offer.when})
+    for (const std::string& words : {offer.title, std::string("mine.toml"), std::string("2026-03-01 at 10:42")})
         EXPECT_NE(all.find(words), std::string::npos) << words;
 }
 

@@ -1,4 +1,6 @@
 // The two sheets about unsaved edits: before the scene is closed, and after a crash.
+#include <ctime>
+#include <filesystem>
 #include <string>
 
 #include <imgui.h>
@@ -39,15 +41,42 @@ void leaving_question(const LabView& view, Ui& ui) {
     const FilesView& files = *view.files;
     const Leaving& leaving = *files.leaving;
     const Palette& p = ui.palette;
-    paragraph(ui,
-              leaving.next.empty() ? fill(ui.strings("leaving.exit"), {known_title(view, ui, leaving.title)})
-                                   : fill(ui.strings("leaving.open"), {known_title(view, ui, leaving.title),
-                                                                       known_title(view, ui, leaving.next_title)}),
-              p.text);
+    if (leaving.passed) paragraph(ui, ui.strings("leaving.passed"), p.text);
+    if (!leaving.passed)
+        paragraph(ui,
+                  leaving.next.empty() ? fill(ui.strings("leaving.exit"), {known_title(view, ui, leaving.title)})
+                                       : fill(ui.strings("leaving.open"), {known_title(view, ui, leaving.title),
+                                                                           known_title(view, ui, leaving.next_title)}),
+                  p.text);
     if (files.refused) paragraph(ui, text_of(*files.refused, ui.strings), legible(p.warning, p.panel, p.text));
 }
 
+// "2026-03-01", local time.
+std::string local_day() {
+    char text[16] = {};
+    const std::time_t now = std::time(nullptr);
+    if (const std::tm* local = std::localtime(&now)) std::strftime(text, sizeof text, "%Y-%m-%d", local);
+    return text;
+}
+
+// The name of a file; the pointer over it shows its folder.
+void file_row(Ui& ui, const std::string& path) {
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const std::string name = std::filesystem::path(path).filename().string();
+    const Item at = item(ui, "recovery.file", {card_width(ui), line_height(ui, Face::small)}, false);
+    put(ui, start, shortened(ui, name, Face::small, at.rect.w), ui.palette.second_text, Face::small);
+    tooltip(ui, at, path);
+}
+
 }  // namespace
+
+std::string time_words(const Ui& ui, const std::string& when, const std::string& today) {
+    constexpr std::size_t day = 10, minute = 16;  // characters
+    if (when.size() < minute) return when;
+    const std::string clock = when.substr(day + 1, minute - day - 1);
+    if (when.starts_with(today)) return fill(ui.strings("recovery.today"), {clock});
+    return fill(ui.strings("recovery.day"), {when.substr(0, day), clock});
+}
 
 void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (!view.files || !view.files->leaving) {
@@ -96,9 +125,11 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     }
     begin_sheet(ui, state.recovery, "card.recovery",
                 ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"), 460, window);
-    paragraph(ui, fill(ui.strings("recovery.what"), {known_title(view, ui, view.recovery->title), view.recovery->when}),
+    paragraph(ui,
+              fill(ui.strings("recovery.what"),
+                   {known_title(view, ui, view.recovery->title), time_words(ui, view.recovery->when, local_day())}),
               ui.palette.text);
-    if (!view.recovery->file.empty()) paragraph(ui, view.recovery->file, ui.palette.second_text, Face::small);
+    if (!view.recovery->file.empty()) file_row(ui, view.recovery->file);
     sheet_buttons(ui, state.recovery);
     const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
     tooltip(ui, take, ui.strings("recovery.take_how"));
