@@ -49,6 +49,70 @@ TEST_F(DrawInsight, TheLastRunIsDrawnUnlessASolutionIs) {
     EXPECT_FALSE(desk.anchors.find("stage.last_run"));
 }
 
+TEST_F(DrawInsight, TheWholeLastRunIsDrawnWhileTheNewOneWaits) {
+    desk.now.tick = 0;
+    desk.view.last_run = GhostView{path[0], 1, 0.7f, &path, 1};
+    desk.view.mode = Mode::playing;
+    desk.frame();
+    EXPECT_NEAR(desk.where("stage.last_run").x + 12, pixel({path[0].x, path[0].y}).x, 1) << "its present place";
+    desk.view.mode = Mode::paused;
+    desk.frame();
+    const Rect at = desk.where("stage.last_run");
+    EXPECT_NEAR(at.x + at.w / 2, pixel({path.back().x, path.back().y}).x, 1);
+    EXPECT_TRUE(writes("Last run"));
+}
+
+TEST_F(DrawInsight, TheWordsOfBothPathsDoNotOverlap) {
+    std::vector<Pose> before = path;
+    for (const float apart : {-0.7f, 0.7f}) {
+        before.back().y = path.back().y + apart;
+        desk.view.prediction =
+            PredictionView{.path = &path, .fan = &no_fan, .tick = 100, .before = &before, .before_tick = 100};
+        desk.frame();
+        const ui::Written *coming = nullptr, *earlier = nullptr;
+        for (const ui::Written& one : desk.written) {
+            if (one.words.starts_with("in ")) coming = &one;
+            if (one.words == "before") earlier = &one;
+        }
+        ASSERT_TRUE(coming && earlier) << apart;
+        EXPECT_GE(std::fabs(coming->rect.y - earlier->rect.y), coming->rect.h + 8) << apart;
+    }
+}
+
+TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
+    insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.4f, .right = 0.4f};
+    desk.view.why = &why;
+    desk.now.tick = 100;
+    desk.view.mode = Mode::playing;
+    desk.now.vehicles[0].speed = 0;
+    desk.frame();
+    std::string all;
+    for (const ui::Written& one : desk.written) all += one.words + " ";
+    EXPECT_NE(all.find("something is in its way"), std::string::npos);
+    EXPECT_FALSE(writes("straight on"));
+    EXPECT_FALSE(writes("Wheel difference")) << "nothing but zeros";
+    desk.now.vehicles[0].speed = 1;
+    desk.frame();
+    EXPECT_TRUE(writes("straight on"));
+}
+
+TEST_F(DrawInsight, TheCauseOfTheTurnKeepsALampInSight) {
+    insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
+    why.bias = -0.35f;
+    desk.view.why = &why;
+    desk.now.sources.clear();
+    desk.frame();
+    const Rect callout = desk.where("why");
+    const auto hidden = unproject(camera_view, {callout.x + callout.w / 2, callout.y + callout.h / 2});
+    ASSERT_TRUE(hidden);
+    desk.now.sources.resize(1);
+    desk.now.sources[0].x = hidden->x, desk.now.sources[0].y = hidden->y;
+    desk.frame();
+    const Rect moved = desk.where("why");
+    const maths::vec2 at = pixel(*hidden);
+    EXPECT_FALSE(at.x > moved.x && at.x < moved.x + moved.w && at.y > moved.y && at.y < moved.y + moved.h);
+}
+
 TEST_F(DrawInsight, TheCauseOfTheTurnHasABarForEachSensorAndAddsUp) {
     insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
     why.sensors = {{"SR", 0.56f, -0.28f}, {"SL", 0.2f, 0.03f}};

@@ -214,14 +214,13 @@ struct Explained {
     const Cause& why;
 };
 
-std::string explanation(const Ui& ui, const Explained& given, bool is_stuck) {
+std::string explanation(const Ui& ui, const Explained& given, bool stuck) {
     const auto& [view, vehicle, both, why] = given;
     if (both[0].stopped && both[1].stopped) return std::string(ui.strings("sums.both_stopped"));
     if (both[0].stopped || both[1].stopped)
         return std::string(ui.strings(both[0].stopped ? "sums.left_stopped" : "sums.right_stopped"));
     if (are_alike(both[0].total, 0) && are_alike(both[1].total, 0)) return std::string(ui.strings("sums.still"));
-    if (are_alike(both[0].total, both[1].total))
-        return std::string(ui.strings(is_stuck ? "sums.stuck" : "sums.straight"));
+    if (are_alike(both[0].total, both[1].total)) return std::string(ui.strings(stuck ? "sums.stuck" : "sums.straight"));
     const std::string_view wheel = ui.strings(why.difference > 0 ? "sums.right_faster" : "sums.left_faster");
     if (why.by == Cause::By::product || why.by == Cause::By::term)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
@@ -231,6 +230,10 @@ std::string explanation(const Ui& ui, const Explained& given, bool is_stuck) {
 }
 
 }  // namespace
+
+bool is_stuck(const LabView& view, const VehicleView& vehicle) {
+    return view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
+}
 
 void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
@@ -250,14 +253,12 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         tooltip(ui, area, ui.strings("sums.how"));
     else if (wants_tooltip(ui, area))
         tooltip(ui, area, std::string(ui.strings("sums.more_wires")) + legend(view, ui, vehicle, both));
-    // The wheels are driven and the vehicle does not move: it is blocked. Not known in the first half second.
-    const bool is_stuck = view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
     const ImVec2 below = ImGui::GetCursorScreenPos();
     const SmallButton more{"button.why", icon::notice, ui.strings("why.button"), view.why != nullptr};
     const SmallButton map{"button.map", icon::map, ui.strings("map.button"), view.settings.map};
     const float map_width = small_button_width(ui, map, !has_icons(ui));
     const float width = small_button_width(ui, more, !has_icons(ui)) + map_width + ui.px(4);
-    paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck), ui.palette.text, Face::small,
+    paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)), ui.palette.text, Face::small,
               card_width(ui) - width - ui.px(6));
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({below.x + card_width(ui) - width, below.y - ui.px(3)});

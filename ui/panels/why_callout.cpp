@@ -1,6 +1,7 @@
 // The callout beside the selected vehicle: the cause of its turn in a sentence, and a bar for the part of each sensor.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,7 @@ std::vector<WhyBar> why_bars(const LabView& view, const Ui& ui, const VehicleVie
             {known == sensors.end() ? part.sensor : sensor_label(ui, sensors, *known), part.value * towards});
     }
     bars.push_back({std::string(ui.strings("why.bias")), why.bias * towards});
-    bars.push_back({std::string(ui.strings("why.rest")), rest * towards});
+    bars.push_back({std::string(ui.strings("why.rest")), rest * towards});  // last, see main_cause()
     return bars;
 }
 
@@ -82,7 +83,7 @@ WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehi
     WhyCallout callout;
     callout.bars = why_bars(view, ui, vehicle, why, turns && difference < 0 ? -1.0f : 1.0f);
     const bool rests = std::fabs(why.left) < shown_as_zero && std::fabs(why.right) < shown_as_zero;
-    std::string sentence(ui.strings(rests ? "sums.still" : "sums.straight"));
+    std::string sentence(ui.strings(rests ? "sums.still" : is_stuck(view, vehicle) ? "sums.stuck" : "sums.straight"));
     if (turns)
         sentence = fill(ui.strings(difference > 0 ? "why.turns_left" : "why.turns_right"),
                         {fixed(ui, std::fabs(difference), 2)});
@@ -90,17 +91,27 @@ WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehi
     const std::string cause = turns ? main_cause(ui, why, callout.bars) : std::string();
     for (const std::string& line : lines_of_words(ui, cause, Face::small, width))
         if (!line.empty()) callout.cause.push_back(line);
-    if (why.ticks > 0)
-        callout.footnote = lines_of_words(
-            ui, fill(ui.strings("why.silenced"), {fixed(ui, static_cast<float>(why.ticks) * tick_seconds, 1)}),
-            Face::small, width);
+    const auto is_nothing = [](const WhyBar& bar) { return std::fabs(bar.value) < shown_as_zero; };
+    if (is_nothing(callout.bars.back()))
+        callout.bars.pop_back();
+    else
+        callout.footnote = lines_of_words(ui, ui.strings("why.rest_means"), Face::small, width);
+    if (std::all_of(callout.bars.begin(), callout.bars.end(), is_nothing))
+        callout.bars.clear();  // the sentence says it
+    if (why.ticks > 0 && !callout.bars.empty()) {
+        const std::string seconds = fixed(ui, static_cast<float>(why.ticks) * tick_seconds, 1);
+        for (std::string& line : lines_of_words(ui, fill(ui.strings("why.silenced"), {seconds}), Face::small, width))
+            callout.footnote.push_back(std::move(line));
+    }
     return callout;
 }
 
 float callout_height(const Ui& ui, const WhyCallout& callout) {
     const float row = line_height(ui, Face::small) + ui.px(callout_row);
     return ui.px(2 * callout_pad + 6) + static_cast<float>(callout.lines.size()) * line_height(ui, Face::text) +
-           static_cast<float>(callout.cause.size() + callout.bars.size() + 1 + callout.footnote.size()) * row;
+           static_cast<float>(callout.cause.size() + callout.bars.size() + !callout.bars.empty() +
+                              callout.footnote.size()) *
+               row;
 }
 
 // A bar from the middle of `room` and its number, right of it. The longest bar fills half of the room.
@@ -120,6 +131,7 @@ void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float widt
         put(ui, {at.x, y}, line, p.text, Face::text), y += line_height(ui, Face::text);
     for (const std::string& line : callout.cause)
         put(ui, {at.x, y += ui.px(callout_row)}, line, p.text, Face::small), y += line_height(ui, Face::small);
+    if (callout.bars.empty()) return;
     y += ui.px(6);
     float longest = 0, sum = 0;
     for (const WhyBar& bar : callout.bars) longest = std::max(longest, std::fabs(bar.value)), sum += bar.value;
@@ -141,23 +153,31 @@ void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float widt
 }
 
 // A box behind the vehicle as seen on the screen, else ahead of it, below or above, within the area and without
-// covering the vehicle.
-Rect place_beside(maths::vec2 vehicle, bool heads_right, maths::vec2 size, float away, Rect area) {
+// covering the vehicle; of these places the first one that covers the fewest lamps.
+Rect place_beside(maths::vec2 vehicle, bool heads_right, maths::vec2 size, float away, Rect area,
+                  const std::vector<maths::vec2>& lamps) {
     const auto within = [](float at, float low, float high) {
         return std::floor(std::clamp(at, low, std::max(low, high)));
     };
     const maths::vec2 right{vehicle.x + away, vehicle.y - size.y / 2};
     const maths::vec2 left{vehicle.x - away - size.x, vehicle.y - size.y / 2};
     const float middle = vehicle.x - size.x / 2;
+    const auto covered = [&](const Rect& box) {
+        return std::count_if(lamps.begin(), lamps.end(), [&](maths::vec2 lamp) {
+            return lamp.x > box.x && lamp.x < box.x + box.w && lamp.y > box.y && lamp.y < box.y + box.h;
+        });
+    };
+    std::optional<Rect> best;
     Rect box;
     for (const maths::vec2 corner : {heads_right ? left : right, maths::vec2{middle, vehicle.y + away},
                                      maths::vec2{middle, vehicle.y - away - size.y}, heads_right ? right : left}) {
         box = {within(corner.x, area.x, area.x + area.w - size.x), within(corner.y, area.y, area.y + area.h - size.y),
                size.x, size.y};
         const float x = std::clamp(vehicle.x, box.x, box.x + box.w), y = std::clamp(vehicle.y, box.y, box.y + box.h);
-        if (maths::distance(vehicle, {x, y}) >= 0.8f * away) break;
+        if (maths::distance(vehicle, {x, y}) < 0.8f * away) continue;
+        if (!best || covered(box) < covered(*best)) best = box;
     }
-    return box;
+    return best.value_or(box);
 }
 
 }  // namespace
@@ -174,7 +194,10 @@ void why_callout(const LabView& view, const Ui& ui, Rect area) {
     const float h = callout_height(ui, callout), away = ui.px(from_vehicle);
     const auto ahead =
         project(*view.camera_view, maths::vec2{vehicle->x, vehicle->y} + maths::direction(vehicle->heading));
-    const Rect box = place_beside(*middle, ahead && ahead->x > middle->x, {w, h}, away, area);
+    std::vector<maths::vec2> lamps;
+    for (const SourceView& lamp : view.now->sources)
+        if (const auto at = project(*view.camera_view, {lamp.x, lamp.y}, render::deck_height)) lamps.push_back(*at);
+    const Rect box = place_beside(*middle, ahead && ahead->x > middle->x, {w, h}, away, area, lamps);
     draw_line(
         ui,
         {{middle->x, middle->y}, {std::clamp(middle->x, box.x, box.x + w), std::clamp(middle->y, box.y, box.y + h)}},

@@ -284,12 +284,13 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
     ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
 }
 
-void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside) {
+void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside,
+               bool wants_above) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float w = text_width(ui, Face::small, words) + ui.px(16), h = line_height(ui, Face::small) + ui.px(8);
     const Rect& room = frame.area;
     const float gap = ui.px(18);
-    const bool left = beside.x + gap + w > room.x + room.w, above = beside.y + gap + h > room.y + room.h;
+    const bool left = beside.x + gap + w > room.x + room.w, above = wants_above || beside.y + gap + h > room.y + room.h;
     const ImVec2 at{std::floor(std::max(room.x, left ? beside.x - gap - w : beside.x + gap)),
                     std::floor(std::max(room.y, above ? beside.y - gap - h : beside.y + gap))};
     list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(6));

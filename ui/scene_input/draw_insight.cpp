@@ -31,11 +31,29 @@ std::vector<vec2> coming(const std::vector<Pose>& path, std::uint64_t first, std
 
 // Words at the end of a path.
 void name_end(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, std::string_view words,
-              Colour colour) {
+              Colour colour, bool above = false) {
     const auto at = project(frame.camera_view, points.back());
     if (!at) return;
     draw_dot(ui, {at->x, at->y}, 4, colour);
-    draw_note(frame, ui, words, colour, *at);
+    draw_note(frame, ui, words, colour, *at, above);
+}
+
+// True if the first point is higher on the screen.
+bool is_higher(const SceneInputFrame& frame, vec2 a, vec2 b) {
+    const auto first = project(frame.camera_view, a), second = project(frame.camera_view, b);
+    return first && second && first->y < second->y;
+}
+
+// The whole path of the last run, while the new one waits at its start.
+void draw_last_path(const SceneInputFrame& frame, const Ui& ui, GhostView run) {
+    run.count = run.path->size();
+    draw_path_dots(frame, ui, run, ui.palette.second_text);
+    const Pose end = run.path->back();
+    name_end(frame, ui, {{end.x, end.y}}, ui.strings("scene_input.last_run"), ui.palette.second_text);
+    if (const auto at = project(frame.camera_view, {end.x, end.y})) {
+        const float size = ui.px(24);
+        ui.anchors.record("stage.last_run", {at->x - size / 2, at->y - size / 2, size, size});
+    }
 }
 
 void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const PredictionView& shown) {
@@ -46,17 +64,19 @@ void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const Predictio
         draw_floor_line(frame, ui, coming(other, shown.tick, now), p.accent.with_alpha(0.35f), 1.25f);
     std::vector<vec2> points = coming(*shown.path, shown.tick, now);
     if (points.empty()) return;
+    bool above = false;  // the words of both ends do not overlap: one is above its end, the other one below
     if (shown.before) {
         const std::vector<vec2> before = coming(*shown.before, shown.before_tick, now);
         draw_floor_line(frame, ui, before, p.second_text.with_alpha(0.6f), 1.5f);
         constexpr float apart = 0.6f;  // m
         if (!before.empty() && maths::distance(before.back(), points.back()) > apart)
-            name_end(frame, ui, before, ui.strings("scene_input.before"), p.second_text);
+            above = is_higher(frame, points.back(), before.back()),
+            name_end(frame, ui, before, ui.strings("scene_input.before"), p.second_text, !above);
     }
     draw_dashes(frame, ui, points, colour);
     const std::uint64_t end = shown.tick + shown.path->size() - 1;
     const auto seconds = static_cast<int>(std::lround(static_cast<double>(end - now) / 60));
-    name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour);
+    name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour, above);
     if (const auto at = project(frame.camera_view, points.back())) {
         const float size = ui.px(16);
         ui.anchors.record("stage.prediction", {at->x - size / 2, at->y - size / 2, size, size});
@@ -86,7 +106,9 @@ bool is_beside(const LabView& view, const Pose& ghost) {
 void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
     const LabView& view = frame.view;
     if (view.mode == Mode::wiring) return;
-    if (view.last_run && !view.ghost && is_beside(view, view.last_run->pose))
+    const bool waits = view.now->tick == 0 && view.mode == Mode::paused;
+    if (view.last_run && !view.ghost && waits) draw_last_path(frame, ui, *view.last_run);
+    if (view.last_run && !view.ghost && !waits && is_beside(view, view.last_run->pose))
         draw_ghost(frame, ui, *view.last_run,
                    {ui.palette.second_text, ui.palette.line, ui.strings("scene_input.last_run"), "stage.last_run"});
     if (view.map && view.map->hovered && view.map->path) return draw_map_path(frame, ui, *view.map);

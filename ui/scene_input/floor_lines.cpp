@@ -36,7 +36,8 @@ void fill_deck(const SceneInputFrame& frame, const std::vector<vec2>& outline, C
         ImGui::GetBackgroundDrawList()->AddConvexPolyFilled(points.data(), 4, paint(colour.with_alpha(0.14f)));
 }
 
-// At fixed times, so that their distances show the speed; they fade within a minute.
+}  // namespace
+
 void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView& ghost, Colour colour) {
     constexpr std::size_t ticks_per_dot = 15, most_ticks = 3600;
     const std::size_t last = ghost.count - 1;
@@ -48,8 +49,6 @@ void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView&
         if (tick == 0) break;
     }
 }
-
-}  // namespace
 
 void draw_dashes(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, Colour colour,
                  const DashedLine& look) {

@@ -24,6 +24,10 @@ void draw_floor_line(const SceneInputFrame&, const Ui&, const std::vector<maths:
 // A note beside a place.
 void draw_name(const SceneInputFrame&, const Ui&, maths::vec2 place, float height, std::string_view words, Colour edge);
 
+// The driven part of a ghost's path as dots at fixed times, so that their distances show the speed; they fade within a
+// minute.
+void draw_path_dots(const SceneInputFrame&, const Ui&, const GhostView&, Colour);
+
 // A vehicle of another run as a dashed outline, four dots a second along its path, and its name: it has no colour of
 // its own and nothing that a click takes. Records the anchor at its position.
 struct GhostLook {
