@@ -398,7 +398,7 @@ void act(Lab& lab, Action action) {
             else if (lab.left_pages && lab.left_run == lab.document.run_id)
                 request_left_lecture(lab, true);
             else
-                begin_lecture(lab);
+                begin_lecture(lab), say(lab, {NoticeKind::notice, "notice.projector_view"});
             break;
         case Action::first_page:
             lab.pages ? show_page(lab, 0) : request_left_lecture(lab, false);

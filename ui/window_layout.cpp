@@ -19,7 +19,7 @@ constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, o
 constexpr float metre_labels = 16;                                 // below the arena
 constexpr float wide_window = 1600;                                // has room for both columns and a watched canvas
 constexpr float narrow_window = 1200;                              // a narrower window has narrower cards and margins
-constexpr float inset_height = 232;
+constexpr float inset_height = 232, goal_height = 42;
 constexpr float charts_height = 248, tools_row = 44;
 
 struct ColumnWidths {
@@ -159,6 +159,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
     if (view.lecture && view.map && l.left.w > 0) l.scene.x = from_left, l.scene.w -= from_left - margin;
+    const bool covers = view.lecture && open.right && !view.pages && view.mode != Mode::wiring;
+    if (covers && !view.settings.watching) l.scene.w -= l.right.w + margin;  // an open card has a column of its own
     if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
 
     if (view.mode == Mode::wiring) {
@@ -172,6 +174,10 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.scene = {width - margin - inset_width, bottom - inset, inset_width, inset};
         l.canvas = {from, top, l.scene.x - margin - from, column};
         if (!view.lecture) l.timeline = take_timeline(l.canvas, scale);
+        if (view.lesson && l.left.w <= 0 && !view.lecture) {
+            l.goal = {l.canvas.x, top, l.canvas.w, goal_height * scale};
+            l.canvas.y += l.goal.h, l.canvas.h -= l.goal.h;
+        }
         l.right.h = column - inset - margin;
     } else if (!view.lecture) {
         l.timeline = take_timeline(l.scene, scale);

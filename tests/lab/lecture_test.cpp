@@ -25,6 +25,14 @@ TEST_F(LabLecture, TypeIsLargeAndColoursAreLight) {
     EXPECT_EQ(view_of(lab).theme, Theme::light);
 }
 
+TEST_F(LabLecture, BeginsByTellingHowToLeaveIt) {
+    handle(lab, Action::lecture);
+    EXPECT_EQ(lab.notice.key, "notice.projector_view");
+    lab.notice = {};
+    handle(lab, Action::lecture);
+    EXPECT_TRUE(lab.notice.empty());
+}
+
 TEST_F(LabLecture, LeavingRestoresPreferencesAndCamera) {
     const Preferences mine{Theme::dark, "es", 1.25f, true};
     lab.preferences = mine;

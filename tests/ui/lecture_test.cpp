@@ -47,6 +47,7 @@ TEST(Lecture, LeavesTheSpaceOfFoldedCardsToTheScene) {
     desk.frame(3);
     EXPECT_GT(desk.where("card.brain").w, right.w) << "an open card takes its space";
     EXPECT_TRUE(desk.anchors.find("slider.LR"));
+    EXPECT_LE(desk.layout.scene.x + desk.layout.scene.w, desk.where("card.brain").x) << "and covers nothing of it";
 }
 
 TEST(Lecture, ExtendsTheDiagramOverTheCardBelowIt) {

@@ -81,7 +81,7 @@ private:
 
     Inspected& in_;
     std::uint64_t gesture_ = 0;
-    bool plots_;
+    bool plots_, in_one_column_ = false;
     float start_, words_width_, slider_width_ = 0;
     int sliders_ = 0;
 };

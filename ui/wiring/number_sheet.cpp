@@ -116,6 +116,7 @@ void draw_curve(ImDrawList& list, const Ui& ui, Rect rect, const Curve& curve, C
 
 namespace {
 
+constexpr float least_track = 110;  // layout pixels, with the space of the knob at both ends
 constexpr float plot_side = 104, kind_width = 44, kind_height = 30, column_space = 16;  // layout pixels
 constexpr std::size_t curve_columns = 3;
 constexpr float curves_width = static_cast<float>(curve_columns) * kind_width + 8, room_for_plot = 680;
@@ -164,7 +165,9 @@ NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
       plots_(ImGui::GetContentRegionAvail().x > in.ui.px(room_for_plot)),
       start_(ImGui::GetCursorPosX()),
       words_width_(widest_words(in.ui)) {
-    slider_width_ = (room_for_sliders() - in.ui.px(column_space)) / 2;
+    const float room = room_for_sliders(), half = (room - in.ui.px(column_space)) / 2;
+    in_one_column_ = half - in.ui.px(words_width_ + SliderLook{}.number_width) < in.ui.px(least_track);
+    slider_width_ = in_one_column_ ? room : half;
     if (plots_) plot(curve, head.input);
     choose_curve(curve, head);
     ImGui::BeginGroup();
@@ -207,7 +210,7 @@ void NumberSheet::choose_curve(Curve& curve, const SheetHead& head) {
 }
 
 void NumberSheet::number(const Number& n, float& value) {
-    if (sliders_++ % 2 == 1) ImGui::SameLine(0, in_.ui.px(column_space));
+    if (sliders_++ % 2 == 1 && !in_one_column_) ImGui::SameLine(0, in_.ui.px(column_space));
     const std::string id(n.id);
     SliderLook look;
     look.words = in_.words(n.words);
