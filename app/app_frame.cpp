@@ -226,6 +226,7 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
     picture.driver = lab.view.camera.mode == CameraMode::driver ? lab.view.selection.vehicle : no_vehicle;
     picture.reduce_motion = lab.preferences.reduce_motion;
     picture.pixel_scale = density() * theme_.scale();
+    picture.names = &words_.names;
     picture.decimal_mark = decimal_mark(words_.strings);
     shown_ = shown_snapshot(lab);
     if (!repeatable()) render::stand_between(shown_, lab.playback.previous, between_ticks(lab));

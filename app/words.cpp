@@ -34,6 +34,16 @@ Result<Strings> load_strings(const std::filesystem::path& folder, const std::str
     return strings;
 }
 
+NameMap names_of(const Strings& strings) {
+    constexpr std::string_view stem = "name.";
+    NameMap names;
+    for (auto row = strings.all().lower_bound(std::string(stem)); row != strings.all().end(); ++row) {
+        if (!row->first.starts_with(stem)) break;
+        names.emplace(row->first.substr(stem.size()), row->second);
+    }
+    return names;
+}
+
 }  // namespace
 
 std::string native_language(const std::filesystem::path& folder) {
@@ -46,7 +56,8 @@ std::string native_language(const std::filesystem::path& folder) {
 Result<Words> load_words(const std::filesystem::path& folder, const std::string& language) {
     auto strings = load_strings(folder, language);
     if (!strings) return strings.error();
-    return Words{folder, language, std::move(*strings), languages(folder)};
+    NameMap names = names_of(*strings);
+    return Words{folder, language, std::move(*strings), languages(folder), std::move(names)};
 }
 
 std::optional<Error> change_language(Words& words, const std::string& language) {
@@ -54,6 +65,7 @@ std::optional<Error> change_language(Words& words, const std::string& language) 
     auto strings = load_strings(words.folder, language);
     if (!strings) return strings.error();
     words.strings = std::move(*strings);
+    words.names = names_of(words.strings);
     words.language = language;
     return std::nullopt;
 }

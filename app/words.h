@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/view/picture.h"
 #include "ui/strings.h"
 
 namespace braitenlab {
@@ -15,6 +16,7 @@ struct Words {
     std::string language;          // its code
     Strings strings;
     std::vector<Language> languages;
+    NameMap names;  // of sources and zones in shipped files
 };
 
 // The system's language if there is a translation, else English.

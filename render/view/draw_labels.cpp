@@ -20,7 +20,10 @@ enum Rank { rank_chosen, rank_vehicle, rank_source, rank_zone, rank_level, rank_
 constexpr float metres_between = 5;  // the grid's bright lines
 constexpr float clear_of_wall = 9;   // layout pixels
 
-std::string in_words(std::string name) {
+// The word of the language, else the name of the file with spaces.
+std::string in_words(const Picture& picture, std::string name) {
+    if (picture.names)
+        if (const auto known = picture.names->find(name); known != picture.names->end()) return known->second;
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
 }
@@ -86,7 +89,7 @@ void add_source_names(Drawing& drawing, const Scene& scene) {
     for (const SourceView& source : drawing.now.sources) {
         const auto i = static_cast<std::size_t>(source.source);
         if (i >= scene.sources.size()) continue;
-        const std::string name = in_words(scene.sources[i].name);
+        const std::string name = in_words(drawing.picture, scene.sources[i].name);
         const vec2 place{source.x, source.y};
         const bool moves_up =
             covers_vehicle(drawing, place, 0, below, name) && !covers_vehicle(drawing, place, bulb_height, above, name);
@@ -105,8 +108,12 @@ void add_zone_names(Drawing& drawing, const Scene& scene) {
     if (!drawing.picture.settings.overlays.surfaces) return;
     for (const Zone& zone : scene.zones) {
         if (is_only_tape(zone)) continue;
-        drawing.list.labels.push_back(
-            {{zone.x, zone.y}, 0, {}, in_words(zone.name), drawing.colours.text.with_alpha(0.9f), rank_zone});
+        drawing.list.labels.push_back({{zone.x, zone.y},
+                                       0,
+                                       {},
+                                       in_words(drawing.picture, zone.name),
+                                       drawing.colours.text.with_alpha(0.9f),
+                                       rank_zone});
     }
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +21,9 @@ enum class Quality { low, medium, high };
 inline constexpr std::array<std::string_view, 3> quality_words{"low", "medium", "high"};
 constexpr std::string_view word(Quality quality) { return quality_words[static_cast<std::size_t>(quality)]; }
 
+// Words in the language for names of sources and zones.
+using NameMap = std::map<std::string, std::string, std::less<>>;
+
 struct Picture {
     CameraView camera_view;
     Theme theme = Theme::dark;
@@ -28,6 +34,7 @@ struct Picture {
     std::vector<bool> hidden_brains;  // by kind: no wires on the deck, no arrows at the wheels; empty: none
     bool reduce_motion = false;       // no mark grows or fades
     float pixel_scale = 1;            // display pixels per layout pixel, for line widths
+    const NameMap* names = nullptr;   // null: sources and zones have the names of the file
     char decimal_mark = '.';          // of the language, for the numbers at contour lines
 };
 

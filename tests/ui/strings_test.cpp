@@ -178,7 +178,8 @@ std::set<std::string> composed() {
 
 // Sections whose keys need not exist: a kind may have any name, the tooltip of a button may be its label.
 bool is_optional(const std::string& key) {
-    return key.starts_with("kind.") || key.starts_with("kind_all.") || key.starts_with("tooltip.");
+    return key.starts_with("kind.") || key.starts_with("kind_all.") || key.starts_with("name.") ||
+           key.starts_with("tooltip.");
 }
 
 }  // namespace

@@ -58,6 +58,20 @@ TEST(DrawLabels, PutTheNameOfASourceAboveItWhileAVehicleIsBelowIt) {
     EXPECT_FALSE(is_above("covered")) << "both places are covered";
 }
 
+TEST(DrawLabels, NameShippedSourcesInTheLanguage) {
+    auto scene = hand_made::scene();
+    scene->sources = {{"bright", Channel::light, -3, 0}, {"my_own", Channel::light, 3, 0}};
+    Snapshot now = hand_made::empty(scene);
+    now.sources = {{0, Channel::light, -3, 0, 1}, {1, Channel::light, 3, 0, 1}};
+    const NameMap german{{"bright", "hell"}};
+    Picture picture = from_above();
+    EXPECT_TRUE(has(words(now, picture), "bright"));
+    picture.names = &german;
+    EXPECT_TRUE(has(words(now, picture), "hell"));
+    EXPECT_FALSE(has(words(now, picture), "bright"));
+    EXPECT_TRUE(has(words(now, picture), "my own")) << "any other name as it is";
+}
+
 TEST(DrawLabels, DoNotOverlapTheWallsFromAnyAzimuth) {
     const Snapshot now = hand_made::empty(hand_made::scene());
     for (const float azimuth : {-1.57f, -1.2f, 0.4f, 2.0f})
