@@ -39,7 +39,7 @@ std::optional<Reading> measure(const Recharges& goal, Recharges::State& state, c
 
 std::optional<Reading> measure(const Matches& goal, Matches::State& state, const Observation& at) {
     if (!at.reference || at.now.tick >= at.reference->size()) return std::nullopt;
-    const Pose& reference = (*at.reference)[at.now.tick];
+    const Pose& reference = (*at.reference)[static_cast<std::size_t>(at.now.tick)];
     const sensing::Seam seam(at.now.scene->arena);
     const float distance = maths::length(seam.shortest({reference.x - at.vehicle.x, reference.y - at.vehicle.y}));
     state.count += 1;
