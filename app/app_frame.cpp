@@ -116,6 +116,7 @@ void App::frame(float passed) {
     view.files = &files_;
     view.version = version_text();
     view.uploads = is_on_page();
+    view.touch = window_.is_touched();
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     make_pictures();
     view.pictures = &gallery_.pictures();
@@ -150,6 +151,10 @@ void App::frame(float passed) {
     CameraKeys held = keys_move_camera ? camera_keys(arrows_move_camera) : CameraKeys{};
     if (view.pages) held.zoom = 0;  // Page Up and Page Down turn the pages
     if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
+    window_.want_text(ImGui::GetIO().WantTextInput);
+    const float twist = window_.take_twist();
+    if (!title_ && !ImGui::GetIO().WantCaptureMouse && !rides(lab_.view.camera.mode))
+        orbit(lab_.view.camera, -twist, 0);
     if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))
         renderer_.remember(shown_snapshot(shown_lab()));  // no frame is shown before the picture is taken

@@ -298,6 +298,9 @@ void Window::rest(double seconds) {
 ui::KeysOfAFrame Window::take_keys(ui::TextInput text) { return native_->keys.take(text); }
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 
+bool Window::is_touched() const { return false; }
+float Window::take_twist() { return 0; }
+void Window::want_text(bool) {}
 bool Window::holds(int glfw_key) const { return glfwGetKey(native_->window, glfw_key) == GLFW_PRESS; }
 
 void Window::begin_frame(const ui::KeysOfAFrame& keys) {

@@ -63,6 +63,13 @@ public:
     ui::KeysOfAFrame take_keys(ui::TextInput);
     std::vector<std::string> take_dropped_files();
 
+    // True while the last pointer was a finger; in a browser only.
+    bool is_touched() const;
+    // The angle by which two fingers have turned since the last call, rad, counter-clockwise.
+    float take_twist();
+    // Tells the browser whether characters are typed, for its keyboard on the screen and its input methods.
+    void want_text(bool wanted);
+
     // True while the key is held.
     bool holds(int glfw_key) const;
 

@@ -226,7 +226,12 @@ struct LabView {
     const RecoveryOffer* recovery = nullptr;                // null: nothing to recover
     std::string_view version;                               // of the program: "0.1.0"
     double wall_seconds = 0;                                // for easing and pulsing
+    bool touch = false;                                     // the last pointer was a finger
 };
+
+// Factors on the reach and the drawn size of pins and handles: a finger covers about 40 layout pixels.
+inline float finger_reach(const LabView& view) { return view.touch ? 1.75f : 1.0f; }
+inline float finger_size(const LabView& view) { return view.touch ? 1.5f : 1.0f; }
 
 // The kind of this name as the file has it, before all edits; null when the file is unknown or has no such kind.
 inline const Kind* filed_kind(const LabView& view, const std::string& name) {

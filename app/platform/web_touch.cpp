@@ -1,6 +1,7 @@
 #include "app/platform/web_touch.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <emscripten/html5.h>
 
@@ -25,7 +26,7 @@ void Touches::follow(int type, const EmscriptenTouchEvent& e) {
     }
     if (now.fingers == 0) {
         now = last_;
-        now.holds = now.presses = false, now.notches = 0;
+        now.holds = now.presses = false, now.notches = now.twist = 0;
         steps_.push_back(now);
         last_ = {};
         return;
@@ -33,19 +34,21 @@ void Touches::follow(int type, const EmscriptenTouchEvent& e) {
     now.x = now.fingers == 2 ? (x[0] + x[1]) / 2 : x[0];
     now.y = now.fingers == 2 ? (y[0] + y[1]) / 2 : y[0];
     const double distance = now.fingers == 2 ? std::hypot(x[0] - x[1], y[0] - y[1]) : 0;
+    const double angle = now.fingers == 2 ? std::atan2(y[0] - y[1], x[1] - x[0]) : 0;  // y is down
     if (now.fingers != last_.fingers) {
         Touch hover = now;
         steps_.push_back(hover);
         now.presses = now.fingers == 1;
     } else if (distance > 0 && distance_ > 0) {
         now.notches = static_cast<float>(notches_per_doubling * std::log2(distance / distance_));
+        now.twist = static_cast<float>(std::remainder(angle - angle_, 2 * std::numbers::pi));
     }
     now.holds = true;
-    distance_ = distance;
+    distance_ = distance, angle_ = angle;
     // Moves within a frame are one.
     if (!steps_.empty() && !now.presses && steps_.back().holds && steps_.back().fingers == now.fingers) {
         Touch& step = steps_.back();
-        step.x = now.x, step.y = now.y, step.notches += now.notches;
+        step.x = now.x, step.y = now.y, step.notches += now.notches, step.twist += now.twist;
     } else {
         steps_.push_back(now);
     }

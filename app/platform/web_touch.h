@@ -1,4 +1,5 @@
-// Fingers as a mouse: one finger is the left button, two drag as the middle button and zoom as the wheel.
+// Fingers as a mouse: one finger is the left button, two drag as the middle button, zoom as the wheel and turn the
+// view.
 #pragma once
 
 #include <deque>
@@ -14,6 +15,7 @@ struct Touch {
     int fingers = 0;
     bool holds = false, presses = false;
     float notches = 0;  // of the wheel, by the distance of two fingers
+    float twist = 0;    // rad, by which two fingers have turned, counter-clockwise
 };
 
 class Touches {
@@ -28,7 +30,7 @@ public:
 private:
     std::deque<Touch> steps_;
     Touch last_;
-    double distance_ = 0;  // between two fingers
+    double distance_ = 0, angle_ = 0;  // between two fingers; of the line through them, rad
 };
 
 }  // namespace braitenlab::web

@@ -32,6 +32,8 @@ EM_JS(char*, pasted_on_page, (), {
     stringToUTF8(text, bytes, size);
     return bytes;
 });
+EM_JS(void, want_text_on_page, (bool wanted), { Module.typing.want(wanted); });
+EM_JS(void, place_text_on_page, (int x, int y), { Module.typing.place(x / devicePixelRatio, y / devicePixelRatio); });
 EM_JS(void, toggle_full_page, (), {
     if (document.fullscreenElement) document.exitFullscreen();
     else document.documentElement.requestFullscreen().catch(() => {});
@@ -94,6 +96,9 @@ struct Window::Native {
     std::array<bool, buttons> down{}, pressed{};  // now; since the last frame
     ImVec2 pointer{-FLT_MAX, -FLT_MAX}, wheel{};
     double last_frame = 0;  // ms
+    float twist = 0;        // rad, since take_twist()
+    bool touched = false;   // the last pointer was a finger
+    bool wants_text = false;
     ImGuiMouseCursor cursor = ImGuiMouseCursor_COUNT;
     std::string clipboard;
     bool imgui = false;
@@ -149,7 +154,9 @@ void Window::Native::press_button(int button, double x, double y) {
 
 void Window::Native::listen_to_mouse() {
     const auto press = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
-        of(user).press_button(button_of(e->button), e->clientX, e->clientY);
+        Native& self = of(user);
+        self.touched = false;
+        self.press_button(button_of(e->button), e->clientX, e->clientY);
         return EM_FALSE;  // the canvas gets the focus
     };
     const auto release = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
@@ -162,6 +169,7 @@ void Window::Native::listen_to_mouse() {
         Native& self = of(user);
         self.place_pointer(e->clientX, e->clientY);
         if (e->buttons == 0) self.down = {};  // released outside the browser
+        self.touched = false;
         return EM_FALSE;
     };
     const auto leave = [](int, const EmscriptenMouseEvent*, void* user) -> EM_BOOL {
@@ -189,7 +197,8 @@ void Window::Native::listen_to_keys() {
     const auto press = [](int, const EmscriptenKeyboardEvent* e, void* user) -> EM_BOOL {
         Native& self = of(user);
         self.held.set(*e, true);
-        if (!web::is_for_lab(*e)) return EM_FALSE;
+        constexpr unsigned of_input_method = 229;  // its characters come by braitenlab_type()
+        if (e->keyCode == of_input_method || !web::is_for_lab(*e)) return EM_FALSE;
         if (const KeyPress key = web::press_of(*e); key.key != 0) self.keys.press(key, e->repeat);
         if (const unsigned character = web::character_of(*e)) self.keys.type(character);
         return EM_TRUE;
@@ -212,6 +221,7 @@ void Window::Native::listen_to_touch() {
     const auto listen = [](int type, const EmscriptenTouchEvent* e, void* user) -> EM_BOOL {
         Native& self = of(user);
         self.touches.follow(type, *e);
+        self.touched = true;
         return EM_TRUE;  // no mouse events for it
     };
     emscripten_set_touchstart_callback(canvas, this, false, listen);
@@ -262,6 +272,7 @@ Result<Window> Window::open(const WindowOptions&) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // no file of window positions
     io.BackendPlatformName = "web";
+    io.ImeSetInputScreenPosFn = [](int x, int y) { place_text_on_page(x, y); };
     web::set_key_map(io);
     ImGui_ImplOpenGL3_Init("#version 300 es");
     native->imgui = true;
@@ -312,6 +323,11 @@ void Window::rest(double) {}  // the browser begins the next turn at the rate of
 
 ui::KeysOfAFrame Window::take_keys(ui::TextInput text) { return native_->keys.take(text); }
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
+bool Window::is_touched() const { return native_->touched; }
+float Window::take_twist() { return std::exchange(native_->twist, 0.0f); }
+void Window::want_text(bool wanted) {
+    if (wanted != std::exchange(native_->wants_text, wanted)) want_text_on_page(wanted);
+}
 bool Window::holds(int glfw_key) const { return native_->held.has(glfw_key); }
 
 void Window::begin_frame(const ui::KeysOfAFrame& keys) {
@@ -326,6 +342,7 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
         self.place_pointer(touch->x, touch->y);
         self.down = {touch->holds && touch->fingers == 1, false, touch->holds && touch->fingers > 1};
         self.wheel.y += touch->notches;
+        self.twist += touch->twist;
     }
     io.MousePos = self.pointer;
     for (std::size_t i = 0; i < buttons; ++i) io.MouseDown[i] = self.down[i] || std::exchange(self.pressed[i], false);
@@ -382,6 +399,17 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE void braitenlab_paste() {
     braitenlab::web::wake();
     if (braitenlab::open_keys) braitenlab::open_keys->press({'V', true});
+}
+
+// A character is typed by an input method or a keyboard on the screen; 8: Backspace, 13: Enter.
+EMSCRIPTEN_KEEPALIVE void braitenlab_type(unsigned character) {
+    constexpr unsigned backspace = 8, enter = 13;
+    braitenlab::web::wake();
+    if (!braitenlab::open_keys) return;
+    if (character == backspace || character == enter)
+        braitenlab::open_keys->press({character == enter ? braitenlab::key::enter : braitenlab::key::backspace});
+    else
+        braitenlab::open_keys->type(character);
 }
 
 // A file is uploaded or dropped; the page has written it to this path.

@@ -111,6 +111,7 @@ const files = {
             [...event.dataTransfer.files].forEach(files.open);
         });
         addEventListener("paste", (event) => {
+            event.preventDefault();
             Module.pastedText = event.clipboardData.getData("text/plain");
             Module.ccall("braitenlab_paste", null, [], []);
         });

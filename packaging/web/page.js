@@ -124,11 +124,13 @@ var Module = {
     preRun: [() => files.restore(FS)],
     copyText,
     chooseFiles: files.choose,
+    typing,
     onFirstPicture() {
         element("cover").hidden = true;
         element("canvas").focus();
         window.braitenlab.ready = true;
         files.follow();
+        typing.follow();
         performance.mark("first picture");
     },
     onEnd: () => show(words.ended, true),

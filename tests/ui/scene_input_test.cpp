@@ -499,5 +499,21 @@ TEST_F(SceneInput, IsInactiveWhileTheWiringIsOpen) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
+TEST_F(SceneInput, TakesAHandleFartherAwayWithAFinger) {
+    take(box);
+    point({3.2f, 6.2f});
+    desk.frame();
+    const Rect knob = desk.where("stage.knob");
+    const auto beside = [&] {  // to the right of the knob, away from the ring
+        desk.point(knob.x + knob.w / 2 + 17, knob.y + knob.h / 2);
+        desk.frame(2);
+        return scene_input().hovered.handle;
+    };
+    EXPECT_FALSE(beside());
+    desk.view.touch = true;
+    EXPECT_TRUE(beside());
+    EXPECT_GT(desk.where("stage.knob").w, 1.5f * knob.w);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::stage_test

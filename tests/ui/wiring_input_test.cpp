@@ -284,5 +284,16 @@ TEST_F(WiringInput, ArrowKeysWrapAroundInAMenu) {
     EXPECT_EQ(state.menu.current, 0);
 }
 
+TEST_F(WiringInput, APinReachesFartherForAFingerThanForTheMouse) {
+    const vec2 beside{0, 19}, from = middle("pin.SL.out") + beside, to = middle("pin.ML.in") + beside;
+    const auto wires = [this] { return now.brains[0]->wires.size(); };
+    const std::size_t before = wires();
+    drag(from, to);
+    EXPECT_EQ(wires(), before);
+    view.touch = true;
+    drag(middle("pin.SL.out") + beside, middle("pin.ML.in") + beside);
+    EXPECT_NE(dials().LL, 0) << "joined";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::wiring_input_test

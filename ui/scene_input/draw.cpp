@@ -109,8 +109,8 @@ private:
         line(circle(handle.middle, handle.radius), colour.with_alpha(warm ? 1.0f : 0.55f), warm ? 2.0f : 1.25f);
         const auto knob = project(frame_.camera_view, handle.knob);
         if (!knob) return;
-        dot({knob->x, knob->y}, warm ? 8.0f : 6.0f, colour);
-        const float size = ui_.px(2 * handle_grip);
+        dot({knob->x, knob->y}, (warm ? 8.0f : 6.0f) * finger_size(frame_.view), colour);
+        const float size = ui_.px(2 * handle_grip) * finger_reach(frame_.view);
         ui_.anchors.record("stage.knob", {knob->x - size / 2, knob->y - size / 2, size, size});
     }
 
@@ -273,14 +273,14 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
                  std::string_view words) {
     const auto at = project(frame.camera_view, place);
     if (!at) return;
-    const float radius = words.empty() ? 6.0f : 8.0f;
+    const float radius = (words.empty() ? 6.0f : 8.0f) * finger_size(frame.view);
     draw_dot(ui, {at->x, at->y}, warm ? radius + 2 : radius, warm ? ui.palette.accent : ui.palette.text);
     if (!words.empty()) {
         const float w = text_width(ui, Face::small, words), h = line_height(ui, Face::small);
         put_on(*ImGui::GetBackgroundDrawList(), ui, {at->x - w / 2, at->y - h / 2}, words, ui.palette.ground,
                Face::small);
     }
-    const float reach = ui.px(handle_grip);
+    const float reach = ui.px(handle_grip) * finger_reach(frame.view);
     ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
 }
 

@@ -7,7 +7,7 @@
 
 namespace braitenlab::ui {
 
-inline constexpr float handle_grip = 12;  // layout pixels around a handle within which a press takes it
+inline constexpr float handle_grip = 12;  // layout pixels around a handle within which a mouse takes it
 
 // True if handles can be shown: over the scene, for the hand, and not while the camera rides with a vehicle.
 inline bool shows_handles(const SceneInputState& state, const LabView& view) {
@@ -24,7 +24,8 @@ struct NearestHandle {
 
     void offer(Id id, const std::optional<maths::vec2>& place) {
         const float distance = place ? pixels_from(frame, *place) : 1e9f;
-        if (distance <= handle_grip * frame.scale && distance < nearest) nearest = distance, found = id;
+        if (distance <= handle_grip * frame.scale * finger_reach(frame.view) && distance < nearest)
+            nearest = distance, found = id;
     }
 };
 

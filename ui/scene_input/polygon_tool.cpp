@@ -52,8 +52,8 @@ std::string_view refusal_of(OutlineFault fault) {
 
 void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at, Outbox& outbox) {
     const SceneInputPointer& pointer = frame.pointer;
-    const bool on_first =
-        state.corners.size() >= 3 && pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale;
+    const bool on_first = state.corners.size() >= 3 &&
+                          pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale * finger_reach(frame.view);
     if (on_first || (pointer.left_double && state.corners.size() >= 3))
         return close_outline(state, frame.view, pointer.shift, outbox);
     if (pointer.left_double) return;  // the first click has set the corner

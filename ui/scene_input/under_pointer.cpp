@@ -61,7 +61,7 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
     const auto floor = floor_at(frame);
     const SceneObject object = object_at_pointer(frame);
     const float to_knob = handle ? pixels_from(frame, handle->knob) : 1e9f;
-    if (to_knob <= knob_grip * frame.scale) {
+    if (to_knob <= knob_grip * frame.scale * finger_reach(frame.view)) {
         // Another object may be below the knob: take the nearer one.
         const auto place = object == chosen(frame.view) ? std::nullopt : place_of(*frame.view.now, object);
         const bool neighbour = place && pixels_from(frame, {place->x, place->y}) < to_knob;
@@ -71,7 +71,7 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
     if (object && !lies_below) return {object, false};
     if (handle && floor) {
         const float off = std::fabs(maths::distance(*floor, handle->middle) - handle->radius);
-        if (off * pixels_per_metre(frame.camera_view, *floor) <= ring_grip * frame.scale)
+        if (off * pixels_per_metre(frame.camera_view, *floor) <= ring_grip * frame.scale * finger_reach(frame.view))
             return {chosen(frame.view), true};
     }
     return {object, false};

@@ -173,7 +173,15 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
         target.kind = vehicle.kind;
     else
         target.vehicle = vehicle.id;
-    CanvasFrame frame{graph, before, area, target, ui.scale, view.wall_seconds, read_pointer(over), has_buttons(view)};
+    CanvasFrame frame{graph,
+                      before,
+                      area,
+                      target,
+                      ui.scale,
+                      view.wall_seconds,
+                      read_pointer(over),
+                      has_buttons(view),
+                      finger_reach(view)};
     std::vector<CornerButton> buttons;
     if (frame.has_buttons) buttons = corner_buttons(ui, area, frame.pointer);
     handle_input(state, frame, ui.outbox);

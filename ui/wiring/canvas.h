@@ -122,6 +122,7 @@ struct CanvasFrame {
     double wall_seconds = 0;
     Pointer pointer;
     bool has_buttons = true;  // Arrange and Fit
+    float reach = 1;          // finger_reach()
 };
 
 inline View view_of(const CanvasState& state, const CanvasFrame& frame) {

@@ -105,9 +105,9 @@ void draw_bar(const Pen& pen, vec2 left, float width, float value, bool both_sid
                          pen.stroke(1.5f));
 }
 
-void draw_pin(const Pen& pen, vec2 at, float spread, bool hovered, bool inviting, bool out) {
+void draw_pin(const Pen& pen, vec2 at, float size, float spread, bool hovered, bool inviting, bool out) {
     const Palette& p = pen.palette();
-    const float radius = hovered ? 9.5f : 7.5f;
+    const float radius = (hovered ? 9.5f : 7.5f) * size;
     const vec2 extent{2 * radius, 2 * radius + spread};
     if (hovered || inviting)
         pen.halo(at, extent, radius, hovered ? 8 : 5, p.accent.with_alpha(hovered ? 0.45f : 0.28f));
@@ -294,14 +294,16 @@ bool cuts_name(const Pen& pen, const Picture& picture, const NodeShape& shape) {
 
 void draw_nodes(const Pen& pen, const Picture& picture) {
     const Hit& over = picture.state.hovered;
+    const float size = finger_size(picture.view);
     for (std::size_t i = 0; i < picture.layout.nodes.size(); ++i) {
         const NodeShape& shape = picture.layout.nodes[i];
         if (!picture.is_visible(shape.centre - shape.size / 2, shape.centre + shape.size / 2)) continue;
         draw_card(pen, picture, i);
         const bool in = over.part == Part::in_pin && over.node == shape.id;
         const bool out = over.part == Part::out_pin && over.node == shape.id;
-        if (shape.has_in) draw_pin(pen, shape.in_pin(), shape.in_spread, in, invites(picture, shape, false), false);
-        if (shape.has_out) draw_pin(pen, shape.out_pin(), 0, out, invites(picture, shape, true), true);
+        if (shape.has_in)
+            draw_pin(pen, shape.in_pin(), size, shape.in_spread, in, invites(picture, shape, false), false);
+        if (shape.has_out) draw_pin(pen, shape.out_pin(), size, 0, out, invites(picture, shape, true), true);
         if (detail_of(pen) == Detail::map) draw_name(pen, picture, i);
     }
 }
