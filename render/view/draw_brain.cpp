@@ -87,7 +87,8 @@ void add_stopped_wheels(Drawing& drawing, const Subject& s) {
 
 void add_wheel_arrows(Drawing& drawing, const Subject& s) {
     if (!s.selected || s.driven) return;
-    constexpr float longest = 0.9f, least = 0.03f;  // m, arrow at full speed; speeds below `least` have none
+    constexpr float longest = 0.9f, least = 0.03f;  // lengths of the body at full speed; no arrow below `least`
+    constexpr float widest = 0.085f;                // m, half; a short arrow is not wider than long
     for (const Wheel& wheel : s.kind.body.wheels) {
         if (wheel.motor == Motor::none) continue;
         const float speed = std::clamp(s.view.motor[wheel.motor == Motor::right], -1.0f, 1.0f);
@@ -96,7 +97,7 @@ void add_wheel_arrows(Drawing& drawing, const Subject& s) {
         const float beside = wheel.y + (wheel.y < 0 ? -0.19f : 0.19f);
         const vec2 middle = s.to_world({wheel.x + way * half, beside});
         drawing.list.rings.push_back({{middle.x, middle.y, way * s.ahead.x, way * s.ahead.y},
-                                      {half, 0.085f, 0.012f, static_cast<float>(MarkKind::arrow)},
+                                      {half, std::min(widest, half), 0.012f, static_cast<float>(MarkKind::arrow)},
                                       rgb_with(drawing.colours.text, 1)});
     }
 }

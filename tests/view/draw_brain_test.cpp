@@ -146,6 +146,9 @@ TEST(DrawBrain, PointsAnArrowPerWheelAsLongAsItsSpeedForTheSelectedVehicle) {
     EXPECT_GT(left.place.z, 0.9f);    // ahead
     EXPECT_LT(right.place.z, -0.9f);  // backwards
     EXPECT_NEAR(left.shape.x, 2 * right.shape.x, 1e-5);
+    now.vehicles[0].motor = {0.04f, 0.04f};
+    for (const MarkInstance& arrow : arrows(drawn(now, picture)))
+        EXPECT_LE(arrow.shape.y, arrow.shape.x) << "no needle";
     now.vehicles[0].motor = {0, 0};
     EXPECT_TRUE(arrows(drawn(now, picture)).empty());
 }
