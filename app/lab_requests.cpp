@@ -393,12 +393,15 @@ void act(Lab& lab, Action action) {
             lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark;
             break;
         case Action::lecture:
-            if (lab.before_lecture)
+            if (lab.before_lecture) {
+                if (lab.notice.key == "notice.projector_view") lab.notice = {};
                 end_lecture(lab);
-            else if (lab.left_pages && lab.left_run == lab.document.run_id)
+            } else if (lab.left_pages && lab.left_run == lab.document.run_id) {
                 request_left_lecture(lab, true);
-            else
-                begin_lecture(lab), say(lab, {NoticeKind::notice, "notice.projector_view"});
+            } else {
+                begin_lecture(lab);
+                say(lab, {NoticeKind::notice, "notice.projector_view"});
+            }
             break;
         case Action::first_page:
             lab.pages ? show_page(lab, 0) : request_left_lecture(lab, false);

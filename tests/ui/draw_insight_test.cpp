@@ -64,7 +64,7 @@ TEST_F(DrawInsight, TheWholeLastRunIsDrawnWhileTheNewOneWaits) {
 
 TEST_F(DrawInsight, TheWordsOfBothPathsDoNotOverlap) {
     std::vector<Pose> before = path;
-    for (const float apart : {-0.7f, 0.7f}) {
+    for (const float apart : {-0.61f, 0.61f}) {
         before.back().y = path.back().y + apart;
         desk.view.prediction =
             PredictionView{.path = &path, .fan = &no_fan, .tick = 100, .before = &before, .before_tick = 100};

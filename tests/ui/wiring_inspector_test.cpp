@@ -46,6 +46,38 @@ TEST_F(WiringInspector, ShowsTheParametersOfASingleSelection) {
     EXPECT_TRUE(shows("inspector.column"));
 }
 
+TEST(WiringInspectorWidth, GivesSlidersOneColumnWhereTwoWouldBeShort) {
+    for (const char* language : {"en", "de", "es"})
+        for (const float width : {1024.0f, 1280.0f, 2400.0f}) {
+            Desk desk(width, 800, 1, true);
+            desk.strings = speaking(language);
+            desk.open_exercise();
+            desk.view.mode = Mode::wiring;
+            desk.frame(4);
+            desk.panels.canvas.selection = {{}, {{SR, ML}}};
+            desk.frame(3);
+            const Rect weight = desk.where("inspector.weight"), threshold = desk.where("inspector.threshold");
+            EXPECT_GT(weight.w, 220) << language << width << ": words, a track and a number";
+            EXPECT_EQ(weight.y == threshold.y, width > 2000) << language << width;
+        }
+}
+
+TEST(WiringInspectorWidth, TheGoalOfTheExerciseIsAboveTheDiagramWhereItsCardHasNoRoom) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    desk.view.mode = Mode::wiring;
+    desk.frame(4);
+    const Rect goal = desk.where("exercise.goal");
+    EXPECT_LE(goal.y + goal.h, desk.layout.canvas.y);
+    EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(),
+                            [](const Written& w) { return w.words.starts_with("Wire this vehicle"); }));
+    Desk wide(1280, 800, 1, true);
+    wide.open_exercise();
+    wide.view.mode = Mode::wiring;
+    wide.frame(4);
+    EXPECT_FALSE(wide.anchors.find("exercise.goal")) << "the card of the exercise has it";
+}
+
 TEST_F(WiringInspector, SetsTheNumberOfTheSliderForADirectWireAndAMotor) {
     select({{}, {{SR, ML}}});
     desk.click("inspector.weight", 1);  // a right click sets 0
