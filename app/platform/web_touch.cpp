@@ -25,12 +25,17 @@ void Touches::follow(int type, const EmscriptenTouchEvent& e) {
         ++now.fingers;
     }
     if (now.fingers == 0) {
-        now = last_;
-        now.holds = now.presses = false, now.notches = now.twist = 0;
-        steps_.push_back(now);
-        last_ = {};
+        if (last_.fingers > 0) lift();
+        is_over_ = false;
         return;
     }
+    if (now.fingers == 1 && (is_over_ || last_.fingers == 2)) {
+        if (!is_over_) lift();
+        is_over_ = true;
+        return;
+    }
+    is_over_ = false;
+    if (now.fingers == 2 && last_.fingers == 1) lift();
     now.x = now.fingers == 2 ? (x[0] + x[1]) / 2 : x[0];
     now.y = now.fingers == 2 ? (y[0] + y[1]) / 2 : y[0];
     const double distance = now.fingers == 2 ? std::hypot(x[0] - x[1], y[0] - y[1]) : 0;
@@ -46,7 +51,8 @@ void Touches::follow(int type, const EmscriptenTouchEvent& e) {
     now.holds = true;
     distance_ = distance, angle_ = angle;
     // Moves within a frame are one.
-    if (!steps_.empty() && !now.presses && steps_.back().holds && steps_.back().fingers == now.fingers) {
+    const bool moves = !steps_.empty() && !now.presses && steps_.back().holds && !steps_.back().presses;
+    if (moves && steps_.back().fingers == now.fingers) {
         Touch& step = steps_.back();
         step.x = now.x, step.y = now.y, step.notches += now.notches, step.twist += now.twist;
     } else {
@@ -54,6 +60,13 @@ void Touches::follow(int type, const EmscriptenTouchEvent& e) {
     }
     last_ = now;
     last_.presses = false;
+}
+
+void Touches::lift() {
+    Touch end = last_;
+    end.holds = end.presses = false, end.notches = end.twist = 0;
+    steps_.push_back(end);
+    last_ = {};
 }
 
 std::optional<Touch> Touches::take() {

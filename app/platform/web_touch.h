@@ -28,8 +28,13 @@ public:
     std::optional<Touch> take();
 
 private:
+    // Ends what the fingers do where they were last: a second finger must not drag the first one's object to their
+    // middle.
+    void lift();
+
     std::deque<Touch> steps_;
     Touch last_;
+    bool is_over_ = false;             // one of two fingers was lifted: the other one does nothing until it is, too
     double distance_ = 0, angle_ = 0;  // between two fingers; of the line through them, rad
 };
 

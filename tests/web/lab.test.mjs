@@ -254,7 +254,8 @@ test("Two fingers that turn turn the view", limit, () =>
         const [vx, vy, vw, vh] = await lab.rectangle("viewport");
         const fingers = (angle) => [1, -1].map((side) =>
             [vx + vw / 2 + side * 80 * Math.cos(angle), vy + vh / 2 + side * 80 * Math.sin(angle)]);
-        await lab.touch([0, 0.1, 0.2, 0.3, 0.4, 0.5].map(fingers));
+        const last = fingers(0.5)[0], away = [last[0] + 60, last[1] - 60];
+        await lab.touch([...[0, 0.1, 0.2, 0.3, 0.4, 0.5].map(fingers), [last], [away]]);
         // The scene follows the fingers, which turn clockwise on the screen.
         await lab.until((state, old) => Math.abs(state.view.azimuth - old - 0.5) < 0.02, before, "turned by half a radian");
     }, { hasTouch: true }));

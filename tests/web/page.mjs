@@ -121,7 +121,8 @@ export class Lab {
         }, [name, text]);
     }
 
-    // Puts fingers onto the page at the first places, moves them to the others, lifts them.
+    // Puts fingers onto the page at the first places, moves them to the others, lifts them. Where a later list is
+    // shorter, a finger is lifted.
     async touch(places) {
         const session = await this.page.context().newCDPSession(this.page);
         const send = async (type, at) => {
