@@ -74,7 +74,7 @@ std::optional<Error> StudyTable::begin() {
                 kept += line;
             }
     }
-    if (const auto error = write_whole(unfinished(), kept)) return error;
+    if (auto error = write_whole(unfinished(), kept)) return error;
     file_.open(unfinished(), std::ios::binary | std::ios::app);
     if (!file_) return Error{"could not be written; check that the folder may be written to", unfinished().string()};
     return std::nullopt;
@@ -93,7 +93,7 @@ std::optional<Error> StudyTable::add(const std::vector<StudyRow>& rows) {
 std::optional<Error> StudyTable::finish() {
     if (path_.empty()) return std::nullopt;
     file_.close();
-    if (const auto error = write_whole(path_, text())) return error;
+    if (auto error = write_whole(path_, text())) return error;
     std::error_code none;
     fs::remove(unfinished(), none);
     return std::nullopt;

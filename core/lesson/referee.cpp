@@ -200,8 +200,8 @@ bool Referee::is_undisturbed(const Snapshot& now) {
         const VehicleView* vehicle = find_vehicle(now, state_.subjects[i]);
         const int kind = find_kind(given, given.starts[i].kind);
         if (!vehicle || kind < 0) continue;
-        const Driver of_kind = given.kinds[static_cast<std::size_t>(kind)].driver;
-        if (vehicle->driver != given.starts[i].driver.value_or(of_kind)) return false;
+        const Driver kind_driver = given.kinds[static_cast<std::size_t>(kind)].driver;
+        if (vehicle->driver != given.starts[i].driver.value_or(kind_driver)) return false;
     }
     return now.tick > 0 || (now.generation == 1 && vehicles_are_as_given(given, now, subject));
 }
