@@ -254,8 +254,7 @@ test("Two fingers that turn turn the view", limit, () =>
         const [vx, vy, vw, vh] = await lab.rectangle("viewport");
         const fingers = (angle) => [1, -1].map((side) =>
             [vx + vw / 2 + side * 80 * Math.cos(angle), vy + vh / 2 + side * 80 * Math.sin(angle)]);
-        const last = fingers(0.5)[0], away = [last[0] + 60, last[1] - 60];
-        await lab.touch([...[0, 0.1, 0.2, 0.3, 0.4, 0.5].map(fingers), [last], [away]]);
+        await lab.touch([0, 0.1, 0.2, 0.3, 0.4, 0.5].map(fingers));  // set and lifted one after the other
         // The scene follows the fingers, which turn clockwise on the screen.
         await lab.until((state, old) => Math.abs(state.view.azimuth - old - 0.5) < 0.02, before, "turned by half a radian");
     }, { hasTouch: true }));
@@ -349,16 +348,23 @@ async function longestTurn(lab, work) {
     return longest;
 }
 
-// No turn takes 100 ms, in the better of two tries: other programs of the machine may take its time.
-async function staysSmooth(what, query, work) {
-    const longest = [];
-    for (let i = 0; i < 2; ++i) await withLab(query, async (lab) => longest.push(await longestTurn(lab, () => work(lab))));
-    console.log(`longest turn ${what}: ${longest.map((ms) => ms.toFixed(0)).join(", ")} ms`);
-    assert.ok(Math.min(...longest) < 100);
+// No turn takes 100 ms while the lab works. Where drawing alone takes as long, as on a software renderer of a busy
+// machine, the work adds less than 50 ms to the longest turn without it. The better of two tries counts.
+async function staysSmooth(what, query, rest, work) {
+    const measured = [];
+    for (let i = 0; i < 2; ++i)
+        await withLab(query, async (lab) => {
+            const longest = await longestTurn(lab, () => work(lab));
+            await rest(lab);
+            measured.push([longest, await longestTurn(lab, () => lab.page.waitForTimeout(3000))]);
+        });
+    const words = measured.map(([longest, without]) => `${longest.toFixed(0)} (without ${without.toFixed(0)})`);
+    console.log(`longest turn ${what}: ${words.join(", ")} ms`);
+    assert.ok(measured.some(([longest, without]) => longest < Math.max(100, without + 50)));
 }
 
 test("The page answers while an exercise is graded", limit, () =>
-    staysSmooth("while grading", "?open=01-drive", async (lab) => {
+    staysSmooth("while grading", "?open=01-drive", () => {}, async (lab) => {
         await lab.click("exercise.predict.2");
         await lab.until((state) => state.exercise.predicted === 1);
         const [x, y, w, h] = await lab.rectangle("bias.RM");
@@ -375,6 +381,9 @@ test("The page answers while an exercise is graded", limit, () =>
 
 test("The page answers while a map of behaviour is computed", limit, () =>
     staysSmooth("while a map is computed", "?open=2a-coward", async (lab) => {
+        await lab.page.keyboard.press("Shift+M");
+        await lab.page.keyboard.press("Space");
+    }, async (lab) => {
         await lab.page.keyboard.press("Shift+M");
         const isFilled = (state) => state.map?.cells.flat().filter((cell) => cell !== null).length >= 30;
         await lab.until(isFilled, null, "30 cells of the map");

@@ -121,8 +121,7 @@ export class Lab {
         }, [name, text]);
     }
 
-    // Puts fingers onto the page at the first places, moves them to the others, lifts them. Where a later list is
-    // shorter, a finger is lifted.
+    // Puts fingers onto the page at the first places, moves them to the others, lifts them.
     async touch(places) {
         const session = await this.page.context().newCDPSession(this.page);
         const send = async (type, at) => {
