@@ -261,8 +261,10 @@ mechanics::Motion Physics::obstacle(std::size_t index) const { return motion_of(
 
 void Physics::push(std::size_t row, maths::vec2 force, float torque) {
     // In a large crowd the next bodies are far away in memory.
-    constexpr std::size_t ahead = 6;
+    [[maybe_unused]] constexpr std::size_t ahead = 6;
+#ifdef __GNUC__
     if (row + ahead < impl_->bodies.size()) __builtin_prefetch(impl_->bodies[row + ahead], 1);
+#endif
     impl_->bodies[row]->ApplyForceToCenter(to_box(force), true);
     impl_->bodies[row]->ApplyTorque(torque, true);
 }
@@ -331,7 +333,8 @@ void Physics::step(std::vector<Touch>& touching, std::vector<Touch>& begun) {
 // functions of core/maths/portable.h under these names. Where programs are linked as ELF, a function of the program
 // takes precedence over a library's function of the same name, for a shared Box2D too. Elsewhere Box2D is linked
 // statically with the linker's --wrap option (see core/CMakeLists.txt), which renames sinf to __wrap_sinf in all
-// objects.
+// objects. Visual C++ has no such option: there a run may differ in the last bits.
+#ifndef _MSC_VER
 #if defined(BRAITENLAB_WRAP_SINE)
 #define BRAITENLAB_LIBM(name) __wrap_##name
 #elif defined(__ELF__)
@@ -370,3 +373,4 @@ void BRAITENLAB_LIBM(sincosf)(float angle, float* sine, float* cosine) noexcept 
 }  // extern "C"
 
 #undef BRAITENLAB_LIBM
+#endif
