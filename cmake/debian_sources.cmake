@@ -176,6 +176,14 @@ if(EMSCRIPTEN)
   endfunction()
 endif()
 
+# googletest's package has its sources.
+function(provide_GTest)
+  set(folder /usr/src/googletest/googletest)
+  link_headers(gtest glm)
+  source_library(GTest::gtest_main "${headers}" "${folder}/src/gtest-all.cc" "${folder}/src/gtest_main.cc")
+  target_include_directories(GTest_gtest_main PRIVATE "${folder}")
+endfunction()
+
 function(provide_once package)
   get_property(provided GLOBAL PROPERTY braitenlab_provided_${package})
   if(NOT provided)

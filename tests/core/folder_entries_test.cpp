@@ -28,6 +28,7 @@ void break_reading(const fs::path& folder) {
 }
 
 TEST(FolderEntries, EndWithoutAnExceptionIfReadingFails) {
+    if (!fs::is_symlink("/proc/self/fd/0")) GTEST_SKIP() << "the system does not show the open files";
     const Folder folder;
     constexpr int files = 3000;  // more than the system reads at once
     for (int i = 0; i < files; ++i) put_text(folder / ("a file with a long name " + std::to_string(i)), "");
