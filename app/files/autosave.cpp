@@ -307,8 +307,10 @@ void Autosave::finish() {
     written_at_ = -period;
     due_ = false;
     if (!lock_) return;
-    remove_with_lock(file_);
-    lock_.reset();
+    std::error_code none;
+    fs::remove(file_, none);  // before the lock: no other lab may take it for a leftover
+    lock_.reset();            // before the file of the lock: Windows keeps a file that is open
+    fs::remove(lock_of(file_), none);
 }
 
 }  // namespace braitenlab

@@ -12,7 +12,7 @@
 namespace braitenlab::tests::autosave_test {
 namespace {
 
-Lab open(const char* name) {
+Lab open(const std::string& name) {
     auto lab = open_lab(*find_shipped(name), std::nullopt, {});
     return std::move(*lab);
 }
@@ -197,7 +197,9 @@ TEST_F(AutosaveTest, KeepsNoFileForEditsThatAreUndone) {
 
 TEST_F(AutosaveTest, NamesTheFileByItsAbsolutePath) {
     const fs::path shipped = lab.document.path;
-    lab = open(fs::relative(shipped).c_str());
+    const fs::path relative = fs::relative(shipped);
+    if (relative.empty()) GTEST_SKIP() << "the files are on another drive";
+    lab = open(relative.string());
     crash_with(1);
     const Autosave next(folder.path, complaints);
     ASSERT_TRUE(next.leftover());
@@ -374,7 +376,8 @@ TEST_F(AutosaveTest, ReportsAFolderThatBecomesUnwritable) {
     Autosave autosave(place, complaints);
     edit(lab, 1);
     EXPECT_FALSE(autosave.keep(lab, 0, Autosave::Occasion::now));
-    fs::remove_all(place);
+    if (std::error_code kept; fs::remove_all(place, kept), kept)
+        GTEST_SKIP() << "this system keeps files that are open";
     put_text(place, "a file where the folder was");
     edit(lab, 2);
     const auto error = autosave.keep(lab, 40, Autosave::Occasion::now);

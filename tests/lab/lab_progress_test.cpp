@@ -213,14 +213,14 @@ TEST(LabProgress, IsKeptForEachOwnFileOfAnExercise) {
         follow_progress(lab);
     };
     note({}, "shipped");
-    note(folder / "a/06-love.toml", "mine");
-    note(folder / "b/06-love.toml", "another");
+    note(folder / "a" / "06-love.toml", "mine");
+    note(folder / "b" / "06-love.toml", "another");
     const StudentProgress& kept = lab.students.student();
     EXPECT_EQ(kept.exercises.size(), 3u);
     ASSERT_TRUE(find_progress(kept, "06-love"));
     EXPECT_EQ(find_progress(kept, "06-love")->notes, "shipped");
-    ASSERT_TRUE(find_progress(kept, (folder / "a/06-love.toml").string()));
-    EXPECT_EQ(find_progress(kept, (folder / "a/06-love.toml").string())->notes, "mine");
+    ASSERT_TRUE(find_progress(kept, (folder / "a" / "06-love.toml").string()));
+    EXPECT_EQ(find_progress(kept, (folder / "a" / "06-love.toml").string())->notes, "mine");
 }
 
 }  // namespace
