@@ -43,6 +43,7 @@ CommandLine read_command_line(int argc, char** argv) {
     CommandLine line;
     Options& o = line.options;
     CLI::App app{"Braitenlab: a lab for Braitenberg vehicles.\nDrag a weight and see character change."};
+    app.allow_windows_style_options(false);  // "/" begins a path, on every system
     app.set_version_flag("--version", fmt::format("braitenlab {}", version_text()));
     app.add_option("FILE", o.file,
                    "a scene, an exercise or a lecture: a path, the bare name of a shipped one, or a link in quotes");

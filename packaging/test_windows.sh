@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # test_windows.sh DIST: unpacks the archive for Windows into a folder with characters of several scripts and runs both
 # programs under wine (WINEPREFIX is set, see ./dev windows): the hashes of all shipped runs, files with such names, the
-# window.
+# window, driven by the window tests of this system.
 set -euo pipefail
 # One display for all programs: the desktop of wine belongs to the display of its first program.
 if [[ ${1:-} != --here ]]; then
@@ -10,6 +10,7 @@ if [[ ${1:-} != --here ]]; then
 fi
 shift
 archive=$(ls "$(cd "$1" && pwd)"/*-windows.zip)
+tests=$(cd "$(dirname "${BASH_SOURCE[0]}")/../build/release" && pwd)/braitenlab_window_tests
 hashes=$(cd "$(dirname "${BASH_SOURCE[0]}")/../tests/golden" && pwd)/hashes.json
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
@@ -31,4 +32,9 @@ wine braitenlab.exe "Szene ü 景.toml" --size 1280x800 --play --after 2 \
     --screenshot "Bild ö 図.png" || fail "the window does not open"
 [[ $(head -c 4 "Bild ö 図.png" | tail -c 3) == PNG ]] || fail "braitenlab writes no picture"
 [[ -z ${KEEP_PICTURE:-} ]] || cp "Bild ö 図.png" "$KEEP_PICTURE"
+# By mouse and keyboard: open, play, drag a slider and a wire, save, open again, offer the work after a crash.
+BRAITENLAB_WINDOWS_PROGRAM=$PWD/braitenlab.exe BRAITENLAB_TEST_DISPLAY=$DISPLAY "$tests" --gtest_brief=1 --gtest_filter="$(
+    printf '%s:' LabWindow.OpensTheFirst\* LabWindow.TogglesPlay\* LabWindow.ChangesAWeight\* \
+        LabWindow.OpensTheLastFile\* LabWindow.OpensWithABrokenScene\* BrainWindow.Predicts\* WiringWindow.Dragging\* \
+        UnsavedWindow.\* CrashWindow.\*)" || fail "the window does not do what its user asks"
 printf 'The archive for Windows runs in any folder.\n'

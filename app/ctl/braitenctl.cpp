@@ -129,6 +129,7 @@ CLI::App* add_link(CLI::App& app, LinkOptions& options) {
 
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
+    app.allow_windows_style_options(false);  // "/" begins a path, on every system
     app.require_subcommand(1);
     app.set_version_flag("--version", fmt::format("braitenctl {}", version_text()));
 

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <pwd.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -66,11 +67,41 @@ private:
     }
 };
 
+// Set by packaging/test_windows.sh: the program for Windows, which then runs in wine; else empty.
+inline std::string windows_program() {
+    const char* path = std::getenv("BRAITENLAB_WINDOWS_PROGRAM");
+    return path ? path : "";
+}
+
+// The text of a path for the program: wine has the whole file system as drive Z.
+inline std::string path_for_program(const std::filesystem::path& path) {
+    return (windows_program().empty() ? "" : "Z:") + path.string();
+}
+
+// Lets the user's folders of wine's Windows be those of the home folder.
+inline void use_home_in_wine(const std::filesystem::path& home) {
+    namespace fs = std::filesystem;
+    const fs::path user = fs::path(std::getenv("WINEPREFIX")) / "drive_c" / "users" / getpwuid(getuid())->pw_name;
+    for (const auto& [folder, place] : {std::pair{"AppData/Roaming/Braitenlab", "config/braitenlab"},
+                                        {"AppData/Local/Braitenlab", "state/braitenlab"},
+                                        {"Pictures", "Pictures"},
+                                        {"Documents", "Documents"}}) {
+        fs::remove_all(user / folder);
+        fs::create_directories(home / place);
+        fs::create_directory_symlink(home / place, user / folder);
+    }
+}
+
 class LabWindow {
 public:
     explicit LabWindow(std::vector<std::string> arguments, std::filesystem::path home = {}) {
         if (home.empty()) home = own_.path;
-        arguments.insert(arguments.begin(), program("braitenlab"));
+        if (const std::string windows = windows_program(); windows.empty()) {
+            arguments.insert(arguments.begin(), program("braitenlab"));
+        } else {
+            use_home_in_wine(home);
+            arguments.insert(arguments.begin(), {"wine", windows});
+        }
         arguments.push_back("--watch-graphics");
         // Drawing in software takes most of the time of these tests.
         arguments.insert(arguments.end(), {"--frame-rate", "20"});
@@ -90,7 +121,7 @@ public:
             for (std::string& a : arguments) argv.push_back(a.data());
             argv.push_back(nullptr);
             if (!std::freopen((own_.path / "said").c_str(), "w", stderr)) _exit(126);
-            execv(argv[0], argv.data());
+            execvp(argv[0], argv.data());
             _exit(127);
         }
         const bool came_up = eventually([this] { return !state().is_null() && !anchors().is_null(); }, 30);
