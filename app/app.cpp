@@ -48,17 +48,17 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
       words_(std::move(words)),
       settings_(std::move(settings)),
       folders_(user_folders()),
-      autosave_(options_.screenshot.empty() && !folders_.state.empty() ? folders_.state / "autosave"
-                                                                       : std::filesystem::path{},
-                settings_.errors),
-      student_files_(options_.screenshot.empty() && !folders_.state.empty() ? folders_.state / "students"
-                                                                            : std::filesystem::path{}),
+      autosave_(
+          !options_.only_draws() && !folders_.state.empty() ? folders_.state / "autosave" : std::filesystem::path{},
+          settings_.errors),
+      student_files_(!options_.only_draws() && !folders_.state.empty() ? folders_.state / "students"
+                                                                       : std::filesystem::path{}),
       catalogue_(read_catalogue()),
       lectures_(read_lecture_catalogue()),
       studies_(shipped_study_list()),
       anchors_file_(options_.anchors),
       state_file_(options_.state),
-      gallery_(options_.screenshot.empty() ? folders_.cache : std::filesystem::path{}) {
+      gallery_(options_.only_draws() ? std::filesystem::path{} : folders_.cache) {
     lab_.preferences = settings_.at_start;
     lab_.link_base = is_on_page() ? page_address() : lab_.preferences.link_base;
     restore_view(lab_, panels_, settings_.state.view);
@@ -103,6 +103,10 @@ bool App::turn() {
         if (const auto error = write_picture(options_.screenshot)) exit_code_ = complain(*error);
         return false;
     }
+    if (!options_.clip.empty()) {
+        if (const auto error = write_clip(options_)) exit_code_ = complain(*error);
+        return false;
+    }
     if (lab_.screenshot) take_screenshot();
     facts_.frame_ms = seconds_since(turn_began) * 1000;
     if (!repeatable()) window_.show();
@@ -116,7 +120,7 @@ bool App::turn() {
     const int rate = window_.refresh_rate();
     window_.rest(pause_after_swap(seconds_since(turn_began), rate, options_.frame_rate));
     if (moves()) last_change_ = Clock::now();
-    if (options_.screenshot.empty()) window_.poll(idle_wait(seconds_since(last_change_)));
+    if (!options_.only_draws()) window_.poll(idle_wait(seconds_since(last_change_)));
     return true;
 }
 
@@ -184,7 +188,7 @@ void App::handle_files() {
     if (!lab_.reports.empty())
         write_student_files(lab_, words_.strings, folders_.documents, std::chrono::system_clock::now());
     for (const auto& file : std::exchange(lab_.saved, {})) autosave_.forget_work_on(file);
-    if (!options_.screenshot.empty() || seconds_since(file_checked_) < 0.3) return;
+    if (options_.only_draws() || seconds_since(file_checked_) < 0.3) return;
     file_checked_ = Clock::now();
     follow_file(lab_, files_);
 }
@@ -210,7 +214,7 @@ void App::show_errors_of_start() {
 }
 
 void App::save_settings(bool now) {
-    if (!options_.screenshot.empty() || (!now && seconds_since(settings_saved_) < 1)) return;
+    if (options_.only_draws() || (!now && seconds_since(settings_saved_) < 1)) return;
     settings_saved_ = Clock::now();
     const StudentFiles::Written written = student_files_.write(lab_.students);
     if (written.failed) show_error(*written.failed);

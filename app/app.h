@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/applied_theme.h"
@@ -15,10 +16,12 @@
 #include "app/jobs/jobs.h"
 #include "app/lab.h"
 #include "app/options.h"
+#include "app/pictures/clip.h"
 #include "app/report_state.h"
 #include "app/viewport.h"
 #include "app/window.h"
 #include "app/words.h"
+#include "render/gl/offscreen.h"
 #include "render/gl/renderer.h"
 #include "render/view/quality.h"
 #include "ui/window.h"
@@ -28,6 +31,8 @@ namespace braitenlab {
 // Prints the error to stderr. Returns 2, the exit code for bad input.
 int complain(const Error&);
 
+inline constexpr float label_em = 14;  // layout pixels, letters of the scene's labels
+
 // Wall seconds from `then` until now.
 double seconds_since(std::chrono::steady_clock::time_point then);
 
@@ -36,12 +41,16 @@ public:
     App(Options, Lab, Window, render::Renderer, Words, Settings);
 
     // One iteration of the main loop. Returns false when the program has ended: the user has closed it, the system has
-    // told it to end, or the picture of --screenshot is written. Precondition: turn() has not returned false before.
+    // told it to end, or the picture of --screenshot or the clip of --clip is written. Precondition: turn() has not
+    // returned false before.
     bool turn();
 
-    // The exit code: 0, or 2 if the picture of --screenshot could not be written. Valid after turn() has returned
+    // The exit code: 0, or 2 if the picture or the clip could not be written. Valid after turn() has returned
     // false.
     int exit_code() const { return exit_code_; }
+
+    // Keeps the framebuffer into which the window is redirected; nullopt: it is not.
+    void draw_into(std::optional<render::Offscreen> canvas) { canvas_ = std::move(canvas); }
 
     // Saves the settings, and the work for the next start. For a page, which may end without a further call.
     void keep_work();
@@ -107,15 +116,26 @@ private:
     // Draws with the level of quality that was asked for, or the measured one; measures some frames.
     void draw_measured(const Picture&);
     Quality quality() const;
+    // What the scene shows, without a camera view.
+    Picture scene_picture(std::vector<bool> hidden_brains) const;
+
+    // ── Pictures and clips, app_pictures.cpp ──
     std::optional<Error> write_picture(const std::filesystem::path&);
     // Writes a picture to the user's folder of pictures.
     void take_screenshot();
+    // The scene without cards in a picture of this size.
+    SceneLook scene_look(int width, int height) const;
+    // The characters of labels in such a picture.
+    render::Lettering lettering_of(const SceneLook&) const;
+    // Writes the clip of the command line.
+    std::optional<Error> write_clip(const Options&);
 
     Options options_;
     Jobs jobs_;
     Lab lab_;
     Window window_;
     render::Renderer renderer_;
+    std::optional<render::Offscreen> canvas_;  // with --screenshot and --clip
     Words words_;
     Settings settings_;
     UserFolders folders_;

@@ -9,7 +9,6 @@
 #include "app/applied_theme.h"
 #include "app/course/lab_lecture.h"
 #include "app/files/data.h"
-#include "app/files/screenshot.h"
 #include "app/insight/predictions.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
@@ -86,7 +85,6 @@ float App::density() const {
 }
 
 void App::load_label_font() {
-    constexpr float label_em = 14;  // layout pixels
     const auto pixels = static_cast<int>(std::lround(label_em * theme_.scale() * density()));
     auto [lettering, warning] = label_font(find_label_font, pixels, *theme_.fonts().small);
     renderer_.use_lettering(std::move(lettering));
@@ -156,6 +154,7 @@ void App::frame(float passed) {
     if (!title_ && !ImGui::GetIO().WantCaptureMouse && !rides(lab_.view.camera.mode))
         orbit(lab_.view.camera, -twist, 0);
     if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
+    window_.bind();
     if (repeatable() && !picture_is_due(0))
         renderer_.remember(shown_snapshot(shown_lab()));  // no frame is shown before the picture is taken
     else
@@ -215,24 +214,30 @@ CameraKeys App::camera_keys(bool arrows_are_free) const {
     return keys;
 }
 
-void App::draw_scene(std::vector<bool> hidden_brains) {
+Picture App::scene_picture(std::vector<bool> hidden_brains) const {
     const Lab& lab = shown_lab();
     Picture picture;
     picture.hidden_brains = std::move(hidden_brains);
-    picture.camera_view = viewport_.camera_view;
-    picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
-                                  static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab.preferences.theme;
     picture.quality = quality();
     picture.settings = lab.view;
     if (lab.together) picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
-    const SceneObject& hovered = panels_.scene_input.hovered.object;
-    picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     picture.driver = lab.view.camera.mode == CameraMode::driver ? lab.view.selection.vehicle : no_vehicle;
     picture.reduce_motion = lab.preferences.reduce_motion;
     picture.pixel_scale = density() * theme_.scale();
     picture.names = &words_.names;
     picture.decimal_mark = decimal_mark(words_.strings);
+    return picture;
+}
+
+void App::draw_scene(std::vector<bool> hidden_brains) {
+    const Lab& lab = shown_lab();
+    Picture picture = scene_picture(std::move(hidden_brains));
+    picture.camera_view = viewport_.camera_view;
+    picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
+                                  static_cast<float>(window_.framebuffer_height())};
+    const SceneObject& hovered = panels_.scene_input.hovered.object;
+    picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     shown_ = shown_snapshot(lab);
     if (!repeatable()) render::stand_between(shown_, lab.playback.previous, between_ticks(lab));
     draw_measured(picture);
@@ -254,20 +259,6 @@ void App::draw_measured(const Picture& picture) {
     renderer_.draw(shown_, picture);
     renderer_.finish();
     quality_.add(seconds_since(began));
-}
-
-std::optional<Error> App::write_picture(const std::filesystem::path& path) {
-    return write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels());
-}
-
-void App::take_screenshot() {
-    lab_.screenshot = false;
-    std::error_code none;  // write_picture() reports it
-    const auto& folder = folders_.pictures;
-    std::filesystem::create_directories(folder, none);
-    const auto path = next_screenshot_name(folder);
-    if (const auto error = write_picture(path)) return show_error(*error);
-    say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
 }
 
 }  // namespace braitenlab

@@ -14,6 +14,7 @@
 #include "core/insight/study_file.h"
 #include "core/io/link.h"
 #include "core/messages.h"
+#include "render/gl/offscreen.h"
 
 namespace braitenlab {
 
@@ -75,11 +76,12 @@ Result<Opened> open_asked(const Options& options) {
 }
 
 // If FILE cannot be opened, opens another document and shows the error in the window, because there is no terminal
-// after a double click on the file. With --screenshot or --set it fails, because a script must not get another scene.
+// after a double click on the file. With --screenshot, --clip or --set it fails, because a script must not get another
+// scene.
 Result<Opened> open_at_start(const Options& options, Settings& settings) {
     if (options.file.empty()) return open_usual(options, settings);
     auto asked = open_asked(options);
-    if (asked || !options.screenshot.empty() || !options.settings.empty()) return asked;
+    if (asked || options.only_draws() || !options.settings.empty()) return asked;
     complain(asked.error());
     auto instead = open_usual(options, settings);
     settings.errors.push_back(asked.error());  // the window shows the last error first
@@ -94,7 +96,7 @@ std::pair<int, int> window_size(const Options& options, const StoredState& state
 
 // The first start of a person, without a FILE and without options of a script.
 bool is_first_start(const Options& options, const Settings& settings) {
-    return settings.state.last_opened.empty() && settings.errors.empty() && options.screenshot.empty() &&
+    return settings.state.last_opened.empty() && settings.errors.empty() && !options.only_draws() &&
            options.file.empty() && options.settings.empty() && !options.play && !options.lecture;
 }
 
@@ -102,7 +104,7 @@ int open_and_run(Options options) {
     const auto data = data_folder();
     if (!data) return complain(data.error());
     // A picture depends on the command line alone: no settings are read for it.
-    const UserFolders folders = options.screenshot.empty() ? user_folders() : UserFolders{};
+    const UserFolders folders = options.only_draws() ? UserFolders{} : user_folders();
     SettingsFiles files(folders.config, folders.state);
     Settings settings =
         read_settings(std::move(files), {options.theme, options.language}, native_language(*data / "ui" / "strings"));
@@ -114,19 +116,29 @@ int open_and_run(Options options) {
     auto words = load_words(*data / "ui" / "strings", settings.at_start.language);
     if (!words) return complain(words.error());
     const auto [width, height] = window_size(options, settings.state);
+    const bool is_off_screen = options.only_draws() && !options.full_screen;
     auto window = Window::open({.title = "Braitenlab",
-                                .width = width,
-                                .height = height,
+                                .width = is_off_screen ? Options{}.width : width,
+                                .height = is_off_screen ? Options{}.height : height,
                                 .full_screen = options.full_screen,
+                                .visible = !options.only_draws() || options.full_screen,
                                 .watch_graphics = options.watch_graphics});
     if (!window) return complain(window.error());
     if (const auto& place = settings.state.place;
         place && !options.full_screen && can_be_grabbed(*place, {width, height}, window->displays()))
         window->move_to(place->x, place->y);
+    std::optional<render::Offscreen> canvas;
+    if (is_off_screen) {
+        canvas.emplace(width, height);
+        const int most = render::Offscreen::largest();
+        if (!canvas->ready()) return complain(error_of(message_of("picture_too_large", most, most)));
+        window->redirect(Window::Canvas{canvas->framebuffer(), width, height});
+    }
     auto renderer = render::Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
     const auto app = std::make_shared<App>(options, std::move(opened->lab), std::move(*window), std::move(*renderer),
                                            std::move(*words), std::move(settings));
+    app->draw_into(std::move(canvas));
     when_page_is_left([app] { app->keep_work(); });
     offer_to_page("state", [app] { return app->state_text(); });
     offer_to_page("anchors", [app] { return app->anchors_text(); });

@@ -17,10 +17,19 @@ namespace {
 std::string read_size(const std::string& text, Options& options) {
     int used = 0;
     if (std::sscanf(text.c_str(), "%dx%d%n", &options.width, &options.height, &used) != 2 ||
-        used != static_cast<int>(text.size()) || options.width < 640 || options.height < 480 || options.width > 16384 ||
-        options.height > 16384)
-        return fmt::format("'{}' is not a size; write it as 1280x800, at least 640x480", text);
+        used != static_cast<int>(text.size()) || std::min(options.width, options.height) < 100 ||
+        std::max(options.width, options.height) > 16384)
+        return fmt::format("'{}' is not a size; write it as 1280x800", text);
     options.size_given = true;
+    return {};
+}
+
+// What only several options together can have wrong.
+std::string what_is_wrong(const Options& options) {
+    if (options.clip.empty() && (options.width < 640 || options.height < 480))
+        return fmt::format("--size: {}x{} is too small for a window; the least is 640x480", options.width,
+                           options.height);
+    if (!options.clip.empty() && !options.screenshot.empty()) return "--clip and --screenshot exclude each other";
     return {};
 }
 
@@ -53,7 +62,7 @@ CommandLine read_command_line(int argc, char** argv) {
                if (const std::string wrong = read_size(text, o); !wrong.empty())
                    throw CLI::ValidationError("--size", wrong);
            },
-           "window size in pixels")
+           "size in pixels of the window, of --screenshot or of --clip")
         ->type_name("WxH");
     app.add_option("--scale", o.scale, "scale of the window's content; 1 on an ordinary display")
         ->check(CLI::Range(0.5f, 4.0f));
@@ -111,7 +120,8 @@ CommandLine read_command_line(int argc, char** argv) {
                for (std::size_t i = 0; i < quality_words.size(); ++i)
                    if (level == quality_words[i]) o.quality = static_cast<Quality>(i);
            },
-           "how much work a picture may be; auto: by measured frame time; default: auto, high with --screenshot")
+           "how much work a picture may be; auto: by measured frame time; default: auto, high with --screenshot and "
+           "--clip")
         ->type_name("LEVEL")
         ->check(CLI::IsMember({"low", "medium", "high", "auto"}));
     app.add_option_function<std::string>(
@@ -133,17 +143,26 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option("--after", o.after,
                    "when to take it: simulated seconds with --play (one tick a frame), else seconds since the start")
         ->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--clip", o.clip,
+                   "write a clip of the scene and exit; the name ends with .gif or, where ffmpeg is, .mp4 or .webm")
+        ->type_name("FILE");
+    app.add_option("--from", o.clip_from, "simulated second at which the clip begins")->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--to", o.clip_to, "simulated second at which it ends; default: 10 after its beginning")
+        ->check(CLI::Range(0.0, 3600.0));
     app.add_option("--anchors", o.anchors, "write the rectangles of the widgets to this file (JSON) while running")
         ->type_name("FILE");
     app.add_option("--state", o.state, "write the state of the lab to this file (JSON) while running")
         ->type_name("FILE");
     try {
         app.parse(argc, argv);
+        if (const std::string wrong = what_is_wrong(o); !wrong.empty()) throw CLI::ValidationError(wrong);
+        if (app.count("--to") == 0) o.clip_to = o.clip_from + 10;
+        if (!o.clip.empty() && !o.size_given) o.width = 640, o.height = 400;
     } catch (const CLI::ParseError& error) {
         // Help and version answer 0; everything else is bad input.
         line.exit_code = app.exit(error) == 0 ? 0 : 2;
     }
-    if (!quality_given && !o.screenshot.empty()) o.quality = Quality::high;
+    if (!quality_given && o.only_draws()) o.quality = Quality::high;
     return line;
 }
 

@@ -40,7 +40,12 @@ struct Options {
     std::string language;                  // its code, as "de"; empty: as in the settings
     std::filesystem::path screenshot;      // written after `after`; then the program ends
     double after = 1;                      // s: simulated with play, wall time without
+    std::filesystem::path clip;            // written at once; then the program ends
+    double clip_from = 0, clip_to = 10;    // simulated s
     std::filesystem::path anchors, state;  // updated while the program runs
+
+    // True if the program draws off the screen, writes a picture or a clip and ends.
+    bool only_draws() const { return !screenshot.empty() || !clip.empty(); }
 };
 
 // The options; or an exit code, if --help or --version has been answered or an error has been printed.

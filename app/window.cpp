@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -54,6 +55,7 @@ struct Window::Native {
     int windowed[4] = {0, 0, 0, 0};  // position and size before full screen
     // Position of the window when Alt was pressed; nullopt: it is not held, or another key has been pressed since.
     std::optional<std::array<int, 2>> alt_pressed_at;
+    std::optional<Canvas> canvas;  // drawn into in place of the window
     bool imgui = false;
     bool watches_graphics = false;
     int graphics_errors = 0;
@@ -222,6 +224,8 @@ bool Window::close_requested() const { return glfwWindowShouldClose(native_->win
 void Window::refuse_close() { glfwSetWindowShouldClose(native_->window, GLFW_FALSE); }
 
 Rect Window::area() const {
+    if (const auto& canvas = native_->canvas)
+        return {0, 0, static_cast<float>(canvas->width), static_cast<float>(canvas->height)};
     int width = 0, height = 0;
     glfwGetWindowSize(native_->window, &width, &height);
     return {0, 0, static_cast<float>(width), static_cast<float>(height)};
@@ -258,12 +262,14 @@ std::vector<std::array<int, 4>> Window::displays() const {
 void Window::move_to(int x, int y) { glfwSetWindowPos(native_->window, x, y); }
 
 int Window::framebuffer_width() const {
+    if (native_->canvas) return native_->canvas->width;
     int width = 0, height = 0;
     glfwGetFramebufferSize(native_->window, &width, &height);
     return width;
 }
 
 int Window::framebuffer_height() const {
+    if (native_->canvas) return native_->canvas->height;
     int width = 0, height = 0;
     glfwGetFramebufferSize(native_->window, &width, &height);
     return height;
@@ -306,6 +312,12 @@ bool Window::holds(int glfw_key) const { return glfwGetKey(native_->window, glfw
 void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    if (native_->canvas) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {area().w, area().h};
+        io.DisplayFramebufferScale = {1, 1};
+        io.MousePos = {-FLT_MAX, -FLT_MAX};
+    }
     const auto either = [this](int left, int right) { return holds(left) || holds(right); };
     ui::hand_over(keys,
                   {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
@@ -344,8 +356,10 @@ void Window::toggle_full_screen() {
 bool Window::watches_graphics() const { return native_->watches_graphics; }
 int Window::graphics_errors() const { return native_->graphics_errors; }
 
+void Window::redirect(std::optional<Canvas> canvas) { native_->canvas = canvas; }
+
 void Window::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, native_->canvas ? native_->canvas->framebuffer : 0);
     glViewport(0, 0, framebuffer_width(), framebuffer_height());
 }
 

@@ -87,6 +87,14 @@ public:
     // Number of errors that the driver has reported so far; each is printed to stderr. 0 without watch_graphics.
     int graphics_errors() const;
 
+    // From the next frame on the window draws into this framebuffer: area(), framebuffer_width() and
+    // framebuffer_height() are those of it, and the pointer is outside. nullopt: into its own one again.
+    struct Canvas {
+        unsigned framebuffer = 0;
+        int width = 0, height = 0;  // px
+    };
+    void redirect(std::optional<Canvas>);
+
     // Binds the window's framebuffer, sized to it.
     void bind() const;
 

@@ -23,6 +23,9 @@ public:
 
     void write(std::string_view);
 
+    // The first error so far.
+    const std::optional<Error>& problem() const { return error_; }
+
     // Fails with the first error of all calls: no permission, no room on the disk, no such folder, not a regular file.
     std::optional<Error> commit();
 

@@ -4,9 +4,12 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace braitenlab {
 
@@ -61,6 +64,31 @@ bool is_told_to_end();
 
 // False in a browser: std::async would wait for its thread without end.
 bool has_threads();
+
+// The file of a program that the system finds by its name, as a command line does; empty if there is none.
+std::filesystem::path find_program(const std::string& name);
+
+// A running program that reads what is written to it. It is started without a shell: each argument is passed as it is.
+class ProgramPipe {
+public:
+    // nullopt if the program cannot be started. Its output is discarded; its errors are kept for finish().
+    static std::optional<ProgramPipe> start(const std::filesystem::path& program,
+                                            const std::vector<std::string>& arguments);
+    ProgramPipe(ProgramPipe&&) noexcept;
+    ProgramPipe& operator=(ProgramPipe&&) = delete;
+    ~ProgramPipe();  // ends the program if finish() was not called
+
+    // Waits until the program has taken the bytes. False if it has ended or closed its input.
+    bool write(std::string_view bytes);
+
+    // Closes its input and waits for its end. nullopt if it has succeeded, else the last line of its errors.
+    std::optional<std::string> finish();
+
+private:
+    struct Running;
+    explicit ProgramPipe(std::unique_ptr<Running>);
+    std::unique_ptr<Running> running_;
+};
 
 // The number of this process, unique among all running processes.
 long process_number();

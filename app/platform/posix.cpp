@@ -1,10 +1,15 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
 
 #include <fcntl.h>
+#include <spawn.h>
 #include <sys/file.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "app/platform/platform.h"
@@ -104,6 +109,104 @@ bool is_told_to_end() {
 }
 
 bool has_threads() { return true; }
+
+std::filesystem::path find_program(const std::string& name) {
+    const std::string folders = environment_path("PATH").string();
+    for (std::size_t from = 0; from <= folders.size();) {
+        const std::size_t end = std::min(folders.find(':', from), folders.size());
+        const std::filesystem::path file = std::filesystem::path(folders.substr(from, end - from)) / name;
+        std::error_code none;
+        if (std::filesystem::is_regular_file(file, none) && access(file.c_str(), X_OK) == 0) return file;
+        from = end + 1;
+    }
+    return {};
+}
+
+struct ProgramPipe::Running {
+    pid_t process = -1;  // −1: has ended
+    int input = -1;      // −1: closed
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> errors{std::tmpfile(), std::fclose};
+
+    void close_input() {
+        if (input >= 0) close(input);
+        input = -1;
+    }
+    // The status as waitpid() returns it.
+    int wait_for_end() {
+        int status = 0;
+        while (process > 0 && waitpid(process, &status, 0) < 0 && errno == EINTR) {
+        }
+        process = -1;
+        return status;
+    }
+    std::string last_line() const {
+        if (!errors) return {};
+        std::rewind(errors.get());
+        std::string line, last;
+        for (int c = 0; (c = std::fgetc(errors.get())) != EOF;) {
+            if (c != '\n')
+                line += static_cast<char>(c);
+            else if (!line.empty())
+                last = std::exchange(line, {});
+        }
+        return line.empty() ? last : line;
+    }
+};
+
+ProgramPipe::ProgramPipe(std::unique_ptr<Running> running) : running_(std::move(running)) {}
+ProgramPipe::ProgramPipe(ProgramPipe&&) noexcept = default;
+
+std::optional<ProgramPipe> ProgramPipe::start(const std::filesystem::path& program,
+                                              const std::vector<std::string>& arguments) {
+    auto running = std::make_unique<Running>();
+    std::array<int, 2> pipe_ends{};
+    if (!running->errors || pipe2(pipe_ends.data(), O_CLOEXEC) != 0) return std::nullopt;
+    running->input = pipe_ends[1];
+    std::vector<std::string> texts{program.string()};
+    texts.insert(texts.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& text : texts) pointers.push_back(text.data());
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, pipe_ends[0], STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, fileno(running->errors.get()), STDERR_FILENO);
+    const int problem = posix_spawn(&running->process, program.c_str(), &actions, nullptr, pointers.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(pipe_ends[0]);
+    if (problem != 0) {
+        running->process = -1;
+        running->close_input();
+        return std::nullopt;
+    }
+    std::signal(SIGPIPE, SIG_IGN);  // write() returns an error instead
+    return ProgramPipe(std::move(running));
+}
+
+ProgramPipe::~ProgramPipe() {
+    if (!running_) return;
+    running_->close_input();
+    if (running_->process > 0) kill(running_->process, SIGKILL);
+    running_->wait_for_end();
+}
+
+bool ProgramPipe::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t taken = ::write(running_->input, bytes.data(), bytes.size());
+        if (taken < 0 && errno == EINTR) continue;
+        if (taken <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(taken));
+    }
+    return true;
+}
+
+std::optional<std::string> ProgramPipe::finish() {
+    running_->close_input();
+    const int status = running_->wait_for_end();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
+    return running_->last_line();
+}
 
 long process_number() { return getpid(); }
 

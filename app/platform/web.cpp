@@ -38,6 +38,17 @@ bool is_told_to_end() { return false; }
 
 bool has_threads() { return false; }
 
+std::filesystem::path find_program(const std::string&) { return {}; }
+
+struct ProgramPipe::Running {};
+ProgramPipe::ProgramPipe(ProgramPipe&&) noexcept = default;
+ProgramPipe::~ProgramPipe() = default;
+std::optional<ProgramPipe> ProgramPipe::start(const std::filesystem::path&, const std::vector<std::string>&) {
+    return std::nullopt;
+}
+bool ProgramPipe::write(std::string_view) { return false; }
+std::optional<std::string> ProgramPipe::finish() { return std::string{}; }
+
 long process_number() { return 1; }
 
 std::string system_language() {

@@ -46,6 +46,26 @@ std::filesystem::path inside(const std::filesystem::path& folder, const char* na
     return folder.empty() ? folder : folder / name;
 }
 
+std::wstring wide_of(std::string_view utf8) {
+    std::wstring text(utf8.size(), L'\0');
+    const int length = static_cast<int>(utf8.size());
+    const int used = MultiByteToWideChar(CP_UTF8, 0, utf8.data(), length, text.data(), length);
+    text.resize(static_cast<std::size_t>(used));
+    return text;
+}
+
+// An argument as CommandLineToArgvW reads it: in quotes, with backslashes doubled before a quote.
+std::wstring quoted(const std::wstring& argument) {
+    std::wstring text = L"\"";
+    std::size_t backslashes = 0;
+    for (const wchar_t c : argument) {
+        if (c == L'"') text.append(backslashes + 1, L'\\');
+        backslashes = c == L'\\' ? backslashes + 1 : 0;
+        text += c;
+    }
+    return text.append(backslashes, L'\\') + L'"';
+}
+
 HANDLE handle_of(int file) { return reinterpret_cast<HANDLE>(_get_osfhandle(file)); }
 
 }  // namespace
@@ -116,6 +136,84 @@ bool is_told_to_end() {
 }
 
 bool has_threads() { return true; }
+
+std::filesystem::path find_program(const std::string& name) {
+    std::wstring found(32768, L'\0');
+    const DWORD length =
+        SearchPathW(nullptr, wide_of(name).c_str(), L".exe", static_cast<DWORD>(found.size()), found.data(), nullptr);
+    if (length == 0 || length >= found.size()) return {};
+    found.resize(length);
+    return found;
+}
+
+struct ProgramPipe::Running {
+    HANDLE process = nullptr, input = nullptr;
+
+    void close_input() {
+        if (input) CloseHandle(input);
+        input = nullptr;
+    }
+};
+
+ProgramPipe::ProgramPipe(std::unique_ptr<Running> running) : running_(std::move(running)) {}
+ProgramPipe::ProgramPipe(ProgramPipe&&) noexcept = default;
+
+// The errors of the program are discarded.
+std::optional<ProgramPipe> ProgramPipe::start(const std::filesystem::path& program,
+                                              const std::vector<std::string>& arguments) {
+    std::wstring line = quoted(program.wstring());
+    for (const std::string& argument : arguments) line += L' ' + quoted(wide_of(argument));
+    SECURITY_ATTRIBUTES inherited{sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE};
+    HANDLE reads = nullptr, writes = nullptr;
+    if (!CreatePipe(&reads, &writes, &inherited, 0)) return std::nullopt;
+    SetHandleInformation(writes, HANDLE_FLAG_INHERIT, 0);
+    const HANDLE nowhere =
+        CreateFileW(L"NUL", GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, &inherited, OPEN_EXISTING, 0, nullptr);
+    STARTUPINFOW start{};
+    start.cb = sizeof(start);
+    start.dwFlags = STARTF_USESTDHANDLES;
+    start.hStdInput = reads, start.hStdOutput = nowhere, start.hStdError = nowhere;
+    PROCESS_INFORMATION begun{};
+    const bool runs = CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr,
+                                     nullptr, &start, &begun) != 0;
+    CloseHandle(reads);
+    CloseHandle(nowhere);
+    if (!runs) {
+        CloseHandle(writes);
+        return std::nullopt;
+    }
+    CloseHandle(begun.hThread);
+    auto running = std::make_unique<Running>();
+    running->process = begun.hProcess, running->input = writes;
+    return ProgramPipe(std::move(running));
+}
+
+ProgramPipe::~ProgramPipe() {
+    if (!running_ || !running_->process) return;
+    running_->close_input();
+    TerminateProcess(running_->process, 1);
+    WaitForSingleObject(running_->process, INFINITE);
+    CloseHandle(running_->process);
+}
+
+bool ProgramPipe::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        DWORD taken = 0;
+        if (!WriteFile(running_->input, bytes.data(), static_cast<DWORD>(bytes.size()), &taken, nullptr)) return false;
+        bytes.remove_prefix(taken);
+    }
+    return true;
+}
+
+std::optional<std::string> ProgramPipe::finish() {
+    running_->close_input();
+    WaitForSingleObject(running_->process, INFINITE);
+    DWORD code = 1;
+    GetExitCodeProcess(running_->process, &code);
+    CloseHandle(std::exchange(running_->process, nullptr));
+    if (code == 0) return std::nullopt;
+    return std::string{};
+}
 
 long process_number() { return static_cast<long>(GetCurrentProcessId()); }
 

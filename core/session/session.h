@@ -89,6 +89,9 @@ public:
     // Tick of the last keyframe at or before `tick`, which is in earliest() .. latest().
     std::uint64_t keyframe_before(std::uint64_t tick) const { return recording_.keyframe_before(tick); }
 
+    // The recorded ticks, for a RecordedRun beside this session.
+    const Recording& recording() const { return recording_; }
+
     // Repeats the run from `from` (at least earliest()) to the present tick for the visitor; the session does not
     // change. Costs one step per tick from the keyframe before `from`.
     void replay(std::uint64_t from, const RunVisitor&) const;

@@ -251,6 +251,49 @@ TEST(LabWindow, TakesTheSamePictureTwice) {
     EXPECT_GT(std::stoi(shell(fmt::format("identify -format '%k' {}", a)).out), 200) << "colours in the picture";
 }
 
+TEST(LabWindow, TakesAPictureLargerThanTheDisplay) {
+    const Home home;
+    const auto file = (home.path / "large.png").string();
+    const Ran ran =
+        shell(fmt::format("{} 2a-coward --size 3840x2160 --scale 2 --quality low --play --after 0.2 "
+                          "--screenshot {}",
+                          program("braitenlab"), file));
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_EQ(shell("identify -format '%wx%h' " + file).out, "3840x2160");
+    const std::string corner = shell(fmt::format("convert {} -crop 900x900+2900+1200 -format '%k' info:", file)).out;
+    EXPECT_GT(std::stoi(corner), 50) << "colours beyond the edge of the display";
+}
+
+TEST(LabWindow, WritesAClipWithoutAPlayingWindow) {
+    const Home home;
+    const auto file = (home.path / "clip.gif").string();
+    const Ran ran = shell(fmt::format("{} 3a-love --seed 5 --quality low --clip {} --from 2 --to 3 --size 320x200",
+                                      program("braitenlab"), file));
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_EQ(shell("identify -format '%n ' " + file + " | cut -d' ' -f1").out.substr(0, 2), "21") << "20 per second";
+    EXPECT_EQ(shell("identify -format '%W %H %T\n' " + file + " | sort -u").out, "320 200 5\n");
+    const std::string pictures = (home.path / "p").string();
+    const Ran moves = shell(fmt::format(
+        "convert {0} -coalesce {1}-%02d.png && compare -metric AE {1}-00.png {1}-20.png null:", file, pictures));
+    EXPECT_GT(std::atoi(moves.out.c_str()), 100) << "pixels that the vehicle changes: " << moves.out;
+}
+
+TEST(LabWindow, RefusesAClipThatCannotBe) {
+    const Home home;
+    const auto in_home = [&](const char* name) { return (home.path / name).string(); };
+    const auto clip = [&](const std::string& options) { return shell(program("braitenlab") + " 3a-love " + options); };
+    const Ran ends = clip("--clip " + in_home("a.gif") + " --from 5 --to 2");
+    EXPECT_EQ(ends.code, 2);
+    EXPECT_NE(ends.out.find("ends before it begins"), std::string::npos) << ends.out;
+    const Ran other = clip("--clip " + in_home("a.avi"));
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.out.find(".webm"), std::string::npos) << other.out;
+    const Ran small = clip("--size 320x200 --screenshot " + in_home("a.png"));
+    EXPECT_EQ(small.code, 2);
+    EXPECT_NE(small.out.find("640x480"), std::string::npos) << small.out;
+    EXPECT_FALSE(std::filesystem::exists(home.path / "a.gif"));
+}
+
 TEST(LabWindow, ExitsWithTwoWithoutADisplay) {
     const Ran ran = shell("env -u DISPLAY -u WAYLAND_DISPLAY " + program("braitenlab"));
     EXPECT_EQ(ran.code, 2);
