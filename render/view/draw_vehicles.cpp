@@ -44,14 +44,8 @@ float detail_of(float pixels) {
     return t * t * (3 - 2 * t);
 }
 
-// The vehicle's own colour, else that of its kind, else that of its role.
-Colour paint_of(const Drawing& drawing, const Subject& s) {
-    if (const auto own = colour_of(look_of(drawing.now, s.view).colour)) return *own;
-    return colour_of(s.kind.colour).value_or(colour_of(drawing.colours, s.view.role));
-}
-
 Colour body_colour(const Drawing& drawing, const Subject& s) {
-    Colour colour = paint_of(drawing, s);
+    Colour colour = colour_of(drawing.colours, drawing.now, s.view);
     if (s.view.driver == Driver::parked) colour = mix(colour, drawing.colours.wall, 0.6f);
     // Paler at low energy.
     return mix(mix(colour, drawing.colours.wall, 0.45f), colour, 0.3f + 0.7f * std::min(1.0f, s.view.energy * 2));

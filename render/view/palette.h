@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/scene/scene.h"
+#include "core/world/snapshot.h"
 
 namespace braitenlab {
 
@@ -110,6 +111,12 @@ constexpr Colour colour_of(const Palette& p, Surface surface) {
 
 constexpr Colour colour_of(const Palette& p, Role role) {
     return role == Role::predator ? p.predator : role == Role::prey ? p.prey : p.neutral;
+}
+
+// The vehicle's own colour, else that of its kind, else that of its role.
+inline Colour colour_of(const Palette& p, const Snapshot& now, const VehicleView& vehicle) {
+    if (const auto own = colour_of(look_of(now, vehicle).colour)) return *own;
+    return colour_of(kind_of(now, vehicle).colour).value_or(colour_of(p, vehicle.role));
 }
 
 constexpr Palette palette(Theme theme) {

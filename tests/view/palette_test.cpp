@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "hand_made.h"
+
 namespace braitenlab::tests::palette_test {
 namespace {
 
@@ -90,6 +92,21 @@ TEST(Palette, UsesTheColourOfARoleForItsChannel) {
     EXPECT_EQ(colour_of(p, Channel::predator), p.predator);
     EXPECT_EQ(colour_of(p, Channel::prey), colour_of(p, Role::prey));
     EXPECT_EQ(colour_of(p, Channel::memory), p.memory);
+}
+
+TEST(Palette, AVehicleHasItsOwnColourElseThatOfItsKindElseThatOfItsRole) {
+    const Palette p = palette(Theme::dark);
+    const auto scene = hand_made::scene();
+    Snapshot now = hand_made::empty(scene);
+    VehicleView vehicle;
+    vehicle.kind = 1, vehicle.role = Role::predator;
+    EXPECT_EQ(colour_of(p, now, vehicle), p.predator);
+    scene->kinds[1].colour = "#102030";
+    EXPECT_EQ(colour_of(p, now, vehicle), rgb(0x102030));
+    scene->starts.push_back({});
+    scene->starts[0].colour = "#c02020";
+    vehicle.start = 0;
+    EXPECT_EQ(colour_of(p, now, vehicle), rgb(0xc02020));
 }
 
 }  // namespace

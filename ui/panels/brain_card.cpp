@@ -66,7 +66,7 @@ float widest_chip(const Ui& ui) {
 void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = line_height(ui, Face::title), size = ui.px(16), width = card_width(ui);
-    put_role(ui, {at.x + size / 2, at.y + height / 2}, size, vehicle.role);
+    put_role(ui, {at.x + size / 2, at.y + height / 2}, size, vehicle.role, colour_of(ui.palette, *view.now, vehicle));
     std::string title = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
     if (const std::string own = own_name(view, vehicle); !own.empty()) title += " · " + own;
     // When the brain does not drive the vehicle, the chip names the driver.

@@ -178,10 +178,14 @@ void line_box(const Ui& ui, Rect r, Colour colour, float rounding, float thickne
                     ui.px(thickness));
 }
 
-void put_role(const Ui& ui, ImVec2 c, float size, Role role, float alpha) {
+void put_role(const Ui& ui, ImVec2 middle, float size, Role role) {
+    put_role(ui, middle, size, role, colour_of(ui.palette, role));
+}
+
+void put_role(const Ui&, ImVec2 c, float size, Role role, Colour of_sign) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float h = size / 2;
-    const ImU32 colour = paint(colour_of(ui.palette, role).with_alpha(alpha));
+    const ImU32 colour = paint(of_sign);
     switch (role) {
         case Role::predator:
             draw.AddTriangleFilled({c.x, c.y - h * 1.05f}, {c.x + h, c.y + h * 0.9f}, {c.x - h, c.y + h * 0.9f},

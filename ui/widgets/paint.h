@@ -80,7 +80,8 @@ void fill_box(const Ui&, Rect, Colour, float layout_rounding = 6);
 void line_box(const Ui&, Rect, Colour, float layout_rounding = 6, float layout_thickness = 1);
 
 // The sign of a role: wedge for predators, disc for prey, square for others. `size` in window pixels.
-void put_role(const Ui&, ImVec2 middle, float size, Role, float alpha = 1);
+void put_role(const Ui&, ImVec2 middle, float size, Role);  // in the colour of the role
+void put_role(const Ui&, ImVec2 middle, float size, Role, Colour);
 
 // Orange for a positive (excitatory) weight, blue for a negative one, grey for 0.
 Colour colour_of_weight(const Palette&, float weight);

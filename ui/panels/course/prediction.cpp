@@ -83,8 +83,7 @@ void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     for (std::size_t i = 0; i < asked.options.size(); ++i) {
         const bool is_chosen = static_cast<int>(i) == lesson.prediction;
         const std::string id = "exercise.predict." + std::to_string(i + 1);
-        if (radio_row(ui, id, translated(ui, asked.options[i]), is_chosen, is_prediction_open(lesson),
-                      ui.strings("exercise.predict_how")) &&
+        if (radio_row(ui, id, translated(ui, asked.options[i]), is_chosen, true, ui.strings("exercise.predict_how")) &&
             !is_chosen)
             ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
     }
@@ -140,7 +139,13 @@ void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
     if (!is_asked(asked) || (!is_open && !has_predicted(lesson) && !lesson.outcome_known)) return;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     subheading(ui, ui.strings("exercise.predict"));
-    is_open ? open_prediction(view, state, ui) : made_prediction(lesson, ui);
+    if (is_prediction_open(lesson)) {
+        open_prediction(view, state, ui);
+    } else {
+        if (is_open)
+            paragraph(ui, translated(ui, asked.question), ui.palette.text);  // the steps need the room of the options
+        made_prediction(lesson, ui);
+    }
     if (lesson.outcome_known && !asked.outcome.empty())
         paragraph_with_terms(
             ui, state.glossary,
