@@ -92,6 +92,8 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"exercise_without_vehicle", "this scene places no vehicle; an exercise is about one"},
     {"exercise_solved",
      "the brain in the window is the one that the student gets; change it, so that it is the solution"},
+    {"exercise_wrong_is_solution",
+     "the wrong answer “{}” is the brain in the window, which becomes the solution; restore the solution first"},
     {"file_exists", "there is a file of this name; save once more to replace it"},
     {"starts_outside", "it starts outside the arena"},
     {"round_torus", "a torus cannot be round; choose another edge or leave out 'round'"},

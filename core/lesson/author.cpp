@@ -162,6 +162,14 @@ BrainGraph shipped_brain(const ExerciseDraft& draft, const Scene& file, const St
     return draft.ships == ShippedBrain::without_wires ? without_wires(now) : filed_brain(file, start, now);
 }
 
+// The answer with this brain; sensors and body are those of the kind.
+Answer answer_of(const std::string& name, const BrainGraph& brain, const Kind& kind) {
+    Answer answer{name, "", to_text(brain), {}, {brain, kind.sensors, kind.body}};
+    if (answer.brain.given.empty() && answer.brain.nodes.empty())
+        answer.brain.given = {Dial::LL};  // a brain without wires is an answer, too
+    return answer;
+}
+
 }  // namespace
 
 std::string_view word_of(const Goal& goal) {
@@ -238,10 +246,12 @@ Result<Exercise> make_exercise(const ExerciseDraft& draft, const std::string& id
     const BrainGraph solution = kind.brain;
     kind.brain = shipped_brain(draft, file, first, solution);
     if (without_places(kind.brain) == without_places(solution)) return error_of(message_of("exercise_solved"));
-    exercise.solution.brain = to_text(solution);
-    if (exercise.solution.brain.given.empty() && exercise.solution.brain.nodes.empty())
-        exercise.solution.brain.given = {Dial::LL};  // a brain without wires is an answer, too
-    exercise.solution.submission = {solution, kind.sensors, kind.body};
+    exercise.solution = answer_of("", solution, kind);
+    for (const WrongDraft& each : draft.wrong) {
+        if (without_places(each.brain) == without_places(solution))
+            return error_of(message_of("exercise_wrong_is_solution", each.name));
+        exercise.wrong.push_back(answer_of(each.name, each.brain, kind));
+    }
     return exercise;
 }
 

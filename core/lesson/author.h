@@ -13,6 +13,12 @@ namespace braitenlab {
 // The brain that the student gets; the solution is the brain in the window.
 enum class ShippedBrain { of_file, without_wires };
 
+// A brain that must fail.
+struct WrongDraft {
+    std::string name;  // what it is, for reports
+    BrainGraph brain;
+};
+
 // What the author decides. The scene is the open one.
 struct ExerciseDraft {
     std::string title, goal;
@@ -21,6 +27,7 @@ struct ExerciseDraft {
     std::vector<std::string> offers;  // empty: all controls
     std::vector<Step> steps;
     Prediction prediction;  // without a question: none
+    std::vector<WrongDraft> wrong;
     float seconds = 20;
     int starts = 10;
     float heading_spread = 15;  // °, 0..180; the heading of the vehicle's start varies with the seed by up to ± this
@@ -51,7 +58,7 @@ std::size_t subject_start(const ExerciseDraft&, const Scene&);
 
 // The exercise. `now`: the scene in the window at its start, with all edits; `file`: as it was read. The vehicle of the
 // draft becomes the first one, and its own brain and sensors those of its kind. `id`: the stem of its file.
-// Error: the scene has no start; the brain in the window is the one that ships.
+// Error: the scene has no start; the brain in the window is the one that ships, or one of the wrong ones.
 Result<Exercise> make_exercise(const ExerciseDraft&, const std::string& id, const Scene& now, const Scene& file);
 
 }  // namespace braitenlab

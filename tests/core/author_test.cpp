@@ -67,6 +67,29 @@ TEST_F(Author, RefusesASceneWithoutASolutionOrAVehicle) {
     EXPECT_FALSE(make_exercise(draft, "strike", empty, file));
 }
 
+TEST_F(Author, WrongAnswersAndWhatTheRunShowsAreInTheFile) {
+    const BrainGraph half = make_graph({.LR = 0.1f, .LM = 0.1f, .RM = 0.1f});
+    draft.wrong = {{"Half a wire", half}, {"No wires", make_graph(FourNeurons{})}};
+    draft.prediction = {"What will it do?", {"Flee", "Strike"}, 0, "It flees.", 4};
+    for (const Goal& goal : goals_for(now, now.starts[0].name))
+        if (word_of(goal) == "turns_away") draft.prediction.shows = {Check{goal}};
+    const Exercise exercise = made();
+    ASSERT_EQ(exercise.wrong.size(), 2u);
+    EXPECT_EQ(exercise.wrong[0].name, "Half a wire");
+    EXPECT_EQ(exercise.wrong[0].submission.brain, half);
+    EXPECT_EQ(exercise.wrong[1].submission.brain, make_graph(FourNeurons{}));
+    EXPECT_EQ(exercise.prediction.after, 4);
+    ASSERT_EQ(exercise.prediction.shows.size(), 1u);
+    EXPECT_EQ(word_of(exercise.prediction.shows[0].goal), "turns_away");
+}
+
+TEST_F(Author, RefusesAWrongAnswerThatIsTheSolution) {
+    draft.wrong = {{"Crossed", now.kinds[0].brain}};
+    const auto refused = make_exercise(draft, "strike", now, file);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().what.find("“Crossed”"), std::string::npos) << refused.error().what;
+}
+
 TEST_F(Author, ABrainOfOneVehicleAloneBecomesThatOfItsKindAndOthersKeepTheirs) {
     now = file;
     now.starts.push_back(now.starts[0]);

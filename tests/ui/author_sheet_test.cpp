@@ -130,6 +130,57 @@ TEST_F(AuthorSheet, APredictionHasItsTrueAnswer) {
     EXPECT_EQ(asked.answer, 1);
 }
 
+TEST_F(AuthorSheet, APredictionCanSayWhatTheRunShows) {
+    fill_in();
+    page(4);
+    type("author.question", "Where does it drive?");
+    type("author.option.1", "Away");
+    type("author.option.2", "To the lamp");
+    EXPECT_TRUE(saved().draft->prediction.shows.empty());
+    desk.click("author.shows");
+    desk.frame(3);
+    desk.click("author.shows.turns_away");
+    desk.frame(3);
+    desk.type_into("author.shown.degrees", "45");
+    desk.type_into("author.after", "6");
+    const Prediction asked = saved().draft->prediction;
+    ASSERT_EQ(asked.shows.size(), 1u);
+    EXPECT_EQ(std::get<goals::TurnsAway>(asked.shows[0].goal).degrees, 45);
+    EXPECT_EQ(asked.after, 6);
+    desk.rest();
+    desk.click("author.shows");
+    desk.frame(3);
+    ASSERT_TRUE(desk.anchors.find("author.shows.nothing"));
+    desk.click("author.shows.nothing");
+    desk.rest();
+    EXPECT_TRUE(desk.panels.author.draft.prediction.shows.empty());
+    EXPECT_TRUE(saved().draft->prediction.shows.empty());
+}
+
+TEST_F(AuthorSheet, TakesThePresentBrainAsAWrongAnswerOnce) {
+    fill_in();
+    page(5);
+    desk.click("author.wrong.add");
+    desk.frame(2);
+    desk.click("author.wrong.add");
+    ASSERT_EQ(desk.panels.author.draft.wrong.size(), 1u) << "the same brain is not taken twice";
+    EXPECT_EQ(saved().draft->wrong[0].name, "Wrong answer 1");
+    EXPECT_EQ(saved().draft->wrong[0].brain, *brain_of(desk.now, desk.now.vehicles[0]));
+    desk.now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 2}));
+    for (auto& brain : desk.now.kind_brains) brain = desk.now.brains[0];
+    desk.frame(2);
+    desk.click("author.wrong.add");
+    desk.frame(2);
+    desk.panels.author.wrong_names[1].text = "second";
+    desk.click("author.wrong.1.remove");
+    desk.frame(2);
+    ASSERT_EQ(saved().draft->wrong.size(), 1u);
+    EXPECT_EQ(saved().draft->wrong[0].name, "second") << "the name goes with its brain";
+    desk.panels.author.wrong_names[0].text.clear();
+    desk.click("author.save");
+    EXPECT_TRUE(says("A wrong answer has no name"));
+}
+
 TEST_F(AuthorSheet, ShowsARefusalAndReplacesAfterASecondPress) {
     fill_in();
     (void)saved();

@@ -14,6 +14,7 @@ std::vector<TextField*> fields_of(AuthorState& author) {
     std::vector<TextField*> all{&author.title, &author.goal, &author.path, &author.question, &author.outcome};
     for (TextField& each : author.step_texts) all.push_back(&each);
     for (TextField& each : author.options) all.push_back(&each);
+    for (TextField& each : author.wrong_names) all.push_back(&each);
     return all;
 }
 
@@ -62,10 +63,13 @@ ExerciseDraft finished_draft(const AuthorState& author) {
     for (std::size_t i = 0; !author.all_controls && i < author.parts.size(); ++i)
         if (author.parts[i]) draft.offers.emplace_back(offer_parts::all[i]);
     for (std::size_t i = 0; i < draft.steps.size(); ++i) draft.steps[i].text = author.step_texts[i].text;
+    for (std::size_t i = 0; i < draft.wrong.size(); ++i) draft.wrong[i].name = author.wrong_names[i].text;
     draft.prediction = {};
     if (author.question.text.empty()) return draft;
     draft.prediction.question = author.question.text;
     draft.prediction.outcome = author.outcome.text;
+    draft.prediction.shows = author.draft.prediction.shows;
+    draft.prediction.after = author.draft.prediction.after;
     for (std::size_t i = 0; i < author.options.size(); ++i) {
         if (author.options[i].text.empty()) continue;
         if (static_cast<int>(i) == author.draft.prediction.answer)
@@ -83,6 +87,8 @@ std::string_view missing_in(const AuthorState& author) {
     if (draft.steps.empty()) return "author.no_step";
     for (const Step& step : draft.steps)
         if (step.text.empty()) return "author.no_step_text";
+    for (const WrongDraft& each : draft.wrong)
+        if (each.name.empty()) return "author.no_wrong_name";
     if (draft.prediction.question.empty()) return "";
     const auto answer = static_cast<std::size_t>(author.draft.prediction.answer);
     if (draft.prediction.options.size() < 2) return "author.no_options";

@@ -12,9 +12,9 @@
 
 namespace braitenlab::ui {
 
-enum class AuthorPage { texts, controls, steps, prediction };
+enum class AuthorPage { texts, controls, steps, prediction, wrong };
 
-inline constexpr std::size_t author_steps = 3, author_options = 4;  // at most
+inline constexpr std::size_t author_steps = 3, author_options = 4, author_wrong = 4;  // at most
 
 struct AuthorState {
     SheetState sheet;
@@ -24,8 +24,10 @@ struct AuthorState {
     std::array<TextField, author_steps> step_texts;
     TextField question, outcome;
     std::array<TextField, author_options> options;
+    std::array<TextField, author_wrong> wrong_names;
     std::size_t step_shown = 0;      // whose goal and values are shown
-    bool goals_open = false;         // the list of goals is unfolded
+    bool goals_open = false;         // the list of goals of the step is unfolded
+    bool shows_open = false;         // that of what the run shows
     std::vector<bool> dials, parts;  // offered, in the order of all_dials and offer_parts::all
     bool all_controls = false;       // offered are all controls
     std::uint64_t run_id = 0;        // of the document that the draft is about; the draft stays while it is open
