@@ -80,6 +80,23 @@ TEST_F(PathPrediction, ItIsDrawnAtTheStartOfARunOnly) {
     EXPECT_FALSE(scene_input().path.on) << "the run has begun";
 }
 
+TEST_F(PathPrediction, ArrowKeysDrawFromTheVehicleAndEnterMakesItThePrediction) {
+    desk.click("exercise.draw");
+    for (const int way : {key::right, key::right, key::up, key::up}) desk.key({way});
+    desk.key({key::backspace});
+    desk.frame(2);
+    EXPECT_TRUE(drawn().empty());
+    desk.key({key::enter});
+    ASSERT_EQ(drawn().size(), 1u);
+    const std::vector<vec2> path = drawn()[0].path;
+    const vec2 start{desk.now.vehicles[0].x, desk.now.vehicles[0].y};
+    ASSERT_EQ(path.size(), 4u) << "Backspace takes one step back";
+    EXPECT_EQ(path.front(), start);
+    EXPECT_NEAR(maths::distance(path.back(), start), std::hypot(0.5f, 0.25f), 1e-3f);
+    EXPECT_FALSE(scene_input().path.on);
+    EXPECT_TRUE(desk.edits().empty()) << "the vehicle is not moved";
+}
+
 TEST_F(PathPrediction, ADrawnPathIsAPrediction) {
     EXPECT_TRUE(hides_outcome(desk.view));
     desk.lesson.drawn_path = {{0, 0}, {1, 0}};

@@ -28,7 +28,7 @@ public:
         const LabView& view = frame_.view;
         if (!view.lesson || view.mode == Mode::wiring) return;
         if (state_.path.on) draw_start();
-        if (state_.path.held)
+        if (state_.path.points.size() > 1)
             dashes(state_.path.points, ui_.palette.accent);
         else if (!view.ghost && !(view.lesson->grade && view.lesson->grade->good))
             draw_paths(*view.lesson);

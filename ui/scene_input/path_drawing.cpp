@@ -71,6 +71,28 @@ bool use_path_drawing(SceneInputState& state, const SceneInputFrame& frame, Outb
     return true;
 }
 
+bool draw_path_step(SceneInputState& state, const LabView& view, vec2 way) {
+    PathDrawing& drawing = state.path;
+    const VehicleView* vehicle = drawing.on && !drawing.held ? vehicle_to_draw_for(view) : nullptr;
+    if (!vehicle) return false;
+    if (drawing.points.empty()) drawing.points = {{vehicle->x, vehicle->y}};
+    if (drawing.points.size() < most_points) drawing.points.push_back(in_arena(view, drawing.points.back() + way));
+    return true;
+}
+
+bool take_back_path_step(SceneInputState& state) {
+    PathDrawing& drawing = state.path;
+    if (!drawing.on || drawing.held) return false;
+    if (!drawing.points.empty()) drawing.points.pop_back();
+    return true;
+}
+
+bool finish_path_drawing(SceneInputState& state, Outbox& outbox) {
+    if (!state.path.on || state.path.held) return false;
+    finish(state.path, outbox);
+    return true;
+}
+
 bool cancel_path_drawing(SceneInputState& state) { return std::exchange(state.path, {}).on; }
 
 }  // namespace braitenlab::ui

@@ -19,7 +19,7 @@ struct SceneInputFrame;
 struct PathDrawing {
     bool on = false;                  // the next drag draws the path
     bool held = false;                // the button is down since the line was begun
-    std::vector<maths::vec2> points;  // m; the first is the vehicle's position
+    std::vector<maths::vec2> points;  // m; the first is the vehicle's position. Drawn by keys if the button is up
 };
 
 // The vehicle whose path the exercise asks for. Null while no path can be drawn: without such an exercise, once the
@@ -29,6 +29,16 @@ const VehicleView* vehicle_to_draw_for(const LabView&);
 // One frame of the mouse: a drag draws from the vehicle to the pointer and is requested as the prediction on release.
 // A path shorter than 0.3 m is discarded. True while it uses the mouse: the other buttons still move the camera.
 bool use_path_drawing(SceneInputState&, const SceneInputFrame&, Outbox&);
+
+// Lengthens the path by one step of an arrow key; the first step begins it at the vehicle. False while none is drawn.
+bool draw_path_step(SceneInputState&, const LabView&, maths::vec2 way);
+
+// Removes the last step. False while no path is drawn.
+bool take_back_path_step(SceneInputState&);
+
+// Requests the path that was drawn by keys as the prediction, as a release of the button does. False while none is
+// drawn.
+bool finish_path_drawing(SceneInputState&, Outbox&);
 
 // Ends the drawing; false if there is none.
 bool cancel_path_drawing(SceneInputState&);

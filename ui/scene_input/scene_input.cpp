@@ -22,6 +22,7 @@ namespace {
 
 constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;         // m
 constexpr float crosshair_step = 0.5f, fine_crosshair = 0.1f;  // m
+constexpr float path_step = 0.25f, fine_path_step = 0.1f;      // m
 constexpr float key_turn = maths::radians(5);
 constexpr double nudge_pause = 1;  // s without a key ends a gesture
 
@@ -153,6 +154,16 @@ bool key_for_tool(const LabView& view, SceneInputState& state, Action action, Ke
     return true;
 }
 
+// The path of a prediction: arrows draw it, Backspace takes a step back, Enter makes it the prediction.
+bool key_for_path(const LabView& view, SceneInputState& state, Action action, KeyPress press, Outbox& outbox) {
+    if (!state.path.on) return false;
+    if (action == Action::close_outline) return finish_path_drawing(state, outbox);
+    if (action == Action::take_back) return take_back_path_step(state);
+    if (action != Action::nudge) return false;
+    const float step = press.shift ? fine_path_step : path_step;
+    return draw_path_step(state, view, floor_direction(*view.camera_view, press.key) * step);
+}
+
 // Discards the gesture, the tool and the menu that were used in another document.
 void follow_document(SceneInputState& state, const LabView& view) {
     if (state.run_id == view.run_id) return;
@@ -167,7 +178,7 @@ void follow_document(SceneInputState& state, const LabView& view) {
 
 bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) {
     if (!view.camera_view || view.mode == Mode::wiring) return false;
-    if (state.tool != SceneInputTool::hand) return true;
+    if (state.tool != SceneInputTool::hand || state.path.on) return true;
     return view.settings.selection.object || !view.settings.selection.more.empty() ||
            (ctrl && view.settings.selection.vehicle != no_vehicle);
 }
@@ -198,6 +209,7 @@ bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, 
     // With arrows Shift means finer steps and Ctrl includes vehicles.
     const auto action = action_for(is_arrow_key(press.key) ? KeyPress{press.key} : press, KeyPlace::scene);
     if (!action) return false;
+    if (key_for_path(view, state, *action, press, outbox)) return true;
     if (key_for_tool(view, state, *action, press, outbox)) return true;
     switch (*action) {
         case Action::cancel:

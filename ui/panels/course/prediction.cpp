@@ -12,6 +12,7 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
@@ -57,7 +58,10 @@ void draw_button(const LabView& view, PanelState& state, Ui& ui) {
     look.on = drawing.on;
     look.enabled = enabled;
     const Item at = button(ui, "exercise.draw", look);
-    if (at.pressed) drawing = {.on = !drawing.on, .held = false, .points = {}};
+    if (at.pressed) {
+        drawing = {.on = !drawing.on, .held = false, .points = {}};
+        if (drawing.on && ui.keyboard) ui.keyboard->focus.clear();  // the arrow keys draw
+    }
     tooltip(ui, at, ui.strings(enabled ? "exercise.draw_how" : "exercise.draw_at_start"));
 }
 
