@@ -188,6 +188,18 @@ TEST_F(Gallery, TypingSearchesAndEnterOpensTheFirstMatch) {
     EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/2a-coward.toml");
 }
 
+TEST_F(Gallery, TheSearchFindsWordsWithAccentsByPlainLetters) {
+    catalogue.back().title = "Über die große Brücke, mañana";
+    for (const char* typed : {"UBER", "GROSSE", "BRUCKE", "MANANA"}) {
+        open_browser();
+        for (const char c : std::string(typed)) desk.key({c});
+        desk.frame(3);
+        EXPECT_TRUE(desk.anchors.find("open.2a-coward")) << typed;
+        EXPECT_FALSE(desk.anchors.find("gallery.04-coward")) << typed;
+        desk.key({key::escape}), desk.key({key::escape});
+    }
+}
+
 TEST_F(Gallery, EscapeEmptiesTheSearchBeforeItCloses) {
     open_browser();
     desk.key({'Q'});
