@@ -82,6 +82,14 @@ const std::vector<Scene>& scenes() {
              d.now.neurons = {-0.31f, -0.52f, -0.83f, -1, 0.25f};
              d.panels.card(Card::brain).folded = false;
          }},
+        {"wiring",
+         [](Desk& d) {
+             d.now = snapshot(0);
+             d.now.brains[0] = std::make_shared<BrainGraph>(large_brain(7, 12));
+             d.now.vehicles[0].neuron_count = 5;
+             d.now.neurons = {-0.31f, -0.52f, -0.83f, -1, 0.25f};
+             d.view.mode = Mode::wiring;
+         }},
         {"predators and prey, all cards open",
          [](Desk& d) {
              d.now = shipped_scene("predator-prey");
@@ -142,11 +150,14 @@ void expect_large_targets(const Desk& desk, float scale) {
 
 void expect_whole_text(const Desk& desk, float scale) {
     constexpr float least = 12;  // layout pixels
-    for (const Written& w : desk.written) EXPECT_FALSE(is_cut(w)) << w.words;
+    for (const Written& w : desk.written)
+        EXPECT_FALSE(is_cut(w)) << w.words << " at " << w.rect.x << ", " << w.rect.y << " in " << w.clip.x << ", "
+                                << w.clip.y << ", " << w.clip.w << ", " << w.clip.h;
     std::string ends;  // the texts that end with an ellipsis, for the message
     for (const Written& w : desk.written)
         if (w.words.ends_with("…")) ends += " '" + w.words + "'";
     EXPECT_EQ(desk.shortened, 0) << "an ellipsis replaces a part of a text:" << ends;
+    if (desk.view.mode == Mode::wiring) return;  // the diagram of a large brain is made smaller
     const TextFacts facts = text_facts(desk.written, desk.shortened);
     EXPECT_GE(facts.smallest, least * scale - 0.5f);
 }
@@ -192,7 +203,9 @@ TEST(DrawnText, FitsTogetherWithWidgetsInEachWindow) {
             expect_whole_text(desk, scale);
             expect_no_overlap(desk);
             expect_large_targets(desk, scale);
-            EXPECT_GE(desk.layout.scene.w, 0.25f * w.width);
+            if (desk.view.mode != Mode::wiring) {
+                EXPECT_GE(desk.layout.scene.w, 0.25f * w.width);
+            }
         }
 }
 

@@ -31,13 +31,29 @@ float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
     return std::clamp(zoom, least_zoom, 1.4f);
 }
 
+struct Box {
+    vec2 low, high;
+};
+
+// Around all nodes and labels: the label of a loop is above its nodes.
+Box box_to_fit(const Layout& layout) {
+    Box box{layout.low, layout.high};
+    for (const WireShape& wire : layout.wires) {
+        const vec2 low = wire.label - wire.label_size / 2, high = wire.label + wire.label_size / 2;
+        box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y)};
+        box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y)};
+    }
+    return box;
+}
+
 }  // namespace
 
 void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale, bool has_buttons) {
-    const vec2 size = layout.high - layout.low;
+    const auto [low, high] = box_to_fit(layout);
+    const vec2 size = high - low;
     if (!has_buttons) {
         const float around = 2 * bare_margin * ui_scale;
-        camera = {(layout.low + layout.high) / 2, zoom_to_show({area.w - around, area.h - around}, size, ui_scale)};
+        camera = {(low + high) / 2, zoom_to_show({area.w - around, area.h - around}, size, ui_scale)};
         return;
     }
     const float below = zoom_to_show(
@@ -46,7 +62,7 @@ void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale, 
         {area.w - (side_margin + button_margin) * ui_scale, area.h - 2 * bottom_margin * ui_scale}, size, ui_scale);
     const bool is_beside = beside > 1.1f * below;  // in a low area the room below the buttons is too small
     camera.zoom = is_beside ? beside : below;
-    camera.middle = (layout.low + layout.high) / 2;
+    camera.middle = (low + high) / 2;
     camera.by_user = false;
     const float scale = view_of(camera, area, ui_scale).scale;
     const float above = (area.h - size.y * scale) / 2, right = (area.w - size.x * scale) / 2;
