@@ -304,6 +304,15 @@ void Session::go_to(const Bookmark& bookmark) {
     world_.capture(snapshot_);
 }
 
+void Session::return_to(const Timeline& run) {
+    world_ = World::restore(run.recording.at(run.tick));
+    recording_ = run.recording;
+    forgotten_.reset();
+    edits_ = run.edits;
+    edits_since_ = run.edits_since;
+    world_.capture(snapshot_);
+}
+
 Scene Session::edited_scene() const {
     Scene scene = *snapshot_.scene;
     for (std::size_t k = 0; k < scene.kinds.size(); ++k) scene.kinds[k].brain = *snapshot_.kind_brains[k];

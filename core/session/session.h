@@ -25,6 +25,14 @@ struct Bookmark {
     std::uint64_t tick() const { return checkpoint.tick; }
 };
 
+// A run with its recorded ticks and the undo history of each, at one of its ticks.
+struct Timeline {
+    Recording recording;
+    std::uint64_t tick = 0;  // earliest() .. latest() of the recording
+    Edits edits;
+    std::vector<std::pair<std::uint64_t, Edits>> edits_since;
+};
+
 // What an undo or a redo has done. False when there was nothing to undo or redo.
 struct UndoResult {
     bool done = false;
@@ -102,6 +110,12 @@ public:
 
     Bookmark bookmark() const { return {world_.checkpoint(), edits_}; }
     void go_to(const Bookmark&);
+
+    // The present run, to return to after a reset. Recorded states are shared, not copied.
+    Timeline timeline() const { return {recording_, world_.tick(), edits_, edits_since_}; }
+    // Replaces the run by one of this session: its tick, its recorded ticks before and after, its scene and brains, and
+    // its undo history.
+    void return_to(const Timeline&);
     SavedRun save() const { return {opened_, world_.checkpoint()}; }
 
     // The present snapshot; the reference stays valid and its content changes with the session.
