@@ -165,6 +165,7 @@ void App::follow_jobs() {
         update_reference_runs(lab_, jobs_);
         update_children(lab_, jobs_);
         update_predictions(lab_, jobs_);
+        update_slots(lab_, jobs_);
         jobs_.finish();
     } else {
         jobs_.deliver(budget);
@@ -174,6 +175,8 @@ void App::follow_jobs() {
     update_reference_runs(lab_, jobs_);
     update_children(lab_, jobs_);
     update_predictions(lab_, jobs_);
+    update_slots(lab_, jobs_);
+    update_mystery(lab_, jobs_);
     update_explanation(lab_);
     update_map(lab_, jobs_);
     update_study(lab_.study, jobs_);
@@ -230,8 +233,9 @@ bool App::moves() const {
     const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
     const bool predicts = lab_.predictions.job || lab_.predictions.job_before;
-    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || lab_.study.runs || makes_pictures_ ||
-           (lesson && lesson->grading) || !lab_.files.empty();
+    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.slots) ||
+           is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ || (lesson && lesson->grading) ||
+           !lab_.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

@@ -56,6 +56,7 @@ Picture picture_of(const Snapshot& now, bool is_exercise, Theme theme) {
     picture.quality = Quality::high;
     picture.settings.camera.elevation = picture_elevation;
     picture.settings.sensors = picture.settings.overlays.labels = picture.settings.overlays.trails = false;
+    for (const Kind& kind : now.scene->kinds) picture.hidden_brains.push_back(kind.hidden);
     if (is_exercise) picture.hidden_brains.assign(now.scene->kinds.size(), true);
     picture.reduce_motion = true;
     Framing framing;

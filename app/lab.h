@@ -15,7 +15,9 @@
 #include "app/insight/behaviour_map.h"
 #include "app/insight/explanation.h"
 #include "app/insight/last_run.h"
+#include "app/insight/mystery_runs.h"
 #include "app/insight/predictions.h"
+#include "app/insight/slots.h"
 #include "app/insight/study_runs.h"
 #include "app/playback.h"
 #include "core/lesson/progress.h"
@@ -59,8 +61,10 @@ struct Lab {
     Predictions predictions{};   // of the selected vehicle's path
     LastRun last_run{};          // of the open document, before the last reset
     Explanation explanation{};   // of the selected vehicle's turn
-    BehaviourMap map{};          // of the selected vehicle's brains
-    StudyRuns study{};           // on its sheet
+    Slots slots{};
+    MysteryRuns mystery{};
+    BehaviourMap map{};  // of the selected vehicle's brains
+    StudyRuns study{};   // on its sheet
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

@@ -194,6 +194,9 @@ bool acts_on_own_run(Action action) {
         case Action::undo:
         case Action::redo:
         case Action::drive:
+        case Action::slot:
+        case Action::compare:
+        case Action::return_run:
         case Action::exercise_reset:
         case Action::erase:
         case Action::duplicate:
@@ -211,7 +214,7 @@ bool acts_on_own_run(const Request& request) {
            std::holds_alternative<BookmarkRequest>(request) || std::holds_alternative<ShowMeRequest>(request) ||
            std::holds_alternative<KeptRequest>(request) || std::holds_alternative<StudentRequest>(request) ||
            std::holds_alternative<ChooseChildRequest>(request) ||
-           std::holds_alternative<EarlierGenerationRequest>(request);
+           std::holds_alternative<EarlierGenerationRequest>(request) || std::holds_alternative<SlotRequest>(request);
 }
 
 // While the graded starts run at once, their vehicles cannot be selected.
@@ -315,6 +318,12 @@ void act(Lab& lab, Action action) {
         case Action::map:
             show_map(lab);
             break;
+        case Action::slot:
+            store_or_swap(lab);
+            break;
+        case Action::compare:
+            compare_slots(lab);
+            break;
         case Action::watch:
             if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
             lab.view.watching = !lab.view.watching;
@@ -334,10 +343,15 @@ void act(Lab& lab, Action action) {
             else if (lab.before_lecture)
                 end_lecture(lab);
             break;
+        case Action::return_run:
+            return_to_last_run(lab);
+            break;
         case Action::undo:
+            if (can_undo_return(lab)) return undo_return(lab);
             change(lab, [&] { return lab.document.session.undo(); });
             break;
         case Action::redo:
+            if (can_redo_return(lab)) return redo_return(lab);
             change(lab, [&] { return lab.document.session.redo(); });
             break;
         case Action::drive:
@@ -513,6 +527,8 @@ void handle(Lab& lab, const Request& request) {
                          edit_students(lab, r);
                      },
                      [&](const HandsRequest& r) { count_hands(lab, r); },
+                     [&](const SlotRequest& r) { handle_slot(lab, r); },
+                     [&](const MysteryRequest& r) { handle_mystery(lab, r); },
                      [&](const ExportRequest& r) { lab.files.push_back(r); },
                      [&](const HandInRequest& r) { lab.reports.push_back(r); },
                      [&](const LabRecordRequest& r) { lab.reports.push_back(r); },

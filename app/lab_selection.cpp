@@ -162,4 +162,13 @@ bool steer_by_keys(Lab& lab, float right, float ahead) {
     return true;
 }
 
+void renumber_selection(Selection& selection, const std::map<VehicleId, VehicleId>& new_ids) {
+    const auto renumber = [&](int& id) {
+        if (const auto found = new_ids.find(id); found != new_ids.end()) id = found->second;
+    };
+    renumber(selection.vehicle);
+    for (SceneObject& object : selection.more)
+        if (object.kind == SceneObjectKind::vehicle) renumber(object.index);
+}
+
 }  // namespace braitenlab

@@ -2,6 +2,9 @@
 // vehicle.
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "app/lab.h"
 
 namespace braitenlab {
@@ -36,5 +39,8 @@ void drive(Lab&);
 // Drives the selected vehicle by arrow keys; `right` and `ahead` are −1, 0 or 1. Returns false if the vehicle is not
 // driven manually: then the arrow keys move the camera.
 bool steer_by_keys(Lab&, float right, float ahead);
+
+// The selection in a run whose vehicles have other ids. new_ids: by the old ones.
+void renumber_selection(Selection&, const std::map<VehicleId, VehicleId>& new_ids);
 
 }  // namespace braitenlab

@@ -273,6 +273,29 @@ Json map_json(const std::optional<MapView>& map) {
             {"cells", std::move(rows)}};
 }
 
+// What is stored, and the numbers of the runs; null where there are none.
+Json slots_json(const SlotsView& slots) {
+    Json all = Json::object();
+    for (std::size_t i = 0; i < 2; ++i) {
+        const SlotView& slot = slots.slots[i];
+        Json& json = all[i == 0 ? "a" : "b"];
+        if (!slot.design) continue;
+        json = {{"kind", slot.kind},
+                {"character", name(slot.character)},
+                {"in_vehicle", slot.is_in_vehicle},
+                {"sensors", slot.design->sensors.size()},
+                {"wires", slot.design->brain.wires.size()}};
+        if (!slot.numbers) continue;
+        for (const auto& row : insight::compare_measure_table) {
+            const float number = (*slot.numbers)[static_cast<std::size_t>(row.value)];
+            json["numbers"][std::string(row.word)] = std::isfinite(number) ? Json(plain(number)) : Json(nullptr);
+        }
+    }
+    all["seconds"] = slots.seconds;
+    all["ghost"] = ghost_json(slots.b);
+    return all;
+}
+
 Json study_json(const StudyView& study) {
     if (!study.base) return nullptr;
     const insight::Study& of = study.base->study();
@@ -284,6 +307,10 @@ void add_insight(Json& state, const Lab& lab) {
     state["prediction"] = prediction_json(view.prediction);
     state["ghost"] = ghost_json(view.last_run);
     state["why"] = why_json(view.why);
+    state["slots"] = slots_json(view.slots);
+    state["left_run"] = view.has_left_run;
+    state["mystery"] = {{"hidden", view.mystery.hidden != no_vehicle},
+                        {"score", view.mystery.score ? Json(view.mystery.score->score) : Json(nullptr)}};
     state["map"] = map_json(view.map);
     state["study"] = study_json(view.study);
 }

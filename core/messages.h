@@ -179,6 +179,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"no_obstacle_of_scene", "the scene has no obstacle called {}"},
     {"no_vehicle_of_scene", "the scene has no vehicle called {}"},
     {"no_kind_of_scene", "the scene has no kind called {}"},
+    {"sealed_damaged", "this hidden brain is damaged; save the scene once more"},
     {"no_sensor_of_vehicle", "the vehicle has no sensor called {}"},
     {"name_zone", "; name one zone of the scene"},
     {"name_obstacle", "; name one obstacle of the scene"},

@@ -1,6 +1,8 @@
 // Wrappers for all calls that differ between Dear ImGui 1.86 (Debian 12) and 1.92.
 #pragma once
 
+#include <cstdint>
+
 #include <imgui.h>
 #include <imgui_freetype.h>
 #include <imgui_internal.h>

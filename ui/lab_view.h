@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/insight/compare.h"
 #include "core/insight/map.h"
+#include "core/insight/mystery.h"
 #include "core/insight/study.h"
 #include "core/insight/why.h"
 #include "core/lesson/exercise.h"
@@ -21,6 +23,7 @@
 #include "core/lesson/referee.h"
 #include "core/lesson/submission.h"
 #include "core/scene/sensor_pairs.h"
+#include "core/world/character.h"
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
 #include "render/view/palette.h"
@@ -99,6 +102,25 @@ struct GhostView {
     std::size_t count = 0;                // of its poses, those up to the displayed time
 };
 
+// A slot, and the run of its brain in the last comparison.
+struct SlotView {
+    const insight::Design* design = nullptr;           // null: empty
+    std::string kind{};                                // name of the kind of the vehicle that it is from
+    Character character{};                             // when it was stored
+    bool is_in_vehicle = false;                        // the selected vehicle has this brain and these sensors
+    const insight::CompareNumbers* numbers = nullptr;  // null: not compared, or not known yet
+};
+
+// Slots A and B. The runs are shown while the vehicle drives as A from the same start.
+struct SlotsView {
+    std::array<SlotView, 2> slots{};
+    float seconds = 0;          // of each run; 0: not compared
+    bool is_computing = false;  // the runs are not known yet
+    std::optional<GhostView> a{}, b{};
+
+    bool has_any() const { return slots[0].design || slots[1].design; }
+};
+
 // The coming path of the selected vehicle. Paths have one pose per tick.
 struct PredictionView {
     const std::vector<Pose>* path = nullptr;              // never null, never empty
@@ -128,6 +150,16 @@ struct StudyView {
     bool runs = false;
     std::optional<Error> error{};  // why it could not be opened or continued
     int shown = 0;                 // increases with each study that is opened from a file: its sheet is shown then
+};
+
+// A hidden brain, the vehicle whose brain is to drive alike, and the score.
+struct MysteryView {
+    VehicleId hidden = no_vehicle, rebuilt = no_vehicle;  // no_vehicle: there is none
+    bool is_computing = false;
+    float progress = 0;                            // 0..1
+    const insight::MysteryScore* score = nullptr;  // of the last comparison; null: none
+    const Scene* scene = nullptr;                  // of that comparison; null without a score
+    std::optional<Error> error{};                  // why there is none
 };
 
 // The open lecture and where it stands.
@@ -199,7 +231,10 @@ struct LabView {
     std::optional<GhostView> ghost;            // while LessonView::compares and it is known
     std::optional<GhostView> last_run;         // the selected vehicle in the run before the reset
     std::optional<PredictionView> prediction;  // while something is tried, and until it is driven
-    std::optional<MapView> map{};              // nullopt: not shown, or it may not be shown now
+    bool has_left_run = false;                 // the run before the reset can be returned to
+    SlotsView slots{};
+    MysteryView mystery{};
+    std::optional<MapView> map{};  // nullopt: not shown, or it may not be shown now
     StudyView study{};
     const insight::Why* why = nullptr;                       // of the selected vehicle's turn; null: not asked
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
@@ -264,8 +299,9 @@ inline bool can_compare(const LabView& view) {
     return view.lesson && view.lesson->has_run && !view.lesson->together && !hides_outcome(view);
 }
 
-// True for a kind whose brains the exercise never shows.
+// True for a kind whose brains are hidden by the scene or by the exercise.
 inline bool is_brain_secret(const LabView& view, int kind) {
+    if (view.now->scene->kinds[static_cast<std::size_t>(kind)].hidden) return true;
     if (!view.lesson) return false;
     const std::vector<std::string>& secret = view.lesson->exercise->hides;
     const std::string& name = view.now->scene->kinds[static_cast<std::size_t>(kind)].name;
@@ -286,10 +322,27 @@ inline bool can_show_map(const LabView& view, const VehicleView& vehicle) {
     return is_free && !hides_brain(view, vehicle.kind);
 }
 
+// The string key of the reason why the selected vehicle's brain cannot be stored in a slot or replaced by one; empty if
+// it can.
+inline std::string_view why_no_slots(const LabView& view) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return "unavailable.no_vehicle";
+    return vehicle->driver == Driver::brain && !hides_brain(view, vehicle->kind) ? "" : "unavailable.why";
+}
+
+// The same for running both slots.
+inline std::string_view why_no_comparison(const LabView& view) {
+    if (const std::string_view why = why_no_slots(view); !why.empty()) return why;
+    if (!view.slots.slots[0].design || !view.slots.slots[1].design) return "unavailable.slots_empty";
+    return may_show_future(view) ? "" : "unavailable.before_answer";
+}
+
 // hides_brain() of every kind of the scene.
 inline std::vector<bool> hidden_brains(const LabView& view) {
     std::vector<bool> hidden;
-    const bool may_hide = view.lesson || view.lecture;
+    const auto& kinds = view.now->scene->kinds;
+    const bool may_hide = view.lesson || view.lecture ||
+                          std::any_of(kinds.begin(), kinds.end(), [](const Kind& kind) { return kind.hidden; });
     for (std::size_t kind = 0; may_hide && kind < view.now->scene->kinds.size(); ++kind)
         hidden.push_back(hides_brain(view, static_cast<int>(kind)));
     return hidden;

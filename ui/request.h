@@ -46,14 +46,18 @@ enum class Action {
     watch,          // shows or hides the wiring diagram beside the scene
     values,         // shows or hides the card of the arena and the kinds
     another_start,  // resets the run with the next seed
+    return_run,     // exchanges the run for the one before the reset
     undo,
     redo,
     slower,
     faster,
-    drive,   // starts or ends driving by the user
-    why,     // shows or hides the cause of the selected vehicle's turn
-    map,     // shows or hides the map of behaviour
-    lesion,  // silences, cuts, stops or heals the part under the pointer
+    drive,    // starts or ends driving by the user
+    why,      // shows or hides the cause of the selected vehicle's turn
+    map,      // shows or hides the map of behaviour
+    slot,     // stores the brain in slot A or B, or exchanges it for the other one
+    compare,  // runs both slots from the same start
+    mystery,  // opens the sheet of the mystery brain
+    lesion,   // silences, cuts, stops or heals the part under the pointer
     next_vehicle,
     previous_vehicle,
     next_object,  // the next lamp, obstacle or zone
@@ -237,6 +241,16 @@ struct MapRequest {                       // what the map of behaviour shows; nu
     std::optional<insight::MapMeasure> measure{};
     std::optional<int> seeds{};
 };
+// hide, reveal: the brain of the selected vehicle's kind. rebuild: adds a vehicle with the body of the hidden brain.
+// score: how nearly the selected vehicle's brain drives as the hidden one.
+enum class MysteryEdit { hide, reveal, rebuild, score };
+struct MysteryRequest {
+    MysteryEdit edit = MysteryEdit::score;
+};
+struct SlotRequest {
+    std::size_t slot = 0;  // 0: A, 1: B
+    bool store = false;    // stores the vehicle's brain; else puts the slot's brain into the vehicle
+};
 // open: a file or the name of a shipped study. run: goes on with the runs that are missing. stop: keeps complete runs.
 enum class StudyEdit { open, run, stop };
 struct StudyRequest {
@@ -318,7 +332,7 @@ using Request =
                  BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
-                 LabRecordRequest, BeginRequest, MapRequest, StudyRequest, UploadRequest>;
+                 LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -254,6 +254,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     children_sheet(view, state, ui, layout.window);
     student_sheet(view, state, ui, layout.window);
     study_sheet(view, state, ui, layout.window);
+    mystery_sheet(view, state, ui, layout.window);
     glossary_sheet(view, state, ui, layout.window);
     term_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);

@@ -212,26 +212,13 @@ void update_grading(Lab& lab, Jobs& jobs) {
     lesson.grading.reset();
 }
 
-namespace {
-
-// After a reset: the same vehicles stay selected under their new ids.
-void renumber_selection(Selection& selection, const std::map<VehicleId, VehicleId>& new_ids) {
-    const auto renumber = [&](int& id) {
-        if (const auto found = new_ids.find(id); found != new_ids.end()) id = found->second;
-    };
-    renumber(selection.vehicle);
-    for (SceneObject& object : selection.more)
-        if (object.kind == SceneObjectKind::vehicle) renumber(object.index);
-}
-
-}  // namespace
-
 void reset(Lab& lab) { reset(lab, lab.document.session.seed()); }
 
 void reset(Lab& lab, std::uint64_t seed) {
     record_paths(lab);
+    LeftRun ended = present_run(lab);
     const auto new_ids = lab.document.session.restart(seed, lab.document.lesson ? Keep::submission : Keep::edits);
-    keep_run(lab, new_ids);
+    keep_run(lab, std::move(ended), new_ids);
     renumber_selection(lab.view.selection, new_ids);
     lab.steered = {};  // a new run has no steering command
     if (lab.document.lesson) lab.document.lesson->states.clear();
@@ -305,6 +292,7 @@ void start_over(Lab& lab) {
 void restart_exercise(Lab& lab) {
     if (!lab.document.lesson) return reset(lab);
     begin_again(lab);
+    lab.last_run.left.reset();  // of another student
     Lesson& lesson = *lab.document.lesson;
     lesson.view = {
         .exercise = lesson.exercise.get(), .key = std::move(lesson.view.key), .notes = std::move(lesson.view.notes)};

@@ -46,6 +46,8 @@ Result<BrainOfFile> brain_of_scene(const Scene& scene, const BrainChoice& choice
     }
     const auto kind = kind_index(scene, choice.kind, file);
     if (!kind) return kind.error();
+    if (scene.kinds[*kind].hidden)
+        return Error{"the brain of the kind " + in_quotes(scene.kinds[*kind].name) + " is hidden", file};
     return BrainOfFile{scene.kinds[*kind].brain, "kind " + scene.kinds[*kind].name, scene.kinds[*kind].sensors};
 }
 

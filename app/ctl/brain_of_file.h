@@ -25,8 +25,8 @@ struct BrainOfFile {
 
 // Reads the brain of a file, which is a path or the name of a shipped scene. Without a choice: of a scene, the brain of
 // the first vehicle's kind; of a saved run, the brain that the first vehicle has, or its kind's when it is gone.
-// Without placed vehicles: the brain of the first kind. Fails for an exercise, a file that cannot be read, and an
-// unknown choice, with the nearest name.
+// Without placed vehicles: the brain of the first kind. Fails for an exercise, a file that cannot be read, a
+// hidden brain, and an unknown choice, with the nearest name.
 Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice&);
 
 }  // namespace braitenlab

@@ -114,6 +114,36 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     return command;
 }
 
+CLI::App* add_compare(CLI::App& app, CompareOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("compare", "run two brains from the same start, and print what differs in numbers");
+    command->add_option("SCENE", options.file, "a path, or the bare name of a shipped scene")->required();
+    const std::string holds = "a brain, or a scene or saved run with one; its sensors are used, too";
+    command->add_option("--a", options.a, holds)->type_name("FILE")->required();
+    command->add_option("--b", options.b, holds)->type_name("FILE")->required();
+    command->add_option("--vehicle", options.vehicle,
+                        "the vehicle that gets the brains, by its name; default: the first");
+    command->add_option("--seed", options.seed, "default: 1");
+    command->add_option("--seconds", options.seconds, "simulated time of each run; default: 30")
+        ->check(CLI::Range(1.0, 600.0));
+    command->add_flag("--json", options.json, "print one JSON object");
+    return command;
+}
+
+CLI::App* add_mystery(CLI::App& app, MysteryOptions& options) {
+    CLI::App* command = app.add_subcommand("mystery", "print how nearly a brain drives as the hidden one of a scene");
+    command->add_option("SCENE", options.file, "a path, or the bare name of a shipped scene")->required();
+    command->add_option("--brain", options.brain, "a brain, or a scene or saved run with one")
+        ->type_name("FILE")
+        ->required();
+    command->add_option("--seed", options.seed, "of the starts and the random brains; default: 1");
+    command->add_option("--starts", options.starts, "default: 10")->check(CLI::Range(1, 1000));
+    command->add_option("--threads", options.threads, "threads; without it, one per processor")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--json", options.json, "print one JSON object");
+    return command;
+}
+
 CLI::App* add_link(CLI::App& app, LinkOptions& options) {
     CLI::App* command = app.add_subcommand("link", "print a scene as a link, or write the scene of a link");
     command
@@ -239,6 +269,12 @@ int command_line(int argc, char** argv) {
     ThinkOptions thought;
     CLI::App* think_command = add_think(app, thought);
 
+    CompareOptions compared;
+    CLI::App* compare_command = add_compare(app, compared);
+
+    MysteryOptions rebuilt;
+    CLI::App* mystery_command = add_mystery(app, rebuilt);
+
     LinkOptions linked;
     CLI::App* link_command = add_link(app, linked);
 
@@ -246,8 +282,9 @@ int command_line(int argc, char** argv) {
     CLI::App* study_command = add_study(app, studied);
 
     std::vector<std::string_view> commands;
-    for (const CLI::App* command : {run_command, map_command, check_command, grade_command, show_command,
-                                    hashes_command, export_command, think_command, study_command, link_command})
+    for (const CLI::App* command :
+         {run_command, map_command, check_command, grade_command, show_command, hashes_command, export_command,
+          think_command, study_command, link_command, compare_command, mystery_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -266,6 +303,8 @@ int command_line(int argc, char** argv) {
     if (*study_command) return study(studied);
     if (*think_command) return think_vectors(thought);
     if (*link_command) return link(linked);
+    if (*compare_command) return compare(compared);
+    if (*mystery_command) return mystery(rebuilt);
     if (all) return check_all(checked.seed, checked.json);
     if (checked.exercise.empty()) return complain({"check needs an EXERCISE or --all"});
     return check(checked);

@@ -53,6 +53,28 @@ struct MapOptions {
 // Runs a map of behaviour and prints it as text or JSON, or writes it as a table or a picture.
 int map(const MapOptions&);
 
+struct CompareOptions {
+    std::string file;     // a scene
+    std::string a, b;     // files of brains, as brain_of_file() reads them
+    std::string vehicle;  // name of a start; empty: the first vehicle
+    std::uint64_t seed = 1;
+    double seconds = 30;  // of each run
+    bool json = false;
+};
+// Runs both brains from the same start and prints the measures of core/insight/compare.h.
+int compare(const CompareOptions&);
+
+struct MysteryOptions {
+    std::string file;   // a scene with a hidden brain
+    std::string brain;  // file of the rebuilt brain, as brain_of_file() reads it
+    std::uint64_t seed = 1;
+    int starts = 10;
+    int threads = 0;  // 0: one per processor
+    bool json = false;
+};
+// Prints the score of core/insight/mystery.h.
+int mystery(const MysteryOptions&);
+
 struct StudyOptions {
     std::string file;  // a study: path or bare name
     std::string csv;   // file of the table; "-": standard output; empty: none

@@ -52,7 +52,10 @@ void show_sensors(const std::vector<Sensor>& sensors) {
 void show_kind(const Kind& kind) {
     std::cout << fmt::format("kind {}: role {}, driver {}\n", kind.name, word(kind.role), word(kind.driver));
     show_sensors(kind.sensors);
-    show_brain(kind.brain, "  ");
+    if (kind.hidden)
+        std::cout << "  its brain is hidden\n";
+    else
+        show_brain(kind.brain, "  ");
 }
 
 void show_scene(const Scene& scene) {

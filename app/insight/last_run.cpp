@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <utility>
 
+#include "app/course/lab_lesson.h"
 #include "app/course/reference_runs.h"
 #include "app/lab.h"
+#include "app/lab_selection.h"
+#include "app/playback.h"
 
 namespace braitenlab {
 
@@ -34,15 +37,86 @@ void record_paths(Lab& lab) {
     }
 }
 
-void keep_run(Lab& lab, const std::map<VehicleId, VehicleId>& new_ids) {
-    RunPaths ended = std::exchange(lab.last_run.present, {lab.document.run_id, {}});
-    std::erase_if(ended.paths, [](const auto& path) { return path.second.size() < least_poses; });
-    if (ended.run != lab.document.run_id || ended.paths.empty()) return;
-    lab.last_run.last = {ended.run, {}};
-    for (auto& [id, path] : ended.paths)
-        if (const auto found = new_ids.find(id); found != new_ids.end())
-            lab.last_run.last.paths[found->second] = std::move(path);
+namespace {
+
+// Paths long enough to be shown, by the ids in another run.
+RunPaths renumbered(RunPaths paths, const std::map<VehicleId, VehicleId>& ids) {
+    RunPaths shown{paths.run, {}};
+    for (auto& [id, path] : paths.paths)
+        if (const auto found = ids.find(id); found != ids.end() && path.size() >= least_poses)
+            shown.paths[found->second] = std::move(path);
+    return shown;
 }
+
+UndoOfReturn undo_of(const Lab& lab, UndoOfReturn::State state) {
+    return {state, lab.document.edits, lab.document.session.latest()};
+}
+
+bool is(const Lab& lab, UndoOfReturn::State state) {
+    const UndoOfReturn now = undo_of(lab, state), &then = lab.last_run.undo;
+    return has_left_run(lab) && then.state == state && then.edits == now.edits && then.latest == now.latest;
+}
+
+}  // namespace
+
+LeftRun present_run(const Lab& lab) {
+    LeftRun run{.run = lab.document.run_id, .timeline = lab.document.session.timeline(), .paths = lab.last_run.present};
+    if (run.paths.run != run.run) run.paths = {run.run, {}};
+    if (const auto& lesson = lab.document.lesson)
+        run.states = lesson->states, run.states_before_edit = lesson->states_before_edit, run.path = lesson->path;
+    return run;
+}
+
+void keep_run(Lab& lab, LeftRun ended, const std::map<VehicleId, VehicleId>& new_ids) {
+    LastRun& runs = lab.last_run;
+    runs.present = {lab.document.run_id, {}};
+    runs.undo = {};
+    if (RunPaths paths = renumbered(ended.paths, new_ids); !paths.paths.empty()) runs.last = std::move(paths);
+    if (ended.timeline.recording.latest() + 1 < least_poses) return;
+    ended.new_ids = new_ids;
+    runs.left = std::move(ended);
+}
+
+bool has_left_run(const Lab& lab) { return lab.last_run.left && lab.last_run.left->run == lab.document.run_id; }
+
+void return_to_last_run(Lab& lab) {
+    if (!has_left_run(lab)) return say(lab, {NoticeKind::failure, "unavailable.no_last_run"});
+    LastRun& runs = lab.last_run;
+    set_mode(lab, Mode::paused);
+    record_paths(lab);
+    LeftRun now = present_run(lab), then = std::move(*runs.left);
+    std::map<VehicleId, VehicleId> old_ids;
+    for (const auto& [old_id, new_id] : then.new_ids) old_ids[new_id] = old_id;
+    lab.document.session.return_to(then.timeline);
+    if (auto& lesson = lab.document.lesson) {
+        lesson->states = std::move(then.states), lesson->states_before_edit = std::move(then.states_before_edit);
+        lesson->path = std::move(then.path);
+    }
+    runs.present = std::move(then.paths);
+    if (RunPaths paths = renumbered(now.paths, old_ids); !paths.paths.empty()) runs.last = std::move(paths);
+    renumber_selection(lab.view.selection, old_ids);
+    now.new_ids = std::move(old_ids);
+    runs.left = std::move(now);
+    ++lab.document.edits;
+    runs.undo = undo_of(lab, UndoOfReturn::State::returned);
+    lab.steered = {};
+    lab.playback.previous.clear();
+    lab.playback.debt = 0;
+    recompute_referee(lab.document);
+    keep_selection(lab);
+    watch(lab);
+    say(lab, {NoticeKind::done, "notice.returned"});
+}
+
+bool can_undo_return(const Lab& lab) { return is(lab, UndoOfReturn::State::returned); }
+bool can_redo_return(const Lab& lab) { return is(lab, UndoOfReturn::State::undone); }
+
+void undo_return(Lab& lab) {
+    return_to_last_run(lab);
+    lab.last_run.undo.state = UndoOfReturn::State::undone;
+}
+
+void redo_return(Lab& lab) { return_to_last_run(lab); }
 
 std::optional<GhostView> last_run_of(const Lab& lab) {
     const RunPaths& last = lab.last_run.last;

@@ -1,10 +1,13 @@
-// The paths of the present run, kept at a reset: the last run is shown beside the new one.
+// The run before the last reset: its paths are shown beside the new run, and its timeline can be returned to.
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
+#include <vector>
 
+#include "app/document.h"
 #include "core/lesson/goal.h"
 #include "core/world/snapshot.h"
 
@@ -19,16 +22,49 @@ struct RunPaths {
     std::map<VehicleId, ReferencePath> paths{};
 };
 
+// A run that a reset or a return has left, with what an exercise knows about it.
+struct LeftRun {
+    std::uint64_t run = 0;  // Document::run_id
+    Timeline timeline;
+    RunPaths paths;
+    std::map<VehicleId, VehicleId> new_ids{};  // of its vehicles in the run after it
+    std::deque<RefereeAtKeyframe> states{}, states_before_edit{};
+    std::vector<RunPlace> path{};
+};
+
+// A return can be undone until an edit or a new tick. `state` also tells that an undo took it back: redo repeats it.
+struct UndoOfReturn {
+    enum class State { none, returned, undone } state = State::none;
+    std::int64_t edits = 0;    // Document::edits then
+    std::uint64_t latest = 0;  // Session::latest() then
+};
+
 struct LastRun {
     RunPaths present, last;
+    std::optional<LeftRun> left{};
+    UndoOfReturn undo{};
 };
 
 // Call before each tick. Records the first 16 vehicles for at most ten minutes, if the run is known from its start on.
 void record_paths(Lab&);
 
-// Call at a reset, after record_paths(): the present run becomes the last one unless it is shorter than half a second.
-// new_ids: of the vehicles in the new run.
-void keep_run(Lab&, const std::map<VehicleId, VehicleId>& new_ids);
+// The present run. Call before a reset, after record_paths().
+LeftRun present_run(const Lab&);
+
+// Call after the reset: the run becomes the last one unless it is shorter than half a second. new_ids: of its vehicles
+// in the new run.
+void keep_run(Lab&, LeftRun ended, const std::map<VehicleId, VehicleId>& new_ids);
+
+// Exchanges the present run and the last one: tick, timeline, scene, brains and undo history are those of the last run,
+// paused. Once more returns to the newer run.
+void return_to_last_run(Lab&);
+bool has_left_run(const Lab&);
+
+// True if the next undo or redo takes the return back or repeats it.
+bool can_undo_return(const Lab&);
+bool can_redo_return(const Lab&);
+void undo_return(Lab&);
+void redo_return(Lab&);
 
 // The selected vehicle in the last run, at the displayed time. nullopt: not known, or it is not to be shown.
 std::optional<GhostView> last_run_of(const Lab&);

@@ -15,6 +15,8 @@ constexpr std::string_view fixed_anchors[]{
     "button.why", "button.map", "curve.peak", "curve.width",
     // the map of behaviour
     "card.map", "card.map.fold", "map", "map.dot", "map.x", "map.y", "map.measure",
+    // slots A and B
+    "card.slots", "card.slots.fold", "slot.a", "slot.b", "slot.a.store", "slot.b.store", "button.compare",
     // its picture, with what a lesion can be set to
     "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
     "lesion.LR", "lesion.RL", "lesion.RR",

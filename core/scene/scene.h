@@ -99,6 +99,9 @@ struct Kind {
     std::vector<CarriedLamp> lamps;
     std::vector<Waypoint> waypoints;  // for Driver::path
     BrainGraph brain;
+    // The window shows nothing of its brain, and a file holds it sealed (core/scene/sealed.h). The run does not depend
+    // on it; a saved run does not hold it.
+    bool hidden = false;
     friend bool operator==(const Kind&, const Kind&) = default;
 };
 

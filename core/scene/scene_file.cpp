@@ -5,6 +5,7 @@
 #include "core/scene/check.h"
 #include "core/scene/format_table.h"
 #include "core/scene/schema.h"
+#include "core/scene/sealed.h"
 #include "core/scene/toml_reader.h"
 
 namespace braitenlab {
@@ -74,6 +75,25 @@ std::string joined(const std::string& table, const std::string& path) {
     return table.empty() ? path : table + "." + path;
 }
 
+// The brains of the kinds that a file names under `sealed`.
+void read_sealed(TomlTable& top, Scene& scene) {
+    const TomlNode* sealed = top.table("sealed");
+    const TomlNode::Table* brains = sealed ? sealed->as_table() : nullptr;
+    if (!brains) return;
+    for (const TomlMember& member : *brains) {
+        const int kind = find_kind(scene, member.key);
+        const std::string* text = member.value.as_text();
+        auto brain = text ? unseal(*text) : std::nullopt;
+        const std::string path = "sealed." + member.key;
+        if (kind < 0)
+            return top.file().fail(top.path(path), &member.value,
+                                   message_of("no_kind_of_scene", in_quotes(member.key)));
+        if (!brain) return top.file().fail(top.path(path), &member.value, message_of("sealed_damaged"));
+        Kind& of_scene = scene.kinds[static_cast<std::size_t>(kind)];
+        of_scene.brain = std::move(*brain), of_scene.hidden = true;
+    }
+}
+
 // The scene in a table of the tree, or in the whole tree; the first error is in file.error.
 Scene decode(TomlFile& file, const std::string& table) {
     Scene scene;
@@ -83,6 +103,7 @@ Scene decode(TomlFile& file, const std::string& table) {
     if (table.empty()) check_format(file), top.find("format");
     TomlReader<Scene> reader(top, scene);
     describe(reader, Of<Scene>{});
+    read_sealed(top, scene);
     top.done();
     if (file.error) return scene;
     if (const auto fault = find_fault(scene)) file.error = file.fault_at(joined(table, fault->path), fault->what);

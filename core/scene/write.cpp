@@ -1,8 +1,10 @@
 // Writes scenes and brains as TOML, in the order of the schema.
 #include <cmath>
+#include <utility>
 
 #include "core/maths/angle.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/sealed.h"
 #include "core/scene/toml_tree.h"
 #include "core/scene/toml_writer.h"
 
@@ -50,9 +52,13 @@ std::string setting(const Setting& setting) {
 }  // namespace toml_text
 
 std::string write_scene(const Scene& scene) {
-    TomlWriter<Scene> writer(scene, "");
+    Scene plain = scene;
+    std::string sealed;
+    for (Kind& kind : plain.kinds)
+        if (kind.hidden) sealed += fmt::format("{} = \"{}\"\n", kind.name, seal(std::exchange(kind.brain, {})));
+    TomlWriter<Scene> writer(plain, "");
     describe(writer, Of<Scene>{});
-    return "format = 1\n" + writer.text("", false);
+    return "format = 1\n" + writer.text("", false) + (sealed.empty() ? "" : "\n[sealed]\n" + sealed);
 }
 
 std::string write_brain(const BrainGraph& graph) {

@@ -81,6 +81,8 @@ struct Palette {
     Colour sky, floor, grid, wall, rim, shadow, chassis, wheel;  // rim: the arena's walls; wall: a faded body
     // meaning
     Colour excites, inhibits, selected;
+    // the runs of the brains in slots A and B
+    Colour slot_a, slot_b;
     // what can be pushed, and pieces of floor
     Colour crate, ice, carpet, sand, tape, recharge;
     // what a channel carries; index: Channel
@@ -137,6 +139,7 @@ constexpr Palette palette(Theme theme) {
         p.rim = rgb(0x7A5A40);
         p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115);
         p.crate = rgb(0xB49A78), p.ice = rgb(0x4E6C84), p.carpet = rgb(0x463D49), p.sand = rgb(0x5C5341);
+        p.slot_a = rgb(0x63B3FF), p.slot_b = rgb(0xFF9BD2);
         p.tape = rgb(0x06080A), p.recharge = rgb(0xB6E36B);
     } else {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
@@ -146,6 +149,7 @@ constexpr Palette palette(Theme theme) {
         p.rim = rgb(0xD0AB7C);
         p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
+        p.slot_a = rgb(0x1456C8), p.slot_b = rgb(0xB01E78);
         p.tape = rgb(0x20252C), p.recharge = rgb(0x5E8C14);
     }
     return p;

@@ -5,6 +5,7 @@
 
 #include "app/lab_requests.h"
 #include "app/playback.h"
+#include "core/brain/four_neurons.h"
 #include "tests/lab/opened_lab.h"
 
 namespace braitenlab::tests::last_run_test {
@@ -71,11 +72,101 @@ TEST_F(LastRun, StaysAfterAVeryShortRunAndCanBeSwitchedOff) {
     EXPECT_TRUE(ghost());
 }
 
+struct ReturnToTheLastRun : LastRun {
+    Target target() const { return {.vehicle = lab.view.selection.vehicle}; }
+    void turn(Dial dial, float value) { handle(lab, EditRequest{TurnDial{target(), dial, value}}); }
+    float dial_value(Dial dial) const {
+        const Snapshot& now = lab.document.session.snapshot();
+        return at(read_dials(*brain_of(now, *find_vehicle(now, lab.view.selection.vehicle))), dial);
+    }
+};
+
+TEST_F(ReturnToTheLastRun, BringsBackItsTickItsTimelineAndItsBrain) {
+    EXPECT_FALSE(view_of(lab).has_left_run);
+    handle(lab, Action::return_run);
+    EXPECT_EQ(lab.notice.key, "unavailable.no_last_run");
+    turn(Dial::LM, 0.2f);
+    run(100);
+    const Pose early = place();
+    turn(Dial::RM, 0.6f);
+    run(200);
+    const Pose late = place();
+    handle(lab, SeekRequest{250});
+    const std::uint64_t hash = lab.document.session.hash();
+    const Pose then = place();
+    handle(lab, Action::reset);
+    turn(Dial::LM, 0.9f);
+    run(60);
+    EXPECT_TRUE(view_of(lab).has_left_run);
+    handle(lab, Action::return_run);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 250u);
+    EXPECT_EQ(place(), then);
+    EXPECT_EQ(lab.document.session.hash(), hash);
+    EXPECT_FLOAT_EQ(dial_value(Dial::LM), 0.2f) << "the brain of that run";
+    EXPECT_EQ(lab.document.session.latest(), 300u) << "the ticks after it are there";
+    handle(lab, SeekRequest{300});
+    EXPECT_EQ(place(), late);
+    handle(lab, SeekRequest{100});
+    EXPECT_EQ(place(), early);
+    handle(lab, Action::undo);
+    EXPECT_FLOAT_EQ(dial_value(Dial::LM), 0.9f) << "undo goes to the newer run";
+    EXPECT_EQ(lab.document.session.snapshot().tick, 60u);
+}
+
+TEST_F(ReturnToTheLastRun, CanBeUndoneAndRedoneUntilSomethingElseIsDone) {
+    run(100);
+    handle(lab, Action::reset);
+    run(40);
+    const int depth = view_of(lab).undo_depth;
+    handle(lab, Action::return_run);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 100u);
+    EXPECT_EQ(view_of(lab).undo_depth, depth + 1);
+    handle(lab, Action::undo);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 40u);
+    handle(lab, Action::redo);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 100u);
+    run(1);
+    EXPECT_EQ(view_of(lab).undo_depth, depth);
+    handle(lab, Action::undo);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 101u) << "the run has gone on";
+    handle(lab, Action::return_run);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 40u) << "the action itself exchanges the runs again";
+}
+
+TEST_F(ReturnToTheLastRun, GoesOnAsItWouldHaveAndHasTheOtherRunAsItsGhost) {
+    Lab other = opened_lab("2a-coward");
+    for (int i = 0; i < 200; ++i) tick(other);
+    run(120);
+    handle(lab, Action::reset);
+    turn(Dial::LM, 0.9f);
+    run(150);
+    const Pose of_new = place();
+    handle(lab, Action::return_run);
+    run(30);
+    ASSERT_TRUE(ghost());
+    EXPECT_EQ(ghost()->pose, of_new);
+    run(50);
+    EXPECT_EQ(lab.document.session.hash(), other.document.session.hash());
+}
+
+TEST_F(ReturnToTheLastRun, BringsBackTheTicksOfAnExercise) {
+    lab = solved_exercise();
+    handle(lab, PredictRequest{0});
+    for (int i = 0; i < 1200 && !lab.document.lesson->view.verdicts.front().done; ++i) tick(lab);
+    ASSERT_TRUE(lab.document.lesson->view.verdicts.front().done);
+    handle(lab, Action::reset);
+    EXPECT_FALSE(lab.document.lesson->view.verdicts.front().done);
+    handle(lab, Action::return_run);
+    EXPECT_TRUE(lab.document.lesson->view.verdicts.front().done);
+}
+
 TEST_F(LastRun, EndsWithTheDocument) {
     run(100);
     handle(lab, Action::reset);
     replace_document(lab, opened_lab("2b-aggressor").document);
     EXPECT_FALSE(ghost());
+    EXPECT_FALSE(view_of(lab).has_left_run);
 }
 
 }  // namespace

@@ -32,6 +32,8 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     desk.view.settings.selection.object = {SceneObjectKind::source, 0};
     desk.panels.charts_open = true;
     desk.view.settings.values = desk.view.settings.map = true;
+    const insight::Design design;
+    desk.view.slots.slots[0].design = &design;
     desk.frame(3);
     note(desk);
     desk.open_exercise();

@@ -32,6 +32,8 @@ void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<s
     const insight::MapCells cells(8);
     desk.view.map = MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL")};
     desk.view.settings.map = true;
+    const insight::Design design;
+    desk.view.slots.slots[0].design = &design;
     desk.view.mode = mode;
     desk.frame(4);
     for (const auto& [id, rect] : desk.anchors.all()) ids.insert(id);

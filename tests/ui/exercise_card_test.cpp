@@ -299,7 +299,7 @@ TEST(ExerciseCard, ASecretBrainIsNotShown) {
     desk.view.mode = Mode::wiring;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("wire.LL"));
-    EXPECT_TRUE(says(desk, "hides this brain"));
+    EXPECT_TRUE(says(desk, "brain is hidden"));
 }
 
 TEST(ExerciseCard, ARangeShowsBothEnds) {

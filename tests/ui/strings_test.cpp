@@ -10,6 +10,7 @@
 #include "core/brain/edit.h"
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
+#include "core/insight/compare.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"
 #include "core/lesson/lecture.h"
@@ -131,6 +132,9 @@ std::set<std::string> composed() {
         if (!std::set<std::string_view>{"light", "heat", "smell", "oxygen"}.contains(channel.word))
             keys.insert("response_to.explorer_" + std::string(channel.word));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("parts"));
+    for (const char* stem : {"hide", "reveal", "rebuild", "compare"})
+        keys.insert("mystery." + std::string(stem) + "_how");
+    for (const auto& row : insight::compare_measure_table) keys.insert("slots.measure." + std::string(row.word));
     for (const auto part : offer_parts::all) keys.insert("author.part." + std::string(part));
     for (const Goal& each : authored_goals()) {
         Goal goal = each;

@@ -70,6 +70,14 @@ const CatalogueEntry catalogue_entries[]{
     {"05-aggressor", "5.toml", "Aggressor", "", 5},
     {"predator-prey", "p.toml", "Predators and prey", "Drag a weight and the hunt changes."}};
 
+void with_slots(Desk& d) {
+    static const insight::Design design;
+    static const insight::CompareNumbers a{0.4f, 5.3f, 0.5f, 27.4f, 13}, b{13.1f, INFINITY, 19.5f, 112.2f, NAN};
+    d.view.slots.seconds = 30;
+    for (SlotView& slot : d.view.slots.slots) slot.design = &design, slot.character = Character::aggressor;
+    d.view.slots.slots[0].numbers = &a, d.view.slots.slots[1].numbers = &b;
+}
+
 void with_chart(Desk& desk, Chart chart) {
     desk.now.tick = 600, desk.now.seconds = 10;
     desk.panels.charts_open = true;
@@ -195,6 +203,16 @@ std::vector<Screen> screens() {
          [](Desk& d) { late_in_lesson(d), d.lesson.grade.reset(), d.lesson.starts_tested = 4; }},
         {"exercise, on the way",
          [](Desk& d) { with_lesson(d), d.lesson.has_run = true, d.lesson.prediction = 0, d.now.seconds = 90; }},
+        {"mystery brain", [](Desk& d) { d.view.mystery.rebuilt = 0, d.panels.sheet = Sheet::mystery; }},
+        {"mystery brain, score",
+         [](Desk& d) {
+             static const insight::MysteryScore score{
+                 .score = 100, .gap = 10.25f, .random_gap = 12.15f, .starts = {10, insight::MysteryStart{}}};
+             d.view.mystery = {.hidden = 1, .rebuilt = 0, .score = &score, .scene = d.now.scene.get()};
+             d.panels.sheet = Sheet::mystery;
+         }},
+        {"slots A and B", with_slots},
+        {"slots A and B in a lecture", [](Desk& d) { with_slots(d), d.view.lecture = true; }},
         {"sensors", [](Desk& d) { d.panels.card(Card::sensors).folded = false, d.panels.sensor_quality_open = true; }},
         {"values of the arena", [](Desk& d) { d.view.settings.values = true; }},
         {"values of the arena in an exercise", [](Desk& d) { with_lesson(d), d.view.settings.values = true; }},

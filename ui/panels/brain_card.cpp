@@ -56,7 +56,7 @@ float widest_chip(const Ui& ui) {
     const auto take = [&](const std::string& word) { widest = std::max(widest, chip_width(ui, ui.strings(word))); };
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         take("character." + std::string(name(static_cast<Character>(i))));
-    take("character.hidden"), take("character.parts");
+    take("character.hidden"), take("character.parts"), take("brain.secret");
     for (const Driver driver : {Driver::manual, Driver::path, Driver::wander, Driver::parked})
         take("driver." + std::string(word(driver)));
     return widest;
@@ -78,8 +78,10 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
                                        : hidden ? "hidden"
                                        : shown  ? name(*shown)
                                                 : "parts";
+    const bool secret = thinks && is_brain_secret(view, vehicle.kind);
     const std::string_view label =
-        ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
+        secret ? ui.strings("brain.secret")
+               : ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
     const float left = at.x + size + ui.px(8), room = at.x + width - left - ui.px(8) - widest_chip(ui);
     const Face face = text_width(ui, Face::title, title) > room ? Face::strong : Face::title;
     const float name_width = text_width(ui, face, title);
@@ -90,6 +92,7 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
         ui.palette.text, face);
     chip(ui, {below ? left : left + name_width + ui.px(8), at.y + chip_middle}, label);
     const Item row = item(ui, "brain.character", {width, below ? height + ui.px(28) : height}, false);
+    if (row.hovered && secret) return tooltip(ui, row, ui.strings("brain.hidden"));
     if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
 }
 

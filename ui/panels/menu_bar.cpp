@@ -104,6 +104,7 @@ constexpr MenuPlace menu_places[]{
     {"simulation", Action::fast_forward},
     {"simulation", Action::reset, true},
     {"simulation", Action::another_start},
+    {"simulation", Action::return_run},
     {"simulation", Action::new_population},
     {"simulation", Action::slower, true},
     {"simulation", Action::faster},
@@ -112,6 +113,9 @@ constexpr MenuPlace menu_places[]{
     {"simulation", Action::drive, true},
     {"simulation", Action::why},
     {"simulation", Action::map},
+    {"simulation", Action::slot},
+    {"simulation", Action::compare},
+    {"simulation", Action::mystery},
     {"simulation", Action::studies},
 
     {"exercises", Action::hint},
@@ -414,6 +418,17 @@ std::string_view why_no_map(const LabView& view, const PanelState& state) {
     return can_show_map(view, *vehicle) ? "" : "unavailable.map";
 }
 
+std::string_view why_no_brain_file(const LabView& view, const PanelState& state) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (vehicle && is_brain_secret(view, vehicle->kind)) return "unavailable.hidden_brain";
+    return why_not_with_vehicle(view, state, Action::save_brain);
+}
+
+// A saved run has its brains in plain text.
+bool has_hidden_brain(const Scene& scene) {
+    return std::any_of(scene.kinds.begin(), scene.kinds.end(), [](const Kind& kind) { return kind.hidden; });
+}
+
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
     const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::neurons;
     const bool empty = of_vehicle                   ? state.history.signals.empty()
@@ -467,12 +482,21 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::follow:
         case Action::drivers_eye:
         case Action::drive:
-        case Action::save_brain:
             return why_not_with_vehicle(view, state, action);
+        case Action::save_brain:
+            return why_no_brain_file(view, state);
+        case Action::save_run:
+            return has_hidden_brain(*view.now->scene) ? "unavailable.hidden_run" : "";
         case Action::why:
             return why_no_cause(view, state);
         case Action::map:
             return view.settings.map ? "" : why_no_map(view, state);
+        case Action::return_run:
+            return view.has_left_run ? "" : "unavailable.no_last_run";
+        case Action::slot:
+            return why_no_slots(view);
+        case Action::compare:
+            return why_no_comparison(view);
         case Action::charts:
             return view.mode == Mode::wiring ? "unavailable.scene_only" : "";
         case Action::larger:

@@ -28,8 +28,8 @@
 namespace braitenlab::ui {
 
 // The cards of the window. cards.cpp has one row of traits for each.
-enum class Card { exercise, scene, values, map, sensors, object, brain, information, charts, inspector };
-inline constexpr std::size_t card_count = 10;
+enum class Card { exercise, scene, values, map, slots, sensors, object, brain, information, charts, inspector };
+inline constexpr std::size_t card_count = 11;
 
 // Every card in its initial state.
 std::array<CardState, card_count> initial_cards();
@@ -38,7 +38,21 @@ std::array<CardState, card_count> initial_cards();
 enum class Chart { signals, neurons, population, energy, bars };
 
 // The sheet that covers the window; at most one.
-enum class Sheet { none, keys, settings, files, about, recovery, leaving, author, children, glossary, students, study };
+enum class Sheet {
+    none,
+    keys,
+    settings,
+    files,
+    about,
+    recovery,
+    leaving,
+    author,
+    children,
+    glossary,
+    students,
+    study,
+    mystery
+};
 
 // State that a lecture changes and restores at its end.
 struct BeforeLecture {
@@ -121,7 +135,7 @@ struct PanelState {
     bool note_begins = false;  // their field gets the focus when it is drawn
     TextField note;
     Sheet sheet = Sheet::none;
-    SheetState keys, settings, about, recovery, leaving, children, students, study;
+    SheetState keys, settings, about, recovery, leaving, children, students, study, mystery;
     int study_shown = 0;            // StudyView::shown at the last frame
     std::size_t study_measure = 0;  // in Study::measures, shown on the sheet of the study
     GlossaryState glossary;

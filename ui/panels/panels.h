@@ -38,6 +38,7 @@ void values_card(const LabView&, PanelState&, Ui&, Rect);  // arena, kinds and t
 void start_row(const LabView&, PanelState&, Ui&);  // the seed, and buttons that reset the run; in values_card.cpp
 void map_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // precondition: view.settings.map
 void follow_map(const LabView&, PanelState&);              // call once a frame, before the cards; map_card.cpp
+void slots_card(const LabView&, PanelState&, Ui&, Rect);   // slots A and B and the numbers of their runs
 void object_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.settings.selection.object
 
 // Bars and menus.
@@ -82,7 +83,8 @@ void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version,
 void children_sheet(const LabView&, PanelState&, Ui&, Rect window);  // children of a brain, of which one is chosen
 void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the students of this computer
 
-void study_sheet(const LabView&, PanelState&, Ui&, Rect window);  // runs of a study, as dots and boxes
+void mystery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // a hidden brain and the score of a rebuilt one
+void study_sheet(const LabView&, PanelState&, Ui&, Rect window);    // runs of a study, as dots and boxes
 
 // unsaved_sheets.cpp
 // "today at 14:05" for the time `when`, "2026-03-01 14:05:12", on the day `today`, "2026-03-01".

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "render/view/drawing.h"
 #include "ui/map_look.h"
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/floor_lines.h"
@@ -101,6 +102,32 @@ bool is_beside(const LabView& view, const Pose& ghost) {
     return !vehicle || maths::distance(vec2{vehicle->x, vehicle->y}, vec2{ghost.x, ghost.y}) >= least;
 }
 
+// The driven part of a run.
+std::vector<vec2> driven(const GhostView& run) {
+    std::vector<vec2> points;
+    for (std::size_t i = 0; i < run.count; ++i)
+        if (i % ticks_per_point == 0 || i + 1 == run.count) points.push_back({(*run.path)[i].x, (*run.path)[i].y});
+    return points;
+}
+
+void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slots) {
+    constexpr float line_width = 2.5f;  // layout pixels
+    const Palette& p = ui.palette;
+    if (slots.a) {
+        const std::vector<vec2> points = driven(*slots.a);
+        draw_floor_line(frame, ui, points, p.slot_a, line_width);
+        draw_name(frame, ui, points.back(), render::deck_height, "A", p.slot_a);
+        if (const auto at = project(frame.camera_view, points.back())) {
+            const float size = ui.px(24);
+            ui.anchors.record("stage.slot_a", {at->x - size / 2, at->y - size / 2, size, size});
+        }
+    }
+    if (!slots.b) return;
+    draw_dashes(frame, ui, driven(*slots.b), p.slot_b);
+    if (is_beside(frame.view, slots.b->pose))
+        draw_ghost(frame, ui, *slots.b, {p.slot_b, p.slot_b, "B", "stage.slot_b"});
+}
+
 }  // namespace
 
 void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
@@ -111,6 +138,7 @@ void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
     if (view.last_run && !view.ghost && !waits && is_beside(view, view.last_run->pose))
         draw_ghost(frame, ui, *view.last_run,
                    {ui.palette.second_text, ui.palette.line, ui.strings("scene_input.last_run"), "stage.last_run"});
+    draw_slots(frame, ui, view.slots);
     if (view.map && view.map->hovered && view.map->path) return draw_map_path(frame, ui, *view.map);
     if (view.prediction && view.prediction->tick <= view.now->tick) draw_prediction(frame, ui, *view.prediction);
 }

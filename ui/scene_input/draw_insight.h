@@ -10,6 +10,8 @@ namespace braitenlab::ui {
 // stage.prediction, at the end of the path.
 // LabView::last_run: the vehicle of the run before the reset, while no run with a solution is shown and
 // the two vehicles are not at one place. Anchor: stage.last_run.
+// LabView::slots: the path of A as a solid line, that of B as a dashed line with its vehicle, each with its letter.
+// Anchors: stage.slot_a, stage.slot_b.
 void draw_insight(const SceneInputFrame&, const Ui&);
 
 }  // namespace braitenlab::ui

@@ -1,0 +1,60 @@
+// Slots A and B: two stored brains with their sensors, and their runs from the same start.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/jobs/jobs.h"
+#include "core/insight/compare.h"
+#include "core/world/character.h"
+
+namespace braitenlab {
+
+struct Lab;
+struct LabView;
+struct SlotsView;
+struct SlotRequest;
+
+// Both runs of the last comparison.
+struct SlotRuns {
+    std::uint64_t run = 0, seed = 0;  // Document::run_id and the seed of the run
+    std::int64_t edits = 0;           // Document::edits after A was put into the vehicle
+    VehicleId vehicle = no_vehicle;
+    insight::CompareQuestion question;
+    std::array<insight::Design, 2> designs;
+    std::optional<Job<std::vector<insight::ComparedRun>>> job{};
+    std::vector<insight::ComparedRun> runs{};  // two, or empty while they are computed
+};
+
+// Slots stay when another document is opened; the runs end with the document, and when a slot changes.
+struct Slots {
+    std::array<std::optional<insight::Design>, 2> stored{};
+    std::array<std::string, 2> kinds{};  // name of the vehicle's kind
+    std::array<Character, 2> characters{};
+    std::size_t current = 0;  // stored or put last
+    std::optional<SlotRuns> runs{};
+};
+
+// Stores the selected vehicle's brain in the first empty slot. With both in use: puts the other brain into the vehicle
+// if the vehicle has one of the two, else stores the edited brain in the slot that was used last.
+void store_or_swap(Lab&);
+
+// Puts the brain of a slot into the vehicle, as one step of undo; or stores the vehicle's brain in the slot.
+void handle_slot(Lab&, const SlotRequest&);
+
+// Resets the run, puts A into the vehicle, plays, and asks for both runs.
+void compare_slots(Lab&);
+
+// Call once per turn, after Jobs::deliver.
+void update_slots(Lab&, Jobs&);
+
+bool is_computing(const Slots&);
+
+// Points into the lab.
+SlotsView slots_of(const Lab&, const LabView&);
+
+}  // namespace braitenlab

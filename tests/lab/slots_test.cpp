@@ -1,0 +1,160 @@
+// Slots A and B in the lab: storing, exchanging, undo, and both runs from the same start.
+#include "app/insight/slots.h"
+
+#include <gtest/gtest.h>
+
+#include "app/lab_requests.h"
+#include "app/playback.h"
+#include "tests/lab/opened_lab.h"
+
+namespace braitenlab::tests::slots_test {
+namespace {
+
+struct SlotsTest : testing::Test {
+    Lab lab = opened_lab("2b-aggressor");
+    Jobs jobs{0};
+
+    const VehicleView& vehicle() const {
+        return *find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle);
+    }
+    Target target() const { return target_of(view_of(lab), vehicle()); }
+    const BrainGraph& brain() const { return *brain_of(lab.document.session.snapshot(), vehicle()); }
+    void turn(Dial dial, float value) { handle(lab, EditRequest{TurnDial{target(), dial, value}}); }
+    // A: as shipped, B: a coward.
+    void store_both() {
+        handle(lab, Action::slot);
+        for (const Dial dial : {Dial::LR, Dial::RL}) turn(dial, 0);
+        for (const Dial dial : {Dial::LL, Dial::RR}) turn(dial, 1.5f);
+        handle(lab, Action::slot);
+    }
+    void run(int ticks) {
+        for (int i = 0; i < ticks; ++i) tick(lab);
+    }
+    void compute() {
+        update_slots(lab, jobs);
+        jobs.finish();
+        update_slots(lab, jobs);
+    }
+    Pose place() const { return {vehicle().x, vehicle().y, vehicle().heading}; }
+    SlotsView shown() const { return view_of(lab).slots; }
+};
+
+TEST_F(SlotsTest, OneKeyFillsAThenBThenExchanges) {
+    const BrainGraph shipped = brain();
+    store_both();
+    const BrainGraph other = brain();
+    ASSERT_TRUE(shown().slots[0].design && shown().slots[1].design);
+    EXPECT_EQ(shown().slots[0].character, Character::aggressor);
+    EXPECT_EQ(shown().slots[1].character, Character::coward);
+    EXPECT_TRUE(shown().slots[1].is_in_vehicle);
+    handle(lab, Action::slot);
+    EXPECT_TRUE(same_wiring(brain(), shipped)) << "A is in the vehicle";
+    handle(lab, Action::slot);
+    EXPECT_TRUE(same_wiring(brain(), other));
+    turn(Dial::LM, 0.7f);
+    handle(lab, Action::slot);
+    EXPECT_TRUE(shown().slots[1].is_in_vehicle) << "an edited brain is stored where the last one came from";
+    EXPECT_FALSE(shown().slots[0].is_in_vehicle);
+}
+
+TEST_F(SlotsTest, TheSameBrainIsNotStoredTwice) {
+    handle(lab, Action::slot);
+    handle(lab, Action::slot);
+    EXPECT_FALSE(shown().slots[1].design);
+    EXPECT_EQ(lab.notice.key, "notice.slot_same");
+}
+
+TEST_F(SlotsTest, PuttingABrainWithItsSensorsIsOneStepOfUndo) {
+    handle(lab, Action::slot);
+    auto sensors = kind_of(lab.document.session.snapshot(), vehicle()).sensors;
+    const std::vector<Sensor> shipped = sensors;
+    sensors[0].range = 5;
+    handle(lab, EditRequest{SetSensors{target(), sensors}});
+    turn(Dial::LL, 1);
+    const BrainGraph edited = brain();
+    const int depth = lab.document.session.undo_depth();
+    handle(lab, SlotRequest{0, false});
+    EXPECT_EQ(kind_of(lab.document.session.snapshot(), vehicle()).sensors, shipped);
+    EXPECT_EQ(lab.document.session.undo_depth(), depth + 1);
+    handle(lab, Action::undo);
+    EXPECT_EQ(kind_of(lab.document.session.snapshot(), vehicle()).sensors, sensors);
+    EXPECT_TRUE(same_wiring(brain(), edited));
+}
+
+TEST_F(SlotsTest, ComparingDrivesAWithBBesideItInTime) {
+    store_both();
+    run(50);
+    handle(lab, Action::compare);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
+    EXPECT_TRUE(shown().slots[0].is_in_vehicle);
+    EXPECT_TRUE(shown().is_computing);
+    compute();
+    ASSERT_TRUE(shown().a && shown().b);
+    EXPECT_FALSE(view_of(lab).last_run) << "B is the ghost";
+    run(200);
+    ASSERT_TRUE(shown().a && shown().b);
+    EXPECT_EQ((*shown().a->path)[200], place()) << "the run is that of A, bit for bit";
+    EXPECT_EQ(shown().a->count, 201u);
+    EXPECT_NE(shown().b->pose, shown().a->pose);
+    EXPECT_TRUE(shown().slots[0].numbers && shown().slots[1].numbers);
+    handle(lab, SeekRequest{20});
+    EXPECT_EQ(shown().b->count, 21u);
+    turn(Dial::LM, 0.9f);
+    EXPECT_FALSE(shown().b) << "the vehicle does not drive as A any more";
+    EXPECT_TRUE(shown().slots[0].numbers) << "the table stays";
+}
+
+TEST_F(SlotsTest, TheGhostDrivesAsTheVehicleDoesWithB) {
+    store_both();
+    handle(lab, Action::compare);
+    compute();
+    const ReferencePath of_b = *shown().b->path;
+    handle(lab, Action::reset);
+    handle(lab, SlotRequest{1, false});
+    run(300);
+    EXPECT_EQ(of_b[300], place());
+}
+
+TEST_F(SlotsTest, AnotherSlotOrDocumentEndsTheComparison) {
+    store_both();
+    handle(lab, Action::compare);
+    compute();
+    EXPECT_GT(shown().seconds, 0);
+    handle(lab, SlotRequest{0, true});
+    EXPECT_EQ(shown().seconds, 0);
+    handle(lab, Action::compare);
+    replace_document(lab, opened_lab("2a-coward").document);
+    compute();
+    EXPECT_EQ(shown().seconds, 0);
+    EXPECT_TRUE(shown().slots[0].design && shown().slots[1].design) << "the brains stay";
+}
+
+TEST_F(SlotsTest, NothingIsComparedWithOneBrain) {
+    handle(lab, Action::slot);
+    run(10);
+    handle(lab, Action::compare);
+    EXPECT_EQ(lab.notice.key, "unavailable.slots_empty");
+    EXPECT_EQ(lab.document.session.snapshot().tick, 10u);
+}
+
+TEST_F(SlotsTest, AHiddenBrainCannotBeStoredAndAnOpenPredictionNotCompared) {
+    replace_document(lab, opened_lab("19-mystery").document);
+    const Snapshot& now = lab.document.session.snapshot();
+    for (const VehicleView& each : now.vehicles) {
+        if (!is_brain_secret(view_of(lab), each.kind)) continue;
+        handle(lab, SelectRequest{each.id});
+        handle(lab, Action::slot);
+        EXPECT_FALSE(shown().slots[0].design);
+        EXPECT_EQ(lab.notice.key, "unavailable.why");
+    }
+    replace_document(lab, opened_lab("05-aggressor").document);
+    handle(lab, Action::slot);
+    turn(Dial::LR, 1);
+    handle(lab, Action::slot);
+    handle(lab, Action::compare);
+    EXPECT_EQ(lab.notice.key, "unavailable.before_answer");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::slots_test

@@ -1,0 +1,93 @@
+// braitenctl compare and mystery: brains from the same starts.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "core/scene/scene_file.h"
+
+namespace braitenlab::tests::compare_command_test {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Ran {
+    int code = -1;
+    std::string out;
+};
+Ran ctl_of_brains(const std::string& arguments) {
+    Ran ran;
+    FILE* pipe = popen((BRAITENLAB_BINARY "/braitenctl " + arguments + " 2>&1").c_str(), "r");
+    char buffer[4096];
+    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
+    ran.code = WEXITSTATUS(pclose(pipe));
+    return ran;
+}
+
+Ran compare(const std::string& arguments) { return ctl_of_brains("compare " + arguments); }
+
+TEST(CtlCompare, PrintsTheMeasuresOfBothBrainsAndTheirDifference) {
+    const std::string both = "2b-aggressor --a 2b-aggressor --b 2a-coward --seconds 20 --json";
+    const Ran ran = compare(both);
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    EXPECT_EQ(compare(both).out, ran.out) << "the same numbers again";
+    const Json json = Json::parse(ran.out);
+    const Json& closest = json["measures"]["closest"];
+    EXPECT_EQ(closest["unit"], "m");
+    EXPECT_LT(closest["a"].get<double>(), 0.8) << "the aggressor touches the lamp";
+    EXPECT_NEAR(closest["difference"].get<double>(), closest["b"].get<double>() - closest["a"].get<double>(), 1e-4);
+    EXPECT_TRUE(json["measures"]["touch"]["a"].is_number());
+    EXPECT_TRUE(json["measures"]["touch"]["b"].is_null()) << "the coward never does";
+    EXPECT_TRUE(json["measures"]["touch"]["difference"].is_null());
+}
+
+TEST(CtlCompare, PrintsATable) {
+    const Ran ran = compare("2b-aggressor --a 2b-aggressor --b 2a-coward");
+    EXPECT_EQ(ran.code, 0);
+    for (const char* words : {"A", "B-A", "closest (m)", "in_light (s)", "never"})
+        EXPECT_NE(ran.out.find(words), std::string::npos) << words;
+}
+
+TEST(CtlCompare, NamesWhatIsWrong) {
+    const Ran vehicle = compare("2b-aggressor --a 2a-coward --b 2a-coward --vehicle nemo");
+    EXPECT_EQ(vehicle.code, 2);
+    EXPECT_NE(vehicle.out.find("nemo"), std::string::npos);
+    EXPECT_EQ(compare("2b-aggressor --a nowhere.toml --b 2a-coward").code, 2);
+    EXPECT_NE(compare("2b-aggressor --a 2a-coward").code, 0) << "one brain";
+}
+
+// A scene with a hidden brain, written by hand but for the sealed brain.
+struct CtlMystery : testing::Test {
+    std::string scene =
+        (std::filesystem::temp_directory_path() / ("mystery-" + std::to_string(getpid()) + ".toml")).string();
+    CtlMystery() {
+        auto made = load_scene(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/scenes/2b-aggressor.toml");
+        made->kinds[0].hidden = true;
+        std::ofstream(scene) << write_scene(*made);
+    }
+    ~CtlMystery() override { std::filesystem::remove(scene); }
+};
+
+TEST_F(CtlMystery, ScoresTheSameBrainWith100AndAnotherWithLess) {
+    const Ran same = ctl_of_brains("mystery " + scene + " --brain 2b-aggressor --json");
+    ASSERT_EQ(same.code, 0) << same.out;
+    EXPECT_EQ(Json::parse(same.out)["score"], 100);
+    EXPECT_EQ(Json::parse(same.out)["starts"].size(), 10u);
+    const Ran other = ctl_of_brains("mystery " + scene + " --brain 2a-coward --json --threads 2");
+    EXPECT_LT(Json::parse(other.out)["score"].get<int>(), 70);
+    EXPECT_EQ(ctl_of_brains("mystery " + scene + " --brain 2a-coward --json --threads 1").out, other.out);
+}
+
+TEST_F(CtlMystery, NoCommandPrintsTheHiddenBrain) {
+    EXPECT_NE(ctl_of_brains("show " + scene).out.find("hidden"), std::string::npos);
+    EXPECT_EQ(ctl_of_brains("show " + scene).out.find("1.5"), std::string::npos);
+    EXPECT_EQ(ctl_of_brains("mystery " + scene + " --brain " + scene).code, 2);
+    EXPECT_EQ(ctl_of_brains("mystery 2b-aggressor --brain 2a-coward").code, 2) << "nothing is hidden there";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::compare_command_test

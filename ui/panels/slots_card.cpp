@@ -1,0 +1,157 @@
+// The card of slots A and B: the two stored brains, and the numbers of their runs from the same start.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/panels/cards.h"
+#include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+using insight::CompareMeasure;
+using insight::CompareNumbers;
+
+constexpr std::array<std::string_view, 2> letters{"A", "B"};
+constexpr std::array<std::string_view, 2> slot_anchors{"slot.a", "slot.b"};
+constexpr std::array<std::string_view, 2> store_anchors{"slot.a.store", "slot.b.store"};
+constexpr float column_space = 8, row_gap = 3;  // layout pixels
+
+// "aggressor", "empty".
+std::string content_of(const LabView& view, const Ui& ui, const SlotView& slot) {
+    if (!slot.design) return std::string(ui.strings("slots.empty"));
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (vehicle && hides_character(view, *vehicle)) return std::string(ui.strings("slots.stored"));
+    return std::string(ui.strings("character." + std::string(name(slot.character))));
+}
+
+// The letter as a button that puts the brain into the vehicle, its content, and a button that stores.
+void slot_row(const LabView& view, Ui& ui, std::size_t slot) {
+    const SlotView& shown = view.slots.slots[slot];
+    const std::string letter(letters[slot]);
+    const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    const Item put_it = small_button(ui, {slot_anchors[slot], {}, letters[slot], shown.is_in_vehicle});
+    tooltip(ui, put_it,
+            fill(ui.strings(!shown.design         ? "slots.store_how"
+                            : shown.is_in_vehicle ? "slots.is_in_vehicle"
+                                                  : "slots.put_how"),
+                 {letter}),
+            key_name(Action::slot, ui.strings));
+    if (put_it.pressed) ui.outbox.emplace_back(SlotRequest{slot, !shown.design});
+    const SmallButton store{store_anchors[slot], icon::save, ui.strings("slots.store")};
+    const float width = small_button_width(ui, store, true), space = ui.px(column_space);
+    const Rect& of_letter = put_it.rect;
+    const float from = of_letter.x + of_letter.w + space, line = line_height(ui, Face::small);
+    put(ui, {from, of_letter.y + (of_letter.h - line) / 2},
+        shortened(ui, content_of(view, ui, shown), Face::small, right - width - space - from),
+        shown.design ? ui.palette.text : ui.palette.second_text, Face::small);
+    ImGui::SameLine();
+    ImGui::SetCursorScreenPos({right - width, of_letter.y});
+    const Item store_it = small_button(ui, store);
+    tooltip(ui, store_it, fill(ui.strings("slots.store_how"), {letter}));
+    if (store_it.pressed) ui.outbox.emplace_back(SlotRequest{slot, true});
+}
+
+std::string with_unit(const std::string& number, std::string_view unit) { return number + " " + std::string(unit); }
+
+std::string number_words(const Ui& ui, float number, std::string_view unit) {
+    if (std::isnan(number)) return "–";
+    if (std::isinf(number)) return std::string(ui.strings("map.never"));
+    return with_unit(fixed(ui, number, 1), unit);
+}
+
+struct TableRow {
+    std::string_view anchor;
+    std::string words;
+    std::array<std::string, 3> cells;  // A, B, B − A
+};
+
+TableRow table_row(const Ui& ui, CompareMeasure measure, const CompareNumbers& a, const CompareNumbers& b) {
+    const auto& row = insight::compare_measure_table[static_cast<std::size_t>(measure)];
+    const auto index = static_cast<std::size_t>(measure);
+    const auto rounded = [](CompareNumbers numbers) {  // the difference is that of the numbers as they are shown
+        for (float& number : numbers) number = std::round(10 * number) / 10;
+        return numbers;
+    };
+    const auto differs = insight::difference(rounded(a), rounded(b), measure);
+    return {row.word,
+            std::string(ui.strings("slots.measure." + std::string(row.word))),
+            {number_words(ui, a[index], row.unit), number_words(ui, b[index], row.unit),
+             differs ? with_unit(with_sign(ui, *differs, 1), row.unit) : std::string("–")}};
+}
+
+// Columns as wide as their widest cell; the words take what is left and are broken into lines.
+void table(const SlotsView& view, Ui& ui) {
+    std::vector<TableRow> rows;
+    for (const auto& row : insight::compare_measure_table)
+        rows.push_back(table_row(ui, row.value, *view.slots[0].numbers, *view.slots[1].numbers));
+    const float width = card_width(ui), line = line_height(ui, Face::small), space = ui.px(column_space);
+    std::array<float, 3> widths{};
+    for (const TableRow& row : rows)
+        for (std::size_t i = 0; i < 3; ++i) widths[i] = std::max(widths[i], text_width(ui, Face::small, row.cells[i]));
+    const std::array<std::string_view, 3> heads{"A", "B", "B − A"};
+    for (std::size_t i = 0; i < 3; ++i) widths[i] = std::max(widths[i], text_width(ui, Face::strong, heads[i]));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    std::array<float, 3> rights{};
+    float x = at.x + width;
+    for (std::size_t i = 3; i-- > 0; x -= widths[i] + space) rights[i] = x;
+    float y = at.y;
+    const std::array colours{ui.palette.slot_a, ui.palette.slot_b, ui.palette.second_text};
+    for (std::size_t i = 0; i < 3; ++i) put_right(ui, {rights[i], y}, heads[i], colours[i], Face::strong);
+    y += line_height(ui, Face::strong) + ui.px(row_gap);
+    for (const TableRow& row : rows) {
+        const float top = y;
+        for (std::size_t i = 0; i < 3; ++i)
+            put_right(ui, {rights[i], y}, row.cells[i], i < 2 ? ui.palette.text : ui.palette.second_text, Face::small);
+        for (const std::string& words : lines_of_words(ui, row.words, Face::small, std::max(x - at.x, ui.px(40)))) {
+            put(ui, {at.x, y}, words, ui.palette.second_text, Face::small);
+            y += line;
+        }
+        mark(ui, "slots." + std::string(row.anchor), {at.x, top, width, y - top});
+        y += ui.px(row_gap);
+    }
+    ImGui::Dummy({width, y - at.y});
+}
+
+void compare_row(const LabView& view, Ui& ui) {
+    const std::string_view why = why_no_comparison(view);
+    ButtonLook look{icon::play, ui.strings("button.compare")};
+    look.enabled = why.empty(), look.compact = true;
+    const Item at = button(ui, "button.compare", look);
+    tooltip(ui, at, ui.strings(why.empty() ? "tooltip.compare" : why), key_name(Action::compare, ui.strings));
+    if (at.pressed) ui.outbox.emplace_back(Action::compare);
+}
+
+}  // namespace
+
+void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    if (open_card(state, ui, Card::slots, place)) {
+        for (std::size_t slot = 0; slot < 2; ++slot) slot_row(view, ui, slot);
+        gap(ui, 4);
+        compare_row(view, ui);
+        const SlotsView& slots = view.slots;
+        if (slots.slots[0].numbers && slots.slots[1].numbers) {
+            gap(ui, 8);
+            table(slots, ui);
+            paragraph(ui, fill(ui.strings("slots.how"), {fixed(ui, slots.seconds, 0)}), ui.palette.second_text,
+                      Face::label);
+        } else if (slots.is_computing) {
+            paragraph(ui, ui.strings("slots.computing"), ui.palette.second_text, Face::small);
+        }
+    }
+    end_card(state.card(Card::slots));
+}
+
+}  // namespace braitenlab::ui
