@@ -21,7 +21,13 @@ def show(rows):
 """
 
 
+CHUNK = 16  # bytes; fewer than the firmware's receive buffer holds
+
+
 class Microbit:
+    """The prompt of MicroPython in paste mode, which echoes what it has read: the next bytes wait for the echo of the last
+    ones. Without that, bytes are lost when the computer is busy and the emulator gets many of them at once."""
+
     def __init__(self):
         command = ["qemu-system-arm", "-M", "microbit", "-display", "none", "-monitor", "none", "-serial", "stdio",
                    "-device", "loader,file=" + FIRMWARE]
@@ -29,33 +35,37 @@ class Microbit:
         os.set_blocking(self.process.stdout.fileno(), False)
         self.pending = b""
         self.read_until(b">>> ")
-        self.write(b"\x01")  # raw mode
-        self.read_until(b"raw REPL; CTRL-B to exit\r\n>")
 
     def write(self, data):
-        for at in range(0, len(data), 32):  # the receive buffer is small
-            self.process.stdin.write(data[at:at + 32])
-            self.process.stdin.flush()
-            time.sleep(0.003)
+        self.process.stdin.write(data)
+        self.process.stdin.flush()
 
-    def read_until(self, mark, seconds=60):
+    def wait(self, is_there, seconds):
         end = time.time() + seconds
-        while mark not in self.pending:
+        while not is_there():
             self.pending += self.process.stdout.read() or b""
             if time.time() > end:
                 sys.exit("no answer from the micro:bit: %r" % self.pending)
-            time.sleep(0.002)
+            time.sleep(0.001)
+
+    def read_until(self, mark, seconds=300):
+        self.wait(lambda: mark in self.pending, seconds)
         found, self.pending = self.pending.split(mark, 1)
         return found
 
     def execute(self, code):
-        self.write(code.encode() + b"\x04")
-        self.read_until(b"OK")
-        out = self.read_until(b"\x04")
-        error = self.read_until(b"\x04>")
-        if error:
-            sys.exit(error.decode())
-        return out.decode().replace("\r", "")
+        self.write(b"\x05")
+        self.read_until(b"=== ")
+        code = code.strip().encode()
+        for at in range(0, len(code), CHUNK):
+            self.write(code[at:at + CHUNK])
+            self.read_until(code[at:at + CHUNK])
+        self.write(b"\x04")
+        self.read_until(b"\r\n")
+        out = self.read_until(b">>> ").decode().replace("\r", "")
+        if "Traceback" in out or "Error" in out:
+            sys.exit(out)
+        return out
 
 
 def main():
