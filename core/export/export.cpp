@@ -84,6 +84,7 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
             if (const auto refusal = opamp::refusal(*plan)) return *refusal;
             return std::vector<ExportedFile>{{"brain.cir", opamp::netlist(*plan, false)},
                                              {"brain-exact.cir", opamp::netlist(*plan, true)},
+                                             {"brain.net", opamp::kicad_netlist(*plan)},
                                              {"README.md", opamp::readme(*plan)},
                                              {"parts.csv", opamp::parts_csv(*plan)}};
     }

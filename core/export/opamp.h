@@ -39,6 +39,10 @@ std::optional<Error> refusal(const Plan&);
 double e24_error(const Plan&);
 
 std::string netlist(const Plan&, bool exact);
+
+// The E24 circuit with its LM324, regulator and connectors as a netlist of KiCad (s-expressions, version E;
+// "Intermediate Netlist Structure" in KiCad's manual of Eeschema), with footprints for through-hole parts.
+std::string kicad_netlist(const Plan&);
 std::string readme(const Plan&);
 std::string parts_csv(const Plan&);
 

@@ -1,11 +1,13 @@
 // Exported brains for tests: which brains, and how a program is run and compared with golden vectors.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -45,6 +47,24 @@ inline std::vector<robots::BrainToExport> shipped_brains() {
             brains.push_back({path.stem().string() + " " + kind.name, kind.brain, kind.sensors});
     }
     return brains;
+}
+
+// Calls `test` with each shipped brain that a target exports, the same brain once, and its files. Each other brain is
+// refused with the name of a part in quotes.
+template <class Test>
+void each_exported(robots::Target target, std::string_view robot, Test test) {
+    std::vector<BrainGraph> done;
+    for (const robots::BrainToExport& brain : shipped_brains()) {
+        const auto files = robots::export_brain(brain, target, *robots::find_robot(robot));
+        if (!files) {
+            EXPECT_NE(files.error().what.find('\''), std::string::npos) << files.error().what;
+            continue;
+        }
+        if (std::find(done.begin(), done.end(), brain.brain) != done.end()) continue;
+        done.push_back(brain.brain);
+        test(brain, *files);
+    }
+    EXPECT_GT(done.size(), 8u);
 }
 
 // True where ./dev robots has installed the toolchains; otherwise tests that need one are skipped.
