@@ -9,6 +9,7 @@
 #include "core/brain/brain.h"
 #include "core/insight/map.h"
 #include "core/insight/predict.h"
+#include "core/insight/why.h"
 #include "core/maths/random.h"
 #include "core/world/tick.h"
 #include "tests/bench/crowd.h"
@@ -243,6 +244,22 @@ void BM_Map(benchmark::State& state) {
                 benchmark::DoNotOptimize(insight::run_cell(base, place));
 }
 BENCHMARK(BM_Map)->Arg(1)->Arg(99)->Unit(benchmark::kMillisecond);
+
+// The cause of one turn: 0 of a brain of wires alone, 1 of one with hidden neurons, silenced over half a second.
+void BM_Why(benchmark::State& state) {
+    const char* name = state.range(0) ? "5-logic" : "2b-aggressor";
+    const auto scene = load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/" + name + ".toml");
+    World world = std::move(*World::create(*scene, 1));
+    std::vector<insight::BrainMoment> past;
+    Snapshot now;
+    for (std::size_t i = 0; i <= insight::silenced_ticks; ++i) {
+        world.step();
+        world.capture(now);
+        past.push_back(insight::moment_of(now, now.vehicles[0]));
+    }
+    for (auto _ : state) benchmark::DoNotOptimize(insight::why(now, now.vehicles[0], past));
+}
+BENCHMARK(BM_Why)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace braitenlab::bench
