@@ -530,6 +530,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const SlotRequest& r) { handle_slot(lab, r); },
                      [&](const MysteryRequest& r) { handle_mystery(lab, r); },
                      [&](const ExportRequest& r) { lab.files.push_back(r); },
+                     [&](const WriteFilesRequest& r) { lab.files.push_back(r); },
                      [&](const HandInRequest& r) { lab.reports.push_back(r); },
                      [&](const LabRecordRequest& r) { lab.reports.push_back(r); },
                      [&](const SpeedRequest& r) {

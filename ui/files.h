@@ -57,6 +57,7 @@ struct FilesView {
     std::optional<Error> refused;  // of the last request
     std::string new_folder;        // the last save was refused because this folder does not exist; empty: it was not
     std::optional<Leaving> leaving;
+    std::string exported_to;  // folder of the last WriteFilesRequest that was carried out; empty: none
 };
 
 }  // namespace braitenlab

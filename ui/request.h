@@ -16,6 +16,10 @@
 #include "render/view/view_settings.h"
 #include "ui/files.h"
 
+namespace braitenlab::robots {
+struct ExportedFile;  // core/export/export.h
+}  // namespace braitenlab::robots
+
 namespace braitenlab {
 
 // Requests without a value: buttons and shortcuts. shortcuts.cpp has the name of each.
@@ -100,6 +104,7 @@ enum class Action {
     save_brain,
     save_exercise,  // opens the sheet of the author
     export_csv,     // the chart that the chart card shows
+    export_robot,   // opens the sheet that exports the selected vehicle's brain to a robot
     about,
     glossary,
     draw_marks,   // in a lecture: starts or ends drawing with the mouse
@@ -230,6 +235,11 @@ struct StudentRequest {
 struct ExportRequest {  // writes a new CSV file to the folder of pictures
     std::string name, text;
 };
+struct WriteFilesRequest {                                           // writes these files
+    std::string folder;                                              // as typed; its last part is created
+    std::shared_ptr<const std::vector<robots::ExportedFile>> files;  // never null
+    bool replace = false;                                            // else nothing is written where a file exists
+};
 struct HandInRequest {  // writes a hand-in file to the folder of documents
     std::string student;
 };
@@ -332,7 +342,8 @@ using Request =
                  BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
-                 LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest>;
+                 LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest,
+                 WriteFilesRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -240,6 +240,7 @@ constexpr NamedAction action_names[]{
     {Action::save_brain, "save_brain"},
     {Action::save_exercise, "save_exercise"},
     {Action::export_csv, "export_csv"},
+    {Action::export_robot, "export_robot"},
     {Action::about, "about"},
     {Action::glossary, "glossary"},
     {Action::draw_marks, "draw_marks"},

@@ -249,6 +249,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     keys_card(view, state, ui, layout.window);
     files_sheet(view, state, ui, layout.window);
     author_sheet(view, state, ui, layout.window);
+    robot_sheet(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
     about_card(view, state, ui, layout.window);
     children_sheet(view, state, ui, layout.window);
@@ -259,7 +260,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     term_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);
     keep_drawn(state.fields);
-    for (TextField* field : {&state.values.seed, &state.note, &state.student_name, &state.hand_in.name})
+    for (TextField* field :
+         {&state.values.seed, &state.note, &state.student_name, &state.hand_in.name, &state.robot.folder})
         (void)keep_drawn(*field);
     keep_drawn(state.author);
     for (TextField& field : state.hands) (void)keep_drawn(field);

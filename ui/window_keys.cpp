@@ -205,6 +205,10 @@ bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox&
             begin_author(view, state.author);
             state.sheet = Sheet::author;
             return true;
+        case Action::export_robot:
+            begin_robot(state.robot);
+            state.sheet = Sheet::robot;
+            return true;
         default:
             return false;
     }
@@ -350,6 +354,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press) ||
          for_text_field(state.files.story, press)))
         return true;
+    if (state.sheet == Sheet::robot && for_text_field(state.robot.folder, press)) return true;
     if (state.sheet == Sheet::author && for_author_text(state.author, press)) return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return key_for_sheet(state, press);
     if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;

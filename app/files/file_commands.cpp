@@ -14,6 +14,7 @@
 #include "app/files/reports.h"
 #include "app/files/safe_file.h"
 #include "app/lab_requests.h"
+#include "core/export/export.h"
 #include "core/io/link.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"
@@ -157,6 +158,23 @@ struct FileCommands {
         say(lab, {NoticeKind::done, "notice.numbers", path.string()});
     }
 
+    // Writes the files of an export. The folder above theirs must exist, so that a typing error makes no folders.
+    void write_files(const WriteFilesRequest& wanted) const {
+        const fs::path into = resolved(wanted.folder, folder(), folders.home);
+        std::error_code none;
+        if (!fs::exists(into.parent_path(), none)) return fail(error_of(message_of("no_such_folder"), into.string()));
+        std::string existing;
+        for (const robots::ExportedFile& file : *wanted.files)
+            if (fs::exists(into / file.name, none)) existing += (existing.empty() ? "" : ", ") + file.name;
+        if (!wanted.replace && !existing.empty())
+            return fail(error_of(message_of("files_exist", existing), into.string()));
+        for (const robots::ExportedFile& file : *wanted.files)
+            if (const auto error = write_whole(into / file.name, file.text)) return fail(*error);
+        view.exported_to = into.string();
+        say(lab, {NoticeKind::done, "notice.exported", std::to_string(wanted.files->size()), into.string()});
+        done(into, {});
+    }
+
     // False if the folder of the file does not exist, and the user has not agreed that it is created.
     bool has_folder(const fs::path& path, const SaveRequest& wanted) const {
         std::error_code none;
@@ -229,6 +247,7 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
             commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped, open->resume);
         if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);
         if (const auto* save = std::get_if<SaveExerciseRequest>(&request)) commands.save_exercise(*save);
+        if (const auto* files = std::get_if<WriteFilesRequest>(&request)) commands.write_files(*files);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);
         if (const auto* numbers = std::get_if<ExportRequest>(&request))
             commands.save_numbers(*numbers, folders.pictures);

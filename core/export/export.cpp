@@ -8,6 +8,7 @@
 #include "core/export/micropython.h"
 #include "core/export/opamp.h"
 #include "core/export/thymio.h"
+#include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
 
@@ -33,22 +34,17 @@ Refusal check_robot(Target target, const Robot& robot) {
 }
 
 Refusal check_arduino(const Plan& plan) {
+    const std::string_view board = "Arduino Uno";
     for (const Input& input : plan.inputs)
         if (arduino::part_of(input).part.empty())
-            return refused(fmt::format("the sensor {} senses {}, for which the robot has no part; cut its wires",
-                                       in_quotes(input.name), word(*input.channel)));
-    if (plan.inputs.size() > static_cast<std::size_t>(arduino::analog_inputs))
-        return refused(
-            fmt::format("the sensor {} has no pin: an Arduino Uno has {} analog inputs and the brain uses {} "
-                        "sensors; cut the wires of some",
-                        in_quotes(plan.inputs[static_cast<std::size_t>(arduino::analog_inputs)].name),
-                        arduino::analog_inputs, plan.inputs.size()));
+            return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
+    const auto inputs = static_cast<std::size_t>(arduino::analog_inputs);
+    if (plan.inputs.size() > inputs)
+        return error_of(message_of("no_pin", in_quotes(plan.inputs[inputs].name), plan.inputs.size(), board, inputs));
     if (plan.hidden() > static_cast<std::size_t>(arduino::most_neurons))
-        return refused(fmt::format("{} neurons do not fit into the memory of an Arduino Uno, which holds {}",
-                                   plan.hidden(), arduino::most_neurons));
+        return error_of(message_of("program_neurons", plan.hidden(), board, arduino::most_neurons));
     if (wires_of(plan) > static_cast<std::size_t>(arduino::most_wires))
-        return refused(fmt::format("{} wires do not fit into the program memory of an Arduino Uno, which holds {}",
-                                   wires_of(plan), arduino::most_wires));
+        return error_of(message_of("program_wires", wires_of(plan), board, arduino::most_wires));
     return std::nullopt;
 }
 

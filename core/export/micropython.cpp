@@ -6,6 +6,7 @@
 
 #include "core/export/arduino.h"
 #include "core/export/text.h"
+#include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
 
@@ -165,17 +166,14 @@ Raise `MINIMUM` until each wheel just turns; lower `FASTEST` of the faster motor
 std::optional<Error> refusal(const Plan& plan) {
     for (const Input& input : plan.inputs)
         if (arduino::part_of(input).part.empty())
-            return Error{fmt::format("the sensor {} senses {}, for which the robot has no part; cut its wires",
-                                     in_quotes(input.name), word(*input.channel))};
-    if (plan.inputs.size() > static_cast<std::size_t>(analog_inputs))
-        return Error{fmt::format(
-            "the sensor {} has no pin: a micro:bit has {} analog inputs and the brain uses {} "
-            "sensors; cut the wires of some",
-            in_quotes(plan.inputs[static_cast<std::size_t>(analog_inputs)].name), analog_inputs, plan.inputs.size())};
+            return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
+    const auto inputs = static_cast<std::size_t>(analog_inputs);
+    if (plan.inputs.size() > inputs)
+        return error_of(
+            message_of("no_pin", in_quotes(plan.inputs[inputs].name), plan.inputs.size(), "micro:bit", inputs));
     const std::size_t bytes = brain_py(plan).size();
     if (bytes > static_cast<std::size_t>(largest_brain))
-        return Error{fmt::format("the program has {} bytes, and a micro:bit compiles {}; cut wires or neurons", bytes,
-                                 largest_brain)};
+        return error_of(message_of("program_bytes", bytes, largest_brain));
     return std::nullopt;
 }
 

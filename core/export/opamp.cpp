@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/export/text.h"
+#include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
 
@@ -123,30 +124,22 @@ std::vector<Resistor> summer(const Plan& plan, const PlanUnit& motor, const std:
 }
 
 std::optional<Error> refusal(const Plan& plan) {
-    const std::string_view circuit = "which this circuit cannot hold";
-    if (plan.hidden() > 0)
-        return Error{fmt::format("{} is a neuron, {}; take wires from sensors to motors only",
-                                 in_quotes(plan.units[0].name), circuit)};
+    if (plan.hidden() > 0) return error_of(message_of("circuit_neuron", in_quotes(plan.units[0].name)));
     for (const PlanUnit& motor : plan.units) {
         const std::string name = in_quotes(motor.name);
         if (motor.curve.response != Response::linear)
-            return Error{
-                fmt::format("the curve of {} is {}, {}; take a linear one", name, word(motor.curve.response), circuit)};
-        if (motor.follow < 1) return Error{fmt::format("{} has a time constant, {}; set it to 0", name, circuit)};
-        if (motor.bias != 0 && std::fabs(motor.bias) < least_weight)
-            return Error{fmt::format("the bias of {} is too small for a resistor; set it to 0", name)};
+            return error_of(message_of("circuit_motor_curve", name, word(motor.curve.response)));
+        if (motor.follow < 1) return error_of(message_of("circuit_memory", name));
+        if (motor.bias != 0 && std::fabs(motor.bias) < least_weight) return error_of(message_of("circuit_bias", name));
         for (const PlanTap& tap : motor.taps) {
-            if (tap.reads != Reads::sensor)
-                return Error{fmt::format("a wire into {} comes from a motor, {}; cut it", name, circuit)};
-            const std::string wire = fmt::format("the wire from {} to {}", in_quotes(input_name(plan, tap)), name);
-            if (tap.learning_rate > 0)
-                return Error{fmt::format("{} learns, {}; set its learning rate to 0", wire, circuit)};
-            if (tap.threshold > 0) return Error{fmt::format("{} has a threshold, {}; set it to 0", wire, circuit)};
+            if (tap.reads != Reads::sensor) return error_of(message_of("circuit_motor_wire", name));
+            const std::string from = in_quotes(input_name(plan, tap));
+            if (tap.learning_rate > 0) return error_of(message_of("circuit_learns", from, name));
+            if (tap.threshold > 0) return error_of(message_of("circuit_threshold", from, name));
             if (tap.curve.response != Response::linear)
-                return Error{
-                    fmt::format("{} has the curve {}, {}; take a linear one", wire, word(tap.curve.response), circuit)};
+                return error_of(message_of("circuit_wire_curve", from, name, word(tap.curve.response)));
             if (std::fabs(tap.weight) < least_weight)
-                return Error{fmt::format("{} is too weak for a resistor; set it to 0 or to {:g}", wire, least_weight)};
+                return error_of(message_of("circuit_weak", from, name, fmt::format("{:g}", least_weight)));
         }
     }
     return std::nullopt;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/export/text.h"
+#include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
 
@@ -54,15 +55,10 @@ std::optional<Error> sensor_refusal(const Plan& plan) {
     std::vector<std::pair<std::string_view, std::string>> used;
     for (const Input& input : plan.inputs) {
         const auto place = place_of(input);
-        if (!place)
-            return Error{fmt::format("the sensor {} senses {}, for which a Thymio II has no sensor; cut its wires",
-                                     in_quotes(input.name), word(*input.channel))};
+        if (!place) return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
         for (const auto& [expression, name] : used)
             if (expression == place->expression)
-                return Error{
-                    fmt::format("the sensors {} and {} would both be the same sensor of a Thymio II; cut the "
-                                "wires of one",
-                                in_quotes(name), in_quotes(input.name))};
+                return error_of(message_of("thymio_same_sensor", in_quotes(name), in_quotes(input.name)));
         used.emplace_back(place->expression, input.name);
     }
     return std::nullopt;
@@ -281,29 +277,15 @@ std::optional<Error> refusal(const Plan& plan) {
     for (const PlanUnit& unit : plan.units) {
         const std::string name = in_quotes(unit.name);
         for (const PlanTap& tap : unit.taps)
-            if (tap.learning_rate > 0)
-                return Error{
-                    fmt::format("a wire into {} learns, which a Thymio's program cannot; set its learning rate "
-                                "to 0",
-                                name)};
+            if (tap.learning_rate > 0) return error_of(message_of("thymio_learns", name));
         if (!fits(plan, unit, 1000))
-            return Error{
-                fmt::format("numbers of {} can reach {:.4g}, and a Thymio's program holds 32 at most; take "
-                            "smaller weights, or a curve that limits the values of a loop",
-                            name, largest_of(plan, unit))};
+            return error_of(message_of("thymio_numbers", name, fmt::format("{:.4g}", largest_of(plan, unit))));
     }
     const int one = unit_of(plan);
     for (const PlanUnit& unit : plan.units)
         if (unit.follow < 1 && 1 / (unit.follow * static_cast<float>(one)) > slowest_error)
-            return Error{
-                fmt::format("the time constant of {} is {:g} s, too long for the whole numbers of a Thymio; "
-                            "take a shorter one",
-                            in_quotes(unit.name), unit.time_constant)};
-    if (words_of(plan) > program_words)
-        return Error{
-            fmt::format("the program would have about {} words, and a Thymio holds {}; cut wires, or take fewer "
-                        "humps and sigmoids",
-                        words_of(plan), program_words)};
+            return error_of(message_of("thymio_slow", in_quotes(unit.name), fmt::format("{:g}", unit.time_constant)));
+    if (words_of(plan) > program_words) return error_of(message_of("thymio_words", words_of(plan), program_words));
     return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include "app/files/data.h"
 #include "app/files/disk.h"
 #include "app/lab_requests.h"
+#include "core/export/export.h"
 #include "core/scene/schema.h"
 #include "tests/folder.h"
 
@@ -136,6 +137,34 @@ TEST_F(FileCommands, ExportsNumbersToANewFileInTheFolderOfPictures) {
     EXPECT_EQ(text_of(folders.pictures / "braitenlab-signals-002.csv"), "seconds,SL\n0,1\n");
     EXPECT_NE(lab.notice.words.find((folders.pictures / "braitenlab-signals-002.csv").string()), std::string::npos)
         << lab.notice.words;
+}
+
+TEST_F(FileCommands, WritesTheFilesOfAnExportIntoANewFolder) {
+    const auto files_of = [](const char* text) {
+        return std::make_shared<const std::vector<robots::ExportedFile>>(
+            std::vector<robots::ExportedFile>{{"sketch/sketch.ino", text}, {"README.md", text}});
+    };
+    ask(WriteFilesRequest{"robot", files_of("one")});
+    ASSERT_FALSE(files.refused) << files.refused->text();
+    EXPECT_EQ(files.exported_to, (folder / "robot").string());
+    EXPECT_EQ(files.done, 1);
+    EXPECT_EQ(text_of(folder / "robot/sketch/sketch.ino"), "one");
+    EXPECT_EQ(text_of(folder / "robot/README.md"), "one");
+    EXPECT_EQ(lab.notice.key, "notice.exported");
+
+    fs::remove(folder / "robot/README.md");
+    ask(WriteFilesRequest{"robot", files_of("two")});
+    ASSERT_TRUE(files.refused) << "sketch.ino would be replaced";
+    EXPECT_NE(files.refused->what.find("sketch/sketch.ino;"), std::string::npos) << files.refused->what;
+    EXPECT_FALSE(fs::exists(folder / "robot/README.md")) << "nothing is written";
+    EXPECT_EQ(files.done, 1);
+    ask(WriteFilesRequest{"robot", files_of("two"), true});
+    EXPECT_FALSE(files.refused);
+    EXPECT_EQ(text_of(folder / "robot/sketch/sketch.ino"), "two");
+
+    ask(WriteFilesRequest{"nowhere/robot", files_of("one")});
+    ASSERT_TRUE(files.refused);
+    EXPECT_FALSE(fs::exists(folder / "nowhere"));
 }
 
 TEST_F(FileCommands, ExportsTheProgressOfStudentsBesideTheReports) {

@@ -97,8 +97,8 @@ TEST_F(MenuBar, HasARowWithItsKeyForEachShortcutInOneMenu) {
         EXPECT_TRUE(keyed[row]) << row;
     }
     EXPECT_GT(rows, 50);
-    for (const char* row :
-         {"save_run", "save_brain", "save_exercise", "export_csv", "hint", "exercise_reset", "about", "glossary"})
+    for (const char* row : {"save_run", "save_brain", "save_exercise", "export_robot", "export_csv", "hint",
+                            "exercise_reset", "about", "glossary"})
         EXPECT_EQ(found[row], 1) << row;
 }
 

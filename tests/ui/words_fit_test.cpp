@@ -86,6 +86,7 @@ void with_chart(Desk& desk, Chart chart) {
 
 // The sheet that saves the scene as an exercise.
 void with_author(Desk& desk, AuthorPage page);
+void with_robot(Desk& desk, robots::Target target);
 
 const RecoveryOffer offer{
     "Predator and prey",
@@ -278,6 +279,8 @@ std::vector<Screen> screens() {
         {"author, steps", [](Desk& d) { with_author(d, AuthorPage::steps); }},
         {"author, goals", [](Desk& d) { with_author(d, AuthorPage::steps), d.panels.author.goals_open = true; }},
         {"author, prediction", [](Desk& d) { with_author(d, AuthorPage::prediction); }},
+        {"robot", [](Desk& d) { with_robot(d, robots::Target::arduino); }},
+        {"robot, refused", [](Desk& d) { with_robot(d, robots::Target::opamp); }},
         {"unsaved, leaving", [](Desk& d) { with_files(d), files.leaving = Leaving{"Vehicle 2a: Coward"}; }},
     };
 }
@@ -288,6 +291,13 @@ void with_author(Desk& desk, AuthorPage page) {
     begin_author(desk.view, desk.panels.author);
     desk.panels.author.page = page;
     desk.panels.sheet = Sheet::author;
+}
+
+void with_robot(Desk& desk, robots::Target target) {
+    with_files(desk);
+    desk.now = shipped_scene("4b-decision");
+    desk.panels.robot.target = target;
+    desk.panels.sheet = Sheet::robot;
 }
 
 bool is_icon(const std::string& words) { return !words.empty() && static_cast<unsigned char>(words[0]) == 0xEF; }

@@ -46,6 +46,7 @@ constexpr MenuPlace menu_places[]{
     {"file", Action::save_brain},
     {"file", Action::save_exercise},
     {"file", Action::copy_link, true},
+    {"file", Action::export_robot},
     {"file", Action::export_csv},
     {"file", Action::screenshot},
     {"file", Action::exit, true},
@@ -429,6 +430,12 @@ bool has_hidden_brain(const Scene& scene) {
     return std::any_of(scene.kinds.begin(), scene.kinds.end(), [](const Kind& kind) { return kind.hidden; });
 }
 
+std::string_view why_no_robot(const LabView& view, const PanelState& state) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return why_not_with_vehicle(view, state, Action::export_robot);
+    return hides_brain(view, vehicle->kind) ? "wiring.hidden" : "";
+}
+
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
     const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::neurons;
     const bool empty = of_vehicle                   ? state.history.signals.empty()
@@ -519,6 +526,8 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
             return empty_scene(view) ? "" : "unavailable.no_empty_scene";
         case Action::save_exercise:
             return view.now->scene->starts.empty() ? "author.no_vehicle" : "";
+        case Action::export_robot:
+            return why_no_robot(view, state);
         case Action::export_csv:
             return why_no_csv(view, state);
         case Action::first_page:

@@ -16,6 +16,7 @@
 #include "ui/panels/course/marks.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/prompts.h"
+#include "ui/panels/robot_state.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
@@ -51,7 +52,8 @@ enum class Sheet {
     glossary,
     students,
     study,
-    mystery
+    mystery,
+    robot
 };
 
 // State that a lecture changes and restores at its end.
@@ -145,6 +147,7 @@ struct PanelState {
     int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: the sheet is not open
     FilesState files;
     AuthorState author;
+    RobotState robot;
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
     MenuBarState menu_bar;
     std::string clipboard_at_copy;  // the system's clipboard when objects were copied last; a later link is opened

@@ -78,6 +78,7 @@ void lecture_notes(const LabView&, PanelState&, Ui&, Rect);
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);       // all shortcuts
 void files_sheet(const LabView&, PanelState&, Ui&, Rect window);     // open and save
 void author_sheet(const LabView&, PanelState&, Ui&, Rect window);    // the open scene as an exercise
+void robot_sheet(const LabView&, PanelState&, Ui&, Rect window);     // the selected vehicle's brain to a robot
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);   // language, theme, type size, motion
 void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version, and licences of the libraries
 void children_sheet(const LabView&, PanelState&, Ui&, Rect window);  // children of a brain, of which one is chosen

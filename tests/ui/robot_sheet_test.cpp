@@ -1,0 +1,130 @@
+// The sheet that exports the selected vehicle's brain to a robot.
+#include "core/messages.h"
+#include "desk.h"
+#include "ui/panels/robot_state.h"
+
+namespace braitenlab::tests::robot_sheet_test {
+
+using namespace ui;
+
+struct RobotSheet : ::testing::Test {
+    Desk desk;
+    FilesView files;
+    RobotSheet() {
+        desk.now = shipped_scene("2a-coward");
+        files.suggested = "mine";
+        desk.view.files = &files;
+        open();
+    }
+    void open() {
+        desk.frame(3);
+        desk.choose("file", "export_robot");
+        desk.frame(3);
+    }
+    bool says(std::string_view words) const {
+        for (const Written& written : desk.written)
+            if (written.words.find(words) != std::string::npos) return true;
+        return false;
+    }
+    // The selected vehicle's brain with a threshold of 0.2 on its first wire.
+    void give_threshold() {
+        auto brain = *brain_of(desk.now, desk.now.vehicles[0]);
+        brain.wires[0].threshold = 0.2f;
+        desk.now.brains[static_cast<std::size_t>(desk.now.vehicles[0].brain)] =
+            std::make_shared<const BrainGraph>(std::move(brain));
+    }
+};
+
+TEST_F(RobotSheet, RequestsTheFilesOfTheChosenTarget) {
+    ASSERT_TRUE(desk.anchors.find("card.robot"));
+    EXPECT_TRUE(says("wiring.svg")) << "the Arduino is chosen at first";
+    EXPECT_FALSE(desk.last<WriteFilesRequest>());
+    for (const auto& target : robots::target_table) {
+        desk.click("robot.target." + std::string(target.word));
+        desk.click("robot.export");
+        const auto* request = desk.last<WriteFilesRequest>();
+        ASSERT_TRUE(request) << target.word;
+        const auto made = robots::export_brain(brain_to_export(desk.view, desk.now.vehicles[0]), target.value,
+                                               *robots::find_robot(target.robot));
+        ASSERT_TRUE(made);
+        ASSERT_EQ(request->files->size(), made->size());
+        for (std::size_t i = 0; i < made->size(); ++i) {
+            EXPECT_EQ((*request->files)[i].name, (*made)[i].name);
+            EXPECT_EQ((*request->files)[i].text, (*made)[i].text);
+            EXPECT_TRUE(says((*made)[i].name)) << (*made)[i].name;
+        }
+        EXPECT_EQ(request->folder, "mine-" + std::string(target.word));
+        EXPECT_FALSE(request->replace);
+    }
+}
+
+TEST_F(RobotSheet, NamesThePartThatTheTargetCannotHold) {
+    desk.key({key::escape});
+    give_threshold();
+    open();
+    EXPECT_TRUE(says("brain.h")) << "an Arduino holds thresholds";
+    desk.click("robot.target.opamp");
+    const BrainGraph& brain = *brain_of(desk.now, desk.now.vehicles[0]);
+    const std::string from = find_node(brain, brain.wires[0].from)->name;
+    EXPECT_TRUE(says("The wire from '" + from + "'")) << from;
+    EXPECT_TRUE(says("has a threshold"));
+    EXPECT_FALSE(says("brain.cir"));
+    desk.click("robot.export");
+    EXPECT_FALSE(desk.last<WriteFilesRequest>());
+}
+
+TEST_F(RobotSheet, ReplacesExistingFilesAfterASecondPress) {
+    desk.click("robot.folder");
+    desk.type("there");
+    desk.frame(2);
+    desk.click("robot.export");
+    ASSERT_TRUE(desk.last<WriteFilesRequest>());
+    EXPECT_EQ(desk.last<WriteFilesRequest>()->folder, "there");
+    files.refused = error_of(message_of("files_exist", "brain.h"), "/home/there");
+    desk.frame(2);
+    EXPECT_TRUE(says("brain.h; export once more"));
+    EXPECT_TRUE(says("Replace"));
+    desk.click("robot.export");
+    EXPECT_TRUE(desk.last<WriteFilesRequest>()->replace);
+    desk.click("robot.folder");
+    desk.type("elsewhere");
+    desk.frame(2);
+    EXPECT_FALSE(says("Replace")) << "another folder";
+    desk.click("robot.export");
+    EXPECT_FALSE(desk.last<WriteFilesRequest>()->replace);
+}
+
+TEST_F(RobotSheet, SaysWhereTheFilesAreAndWhatToDoNext) {
+    desk.click("robot.target.thymio");
+    desk.click("robot.export");
+    ++files.done;
+    files.exported_to = "/home/mine-thymio";
+    desk.frame(2);
+    EXPECT_TRUE(says("Written to /home/mine-thymio"));
+    EXPECT_TRUE(says("brain.aesl"));
+    EXPECT_TRUE(says("Aseba Studio"));
+    EXPECT_FALSE(desk.anchors.find("robot.export"));
+    desk.click("robot.close");
+    EXPECT_EQ(desk.panels.sheet, Sheet::none);
+    open();
+    EXPECT_TRUE(desk.anchors.find("robot.export")) << "it begins anew";
+    EXPECT_EQ(desk.panels.robot.target, robots::Target::thymio) << "with the target of the last time";
+}
+
+TEST_F(RobotSheet, NeedsAVehicleWhoseBrainIsShown) {
+    desk.key({key::escape});
+    EXPECT_EQ(why_unavailable(desk.view, desk.panels, Action::export_robot), "");
+    desk.view.settings.revealed.brain = false;
+    EXPECT_EQ(why_unavailable(desk.view, desk.panels, Action::export_robot), "wiring.hidden");
+    desk.view.settings.selection.vehicle = no_vehicle;
+    EXPECT_EQ(why_unavailable(desk.view, desk.panels, Action::export_robot), "unavailable.no_vehicle");
+}
+
+TEST_F(RobotSheet, AnnouncesDownloadsInABrowser) {
+    EXPECT_FALSE(says("The browser downloads"));
+    desk.view.uploads = true;
+    desk.frame(2);
+    EXPECT_TRUE(says("The browser downloads"));
+}
+
+}  // namespace braitenlab::tests::robot_sheet_test

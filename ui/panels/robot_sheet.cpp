@@ -1,0 +1,183 @@
+// The sheet that exports the selected vehicle's brain to a robot: target, files or the reason against them, folder.
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/panels/robot_state.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/sheet.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float robot_width = 620, robot_height = 440;  // layout pixels; height of the body
+// The C header is for those who know what to do with it, so it is last.
+constexpr std::array robot_targets{robots::Target::arduino, robots::Target::thymio, robots::Target::micropython,
+                                   robots::Target::opamp, robots::Target::c};
+static_assert(robot_targets.size() == robots::target_table.size());
+
+struct RobotSheet {
+    const LabView& view;
+    PanelState& panels;
+    RobotState& state;
+    Ui& ui;
+
+    std::string_view words(std::string_view key) const { return ui.strings(key); }
+    std::string_view words_of(std::string_view stem) const {
+        return words(std::string(stem) + std::string(row_of(state.target).word));
+    }
+    bool is_written() const { return state.asked && view.files->done > state.done; }
+    Colour warning() const { return legible(ui.palette.warning, ui.palette.panel, ui.palette.text); }
+
+    void make_files(const VehicleView& vehicle) const {
+        const auto& brain = brain_of(*view.now, vehicle);
+        if (state.made && state.brain == brain && state.target_of_made == state.target) return;
+        state.brain = brain, state.target_of_made = state.target;
+        const robots::Robot* robot = robots::find_robot(row_of(state.target).robot);
+        state.made = std::make_shared<const Result<std::vector<robots::ExportedFile>>>(
+            robots::export_brain(brain_to_export(view, vehicle), state.target, *robot));
+    }
+
+    void targets() const {
+        subheading(ui, words("robot.target"));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(4)});
+        for (const robots::Target target : robot_targets) {
+            const std::string name(row_of(target).word);
+            if (!radio_row(ui, "robot.target." + name, words("robot.to_" + name), state.target == target, true,
+                           words("robot.target_how")))
+                continue;
+            state.target = target;
+            state.asked = false;
+            state.replacing.clear();
+        }
+        ImGui::PopStyleVar();
+        gap(ui, 8);
+    }
+
+    // A file with a sign before its name.
+    void file_row(const std::string& name, std::string_view sign, Colour colour) const {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float height = line_height(ui, Face::text), aside = ui.px(24);
+        put_icon(ui, {at.x + aside / 2 - ui.px(4), at.y + height / 2}, sign, colour, Face::small);
+        put(ui, {at.x + aside, at.y}, name, ui.palette.text);
+        ImGui::Dummy({card_width(ui), height});
+    }
+
+    void files() const {
+        subheading(ui, words("robot.files"));
+        if (!*state.made) return paragraph(ui, text_of(state.made->error(), ui.strings), warning());
+        const bool written = is_written();
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
+        for (const robots::ExportedFile& file : **state.made)
+            file_row(file.name, written ? icon::check : icon::file,
+                     written ? ui.palette.accent : ui.palette.second_text);
+        ImGui::PopStyleVar();
+    }
+
+    void folder() const {
+        gap(ui, 8);
+        subheading(ui, words("robot.folder"));
+        text_field(ui, state.folder, "robot.folder", card_width(ui), suggested_folder(view, state.target),
+                   words("robot.folder_how"));
+        paragraph(ui, view.uploads ? words("robot.downloads") : view.files->listing.folder, ui.palette.second_text,
+                  Face::small);
+        if (state.asked && view.files->refused) paragraph(ui, text_of(*view.files->refused, ui.strings), warning());
+    }
+
+    void written() const {
+        gap(ui, 8);
+        paragraph(ui, fill(words("robot.written"), {view.files->exported_to}), ui.palette.text);
+        gap(ui, 8);
+        paragraph(ui, words_of("robot.next_"), ui.palette.second_text);
+    }
+
+    std::string wanted_folder() const {
+        return state.folder.text.empty() ? suggested_folder(view, state.target) : state.folder.text;
+    }
+    // The last request was refused because files of it exist, and the next one replaces them.
+    bool replaces() const { return state.asked && view.files->refused && state.replacing == wanted_folder(); }
+
+    void write() const {
+        const bool replace = replaces();
+        state.replacing = wanted_folder();
+        state.asked = true;
+        state.done = view.files->done;
+        // The files are a part of `made`, which stays alive with them.
+        ui.outbox.push_back(WriteFilesRequest{
+            wanted_folder(), std::shared_ptr<const std::vector<robots::ExportedFile>>(state.made, &**state.made),
+            replace});
+    }
+
+    void buttons() const {
+        if (is_written()) {
+            const Item close = button(ui, "robot.close", {{}, words("robot.close"), Emphasis::primary});
+            if (close.pressed) panels.sheet = Sheet::none;
+            return;
+        }
+        ButtonLook look{{}, words(replaces() ? "robot.replace" : "robot.export"), Emphasis::primary};
+        look.enabled = static_cast<bool>(*state.made);
+        const Item yes = button(ui, "robot.export", look);
+        tooltip(ui, yes, words("robot.export_how"), key_name({key::enter}, ui.strings));
+        if (look.enabled && (yes.pressed || state.folder.entered)) write();
+        ImGui::SameLine(0, ui.px(8));
+        const Item cancel = button(ui, "robot.cancel", {{}, words("files.cancel")});
+        tooltip(ui, cancel, words("robot.cancel_how"), key_name({key::escape}, ui.strings));
+        if (cancel.pressed) panels.sheet = Sheet::none;
+    }
+};
+
+}  // namespace
+
+void begin_robot(RobotState& state) {
+    state.begun = state.asked = false;
+    state.replacing.clear();
+    state.folder.text.clear();
+    state.made.reset();
+}
+
+robots::BrainToExport brain_to_export(const LabView& view, const VehicleView& vehicle) {
+    const Kind& kind = kind_of(*view.now, vehicle);
+    return {view.now->scene->title + ", " + kind.name, *brain_of(*view.now, vehicle), kind.sensors};
+}
+
+std::string suggested_folder(const LabView& view, robots::Target target) {
+    const std::string& name = view.files ? view.files->suggested : view.opened;
+    return (name.empty() ? "robot" : name) + "-" + std::string(row_of(target).word);
+}
+
+void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
+    if (panels.sheet != Sheet::robot) return;
+    RobotState& state = panels.robot;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!view.files || !vehicle) {
+        panels.sheet = Sheet::none;
+        return;
+    }
+    if (!state.begun) ui.outbox.push_back(BrowseRequest{});
+    const RobotSheet sheet{view, panels, state, ui};
+    sheet.make_files(*vehicle);
+    begin_sheet(ui, state.sheet, "card.robot", ui.strings("robot.heading"), robot_width, window);
+    const float bottom = ImGui::GetCursorPosY() + std::min(ui.px(robot_height), window.h - ui.px(200));
+    if (!sheet.is_written()) sheet.targets();
+    sheet.files();
+    sheet.is_written() ? sheet.written() : sheet.folder();
+    if (ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
+    sheet_buttons(ui, state.sheet);
+    sheet.buttons();
+    if (!state.begun && ui.keyboard)
+        ui.keyboard->focus = "robot.target." + std::string(row_of(state.target).word), ui.keyboard->revealed = true;
+    state.begun = true;
+    if (end_sheet(state.sheet)) panels.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab::ui
