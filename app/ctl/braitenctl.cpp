@@ -251,6 +251,35 @@ int command_line(int argc, char** argv) {
     map_command->add_option("--csv", mapped.csv, "write a row per cell; -: to standard output")->type_name("FILE");
     map_command->add_option("--png", mapped.png, "write a picture")->type_name("FILE");
 
+    RobustnessOptions tried;
+    CLI::App* robustness_command = app.add_subcommand(
+        "robustness", "run robots whose parts differ, and print how many do what the ideal robot does");
+    robustness_command->add_option("FILE", tried.file, "a scene or an exercise, by path or bare name")->required();
+    robustness_command->add_option("--robots", tried.robots, "number of robots, 1 to 1000; default: 40");
+    robustness_command->add_option(
+        "--reality", tried.reality,
+        "factor on mismatch, gain spread, noise, latency, dead band and friction spread, 0 to 2; default: 1");
+    robustness_command->add_option("--seed", tried.seed,
+                                   "seed of the start and of the first robot; default: 1, or "
+                                   "that of the exercise");
+    robustness_command
+        ->add_option("--seconds", tried.seconds,
+                     "simulated time of each run; default: 20, or that of "
+                     "the exercise")
+        ->check(CLI::Range(1.0, 600.0));
+    robustness_command->add_option("--vehicle", tried.vehicle, "the robot, by its name; default: the first vehicle");
+    robustness_command->add_option("--brain", tried.brain, "of an exercise: this brain; default: its solution")
+        ->type_name("FILE");
+    robustness_command->add_option("--set", tried.settings, "one value of the scene, for every run")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    robustness_command->add_option("--threads", tried.threads, "threads; without it, one per processor")
+        ->check(CLI::Range(1, 256));
+    robustness_command->add_flag("--json", tried.json, "print the robots as one JSON object");
+    robustness_command->add_option("--csv", tried.csv, "write a row per robot; -: to standard output")
+        ->type_name("FILE");
+
     std::string shown;
     CLI::App* show_command =
         app.add_subcommand("show", "print what a file contains and how the recogniser names its brains");
@@ -283,8 +312,8 @@ int command_line(int argc, char** argv) {
 
     std::vector<std::string_view> commands;
     for (const CLI::App* command :
-         {run_command, map_command, check_command, grade_command, show_command, hashes_command, export_command,
-          think_command, study_command, link_command, compare_command, mystery_command})
+         {run_command, map_command, robustness_command, check_command, grade_command, show_command, hashes_command,
+          export_command, think_command, study_command, link_command, compare_command, mystery_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -295,6 +324,7 @@ int command_line(int argc, char** argv) {
     }
     if (*run_command) return run(options);
     if (*map_command) return map(mapped);
+    if (*robustness_command) return robustness(tried);
     if (*grade_command && (!graded.html.empty() || is_class(graded.files))) return grade_class(graded);
     if (*grade_command) return grade_all(graded);
     if (*show_command) return show(shown);

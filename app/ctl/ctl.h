@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/ctl/brain_of_file.h"
 #include "core/result.h"
+#include "core/world/world.h"
 
 namespace braitenlab {
 
@@ -85,9 +87,33 @@ struct StudyOptions {
 // it continues the next time.
 int study(const StudyOptions&);
 
+struct RobustnessOptions {
+    std::string file;     // a scene or an exercise
+    std::string brain;    // file; of an exercise, in place of its solution
+    std::string vehicle;  // name of a start; empty: the first vehicle
+    int robots = 40;
+    double reality = 1;
+    std::optional<std::uint64_t> seed;  // of the start and the first robot; nullopt: 1, or that of the exercise
+    std::optional<double> seconds;      // of each run; nullopt: 20, or those of the exercise
+    int threads = 0;                    // 0: one per processor
+    std::vector<std::string> settings;  // PATH=VALUE, for a scene
+    std::string csv;                    // file; "-": standard output; empty: none
+    bool json = false;
+};
+// Runs a number of robots whose parts differ, and prints how many do what the ideal robot does.
+int robustness(const RobustnessOptions&);
+
 // The content of a scene's file. The error for another kind of file says what it is, what the command takes, and which
 // command is for it.
 Result<std::string> read_scene_text(const std::filesystem::path&, std::string_view command, std::string_view takes);
+
+// The scene of a file, with values set. Fails as read_scene_text() does, and for a saved run.
+Result<Scene> read_scene_with(const std::string& file, const std::vector<std::string>& settings,
+                              std::string_view command, std::string_view takes);
+
+// The vehicle with the start of this name in a world of the scene; without a name the first vehicle. Fails with the
+// nearest name.
+Result<VehicleId> vehicle_at_start(const Scene&, std::uint64_t seed, const std::string& name, const std::string& file);
 
 // The number of worker threads of Jobs: `wanted`, or one per processor if that is 0.
 int threads_for(int wanted);

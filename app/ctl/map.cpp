@@ -12,13 +12,11 @@
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/table_file.h"
-#include "app/files/data.h"
 #include "app/files/plain_png.h"
 #include "app/files/safe_file.h"
 #include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
 #include "core/io/csv.h"
-#include "core/io/run_file.h"
 #include "core/scene/nearest.h"
 #include "core/scene/sensor_pairs.h"
 #include "ui/map_look.h"
@@ -44,52 +42,21 @@ Result<MapMeasure> measure_named(const std::string& word) {
     return static_cast<MapMeasure>(found - known.begin());
 }
 
-Result<Scene> scene_of(const MapOptions& options) {
-    constexpr std::string_view takes = "a scene";
-    if (options.file.ends_with(io::run_ending))
-        return Error{"this is a saved run, and 'map' takes a scene", options.file};
-    const auto path = find_shipped(options.file);
-    if (!path) return path.error();
-    const auto text = read_scene_text(*path, "map", takes);
-    if (!text) return text.error();
-    std::vector<Setting> settings;
-    for (const std::string& argument : options.settings) {
-        auto setting = parse_setting(argument);
-        if (!setting) return setting.error();
-        settings.push_back(std::move(*setting));
-    }
-    return parse_scene(*text, path->string(), settings);
-}
-
 // The vehicle that is judged, and the kind whose brain the dials set.
 std::optional<Error> choose_vehicle(const MapOptions& options, insight::MapQuestion& question) {
-    const auto world = World::create(question.scene, question.seed);
-    if (!world) return world.error();
+    const auto vehicle = vehicle_at_start(question.scene, question.seed, options.vehicle, options.file);
+    if (!vehicle) return vehicle.error();
     Snapshot start;
-    world->capture(start);
-    if (start.vehicles.empty()) return Error{"the scene has no vehicle", options.file};
-    const VehicleView* vehicle = &start.vehicles.front();
-    if (!options.vehicle.empty()) {
-        std::vector<std::string_view> names;
-        for (const Start& each : question.scene.starts) names.push_back(each.name);
-        const auto found = std::find(names.begin(), names.end(), options.vehicle);
-        const auto with_start = std::find_if(
-            start.vehicles.begin(), start.vehicles.end(),
-            [&](const VehicleView& each) { return found != names.end() && each.start == found - names.begin(); });
-        if (with_start == start.vehicles.end())
-            return Error{
-                "the scene has no vehicle " + in_quotes(options.vehicle) + name_nearest(options.vehicle, names),
-                "--vehicle"};
-        vehicle = &*with_start;
-    }
-    question.vehicle = vehicle->id;
-    question.target = {no_vehicle, vehicle->kind};
-    question.pair = chosen_pair(kind_of(start, *vehicle), "");
+    World::create(question.scene, question.seed)->capture(start);
+    const VehicleView& judged = *find_vehicle(start, *vehicle);
+    question.vehicle = judged.id;
+    question.target = {no_vehicle, judged.kind};
+    question.pair = chosen_pair(kind_of(start, judged), "");
     return std::nullopt;
 }
 
 Result<insight::MapQuestion> question_of(const MapOptions& options) {
-    auto scene = scene_of(options);
+    auto scene = read_scene_with(options.file, options.settings, "map", "a scene");
     if (!scene) return scene.error();
     const auto x = insight::parse_axis(options.x, "--x"), y = insight::parse_axis(options.y, "--y");
     if (!x) return x.error();

@@ -1,8 +1,14 @@
 // The text of a scene's file for the commands that run scenes.
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "app/ctl/ctl.h"
+#include "app/files/data.h"
+#include "core/io/run_file.h"
 #include "core/scene/file_kind.h"
+#include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
@@ -27,6 +33,42 @@ Result<std::string> read_scene_text(const std::filesystem::path& path, std::stri
         default:
             return text;
     }
+}
+
+Result<Scene> read_scene_with(const std::string& file, const std::vector<std::string>& arguments,
+                              std::string_view command, std::string_view takes) {
+    if (file.ends_with(io::run_ending))
+        return Error{fmt::format("this is a saved run, and '{}' takes {}", command, takes), file};
+    const auto path = find_shipped(file);
+    if (!path) return path.error();
+    const auto text = read_scene_text(*path, command, takes);
+    if (!text) return text.error();
+    std::vector<Setting> settings;
+    for (const std::string& argument : arguments) {
+        auto setting = parse_setting(argument);
+        if (!setting) return setting.error();
+        settings.push_back(std::move(*setting));
+    }
+    return parse_scene(*text, path->string(), settings);
+}
+
+Result<VehicleId> vehicle_at_start(const Scene& scene, std::uint64_t seed, const std::string& name,
+                                   const std::string& file) {
+    const auto world = World::create(scene, seed);
+    if (!world) return world.error();
+    Snapshot start;
+    world->capture(start);
+    if (start.vehicles.empty()) return Error{"the scene has no vehicle", file};
+    if (name.empty()) return start.vehicles.front().id;
+    std::vector<std::string_view> names;
+    for (const Start& each : scene.starts) names.push_back(each.name);
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto with_start = std::find_if(start.vehicles.begin(), start.vehicles.end(), [&](const VehicleView& each) {
+        return found != names.end() && each.start == found - names.begin();
+    });
+    if (with_start == start.vehicles.end())
+        return Error{"the scene has no vehicle " + in_quotes(name) + name_nearest(name, names), "--vehicle"};
+    return with_start->id;
 }
 
 }  // namespace braitenlab

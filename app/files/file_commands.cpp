@@ -171,7 +171,7 @@ struct FileCommands {
         for (const robots::ExportedFile& file : *wanted.files)
             if (const auto error = write_whole(into / file.name, file.text)) return fail(*error);
         view.exported_to = into.string();
-        say(lab, {NoticeKind::done, "notice.exported", std::to_string(wanted.files->size()), into.string()});
+        say(lab, {NoticeKind::done, "notice.exported", into.string()});
         done(into, {});
     }
 

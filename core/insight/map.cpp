@@ -195,38 +195,6 @@ std::vector<Command> MapBase::commands(MapPlace place) const {
     return all;
 }
 
-MapRun::MapRun(std::shared_ptr<const MapBase> base, MapPlace place, int seed) : base_(std::move(base)) {
-    auto world = base_->world(place, seed);
-    if (!world) return;
-    const VehicleId vehicle = base_->question().vehicle;
-    VehicleTrace trace;
-    if (!world->trace(vehicle, trace)) return;
-    world_ = std::move(*world);
-    judge_.emplace(*world_, vehicle);
-    path_.reserve(base_->question().ticks + 1);
-    add_pose();
-}
-
-bool MapRun::advance(std::size_t ticks) {
-    for (; world_ && ticks > 0; --ticks) {
-        world_->step();
-        add_pose();
-    }
-    return !world_;
-}
-
-void MapRun::add_pose() {
-    const bool goes_on = judge_->add(*world_);
-    if (goes_on) path_.push_back(judge_->pose());
-    if (goes_on && path_.size() <= base_->question().ticks) return;
-    outcome_ = judge_->outcome(*world_);
-    world_.reset();
-}
-
-float MapRun::progress() const {
-    return world_ ? static_cast<float>(path_.size()) / static_cast<float>(base_->question().ticks + 1) : 1;
-}
-
 MapCell cell_of(const std::vector<Outcome>& runs) {
     std::array<std::size_t, behaviour_count> counts{};
     for (const Outcome& run : runs) ++counts[static_cast<std::size_t>(run.behaviour)];

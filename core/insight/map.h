@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "core/insight/behaviour.h"
-#include "core/insight/predict.h"
-#include "core/insight/run_judge.h"
+#include "core/insight/judged_run.h"
 #include "core/result.h"
 #include "core/scene/toml_tree.h"
 #include "core/world/world.h"
@@ -89,24 +88,10 @@ private:
 };
 
 // One run of a map in pieces.
-class MapRun {
+class MapRun : public JudgedRun {
 public:
-    MapRun(std::shared_ptr<const MapBase>, MapPlace, int seed);
-
-    // Computes at most this many ticks. True once the run is complete.
-    bool advance(std::size_t ticks);
-    const Outcome& outcome() const { return outcome_; }  // valid once complete
-    const Path& path() const { return path_; }           // one pose per tick
-    float progress() const;
-
-private:
-    void add_pose();
-
-    std::shared_ptr<const MapBase> base_;
-    std::optional<World> world_;  // nullopt: complete
-    std::optional<RunJudge> judge_;
-    Path path_;
-    Outcome outcome_;
+    MapRun(const std::shared_ptr<const MapBase>& base, MapPlace place, int seed)
+        : JudgedRun(base->world(place, seed), base->question().vehicle, base->question().ticks) {}
 };
 
 // What all seeds of a cell show: the most frequent behaviour, the first in the order of Behaviour of several; the share

@@ -133,13 +133,15 @@ public:
 
     template <class Number>
     void number(const char* key, Number T::*member, const char*, Range, const char*) {
-        json_.at(key).get_to(object_.*member);
+        if (is_there(key)) json_.at(key).get_to(object_.*member);
     }
     void angle(const char* key, float T::*member, Range, const char*) { json_.at(key).get_to(object_.*member); }
     void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
         if (json_.contains(key)) object_.*member = json_.at(key).get<maths::vec2>();
     }
-    void flag(const char* key, bool T::*member, const char*) { json_.at(key).get_to(object_.*member); }
+    void flag(const char* key, bool T::*member, const char*) {
+        if (is_there(key)) json_.at(key).get_to(object_.*member);
+    }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {
         json_.at(key).get_to(object_.*member);
@@ -173,7 +175,7 @@ public:
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        json_.at(key).get_to(object_.*member);
+        if (is_there(key)) json_.at(key).get_to(object_.*member);
     }
     void brain(const char* key, BrainGraph T::*member, const char*) { json_.at(key).get_to(object_.*member); }
     void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
@@ -181,6 +183,8 @@ public:
     }
 
 private:
+    bool is_there(const char* key) const { return !is_later_value(key) || json_.contains(key); }
+
     const Json& json_;
     T& object_;
 };

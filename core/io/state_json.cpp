@@ -214,6 +214,7 @@ Result<State> read_state(const Json& json) {
         m.kind_brains.push_back(*brain);
     }
     json.at("seed").get_to(m.seed);
+    m.parts_seed = m.seed;  // other worlds are predictions, which are not saved
     json.at("tick").get_to(m.tick);
     json.at("generation").get_to(m.generation);
     json.at("still_ticks").get_to(m.still_ticks);

@@ -1,4 +1,4 @@
-// Sine, cosine, arc tangent and exponential function with the same bits on every platform.
+// Sine, cosine, arc tangent, exponential function, logarithm and power with the same bits on every platform.
 //
 // The functions of the C library differ in the last bit between platforms, and a simulation amplifies such differences
 // until two runs diverge. The functions here use only +, -, *, / and square roots of doubles, which IEEE 754 defines
@@ -66,6 +66,18 @@ inline float arctangent2(float y, float x) {
     return static_cast<float>(y < 0 ? -a : a);
 }
 
+// The natural logarithm of x; of numbers that are not above 0, that of the smallest normal number.
+inline double logarithm(float x) {
+    int exponent = 0;
+    double m = std::frexp(static_cast<double>(x > 1.17549435e-38f ? x : 1.17549435e-38f), &exponent);  // 0.5 <= m < 1
+    if (m < 0.70710678118654752) m *= 2, --exponent;
+    // ln m = 2 artanh t with t = (m - 1)/(m + 1), |t| < 0.172; the first omitted term is below 1e-14.
+    const double t = (m - 1) / (m + 1), s = t * t;
+    const double series =
+        1 + s * (1.0 / 3 + s * (1.0 / 5 + s * (1.0 / 7 + s * (1.0 / 9 + s * (1.0 / 11 + s * (1.0 / 13 + s / 15))))));
+    return exponent * 0.69314718055994531 + 2 * t * series;
+}
+
 // e^x; 0 for x below -87 and 6e37 for x above 87, so that the result is finite.
 inline float exponential(float x) {
     if (x < -87.0f) return 0;
@@ -75,6 +87,11 @@ inline float exponential(float x) {
     double e = 1 + y * (1 + y / 2 * (1 + y / 3 * (1 + y / 4 * (1 + y / 5 * (1 + y / 6 * (1 + y / 7))))));
     for (int i = 0; i < 10; ++i) e *= e;
     return static_cast<float>(e);
+}
+
+// x to the power of p, for x >= 0 and p > 0; finite as exponential() is.
+inline float power(float x, float p) {
+    return x > 0 ? exponential(static_cast<float>(static_cast<double>(p) * logarithm(x))) : 0.0f;
 }
 
 }  // namespace braitenlab::maths

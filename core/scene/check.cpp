@@ -136,6 +136,26 @@ std::optional<Fault> triangle_fault(const std::vector<Sensor>& sensors, const st
     return std::nullopt;
 }
 
+// The points of a table, and that other responses have none. `path`: of the owner of the sensors.
+std::optional<Fault> points_fault(const std::vector<Sensor>& sensors, const std::string& path) {
+    for (const Sensor& s : sensors) {
+        const std::string of_sensor = path + ".sensor." + s.name;
+        const bool is_table = s.response == SensorResponse::table;
+        if (is_table && s.points.size() < 2) return Fault{of_sensor + ".response", message_of("few_points")};
+        if (!is_table && !s.points.empty()) return Fault{of_sensor + ".point.1", message_of("points_of_table")};
+        for (std::size_t i = 1; i < s.points.size(); ++i)
+            if (!(s.points[i].distance > s.points[i - 1].distance))
+                return Fault{fmt::format("{}.point.{}.distance", of_sensor, i + 1),
+                             message_of("point_order", i + 1, s.points[i].distance, s.points[i - 1].distance)};
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> sensors_fault(const std::vector<Sensor>& sensors, const std::string& path) {
+    auto fault = triangle_fault(sensors, path);
+    return fault ? fault : points_fault(sensors, path);
+}
+
 // Physics requires outlines that turn left at every corner, with a distance between any two corners.
 // `path`: of the corners; `few`: the message for fewer than three corners.
 template <class Outlined>
@@ -161,7 +181,7 @@ std::optional<Fault> outline_fault(const Outlined& object, const std::string& pa
 template <class Own>
 std::optional<Fault> own_values_fault(const Own& own, const std::string& path) {
     if (own.sensors)
-        if (auto fault = triangle_fault(*own.sensors, path)) return fault;
+        if (auto fault = sensors_fault(*own.sensors, path)) return fault;
     if (!own.brain) return std::nullopt;
     auto fault = find_fault(*own.brain);
     if (fault) fault->path = path + ".brain";
@@ -242,7 +262,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
         return Fault{"arena.round", message_of("round_torus")};
     for (const Kind& kind : scene.kinds) {
         if (auto fault = wheels_fault(kind)) return fault;
-        if (auto fault = triangle_fault(kind.sensors, "kind." + kind.name)) return fault;
+        if (auto fault = sensors_fault(kind.sensors, "kind." + kind.name)) return fault;
         if (auto fault = find_fault(kind.brain)) return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
     }
     for (const Obstacle& obstacle : scene.obstacles)

@@ -125,11 +125,15 @@ constexpr const auto& table_of(SensorShape) { return sensor_shape_table; }
 static_assert(is_complete_table<sensor_shape_table>());
 
 // How a reading depends on a stimulus in the field: `graded` falls with distance and angle off the axis, `boolean` is
-// the whole strength. Formulas: answer() in the sensing code.
-enum class SensorResponse { graded, boolean };
+// the whole strength; a `photocell` adds the light of all stimuli before its curve; `table` has measured readings by
+// distance. Formulas: response_to() in the sensing code.
+enum class SensorResponse { graded, boolean, photocell, table };
 
 inline constexpr auto sensor_response_table =
-    std::to_array<Word<SensorResponse>>({{SensorResponse::graded, "graded"}, {SensorResponse::boolean, "boolean"}});
+    std::to_array<Word<SensorResponse>>({{SensorResponse::graded, "graded"},
+                                         {SensorResponse::boolean, "boolean"},
+                                         {SensorResponse::photocell, "photocell"},
+                                         {SensorResponse::table, "table"}});
 constexpr const auto& table_of(SensorResponse) { return sensor_response_table; }
 static_assert(is_complete_table<sensor_response_table>());
 

@@ -16,6 +16,13 @@
 
 namespace braitenlab {
 
+// A measured reading of a sensor with SensorResponse::table.
+struct ResponsePoint {
+    float distance = 0;  // m
+    float reading = 0;   // 0..1, of a stimulus of strength 1 on the sensor's axis
+    friend bool operator==(const ResponsePoint&, const ResponsePoint&) = default;
+};
+
 // A sensor on a vehicle. Coordinates are in the vehicle's frame: x ahead, y left, origin in the middle of the driven
 // axle.
 struct Sensor {
@@ -30,6 +37,10 @@ struct Sensor {
     float half_distance = 3;  // m; the d0 of 1/(1 + (d/d0)^2)
     float noise = 0;          // standard deviation of the noise added to a reading; the sum is clamped to 0..1
     float latency = 0;        // s between a reading and the brain's input, 0..1
+    float gain_spread = 0;    // ± share by which the readings of each vehicle's sensor differ, random
+    float gamma = 1;          // exponent of a photocell's curve
+    bool hard_range = false;  // a graded reading does not fade towards the range
+    std::vector<ResponsePoint> points{};  // of SensorResponse::table, by distance; the reading is 0 beyond the last
     friend bool operator==(const Sensor&, const Sensor&) = default;
 };
 
@@ -58,6 +69,7 @@ struct Body {
         {0.38f, 0, 0.07f, 0.05f, Motor::none, 0, 0.1f, 0.004f},
         {-0.38f, 0, 0.07f, 0.05f, Motor::none, 0, 0.1f, 0.004f},
     };
+    float friction_spread = 0;  // ± share by which grip and rolling drag of each wheel of each vehicle differ, random
     friend bool operator==(const Body&, const Body&) = default;
 };
 

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/brain/four_neurons.h"
@@ -41,8 +42,17 @@ inline constexpr int vehicles = 20000;  // in a world at a time
 inline constexpr std::size_t kinds = 64, starts = 4096, sources = 1024, obstacles = 4096, wheels = 16;
 inline constexpr std::size_t lamps = 16, waypoints = 256, corners = 8, zones = 1024, on_times = 64;
 inline constexpr int marks = 64;
+inline constexpr std::size_t response_points = 32;
 inline constexpr std::size_t name_length = 40, title_length = 120, text_length = 2000;
 }  // namespace limits
+
+// Values that earlier versions did not have: files of runs may lack them, and a default is not a part of the digest of
+// a run. No other struct has a value with one of these keys.
+constexpr bool is_later_value(std::string_view key) {
+    for (const std::string_view later : {"gain_spread", "gamma", "hard_range", "point", "friction_spread"})
+        if (key == later) return true;
+    return false;
+}
 
 inline constexpr Range weight_range{-limits::weight, limits::weight};
 inline constexpr Range threshold_range{0, limits::threshold};
@@ -101,6 +111,8 @@ void describe(Visitor& v, Of<Body>) {
     v.number("motor_force", &Body::motor_force, "N", {0.01, 10000}, "maximum of one motor");
     v.number("mismatch", &Body::mismatch, "", {0, 0.5}, "± share of top_speed by which each motor differs");
     v.number("dead_band", &Body::dead_band, "", {0, 0.9}, "a motor does not turn for commands of smaller size");
+    v.number("friction_spread", &Body::friction_spread, "", {0, 0.9},
+             "± share by which grip and rolling drag of each wheel differ");
     v.list("wheel", &Body::wheels, limits::wheels, "replace the standard four when there is at least one");
 }
 
@@ -109,7 +121,7 @@ void describe(Visitor& v, Of<Sensor>) {
     v.word("channel", &Sensor::channel, "what it senses");
     v.word("shape", &Sensor::shape, "of its field of view");
     v.word("response", &Sensor::response,
-           "graded by distance and direction, or the full strength of anything in the field");
+           "graded by distance and direction, the full strength of anything in the field, a photocell, or a table");
     v.number("x", &Sensor::x, "m", mount_range, "ahead of the origin");
     v.number("y", &Sensor::y, "m", mount_range, "left of the origin");
     v.angle("angle", &Sensor::angle, {-180, 180}, "of its axis, to the left of straight ahead");
@@ -118,6 +130,16 @@ void describe(Visitor& v, Of<Sensor>) {
     v.number("half_distance", &Sensor::half_distance, "m", {0.01, 100}, "d₀ in 1/(1+(d/d₀)²)");
     v.number("noise", &Sensor::noise, "", {0, 1}, "standard deviation of the noise added to a reading");
     v.number("latency", &Sensor::latency, "s", {0, 1}, "between a reading and the brain's input");
+    v.number("gain_spread", &Sensor::gain_spread, "", {0, 0.9}, "± share by which the sensor of each vehicle differs");
+    v.number("gamma", &Sensor::gamma, "", {0.2, 3}, "exponent γ of a photocell; of a photoresistor about 0.7");
+    v.flag("hard_range", &Sensor::hard_range, "a graded reading does not fade towards the range");
+    v.list("point", &Sensor::points, limits::response_points, "a measured reading, for the response `table`");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<ResponsePoint>) {
+    v.number("distance", &ResponsePoint::distance, "m", {0, 100}, "from the sensor; ascending from point to point");
+    v.number("reading", &ResponsePoint::reading, "", {0, 1}, "there, of a stimulus of strength 1 on the axis");
 }
 
 template <class Visitor>

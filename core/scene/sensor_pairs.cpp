@@ -13,7 +13,8 @@ bool are_mirrored(const Sensor& a, const Sensor& b) {
     const bool is_centred = is_close(a.y, 0) && is_close(a.angle, 0);
     return !is_centred && a.channel == b.channel && a.shape == b.shape && a.response == b.response &&
            is_close(a.x, b.x) && is_close(a.y, -b.y) && is_close(a.angle, -b.angle) && is_close(a.fov, b.fov) &&
-           is_close(a.range, b.range) && is_close(a.half_distance, b.half_distance);
+           is_close(a.range, b.range) && is_close(a.half_distance, b.half_distance) && is_close(a.gamma, b.gamma) &&
+           a.hard_range == b.hard_range && a.points == b.points;
 }
 
 bool is_left(const Sensor& a, const Sensor& b) { return is_close(a.y, b.y) ? a.angle > b.angle : a.y > b.y; }

@@ -1,5 +1,6 @@
 #include "core/sensing/compiled_sensor.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/brain/brain.h"
@@ -30,8 +31,11 @@ CompiledSensor::CompiledSensor(const Sensor& s)
       least_cosine(s.shape == SensorShape::omni ? 1.0f : 0.0f),
       range(s.range),
       range_squared(s.range * s.range),
-      inverse_range_squared(1 / (s.range * s.range)),
+      inverse_range_squared(s.hard_range ? 0 : 1 / (s.range * s.range)),
       inverse_half_distance_squared(1 / (s.half_distance * s.half_distance)),
+      gamma(s.gamma),
+      gain_spread(s.gain_spread),
+      points(s.response == SensorResponse::table ? s.points : std::vector<ResponsePoint>{}),
       noise(s.noise),
       delay(delay_ticks(s)),
       sees_ambient_light(is_seen_as(s.channel, Channel::light)),
@@ -48,10 +52,46 @@ bool in_field(const CompiledSensor& sensor, const SensorPose& pose, vec2 point) 
 
 float response_to(const CompiledSensor& sensor, const SensorPose& pose, vec2 point, float strength) {
     if (!in_field(sensor, pose, point)) return 0;
-    if (sensor.response == SensorResponse::boolean) return strength;
     const vec2 d = point - pose.position;
     const float squared = maths::dot(d, d);
-    return graded_response(sensor, squared, std::sqrt(squared), maths::dot(d, pose.axis), strength);
+    return response_in_field(sensor, squared, std::sqrt(squared), maths::dot(d, pose.axis), strength);
+}
+
+float response_in_field(const CompiledSensor& sensor, float squared, float distance, float along, float strength) {
+    constexpr float dazzling = 1e9f;  // of a lamp in the eye itself
+    const auto cosine = [&] { return distance > 0 ? std::max(along / distance, sensor.least_cosine) : 1.0f; };
+    switch (sensor.response) {
+        case SensorResponse::boolean:
+            return strength;
+        case SensorResponse::photocell: {
+            const float near = squared * sensor.inverse_half_distance_squared;
+            return strength * cosine() * (near * dazzling > 1 ? 1 / near : dazzling);
+        }
+        case SensorResponse::table:
+            return strength * cosine() * table_reading(sensor.points, distance);
+        case SensorResponse::graded:
+            break;
+    }
+    return graded_response(sensor, squared, distance, along, strength);
+}
+
+float table_reading(const std::vector<ResponsePoint>& points, float distance) {
+    if (points.empty() || distance > points.back().distance) return 0;
+    const auto after = std::find_if(points.begin(), points.end(),
+                                    [distance](const ResponsePoint& point) { return point.distance >= distance; });
+    if (after == points.begin()) return after->reading;
+    const ResponsePoint &a = *(after - 1), &b = *after;
+    return a.reading + (b.reading - a.reading) * ((distance - a.distance) / (b.distance - a.distance));
+}
+
+float total_reading(const CompiledSensor& sensor, float sum, float ambient) {
+    if (sensor.response != SensorResponse::photocell) return sum + ambient;
+    // The light that alone gives the reading `ambient`.
+    const float around = ambient <= 0   ? 0.0f
+                         : ambient >= 1 ? std::numeric_limits<float>::max() / 2
+                                        : maths::power(ambient / (1 - ambient), 1 / sensor.gamma);
+    const float light = maths::power(sum + around, sensor.gamma);
+    return light / (1 + light);
 }
 
 }  // namespace braitenlab::sensing

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "core/maths/angle.h"
 #include "core/maths/vec.h"
@@ -28,11 +29,15 @@ struct CompiledSensor {
     float reach;           // m along the axis; for a triangle up to its chord, else unlimited
     float least_cosine;    // lower bound of the off-axis cosine: 0, or 1 for omni, which has no axis
     float range, range_squared;
-    float inverse_range_squared, inverse_half_distance_squared;
-    float noise;              // standard deviation of a reading
-    std::uint32_t delay;      // ticks until the brain receives a reading
-    bool sees_ambient_light;  // the arena's ambient light is added to its readings
-    bool is_blocked;          // obstacles hide stimuli of its channel
+    float inverse_range_squared;  // of the fade; 0 for a hard range
+    float inverse_half_distance_squared;
+    float gamma;                        // of a photocell
+    float gain_spread;                  // readings of each vehicle differ by up to ± this share
+    std::vector<ResponsePoint> points;  // of a table
+    float noise;                        // standard deviation of a reading
+    std::uint32_t delay;                // ticks until the brain receives a reading
+    bool sees_ambient_light;            // the arena's ambient light is added to its readings
+    bool is_blocked;                    // obstacles hide stimuli of its channel
 };
 
 // Latency of a sensor in ticks, rounded.
@@ -51,10 +56,24 @@ inline SensorPose sensor_pose(const CompiledSensor& sensor, maths::vec2 vehicle,
 // circle. The border belongs to the field.
 bool in_field(const CompiledSensor&, const SensorPose&, maths::vec2 point);
 
-// Reading of one stimulus, 0..strength. A boolean sensor returns the strength of a stimulus in its field; a graded one
-//     strength · max(0, cos off-axis) · 1/(1 + (d/d0)^2) · (1 − (d/range)^2)^2,   0 beyond the range,
-// without the cosine for an omni sensor.
+// What one stimulus adds to the sum that total_reading() takes; for the responses graded, boolean and table it is a
+// reading, 0..strength. 0 beyond the range. With c = max(0, cos off-axis), 1 for an omni sensor:
+//     graded     strength · c / (1 + (d/d0)^2) · (1 − (d/range)^2)^2,   without the last factor for a hard range
+//     boolean    strength
+//     photocell  strength · c / (d/d0)^2: illuminance (inverse square and cosine law) as a multiple of that at d0
+//     table      strength · c · the reading of the table at d
 float response_to(const CompiledSensor&, const SensorPose&, maths::vec2 point, float strength);
+
+// The same for a point inside the field: its distance (m), the distance squared, and its distance along the axis.
+float response_in_field(const CompiledSensor&, float squared, float distance, float along, float strength);
+
+// Reading of a table at a distance (m): linear between its points, that of the first before it, 0 beyond the last.
+float table_reading(const std::vector<ResponsePoint>&, float distance);
+
+// Reading of the sum of all stimuli with ambient light (0..1, the reading that it gives alone). A photocell adds light
+// before its curve 1/(1 + E^−γ), the divider of a photoresistor of exponent γ and a resistor; other responses add
+// readings.
+float total_reading(const CompiledSensor&, float sum, float ambient);
 
 // The graded response to a point inside the field: its distance (m), the distance squared, and its distance along the
 // axis.

@@ -49,12 +49,13 @@ Environment::Environment(const Scene& scene, const std::vector<mechanics::Motion
 
 float read_environment(const Environment& e, const StimulusGrids& grids, const CompiledSensor& sensor, SensorPose pose,
                        std::int32_t self) {
-    if (sensor.channel == Channel::obstacle) return e.outlines.total(sensor, pose);
+    if (sensor.channel == Channel::obstacle) return total_reading(sensor, e.outlines.total(sensor, pose), 0);
     pose.position = e.seam.inside(pose.position);
     if (sensor.channel == Channel::floor)
         return response_to_amount(sensor, e.ground.floor_at(pose.position).reflectance);
     const StimulusGrid& grid = grids[static_cast<std::size_t>(sensor.channel)];
-    return read_stimuli(e, grid, sensor, pose, self) + (sensor.sees_ambient_light ? e.ambient : 0.0f);
+    const float ambient = sensor.sees_ambient_light ? e.ambient : 0.0f;
+    return total_reading(sensor, read_stimuli(e, grid, sensor, pose, self), ambient);
 }
 
 }  // namespace braitenlab::sensing

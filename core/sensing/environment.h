@@ -52,9 +52,9 @@ struct Environment {
 // the vehicle in row `self` do not count. Precondition: the channel's grid is filled.
 float read_environment(const Environment&, const StimulusGrids&, const CompiledSensor&, SensorPose, std::int32_t self);
 
-// Reading of an amount (0..1) that is always present: a boolean sensor reads 1 from 0.5 upwards.
+// Reading of an amount (0..1) that is always present: a boolean sensor reads 1 from 0.5 upwards, others the amount.
 inline float response_to_amount(const CompiledSensor& sensor, float amount) {
-    return sensor.response == SensorResponse::graded ? amount : amount >= 0.5f ? 1.0f : 0.0f;
+    return sensor.response != SensorResponse::boolean ? amount : amount >= 0.5f ? 1.0f : 0.0f;
 }
 
 }  // namespace braitenlab::sensing

@@ -57,8 +57,7 @@ float response_to_shifted(const CompiledSensor& sensor, const SensorPose& pose, 
     }
     if (nearest > sensor.range_squared) return 0;
     // The nearest point often lies on the field's border, where rounding would fail a second in_field test.
-    if (sensor.response == SensorResponse::boolean) return 1;
-    return graded_response(sensor, nearest, std::sqrt(nearest), maths::dot(way, pose.axis), 1);
+    return response_in_field(sensor, nearest, std::sqrt(nearest), maths::dot(way, pose.axis), 1);
 }
 
 // Bodies in contact at the start of a step may be slightly apart at its end.

@@ -91,7 +91,9 @@ float StimulusGrid::sum(const CompiledSensor& sensor, const SensorPose& pose, st
 float StimulusGrid::total(const CompiledSensor& sensor, const SensorPose& pose, std::int32_t self) const {
     if (sensor.response == SensorResponse::graded)
         return seam_.joined ? sum<true, true>(sensor, pose, self) : sum<true, false>(sensor, pose, self);
-    return seam_.joined ? sum<false, true>(sensor, pose, self) : sum<false, false>(sensor, pose, self);
+    if (sensor.response == SensorResponse::boolean)
+        return seam_.joined ? sum<false, true>(sensor, pose, self) : sum<false, false>(sensor, pose, self);
+    return total_in_sight(sensor, pose, self, [](vec2, vec2) { return false; });
 }
 
 }  // namespace braitenlab::sensing

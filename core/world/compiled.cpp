@@ -82,6 +82,7 @@ CompiledKind compile_kind(const Kind& kind) {
     for (const Sensor& sensor : kind.sensors) {
         const sensing::CompiledSensor& made = compiled.sensors.emplace_back(sensor);
         compiled.has_noise = compiled.has_noise || made.noise > 0;
+        compiled.has_gain_spread = compiled.has_gain_spread || made.gain_spread > 0;
     }
     compiled.delayed_readings = delayed_readings(kind);
     float driven = 0, gripping = 0;  // shares of the load on wheels with a motor and on wheels with grip
@@ -106,6 +107,7 @@ CompiledKind compile_kind(const Kind& kind) {
     compiled.top_speed = body.top_speed;
     compiled.motor_force = body.motor_force;
     compiled.dead_band = body.dead_band;
+    compiled.friction_spread = body.friction_spread;
     compiled.mass = body.mass;
     compiled.reach = 1.065f * maths::length(maths::vec2{body.length, body.width} / 2);
     compiled.sensor_names = sensor_names(kind);

@@ -35,8 +35,9 @@ struct CompiledKind {
     std::vector<CompiledWheel> wheels;
     std::array<float, 2> driven_radius{1, 1};             // m, of the left and the right driven wheel
     float top_speed = 0, motor_force = 0, dead_band = 0;  // m/s, N, share of the full command
+    float friction_spread = 0;                            // see Body
     float mass = 0;                                       // kg
-    bool has_noise = false;
+    bool has_noise = false, has_gain_spread = false;
     std::uint32_t delayed_readings = 0;
     float reach = 0;  // m, radius of free space round the origin: slightly more than half the diagonal
     std::vector<std::string> sensor_names;

@@ -1,6 +1,7 @@
 // Wheel forces: sums motor force, grip and drag of each wheel at its contact point and the push of zones into one force
 // and one torque per vehicle.
 #include "core/maths/angle.h"
+#include "core/maths/random.h"
 #include "core/mechanics/wheel.h"
 #include "core/world/world_data.h"
 
@@ -22,6 +23,11 @@ vec2 wheel_force(const CompiledKind& kind, const CompiledWheel& wheel, const Flo
     return mechanics::limit_to_friction(tyre, wheel.friction_limit * floor.grip) + drag;
 }
 
+// Random numbers for the friction of one vehicle's wheels: the same at every tick and for every spread.
+maths::Random friction_for(const WorldData& s, std::size_t row) {
+    return {s.parts_seed ^ 0x66726963ULL, static_cast<std::uint32_t>(s.vehicles.id[row])};
+}
+
 std::array<float, 2> commands_of(const Vehicles& v, std::size_t row, float dead_band) {
     return {mechanics::motor_command(v.motor[row][0], dead_band, v.gain[row][0]),
             mechanics::motor_command(v.motor[row][1], dead_band, v.gain[row][1])};
@@ -39,9 +45,15 @@ void drive_vehicle(WorldData& s, std::size_t row) {
     FloorConstants floor = s.environment.ground.plain;
     vec2 force;
     float torque = 0;
+    maths::Random friction;
+    if (kind.friction_spread > 0) friction = friction_for(s, row);
     for (const CompiledWheel& wheel : kind.wheels) {
-        if (s.environment.ground.has_surfaces)
+        if (s.environment.ground.has_surfaces || kind.friction_spread > 0)
             floor = s.environment.ground.floor_at(m.position + maths::rotate(wheel.at, m.ahead));
+        if (kind.friction_spread > 0) {
+            const float share = 1 + kind.friction_spread * friction.uniform(-1, 1);
+            floor.friction *= share, floor.grip *= share;
+        }
         const vec2 at_wheel{velocity.x - m.angular_velocity * wheel.at.y, velocity.y + m.angular_velocity * wheel.at.x};
         const auto side = static_cast<std::size_t>(wheel.motor == Motor::right ? 1 : 0);
         const vec2 f = wheel_force(kind, wheel, floor, at_wheel, command[side]);

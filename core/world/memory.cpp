@@ -78,7 +78,7 @@ float read_memory(const WorldData& s, const sensing::CompiledSensor& sensor, con
     for (auto mark = first; mark != end; ++mark)
         sum += response_to(sensor, pose, pose.position + s.environment.seam.shortest(mark->position - pose.position),
                            strength(s, *mark));
-    return sum;
+    return total_reading(sensor, sum, 0);
 }
 
 }  // namespace braitenlab::world

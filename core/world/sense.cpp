@@ -86,6 +86,11 @@ maths::Random noise_for(const WorldData& s, std::size_t row) {
     return {s.seed ^ 0x6e6f697365ULL, (s.tick << 32U) | id};
 }
 
+// Random numbers for the gains of one vehicle's sensors: the same at every tick and for every spread.
+maths::Random gains_for(const WorldData& s, std::size_t row) {
+    return {s.parts_seed ^ 0x6761696eULL, static_cast<std::uint32_t>(s.vehicles.id[row])};
+}
+
 // Reads all sensors into `sensed`. A sensor with latency returns its reading of `delay` ticks ago from its ring buffer;
 // the new reading replaces it in `keep_delayed` unless that is null.
 void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float>& sensed,
@@ -98,8 +103,11 @@ void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float
         std::size_t ring = v.first_delayed[row];
         maths::Random chance;
         if (kind.has_noise) chance = noise_for(s, row);
+        maths::Random gains;
+        if (kind.has_gain_spread) gains = gains_for(s, row);
         for (const CompiledSensor& sensor : kind.sensors) {
             float value = read_sensor(s, buffers, sensor, row);
+            if (kind.has_gain_spread) value *= 1 + sensor.gain_spread * gains.uniform(-1, 1);
             if (sensor.noise > 0) value += sensor.noise * chance.normal();
             value = std::clamp(value, 0.0f, 1.0f);  // signals add up and saturate
             if (sensor.delay > 0) {

@@ -125,6 +125,8 @@ struct State {
     std::shared_ptr<const Scene> scene;    // with all edits
     std::vector<SharedBrain> kind_brains;  // by kind: the brain of vehicles that enter
     std::uint64_t seed = 0, tick = 0;
+    std::uint64_t parts_seed =
+        0;  // of the errors of sensors and wheels: the seed of the start, kept by World::fork(seed)
     std::int32_t generation = 1;
     std::uint32_t still_ticks = 0;  // ticks since any vehicle moved
     VehicleId next_id = 0;

@@ -78,7 +78,7 @@ Result<World> World::create(const Scene& scene, std::uint64_t seed) {
     if (auto error = check_scene(scene)) return *error;
     State begin;
     begin.scene = std::make_shared<const Scene>(scene);
-    begin.seed = seed;
+    begin.seed = begin.parts_seed = seed;
     for (const Kind& kind : scene.kinds) {
         auto brain = world::compile_brain(kind.brain, kind);
         if (!brain) return brain.error();

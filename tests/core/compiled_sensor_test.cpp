@@ -93,6 +93,64 @@ TEST(CompiledSensor, FollowsTheGradedFormulaInsideItsFieldAndReadsZeroOutside) {
     }
 }
 
+// The reading of one stimulus of strength 1 at a distance straight ahead.
+float reading_of(const Sensor& sensor, float distance, float ambient = 0) {
+    const CompiledSensor compiled(sensor);
+    const SensorPose placed = sensor_pose(compiled, {0, 0}, {1, 0});
+    return total_reading(compiled, response_to(compiled, placed, {distance, 0}, 1), ambient);
+}
+
+TEST(CompiledSensor, WithAHardRangeDoesNotFadeTowardsIt) {
+    const Sensor hard{.x = 0, .range = 4, .half_distance = 3, .hard_range = true};
+    for (const float d : {0.5f, 2.0f, 3.0f, 3.999f}) EXPECT_NEAR(reading_of(hard, d), 1 / (1 + d * d / 9), 1e-6f) << d;
+    EXPECT_EQ(reading_of(hard, 4.001f), 0);
+}
+
+TEST(CompiledSensor, ReadsAsThePhotoresistorDividerThatItStandsFor) {
+    // A GL5528 (γ 0.7, 15 kΩ at 10 lx) over 1.5 kΩ, and a lamp of 63.7 cd: half scale at 268 lx, so at 0.4874 m.
+    const double gamma = 0.7, r10 = 15e3, over = 1.5e3, candela = 63.7;
+    const double half = 10 * std::pow(r10 / over, 1 / gamma);
+    EXPECT_NEAR(half, 268, 1);
+    const Sensor eye{.response = SensorResponse::photocell,
+                     .x = 0,
+                     .range = 20,
+                     .half_distance = static_cast<float>(std::sqrt(candela / half)),
+                     .gamma = 0.7f};
+    for (const double d : {0.1, 0.4874, 1.0, 3.0}) {
+        const double lux = candela / (d * d), ldr = r10 * std::pow(lux / 10, -gamma);
+        EXPECT_NEAR(reading_of(eye, static_cast<float>(d)), over / (over + ldr), 1e-5) << d;
+    }
+    EXPECT_NEAR(reading_of(eye, 0), 1, 1e-6f);
+    EXPECT_EQ(reading_of(eye, 20.1f), 0);
+}
+
+TEST(CompiledSensor, AddsLightBeforeTheCurveOfAPhotocell) {
+    const Sensor eye{.response = SensorResponse::photocell, .x = 0, .half_distance = 2, .gamma = 0.7f};
+    const CompiledSensor compiled(eye);
+    EXPECT_NEAR(total_reading(compiled, 0, 0.3f), 0.3f, 1e-6f) << "ambient light alone";
+    EXPECT_EQ(total_reading(compiled, 0, 0), 0);
+    EXPECT_NEAR(total_reading(compiled, 1, 0), 0.5f, 1e-6f);
+    EXPECT_NEAR(total_reading(compiled, 1, 0.5f), total_reading(compiled, 2, 0), 1e-6f) << "two equal lights";
+    EXPECT_LT(total_reading(compiled, 1, 0.5f), 0.65f) << "readings are not added";
+    EXPECT_EQ(total_reading(compiled, 5, 1), 1);
+    EXPECT_NEAR(total_reading(CompiledSensor({.x = 0}), 0.4f, 0.3f), 0.7f, 1e-6f) << "of a graded sensor they are";
+}
+
+TEST(CompiledSensor, ReadsItsTableLinearlyBetweenThePoints) {
+    const Sensor eye{
+        .response = SensorResponse::table, .x = 0, .range = 5, .points = {{1, 0.9f}, {2, 0.5f}, {4, 0.1f}}};
+    EXPECT_EQ(reading_of(eye, 0.2f), 0.9f);
+    EXPECT_EQ(reading_of(eye, 1), 0.9f);
+    EXPECT_NEAR(reading_of(eye, 1.25f), 0.8f, 1e-6f);
+    EXPECT_NEAR(reading_of(eye, 2), 0.5f, 1e-6f);
+    EXPECT_NEAR(reading_of(eye, 3), 0.3f, 1e-6f);
+    EXPECT_NEAR(reading_of(eye, 4), 0.1f, 1e-6f);
+    EXPECT_EQ(reading_of(eye, 4.01f), 0);
+    const CompiledSensor compiled(eye);
+    const SensorPose placed = sensor_pose(compiled, {0, 0}, {1, 0});
+    EXPECT_NEAR(response_to(compiled, placed, maths::from_polar(2, 0.5f), 0.6f), 0.6f * std::cos(0.5f) * 0.5f, 1e-5f);
+}
+
 TEST(CompiledSensor, ReadsOneAtItsPosition) {
     for (const SensorShape shape : {SensorShape::sector, SensorShape::triangle, SensorShape::omni}) {
         const CompiledSensor compiled({.shape = shape, .x = 0});

@@ -142,6 +142,7 @@ TEST(World, FrictionNeverAddsEnergyForAnyBodyFloorOrMotion) {
         scene.arena.grip = chance.uniform(0, 2);
         // Motors with the command 0 brake; this is friction too.
         if (round % 4 != 0) scene.kinds[0].body = any_body(chance);
+        if (round % 5 == 0) scene.kinds[0].body.friction_spread = 0.9f;
         const vec2 velocity{chance.uniform(-5, 5), chance.uniform(-5, 5)};
         World world = set_in_motion(on(surfaces[chance.next() % 4], scene), velocity, chance.uniform(-6, 6));
         Snapshot before = look(world);
@@ -170,6 +171,21 @@ TEST(World, AMotorMismatchTurnsAVehicleTheSameWayInEveryRunAndIsZeroByDefault) {
     EXPECT_GT(std::fabs(aside), 0.05f);
     EXPECT_EQ(after(same, 5).vehicles[0].y, aside);
     EXPECT_NE(after(other, 5).vehicles[0].y, aside);
+}
+
+TEST(World, AFrictionSpreadMakesTheWheelsOfEachVehicleDiffer) {
+    Scene scene = alone({.LM = 0.6f, .RM = 0.6f});
+    scene.arena.friction = 900;  // more than the motors can drive at this speed
+    scene.kinds[0].body.friction_spread = 0.5f;
+    const auto aside = [&](std::uint64_t seed) {
+        World world = make(scene, seed);
+        return after(world, 5).vehicles[0].y;
+    };
+    EXPECT_GT(std::fabs(aside(4)), 0.01f);
+    EXPECT_EQ(aside(4), aside(4));
+    EXPECT_NE(aside(5), aside(4));
+    scene.kinds[0].body.friction_spread = 0;
+    EXPECT_NEAR(aside(4), 0, 1e-4f);
 }
 
 TEST(World, ADeadBandStopsAMotorBelowItAndHasNoEffectAboveIt) {

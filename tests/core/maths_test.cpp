@@ -32,6 +32,13 @@ TEST(Portable, ExponentialAgreesWithTheLibraryAndNeverOverflows) {
         EXPECT_NEAR(exponential(x) / std::exp(static_cast<double>(x)), 1, 2e-7) << x;
     EXPECT_TRUE(std::isfinite(exponential(1e9f)));
     EXPECT_EQ(exponential(-1e9f), 0);
+    for (float x = 1e-30f; x < 1e30f; x *= 1.37f)
+        EXPECT_NEAR(logarithm(x), std::log(static_cast<double>(x)), 1e-12 * (1 + std::fabs(std::log(x)))) << x;
+    for (const float p : {0.3f, 0.7f, 1.0f, 2.5f})
+        for (float x = 1e-6f; x < 1e6f; x *= 1.9f)
+            EXPECT_NEAR(power(x, p) / std::pow(static_cast<double>(x), static_cast<double>(p)), 1, 3e-6) << x;
+    EXPECT_EQ(power(0, 0.7f), 0);
+    EXPECT_TRUE(std::isfinite(power(3e38f, 3)));
 }
 
 TEST(Angle, WrapAngleKeepsTheDirection) {

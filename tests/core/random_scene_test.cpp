@@ -147,9 +147,15 @@ BrainGraph any_brain(Dice& dice, const Kind& kind) {
     return brain;
 }
 
-void limit_triangles(std::vector<Sensor>& sensors) {
-    for (Sensor& sensor : sensors)
+void make_sound(std::vector<Sensor>& sensors) {
+    for (Sensor& sensor : sensors) {
         if (sensor.shape == SensorShape::triangle) sensor.fov = std::min(sensor.fov, maths::radians(179));
+        if (sensor.response != SensorResponse::table) sensor.points.clear();
+        if (sensor.response == SensorResponse::table)
+            sensor.points.resize(std::max<std::size_t>(sensor.points.size(), 2));
+        float distance = 0;
+        for (ResponsePoint& point : sensor.points) point.distance = distance += 0.01f + std::fmod(point.distance, 3.0f);
+    }
 }
 
 // The range of some values depends on other values.
@@ -161,7 +167,7 @@ void make_sound(Scene& scene, Dice& dice) {
     if (scene.kinds.empty()) scene.ecology.population = 0, scene.starts.clear();
     for (Kind& kind : scene.kinds) {
         for (Wheel& wheel : kind.body.wheels) wheel.load = 1.0f / static_cast<float>(kind.body.wheels.size());
-        limit_triangles(kind.sensors);
+        make_sound(kind.sensors);
         kind.brain = any_brain(dice, kind);
     }
     for (Start& start : scene.starts) {
@@ -170,7 +176,7 @@ void make_sound(Scene& scene, Dice& dice) {
         start.x = std::fmod(start.x, scene.arena.width * within);
         start.y = std::fmod(start.y, scene.arena.height * within);
         if (dice.toss()) start.brain = any_brain(dice, scene.kinds.front());
-        if (start.sensors) limit_triangles(*start.sensors);
+        if (start.sensors) make_sound(*start.sensors);
     }
     scene.members.resize(std::min(scene.members.size(), static_cast<std::size_t>(scene.ecology.population)));
     for (std::size_t i = 0; i < scene.members.size(); ++i) {
@@ -180,7 +186,7 @@ void make_sound(Scene& scene, Dice& dice) {
         member.x = std::fmod(member.x, scene.arena.width * within);
         member.y = std::fmod(member.y, scene.arena.height * within);
         if (dice.toss()) member.brain = any_brain(dice, scene.kinds.front());
-        if (member.sensors) limit_triangles(*member.sensors);
+        if (member.sensors) make_sound(*member.sensors);
     }
     const auto make_convex = [&](std::vector<PolygonCorner>& outline) {
         const std::size_t corners = outline.size() < 3 ? 0 : outline.size();

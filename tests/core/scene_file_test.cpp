@@ -460,6 +460,25 @@ TEST(SceneFile, RefusesFilesThatAreTooDeepOrTooLarge) {
     read("format = 1\nstory = '''\n" + std::string(100, '.') + "\"'''\n");
 }
 
+TEST(SceneFile, ReadsTheTableOfASensorAndRefusesOneThatIsNoTable) {
+    const std::string head = "format = 1\n[kind.k.sensor.S]\nresponse = \"table\"\n";
+    const std::string first = "[[kind.k.sensor.S.point]]\ndistance = 0.01\nreading = 0.9\n";
+    const auto second = [](const char* distance) {
+        return std::string("[[kind.k.sensor.S.point]]\ndistance = ") + distance + "\nreading = 0.2\n";
+    };
+    const Scene scene = read(head + first + second("0.05"));
+    EXPECT_EQ(scene.kinds[0].sensors[0].points, (std::vector<ResponsePoint>{{0.01f, 0.9f}, {0.05f, 0.2f}}));
+    EXPECT_EQ(read(write_scene(scene)), scene);
+    expect_in("test.toml:3: a table needs two points or more", complaint(head));
+    expect_in("test.toml:3: a table needs two points or more", complaint(head + first));
+    expect_in("test.toml:8: point 2 is at 0.01 m, and the one before it at 0.01 m",
+              complaint(head + first + second("0.01")));
+    expect_in("test.toml:6: 'reading' is 2, outside 0 .. 1",
+              complaint(head + "[[kind.k.sensor.S.point]]\ndistance = 0\nreading = 2\n" + second("1")));
+    expect_in("test.toml:3: points belong to the response", complaint("format = 1\n[kind.k.sensor.S]\n" + first));
+    expect_in("test.toml:3: 'gamma' is 0, outside 0.2 .. 3", complaint("format = 1\n[kind.k.sensor.S]\ngamma = 0\n"));
+}
+
 // Set BRAITENLAB_WRITE_DOCS=1 to write the tables again after a change of the fields.
 TEST(SceneFile, FormatTableIsUpToDateInTheSceneFormatPage) {
     const fs::path page = source / "docs" / "scene-format.md";

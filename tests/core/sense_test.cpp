@@ -149,6 +149,52 @@ TEST(World, ABumperSensesOtherVehicles) {
     EXPECT_TRUE(felt);
 }
 
+TEST(World, TheSensorsOfEachVehicleDifferByTheirGainSpread) {
+    const Scene plain = with(watcher(Channel::light), {.x = 3});
+    const float ideal = reading(plain);
+    Scene scene = plain;
+    scene.kinds[0].sensors.push_back(scene.kinds[0].sensors[0]);
+    scene.kinds[0].sensors[1].name = "T";
+    scene.kinds[0].sensors[0].gain_spread = scene.kinds[0].sensors[1].gain_spread = 0.2f;
+    float least = 2, most = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        World world = make(scene, seed);
+        const float share = reading(world) / ideal;
+        least = std::min(least, share), most = std::max(most, share);
+        EXPECT_NE(reading(world, 1), reading(world)) << "each sensor has its own gain";
+        steps(world, 10);
+        EXPECT_FLOAT_EQ(reading(world) / ideal, share) << "it does not change";
+    }
+    EXPECT_NEAR(least, 0.8f, 0.02f);
+    EXPECT_NEAR(most, 1.2f, 0.02f);
+    scene.kinds[0].sensors[0].gain_spread = 0;
+    EXPECT_EQ(reading(make(scene, 7)), ideal);
+    scene.kinds[0].sensors[0].gain_spread = 0.1f;
+    const float half = reading(make(scene, 7));
+    scene.kinds[0].sensors[0].gain_spread = 0.2f;
+    EXPECT_NEAR(reading(make(scene, 7)) - ideal, 2 * (half - ideal), 1e-6f) << "the same sensor, twice as far off";
+}
+
+TEST(World, AForkWithOtherNoiseKeepsTheGainsOfTheSensors) {
+    Scene scene = with(watcher(Channel::light), {.x = 3});
+    scene.kinds[0].sensors[0].gain_spread = 0.2f;
+    World world = make(scene, 3);
+    steps(world, 5);
+    World other = world.fork(99);
+    world.step(), other.step();
+    EXPECT_EQ(reading(other), reading(world));
+}
+
+TEST(World, AnEyeThatIsAPhotocellReadsLampsAndAmbientLightTogether) {
+    Scene scene = with(
+        watcher({.channel = Channel::light, .response = SensorResponse::photocell, .x = 0, .gamma = 0.7f}), {.x = 3});
+    EXPECT_NEAR(reading(scene), 0.5f, 1e-5f) << "half scale at the half distance";
+    scene.arena.ambient = 0.5f;
+    EXPECT_NEAR(reading(scene), std::pow(2.0, 0.7) / (1 + std::pow(2.0, 0.7)), 1e-5);
+    scene.sources.clear();
+    EXPECT_NEAR(reading(scene), 0.5f, 1e-5f);
+}
+
 TEST(World, AFloorSensorReadsTheBrightnessOfTheFloorBelowIt) {
     Scene scene = watcher(Sensor{.channel = Channel::floor, .x = 0.5f});
     EXPECT_FLOAT_EQ(reading(scene), scene.arena.reflectance);

@@ -75,6 +75,22 @@ void agrees_with_all_pairs(Boundary edge, std::uint64_t seed) {
 TEST(StimulusGrid, AgreesWithTheSumOfAllPairsWithinWalls) { agrees_with_all_pairs(Boundary::wall, 1); }
 TEST(StimulusGrid, AgreesWithTheSumOfAllPairsAcrossASeam) { agrees_with_all_pairs(Boundary::torus, 2); }
 
+TEST(StimulusGrid, AddsTheStimuliOfEveryResponse) {
+    for (const auto& row : sensor_response_table) {
+        Sensor sensor{.response = row.value, .x = 0, .range = 6};
+        if (row.value == SensorResponse::table) sensor.points = {{0, 1}, {6, 0.5f}};
+        const CompiledSensor compiled(sensor);
+        StimulusGrid grid;
+        grid.lay_out({}, 6);
+        grid.fill({{{3, 0}, 0.5f, -1}, {{4, 1}, 0.5f, -1}, {{7, 0}, 1, -1}});
+        const SensorPose placed = sensor_pose(compiled, {0, 0}, {1, 0});
+        const float expected =
+            response_to(compiled, placed, {3, 0}, 0.5f) + response_to(compiled, placed, {4, 1}, 0.5f);
+        EXPECT_GT(expected, 0.05f) << row.word;
+        EXPECT_NEAR(grid.total(compiled, placed, -2), expected, 1e-6f) << row.word;
+    }
+}
+
 TEST(StimulusGrid, IncludesStimuliOutsideTheArena) {
     Arena arena;
     arena.edge = Boundary::open;

@@ -171,7 +171,7 @@ void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     if (!sheet.is_written()) sheet.targets();
     sheet.files();
     sheet.is_written() ? sheet.written() : sheet.folder();
-    if (ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
+    if (!sheet.is_written() && ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
     sheet_buttons(ui, state.sheet);
     sheet.buttons();
     if (!state.begun && ui.keyboard)
