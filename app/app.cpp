@@ -180,6 +180,7 @@ void App::follow_jobs() {
     update_explanation(lab_);
     update_map(lab_, jobs_);
     update_study(lab_.study, jobs_);
+    update_robots(lab_, jobs_);
     follow_progress(lab_);
 }
 
@@ -233,9 +234,9 @@ bool App::moves() const {
     const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
     const bool predicts = lab_.predictions.job || lab_.predictions.job_before;
-    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.slots) ||
-           is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ || (lesson && lesson->grading) ||
-           !lab_.files.empty();
+    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.robots) ||
+           is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ ||
+           (lesson && lesson->grading) || !lab_.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

@@ -172,6 +172,7 @@ void App::frame(float passed) {
     note_press(lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
     lab_.predictions.what_if = panels_.what_if;
     lab_.map.hovered = panels_.map.hovered;
+    lab_.robots.hovered = panels_.reality.hovered;
     handle_all(lab_, outbox_);
     if (std::exchange(lab_.begins, false)) begin();
 }
@@ -221,7 +222,8 @@ Picture App::scene_picture(std::vector<bool> hidden_brains) const {
     picture.theme = lab.preferences.theme;
     picture.quality = quality();
     picture.settings = lab.view;
-    if (lab.together) picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
+    if (lab.together && lab.together->worlds.size() > 1)
+        picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
     picture.driver = lab.view.camera.mode == CameraMode::driver ? lab.view.selection.vehicle : no_vehicle;
     picture.reduce_motion = lab.preferences.reduce_motion;
     picture.pixel_scale = density() * theme_.scale();

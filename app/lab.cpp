@@ -93,6 +93,7 @@ LabView view_of(const Lab& lab) {
     if (view.slots.b) view.last_run.reset();
     view.map = map_of(lab, view);
     view.study = study_of(lab.study);
+    view.robots = robots_of(lab, view);
     view.students = &lab.students;
     view.student = lab.students.student().name;
     view.opened = document.name;

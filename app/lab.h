@@ -17,6 +17,7 @@
 #include "app/insight/last_run.h"
 #include "app/insight/mystery_runs.h"
 #include "app/insight/predictions.h"
+#include "app/insight/robot_trial.h"
 #include "app/insight/slots.h"
 #include "app/insight/study_runs.h"
 #include "app/playback.h"
@@ -63,8 +64,9 @@ struct Lab {
     Explanation explanation{};   // of the selected vehicle's turn
     Slots slots{};
     MysteryRuns mystery{};
-    BehaviourMap map{};  // of the selected vehicle's brains
-    StudyRuns study{};   // on its sheet
+    BehaviourMap map{};   // of the selected vehicle's brains
+    StudyRuns study{};    // on its sheet
+    RobotTrial robots{};  // of the selected vehicle's brain
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

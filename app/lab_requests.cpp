@@ -158,8 +158,19 @@ void ask_why(Lab& lab) {
     }
 }
 
+// The card of real robots takes the place of the map.
+void show_reality(Lab& lab) {
+    lab.view.reality = !lab.view.reality;
+    if (!lab.view.reality) return;
+    lab.view.map = false;
+    if (robots_of(lab, view_of(lab))) return;
+    lab.view.reality = false;
+    say(lab, {NoticeKind::failure, selected_vehicle(lab) ? "unavailable.reality" : "unavailable.no_vehicle"});
+}
+
 void show_map(Lab& lab) {
     lab.view.map = !lab.view.map;
+    if (lab.view.map) lab.view.reality = false;
     const VehicleView* vehicle = selected_vehicle(lab);
     if (!lab.view.map || (vehicle && can_show_map(view_of(lab), *vehicle))) return;
     lab.view.map = false;
@@ -249,7 +260,9 @@ void act(Lab& lab, Action action) {
             go_to_last_bookmark(lab);
             break;
         case Action::reset:
-            if (lab.together)
+            if (lab.together && lab.together->robot)
+                restart_replay(lab);
+            else if (lab.together)
                 begin_together(lab);
             else
                 set_mode(lab, Mode::paused), reset(lab);
@@ -323,6 +336,9 @@ void act(Lab& lab, Action action) {
             break;
         case Action::compare:
             compare_slots(lab);
+            break;
+        case Action::reality:
+            show_reality(lab);
             break;
         case Action::watch:
             if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
@@ -496,6 +512,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const SeedRequest& r) { reset(lab, r.seed); },
                      [&](const MapRequest& r) { choose_map(lab.map, r); },
                      [&](const StudyRequest& r) { handle_study(lab.study, r); },
+                     [&](const RobotsRequest& r) { handle_robots(lab, r); },
                      [&](const SeekRequest& r) { seek(lab, r); },
                      [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
                      [&](const OpenRequest& r) { lab.files.push_back(r); },

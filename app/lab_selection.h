@@ -33,6 +33,10 @@ void reselect_after_death(Lab&, const VehicleView& selected);
 // Removes the notice of reselect_after_death(): another vehicle is selected, or the run is at another tick.
 void forget_death_notice(Lab&);
 
+// The vehicle with the same start or the same number in the population as this one of `now`, in a world that begins
+// with the scene. no_vehicle: there is none.
+VehicleId id_at_start(const Scene&, std::uint64_t seed, const Snapshot& now, const VehicleView&);
+
 // Switches the selected vehicle between manual driving and the driver of its kind.
 void drive(Lab&);
 

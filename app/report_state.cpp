@@ -302,6 +302,16 @@ Json study_json(const StudyView& study) {
     return {{"id", of.id}, {"runs", of.runs()}, {"done", study.rows->size()}, {"running", study.runs}};
 }
 
+Json robots_json(const std::optional<RobotsView>& robots) {
+    if (!robots) return nullptr;
+    Json json{{"reality", robots->reality}, {"on", robots->is_on}, {"done", robots->report && robots->progress >= 1},
+              {"working", nullptr},         {"weakest", nullptr},  {"replayed", nullptr}};
+    if (robots->report) json["working"] = robots->report->working, json["weakest"] = robots->report->weakest + 1;
+    if (robots->replayed)
+        json["replayed"] = *robots->replayed == every_robot ? Json("all") : Json(*robots->replayed + 1);
+    return json;
+}
+
 void add_insight(Json& state, const Lab& lab) {
     const LabView view = view_of(lab);
     state["prediction"] = prediction_json(view.prediction);
@@ -313,6 +323,7 @@ void add_insight(Json& state, const Lab& lab) {
                         {"score", view.mystery.score ? Json(view.mystery.score->score) : Json(nullptr)}};
     state["map"] = map_json(view.map);
     state["study"] = study_json(view.study);
+    state["robots"] = robots_json(view.robots);
 }
 
 }  // namespace

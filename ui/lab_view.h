@@ -14,6 +14,7 @@
 #include "core/insight/compare.h"
 #include "core/insight/map.h"
 #include "core/insight/mystery.h"
+#include "core/insight/robustness.h"
 #include "core/insight/study.h"
 #include "core/insight/why.h"
 #include "core/lesson/exercise.h"
@@ -162,6 +163,20 @@ struct MysteryView {
     std::optional<Error> error{};                  // why there is none
 };
 
+// The selected vehicle's brain on robots whose parts differ, see core/insight/robustness.h.
+struct RobotsView {
+    float reality = 1;
+    int count = 40;
+    insight::Reality figures{};                     // of the robots
+    bool is_typical = false;                        // the kind states no figures of its own
+    bool is_on = false;                             // a trial has been asked for
+    float progress = 1;                             // 0..1 of the trial that is computed; 1: none is
+    const insight::RobotsReport* report = nullptr;  // null: none yet; of earlier values while one is computed
+    bool judged = false;                            // robots pass or fail an exercise
+    std::optional<int> hovered{};                   // robot under the pointer
+    std::optional<int> replayed{};                  // shown in the scene: its index, or every_robot
+};
+
 // The open lecture and where it stands.
 struct LectureView {
     std::shared_ptr<const Lecture> lecture;  // never null
@@ -236,6 +251,7 @@ struct LabView {
     MysteryView mystery{};
     std::optional<MapView> map{};  // nullopt: not shown, or it may not be shown now
     StudyView study{};
+    std::optional<RobotsView> robots{};                      // the same
     const insight::Why* why = nullptr;                       // of the selected vehicle's turn; null: not asked
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     std::string student;                                     // name of the student; empty: none is named

@@ -58,6 +58,7 @@ enum class Action {
     drive,    // starts or ends driving by the user
     why,      // shows or hides the cause of the selected vehicle's turn
     map,      // shows or hides the map of behaviour
+    reality,  // shows or hides the trial with real robots
     slot,     // stores the brain in slot A or B, or exchanges it for the other one
     compare,  // runs both slots from the same start
     mystery,  // opens the sheet of the mystery brain
@@ -267,6 +268,14 @@ struct StudyRequest {
     StudyEdit edit = StudyEdit::open;
     std::string path{};
 };
+struct RobotsRequest {               // of the trial with real robots; nullopt: as before
+    std::optional<float> reality{};  // insight::RobotsQuestion
+    std::optional<bool> tries{};     // begins the trial; false: ends it
+    // Replays this robot, or every_robot, from the start in the place of the run; nullopt inside: the run is shown
+    // again.
+    std::optional<std::optional<int>> replays{};
+};
+inline constexpr int every_robot = -1;
 struct SpeedRequest {
     float time_scale = 1;
 };
@@ -343,7 +352,7 @@ using Request =
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
                  LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest,
-                 WriteFilesRequest>;
+                 WriteFilesRequest, RobotsRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -206,6 +206,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     state.lesion_under_pointer.clear();
     state.what_if.clear();
     state.map.hovered.reset();
+    state.reality.hovered.reset();
     follow_map(view, state);
     record(state.history, view);
     follow_lecture(view, state);

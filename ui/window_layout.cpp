@@ -102,7 +102,7 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
     const bool has_card = page.shows(PagePart::exercise);  // takes the place of the question
     const bool asks = asks_beside(view, open);
     if (asks) l.question = {margin, s.y, question_share * l.window.w - margin, s.h};
-    const bool has_left = has_card || view.map || view.slots.has_any();
+    const bool has_left = has_card || view.map || view.robots || view.slots.has_any();
     if (asks || !has_left) l.left = {};
     const float from = asks ? l.question.x + l.question.w + margin : has_left ? l.left.x + l.left.w + margin : s.x;
     if (!open.right) l.right = {};
@@ -158,7 +158,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     }
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
-    if (view.lecture && (view.map || view.slots.has_any()) && l.left.w > 0)
+    if (view.lecture && (view.map || view.robots || view.slots.has_any()) && l.left.w > 0)
         l.scene.x = from_left, l.scene.w -= from_left - margin;
     const bool covers = view.lecture && open.right && !view.pages && view.mode != Mode::wiring;
     if (covers && !view.settings.watching) l.scene.w -= l.right.w + margin;  // an open card has a column of its own

@@ -74,10 +74,15 @@ void begin_together(Lab& lab) {
     const auto& lesson = lab.document.lesson;
     if (!lesson || !lesson->graded || !lesson->view.grade || !lesson->view.grade->good) return;
     Together together = begin_together(*lesson->exercise, lesson->graded->submission, lesson->graded->grade);
-    if (together.worlds.empty()) return;
+    if (!together.worlds.empty()) begin_together(lab, std::move(together));
+}
+
+void begin_together(Lab& lab, Together together) {
+    together.shown = shown_of(together.worlds);
     lab.together = std::move(together);
-    lab.document.lesson->view.together = true;
+    if (lab.document.lesson) lab.document.lesson->view.together = true;
     lab.playback.previous.clear();
+    lab.playback.debt = 0;
     set_mode(lab, Mode::playing);
 }
 

@@ -2,6 +2,7 @@
 // graded, so its vehicles neither sense nor touch those of another start. The exercise's own run stays as it is.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/lesson/exercise.h"
@@ -17,8 +18,9 @@ struct Lab;
 inline constexpr std::size_t most_together = 10;  // starts
 
 struct Together {
-    std::vector<World> worlds;  // at the same tick
-    Snapshot shown;             // all of them; see merged()
+    std::vector<World> worlds;   // at the same tick
+    Snapshot shown{};            // all of them; see merged()
+    std::optional<int> robot{};  // a replay of robots (app/insight/robot_trial.h): RobotsView::replayed
 };
 
 // One snapshot of the same moment in several worlds of one scene. The vehicles of the first keep their ids; those of
@@ -31,8 +33,9 @@ Together begin_together(const Exercise&, const Submission&, const Grade&);
 // Runs one tick in each world.
 void step(Together&);
 
-// ── In the lab. Without a passed exercise begin_together() does nothing. ──
-void begin_together(Lab&);  // paused time plays
-void end_together(Lab&);    // the exercise's own run is shown again, paused, as it was left
+// ── In the lab. Without a passed exercise the first begin_together() does nothing. ──
+void begin_together(Lab&);            // paused time plays
+void begin_together(Lab&, Together);  // these worlds, whose snapshot is made
+void end_together(Lab&);              // the exercise's own run is shown again, paused, as it was left
 
 }  // namespace braitenlab

@@ -12,11 +12,14 @@ constexpr std::string_view fixed_anchors[]{
     // the brain's sliders
     "slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR",
     "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.thresholds", "button.presets", "button.drive",
-    "button.why", "button.map", "curve.peak", "curve.width",
+    "button.why", "button.map", "button.reality", "curve.peak", "curve.width",
     // the map of behaviour
     "card.map", "card.map.fold", "map", "map.dot", "map.x", "map.y", "map.measure",
     // slots A and B
     "card.slots", "card.slots.fold", "slot.a", "slot.b", "slot.a.store", "slot.b.store", "button.compare",
+    // the trial with real robots
+    "card.reality", "card.reality.fold", "reality.slider", "reality.try", "reality.dots", "reality.weakest",
+    "reality.all",
     // its picture, with what a lesion can be set to
     "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
     "lesion.LR", "lesion.RL", "lesion.RR",

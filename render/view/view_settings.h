@@ -68,6 +68,7 @@ struct ViewSettings {
     float canvas_share = 0.45f;  // of the width of both; least_canvas_share .. largest_canvas_share
     bool values = false;         // the card of the arena and the kinds is shown
     bool map = false;            // the map of behaviour is shown
+    bool reality = false;        // the trial with real robots is shown
     bool sensors = true;         // fill the sensor fields
     bool outlines = false;       // draw the edges of the sensor fields
     Selection selection;

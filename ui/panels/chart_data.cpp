@@ -98,7 +98,8 @@ History::Population counted(const Snapshot& now, double seconds) {
 }  // namespace
 
 void record(History& history, const LabView& view) {
-    if (view.lesson && view.lesson->together) return;  // other runs than the one that is recorded
+    if ((view.lesson && view.lesson->together) || (view.robots && view.robots->replayed))
+        return;  // other runs than the one that is recorded
     const Snapshot& now = *view.now;
     const double seconds = static_cast<double>(now.tick) / 60;
     if (history.run_id != view.run_id) history = {}, history.run_id = view.run_id;

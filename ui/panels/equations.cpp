@@ -256,7 +256,9 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 below = ImGui::GetCursorScreenPos();
     const SmallButton more{"button.why", icon::notice, ui.strings("why.button"), view.why != nullptr};
     const SmallButton map{"button.map", icon::map, ui.strings("map.button"), view.settings.map};
-    const float map_width = small_button_width(ui, map, !has_icons(ui));
+    const SmallButton robots{"button.reality", icon::robot, ui.strings("reality.button"), view.settings.reality};
+    const float robots_width = small_button_width(ui, robots, !has_icons(ui));
+    const float map_width = small_button_width(ui, map, !has_icons(ui)) + ui.px(4) + robots_width;
     const float width = small_button_width(ui, more, !has_icons(ui)) + map_width + ui.px(4);
     paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)), ui.palette.text, Face::small,
               card_width(ui) - width - ui.px(6));
@@ -269,6 +271,10 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const Item show = small_button(ui, map, !has_icons(ui));
     tooltip(ui, show, fill(ui.strings("tooltip.button_map"), {key_name(Action::map, ui.strings)}));
     if (show.pressed) ui.outbox.push_back(Action::map);
+    ImGui::SetCursorScreenPos({below.x + card_width(ui) - robots_width, below.y - ui.px(3)});
+    const Item real = small_button(ui, robots, !has_icons(ui));
+    tooltip(ui, real, fill(ui.strings("tooltip.button_reality"), {key_name(Action::reality, ui.strings)}));
+    if (real.pressed) ui.outbox.push_back(Action::reality);
     ImGui::SetCursorScreenPos({after.x, std::max(after.y, below.y + ui.px(small_button_height))});
 }
 

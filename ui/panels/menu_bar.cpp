@@ -118,6 +118,7 @@ constexpr MenuPlace menu_places[]{
     {"simulation", Action::compare},
     {"simulation", Action::mystery},
     {"simulation", Action::studies},
+    {"simulation", Action::reality},
 
     {"exercises", Action::hint},
     {"exercises", Action::exercise_reset},
@@ -187,6 +188,8 @@ std::optional<bool> switched_on(const LabView& view, const PanelState& state, Ac
             return state.charts_open;
         case Action::map:
             return view.settings.map;
+        case Action::reality:
+            return view.settings.reality;
         default:
             return std::nullopt;
     }
@@ -430,6 +433,14 @@ bool has_hidden_brain(const Scene& scene) {
     return std::any_of(scene.kinds.begin(), scene.kinds.end(), [](const Kind& kind) { return kind.hidden; });
 }
 
+std::string_view why_no_robots(const LabView& view, const PanelState& state) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return why_not_with_vehicle(view, state, Action::reality);
+    if (view.mode == Mode::wiring) return "unavailable.scene_only";
+    const bool is_free = vehicle->driver == Driver::brain && may_show_future(view) && !hides_outcome(view);
+    return is_free ? "" : "unavailable.reality";
+}
+
 std::string_view why_no_robot(const LabView& view, const PanelState& state) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle) return why_not_with_vehicle(view, state, Action::export_robot);
@@ -504,6 +515,8 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
             return why_no_slots(view);
         case Action::compare:
             return why_no_comparison(view);
+        case Action::reality:
+            return view.settings.reality ? "" : why_no_robots(view, state);
         case Action::charts:
             return view.mode == Mode::wiring ? "unavailable.scene_only" : "";
         case Action::larger:

@@ -29,7 +29,20 @@
 namespace braitenlab::ui {
 
 // The cards of the window. cards.cpp has one row of traits for each.
-enum class Card { exercise, scene, values, map, slots, sensors, object, brain, information, charts, inspector };
+enum class Card {
+    exercise,
+    scene,
+    values,
+    map,
+    reality,
+    slots,
+    sensors,
+    object,
+    brain,
+    information,
+    charts,
+    inspector
+};
 inline constexpr std::size_t card_count = 11;
 
 // Every card in its initial state.
@@ -87,6 +100,11 @@ struct MapState {
     std::optional<insight::MapPlace> hovered{};  // under the pointer in this frame
 };
 
+// The card of the trial with real robots.
+struct RealityState {
+    std::optional<int> hovered{};  // robot under the pointer in this frame
+};
+
 // Handing in an exercise; see exercise_files.cpp.
 struct HandInState {
     TextField name;       // the student's, typed where the view has none
@@ -117,6 +135,7 @@ struct PanelState {
     bool stick_held = false;
     ValuesState values;
     MapState map;
+    RealityState reality;
     HandInState hand_in;
     std::string sensor;  // name of the sensor that the card shows; the first if there is none of this name
     bool sensor_channel_open = false;  // the list of channels is unfolded

@@ -37,6 +37,7 @@ void scene_card(const LabView&, PanelState&, Ui&, Rect);
 void values_card(const LabView&, PanelState&, Ui&, Rect);  // arena, kinds and their values
 void start_row(const LabView&, PanelState&, Ui&);  // the seed, and buttons that reset the run; in values_card.cpp
 void map_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // precondition: view.settings.map
+void reality_card(const LabView&, PanelState&, Ui&, Rect);           // precondition: view.settings.reality
 void follow_map(const LabView&, PanelState&);              // call once a frame, before the cards; map_card.cpp
 void slots_card(const LabView&, PanelState&, Ui&, Rect);   // slots A and B and the numbers of their runs
 void object_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.settings.selection.object

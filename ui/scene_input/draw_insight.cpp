@@ -95,6 +95,37 @@ void draw_map_path(const SceneInputFrame& frame, const Ui& ui, const MapView& ma
              {colour.r, colour.g, colour.b, 1});
 }
 
+std::vector<vec2> points_of(const std::vector<Pose>& path) {
+    std::vector<vec2> points;
+    for (const Pose& pose : path) points.push_back({pose.x, pose.y});
+    return points;
+}
+
+// The paths of all robots; thicker those of the weakest one and of the one under the pointer, which has its name.
+void draw_robots(const SceneInputFrame& frame, const Ui& ui, const RobotsView& shown) {
+    const insight::RobotsReport& report = *shown.report;
+    const Palette& p = ui.palette;
+    const auto tone = [&](const insight::RobotResult& robot) { return robot.works ? p.accent : p.warning; };
+    const auto is_shown = [&](int index) {
+        return !shown.replayed || *shown.replayed == every_robot || *shown.replayed == index;
+    };
+    for (int i = 0; i < static_cast<int>(report.robots.size()); ++i) {
+        const insight::RobotResult& robot = report.robots[static_cast<std::size_t>(i)];
+        if (!is_shown(i)) continue;
+        const bool chosen = shown.replayed && *shown.replayed == i;
+        draw_floor_line(frame, ui, points_of(robot.path), tone(robot).with_alpha(chosen ? 0.9f : 0.35f),
+                        chosen ? 2.0f : 1.25f);
+    }
+    const int named = shown.hovered.value_or(shown.replayed ? every_robot : report.weakest);
+    if (named < 0 || named >= static_cast<int>(report.robots.size())) return;
+    const insight::RobotResult& robot = report.robots[static_cast<std::size_t>(named)];
+    const std::vector<vec2> points = points_of(robot.path);
+    if (points.empty()) return;
+    draw_floor_line(frame, ui, points, tone(robot), 2.5f);
+    const std::string_view words = ui.strings(named == report.weakest ? "reality.weakest_robot" : "reality.robot");
+    name_end(frame, ui, points, fill(words, {std::to_string(named + 1)}), tone(robot));
+}
+
 // The ghost covers the vehicle that it is compared with; it is drawn once the two runs differ.
 bool is_beside(const LabView& view, const Pose& ghost) {
     constexpr float least = 0.15f;  // m
@@ -139,6 +170,7 @@ void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
         draw_ghost(frame, ui, *view.last_run,
                    {ui.palette.second_text, ui.palette.line, ui.strings("scene_input.last_run"), "stage.last_run"});
     draw_slots(frame, ui, view.slots);
+    if (view.robots && view.robots->report) return draw_robots(frame, ui, *view.robots);
     if (view.map && view.map->hovered && view.map->path) return draw_map_path(frame, ui, *view.map);
     if (view.prediction && view.prediction->tick <= view.now->tick) draw_prediction(frame, ui, *view.prediction);
 }
