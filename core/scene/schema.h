@@ -63,8 +63,8 @@ inline constexpr Range canvas_range{-limits::place, limits::place};
 
 template <class Visitor>
 void describe(Visitor& v, Of<Arena>) {
-    v.number("width", &Arena::width, "m", {2, 2000}, "along x");
-    v.number("height", &Arena::height, "m", {2, 2000}, "along y");
+    v.number("width", &Arena::width, "m", {0.5, 2000}, "along x");
+    v.number("height", &Arena::height, "m", {0.5, 2000}, "along y");
     v.word("edge", &Arena::edge, "what bounds the arena");
     v.flag("round", &Arena::round, "an ellipse instead of a rectangle; not for a torus");
     v.number("friction", &Arena::friction, "N·s/m per m²", {0, 1000}, "rolling drag per contact area of a wheel");

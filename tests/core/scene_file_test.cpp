@@ -241,7 +241,7 @@ TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfError) {
         {"format = 1\n[kind.k]\nrole = \"xxxxxxxx\"\n", {"test.toml:3: ", "known are 'none', 'predator', 'prey'"}},
         {"format = 1\n[arena]\nwidth = \"20\"\n", {"test.toml:3: ", "'width' should be a number, not text"}},
         {"format = 1\n[ecology]\npopulation = 1.5\n", {"test.toml:3: ", "a whole number"}},
-        {"format = 1\n[arena]\nwidth = 1\n", {"test.toml:3: ", "'width' is 1, outside 2 .. 2000"}},
+        {"format = 1\n[arena]\nwidth = 0.4\n", {"test.toml:3: ", "'width' is 0.4, outside 0.5 .. 2000"}},
         {"format = 1\n[arena]\nwidth = nan\n", {"test.toml:3: ", "'width' is nan, outside"}},
         {"format = 1\n[arena]\nwidth = 1e300\n", {"test.toml:3: ", "outside"}},
         {"format = 1\n[kind.k.brain]\n\nLL = -2.5\n", {"test.toml:4: ", "'LL' is -2.5, outside -2 .. 2"}},

@@ -9,10 +9,14 @@ namespace {
 
 struct Figures {
     const char* file;
-    const char* target;
-    float top_speed, track;  // m/s, m
+    const char *target, *robot;  // of the export
+    float top_speed, track;      // m/s, m
 };
-constexpr Figures robots_of_scenes[] = {{"tt2wd-ldr", "arduino", 0.60f, 0.130f}, {"thymio2", "thymio", 0.17f, 0.0936f}};
+// The published figures; their sources are in the scenes.
+constexpr Figures robots_of_scenes[] = {{"tt2wd-ldr", "arduino", "tt2wd-ldr", 0.60f, 0.130f},
+                                        {"thymio2", "thymio", "thymio2", 0.17f, 0.0936f},
+                                        {"e-puck2", "c", "any", 0.154f, 0.052f},
+                                        {"romi", "c", "any", 0.55f, 0.141f}};
 
 Scene scene_of(const Figures& figures) {
     auto scene = load_scene(fs::path(BRAITENLAB_SOURCE) / "exercises/robots" / (std::string(figures.file) + ".toml"));
@@ -73,10 +77,61 @@ TEST(RobotScenes, HaveABrainThatTheirRobotHolds) {
         for (const auto& target : robots::target_table) {
             if (target.word != figures.target) continue;
             const robots::Robot& robot = *robots::find_robot(target.robot);
-            EXPECT_EQ(robot.name, figures.file);
+            EXPECT_EQ(robot.name, figures.robot);
             EXPECT_TRUE(robots::export_brain({"", scene.kinds[0].brain, scene.kinds[0].sensors}, target.value, robot));
         }
     }
+}
+
+// What the left sensor of a robot reads of a wall or a lamp at this distance (m) on its axis.
+float reading_at(const Figures& figures, float distance) {
+    Scene scene = ideal(figures);
+    Kind& kind = scene.kinds[0];
+    kind.sensors.resize(1);
+    Sensor& sensor = kind.sensors[0];
+    sensor.x = sensor.y = sensor.angle = 0, sensor.noise = sensor.latency = sensor.gain_spread = 0;
+    const bool sees_walls = sensor.channel == Channel::obstacle;
+    if (sees_walls) sensor.x = kind.body.length / 2;  // outside the hull
+    for (Wire& wire : kind.brain.wires) wire.weight = 0;
+    Start& start = scene.starts[0];
+    start.x = start.y = start.heading = 0, start.facing.clear(), start.heading_spread = 0;
+    const float from = sensor.x;
+    scene.sources.clear();
+    if (sees_walls)
+        scene.obstacles.push_back({.name = "wall", .x = from + distance + 0.5f, .length = 1, .width = 4});
+    else
+        scene.sources.push_back({.name = "lamp", .x = distance});
+    const auto world = World::create(scene, 1);
+    EXPECT_TRUE(world) << world.error().text();
+    Snapshot now;
+    world->capture(now);
+    return now.sensed[static_cast<std::size_t>(now.vehicles[0].first_sensed)];
+}
+
+TEST(RobotScenes, ReadWhatWebotsPublishesOfAnEPuck) {
+    // The lookup table of the distance sensors of Webots' e-puck: raw values of 4095.
+    constexpr std::pair<float, float> table[] = {{0.005f, 2133}, {0.01f, 1466}, {0.02f, 384}, {0.03f, 235},
+                                                 {0.04f, 158},   {0.05f, 120},  {0.06f, 104}};
+    for (const auto& [distance, raw] : table)
+        EXPECT_NEAR(reading_at(robots_of_scenes[2], distance), raw / 4095, 0.01f) << distance;
+    EXPECT_EQ(reading_at(robots_of_scenes[2], 0.075f), 0);
+}
+
+TEST(RobotScenes, ReadWhatEnkiPublishesOfAThymio) {
+    for (const float cm : {2.0f, 4.0f, 6.0f, 8.0f}) {
+        const float raw = 4505 * 73 / (cm * cm - 0.06f * cm + 73);
+        EXPECT_NEAR(reading_at(robots_of_scenes[1], cm / 100), std::min(1.0f, (raw - 1000) / 3308), 0.08f) << cm;
+    }
+}
+
+TEST(RobotScenes, ReadAPhotoresistorsDividerOfExponentSevenTenths) {
+    // E = 84 cd/d²; a GL5528 of 15 kΩ at 10 lx over 1.5 kΩ: 1/(1 + (R10/Rf)·(E/10 lx)^−0.7), half scale at 268 lx.
+    for (const std::size_t robot : {0u, 3u})
+        for (const float distance : {0.3f, 0.56f, 1.0f, 2.0f}) {
+            const float lux = 84 / (distance * distance);
+            EXPECT_NEAR(reading_at(robots_of_scenes[robot], distance), 1 / (1 + 10 * std::pow(lux / 10, -0.7f)), 0.01f)
+                << robots_of_scenes[robot].file << " " << distance;
+        }
 }
 
 TEST(RobotScenes, ComeToTheTorchAndKeepOffTheBoxes) {
