@@ -118,9 +118,9 @@ TEST(RobotScenes, ReadWhatWebotsPublishesOfAnEPuck) {
 }
 
 TEST(RobotScenes, ReadWhatEnkiPublishesOfAThymio) {
-    for (const float cm : {2.0f, 4.0f, 6.0f, 8.0f}) {
-        const float raw = 4505 * 73 / (cm * cm - 0.06f * cm + 73);
-        EXPECT_NEAR(reading_at(robots_of_scenes[1], cm / 100), std::min(1.0f, (raw - 1000) / 3308), 0.08f) << cm;
+    for (const float cm : {2.0f, 4.0f, 8.0f, 12.0f, 14.5f}) {
+        const float raw = cm > 14 ? 1000 : 4505 * 73 / (cm * cm - 0.06f * cm + 73);
+        EXPECT_NEAR(reading_at(robots_of_scenes[1], cm / 100), std::min(1.0f, (raw - 1000) / 3308), 0.005f) << cm;
     }
 }
 
