@@ -58,7 +58,7 @@ TEST_F(RealityCard, TellsTheShareAndNamesTheWeakest) {
 
 TEST_F(RealityCard, HasADotForEachRobotFromTheBestToTheWeakest) {
     tried();
-    for (int i = 1; i <= 10; ++i) EXPECT_TRUE(desk.is_there("reality.robot." + std::to_string(i))) << i;
+    for (int i = 1; i <= 10; ++i) EXPECT_TRUE(desk.anchors.find("reality.robot." + std::to_string(i))) << i;
     EXPECT_GT(desk.where("reality.robot.7").x, desk.where("reality.robot.10").x);
     desk.point("reality.robot.3");
     desk.frame(2);
