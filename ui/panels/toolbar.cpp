@@ -50,7 +50,7 @@ std::vector<Tool> tools(const LabView& view, const PanelState& state) {
     return all;
 }
 
-ButtonLook look_of(const Ui& ui, const Tool& tool, int narrowness) {
+ButtonLook tool_look(const Ui& ui, const Tool& tool, int narrowness) {
     const bool is_play = tool.action == Action::play_pause;
     ButtonLook look;
     look.icon = tool.icon;
@@ -68,14 +68,14 @@ float width_of_status(int narrowness) { return narrowness < compact_step ? statu
 float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
     float width = 2 * ui.px(toolbar_margin);
     for (const Tool& tool : all)
-        width += button_width(ui, look_of(ui, tool, narrowness)) +
+        width += button_width(ui, tool_look(ui, tool, narrowness)) +
                  ui.px(tool.first_of_group ? toolbar_group_gap : between_buttons);
     return width + ui.px(toolbar_group_gap + 2 * 34 + speed_width + 2 * between_buttons + toolbar_group_gap +
                          width_of_status(narrowness));
 }
 
 void tool_button(const LabView& view, PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
-    const Item at = button(ui, tool.anchor, look_of(ui, tool, narrowness));
+    const Item at = button(ui, tool.anchor, tool_look(ui, tool, narrowness));
     if (at.pressed) state.chosen.push_back(tool.action);
     if (!wants_tooltip(ui, at)) return;
     // "tooltip.play_pause" and so on
@@ -179,7 +179,7 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
         if (tool.first_of_group) next_group();
         ImGui::SetCursorScreenPos({x, y});
         tool_button(view, state, ui, tool, narrowness);
-        x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(between_buttons);
+        x += button_width(ui, tool_look(ui, tool, narrowness)) + ui.px(between_buttons);
     }
     const float status = width_of_status(narrowness);
     status_pill(view, ui, bar.x + bar.w - ui.px(toolbar_margin + status), status, bar);
