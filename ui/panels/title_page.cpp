@@ -16,7 +16,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float title_inset = 72, narrow_title_inset = 40, narrow_title_window = 1200;  // layout pixels
-constexpr float words_width = 400, below_name = 6, above_button = 28, begin_width = 150;
+constexpr float title_words_width = 400, below_name = 6, above_button = 28, begin_width = 150;
 
 // The colour of the surroundings, nearly opaque at the left edge, so that the words are legible over any scene.
 void shade_words(const Ui& ui, Rect window, float until) {
@@ -39,7 +39,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
     const float inset = ui.px(window.w < ui.px(narrow_title_window) ? narrow_title_inset : title_inset);
-    const float width = std::min(ui.px(words_width), window.w - 2 * inset), x = window.x + inset;
+    const float width = std::min(ui.px(title_words_width), window.w - 2 * inset), x = window.x + inset;
     shade_words(ui, window, std::min(window.x + window.w, x + width + 2.5f * inset));
     const auto lines = lines_of_words(ui, ui.strings("title.sentence"), Face::title, width);
     const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
