@@ -108,6 +108,7 @@ bool App::turn() {
         return false;
     }
     if (lab_.screenshot) take_screenshot();
+    follow_take_away();
     facts_.frame_ms = seconds_since(turn_began) * 1000;
     if (!repeatable()) window_.show();
     write_reports();
@@ -235,7 +236,7 @@ bool App::moves() const {
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
     const bool predicts = lab_.predictions.job || lab_.predictions.job_before;
     return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.robots) ||
-           is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ ||
+           is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ || clip_ ||
            (lesson && lesson->grading) || !lab_.files.empty();
 }
 

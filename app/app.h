@@ -127,6 +127,13 @@ private:
     SceneLook scene_look(int width, int height) const;
     // The characters of labels in such a picture.
     render::Lettering lettering_of(const SceneLook&) const;
+    // Executes the request of the sheet for pictures and clips, and works on the clip.
+    void follow_take_away();
+    std::optional<Error> take(const TakeAway&, const std::filesystem::path&);
+    std::optional<Error> write_scene(const std::filesystem::path&, int width, int height);
+    // Draws the whole window anew at another size, with the sheet closed.
+    std::optional<Error> write_window(const std::filesystem::path&, int width, int height);
+    std::optional<Error> begin_clip(const TakeAway&, const std::filesystem::path&);
     // Writes the clip of the command line.
     std::optional<Error> write_clip(const Options&);
 
@@ -161,6 +168,8 @@ private:
     Clock::time_point shaders_checked_ = Clock::now();
     Gallery gallery_;
     bool makes_pictures_ = false;  // of the gallery, in the last frame
+    std::optional<Clip> clip_;     // being written
+    float magnified_ = 1;          // factor on the scale, while the window is drawn at another size
     std::optional<Lab> title_;     // the scene behind the title page, while it is shown
     QualityChoice quality_;        // with --quality auto
     std::string quality_of_;       // name of the document that it was measured for

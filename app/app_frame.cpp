@@ -57,7 +57,9 @@ std::string typed_text(const ui::PanelState& panels) {
 
 float App::preferred_scale() const {
     const float type = lab_.preferences.type_size;
-    return options_.scale ? *options_.scale * type / settings_.at_start.type_size : window_.content_scale() * type;
+    const float scale =
+        options_.scale ? *options_.scale * type / settings_.at_start.type_size : window_.content_scale() * type;
+    return magnified_ * scale;
 }
 
 float App::wanted_scale() const {
@@ -115,6 +117,8 @@ void App::frame(float passed) {
     view.version = version_text();
     view.uploads = is_on_page();
     view.touch = window_.is_touched();
+    view.has_ffmpeg = can_write(ClipFormat::mp4);
+    if (clip_) view.clip_progress = clip_->progress();
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     make_pictures();
     view.pictures = &gallery_.pictures();

@@ -42,7 +42,85 @@ void App::take_screenshot() {
 SceneLook App::scene_look(int width, int height) const {
     SceneLook look{scene_picture(hidden_brains(view_of(lab_))), viewport_.framed};
     look.picture.pixel_scale = pixel_scale_of(width, height);
+    look.picture.quality = options_.quality.value_or(Quality::high);
     return look;
+}
+
+void App::follow_take_away() {
+    constexpr std::chrono::milliseconds part_of_a_frame{60};
+    if (std::exchange(lab_.cancels_clip, false)) clip_.reset();
+    if (const auto wanted = std::exchange(lab_.take_away, std::nullopt)) {
+        std::error_code none;  // writing reports it
+        std::filesystem::create_directories(folders_.pictures, none);
+        const auto path = next_screenshot_name(folders_.pictures, row_of(wanted->kind).extension);
+        if (const auto error = take(*wanted, path)) return show_error(*error);
+        if (!row_of(wanted->kind).is_clip) say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
+    }
+    if (!clip_ || !clip_->work(part_of_a_frame)) return;
+    if (clip_->error())
+        show_error(*clip_->error());
+    else
+        say(lab_, {NoticeKind::done, "notice.clip", clip_->plan().file.string()});
+    clip_.reset();
+}
+
+std::optional<Error> App::take(const TakeAway& wanted, const std::filesystem::path& path) {
+    const int width = wanted.width > 0 ? wanted.width : window_.framebuffer_width();
+    const int height = wanted.height > 0 ? wanted.height : window_.framebuffer_height();
+    if (row_of(wanted.kind).is_clip) return begin_clip(wanted, path);
+    return wanted.kind == TakeKind::window ? write_window(path, width, height) : write_scene(path, width, height);
+}
+
+namespace {
+
+Error too_large(const std::filesystem::path& path) {
+    const int most = render::Offscreen::largest();
+    return error_of(message_of("picture_too_large", most, most), path.string());
+}
+
+}  // namespace
+
+std::optional<Error> App::write_scene(const std::filesystem::path& path, int width, int height) {
+    render::Offscreen canvas(width, height);
+    if (!canvas.ready()) return too_large(path);
+    SceneLook look = scene_look(width, height);
+    const Snapshot& now = shown_snapshot(lab_);
+    look.picture.camera_view = view_of_look(look, now, width, height, viewport_.framed);
+    renderer_.use_lettering(lettering_of(look));
+    canvas.bind();
+    renderer_.draw(now, look.picture);
+    canvas.release();
+    load_label_font();
+    return write_png(path, width, height, canvas.pixels());
+}
+
+std::optional<Error> App::write_window(const std::filesystem::path& path, int width, int height) {
+    render::Offscreen canvas(width, height);
+    if (!canvas.ready()) return too_large(path);
+    const ui::PanelState panels = panels_;
+    const ViewportState viewport = viewport_;
+    panels_.sheet = ui::Sheet::none;
+    magnified_ = std::min(static_cast<float>(width) / window_.area().w, static_cast<float>(height) / window_.area().h);
+    window_.redirect(Window::Canvas{canvas.framebuffer(), width, height});
+    for (int i = 0; i < 3; ++i) frame(0);  // the first ones measure the cards
+    const auto rgb = canvas.pixels();
+    window_.redirect(std::nullopt);
+    magnified_ = 1;
+    panels_ = panels, viewport_ = viewport;
+    return write_png(path, width, height, rgb);
+}
+
+std::optional<Error> App::begin_clip(const TakeAway& wanted, const std::filesystem::path& path) {
+    const auto format = clip_format_of(path);
+    const auto data = data_folder();
+    if (!format || !data) return format ? data.error() : format.error();
+    const SceneLook look = scene_look(wanted.width, wanted.height);
+    auto clip = Clip::begin(lab_.document.session.recording(), look,
+                            {path, *format, wanted.from, wanted.to, wanted.width, wanted.height}, *data / "shaders",
+                            lettering_of(look));
+    if (!clip) return clip.error();
+    clip_.emplace(std::move(*clip));
+    return std::nullopt;
 }
 
 render::Lettering App::lettering_of(const SceneLook& look) const {

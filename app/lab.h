@@ -76,6 +76,8 @@ struct Lab {
     // Requests that the window executes and clears.
     std::string to_copy{};  // text for the clipboard
     bool exit = false, screenshot = false, full_screen = false;
+    std::optional<TakeAway> take_away{};  // a picture or a clip
+    bool cancels_clip = false;
     bool begins = false;                         // leaves the title page
     bool uploads = false;                        // the user chooses files of the computer
     std::vector<Request> files{};                // to open, to save, to export, to list a folder

@@ -550,6 +550,8 @@ void handle(Lab& lab, const Request& request) {
                      [&](const WriteFilesRequest& r) { lab.files.push_back(r); },
                      [&](const HandInRequest& r) { lab.reports.push_back(r); },
                      [&](const LabRecordRequest& r) { lab.reports.push_back(r); },
+                     [&](const TakeAwayRequest& r) { lab.take_away = r.what; },
+                     [&](const CancelClipRequest&) { lab.cancels_clip = true; },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());
                      }},

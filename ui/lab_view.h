@@ -273,6 +273,8 @@ struct LabView {
     const LectureView* pages = nullptr;                     // the open lecture; null: none. With one, `lecture` is true
     const LectureView* left_pages = nullptr;                // the lecture that was left last; null: none
     const std::vector<CatalogueEntry>* lectures = nullptr;  // that ship; null: none
+    bool has_ffmpeg = false;                                // clips can be MP4 and WebM
+    std::optional<float> clip_progress;                     // 0..1, of the clip that is being written; nullopt: none is
     bool uploads = false;                                   // in a browser: files of the computer come by upload
     const RecoveryOffer* recovery = nullptr;                // null: nothing to recover
     std::string_view version;                               // of the program: "0.1.0"

@@ -15,6 +15,7 @@
 #include "render/view/pick.h"
 #include "render/view/view_settings.h"
 #include "ui/files.h"
+#include "ui/take_away.h"
 
 namespace braitenlab::robots {
 struct ExportedFile;  // core/export/export.h
@@ -106,6 +107,7 @@ enum class Action {
     save_exercise,  // opens the sheet of the author
     export_csv,     // the chart that the chart card shows
     export_robot,   // opens the sheet that exports the selected vehicle's brain to a robot
+    take_away,      // opens the sheet for pictures and clips
     about,
     glossary,
     draw_marks,   // in a lecture: starts or ends drawing with the mouse
@@ -276,6 +278,10 @@ struct RobotsRequest {               // of the trial with real robots; nullopt: 
     std::optional<std::optional<int>> replays{};
 };
 inline constexpr int every_robot = -1;
+struct TakeAwayRequest {  // writes a new picture or clip to the folder of pictures
+    TakeAway what;
+};
+struct CancelClipRequest {};  // ends the clip that is being written; there is no file then
 struct SpeedRequest {
     float time_scale = 1;
 };
@@ -352,7 +358,7 @@ using Request =
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
                  LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest,
-                 WriteFilesRequest, RobotsRequest>;
+                 WriteFilesRequest, RobotsRequest, TakeAwayRequest, CancelClipRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

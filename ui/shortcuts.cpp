@@ -243,6 +243,7 @@ constexpr NamedAction action_names[]{
     {Action::save_exercise, "save_exercise"},
     {Action::export_csv, "export_csv"},
     {Action::export_robot, "export_robot"},
+    {Action::take_away, "take_away"},
     {Action::about, "about"},
     {Action::glossary, "glossary"},
     {Action::draw_marks, "draw_marks"},

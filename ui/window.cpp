@@ -257,6 +257,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     student_sheet(view, state, ui, layout.window);
     study_sheet(view, state, ui, layout.window);
     mystery_sheet(view, state, ui, layout.window);
+    take_away_sheet(view, state, ui, layout.window);
     glossary_sheet(view, state, ui, layout.window);
     term_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);

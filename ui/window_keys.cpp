@@ -120,6 +120,7 @@ bool scrolls_sheet(PanelState& state, KeyPress press) {
                         : state.sheet == Sheet::students ? state.students
                         : state.sheet == Sheet::study    ? state.study
                         : state.sheet == Sheet::mystery  ? state.mystery
+                        : state.sheet == Sheet::take     ? state.take.sheet
                                                          : state.settings;
     const float pages = press.key == key::page_down       ? 1
                         : press.key == key::page_up       ? -1
@@ -284,6 +285,8 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
         state.sheet = Sheet::study;
     else if (action == Action::mystery)
         state.sheet = Sheet::mystery;
+    else if (action == Action::take_away)
+        state.sheet = Sheet::take;
     else if (action == Action::about)
         state.sheet = Sheet::about;
     else if (action == Action::charts)

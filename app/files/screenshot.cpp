@@ -19,10 +19,10 @@ std::optional<Error> write_png(const std::filesystem::path& path, int width, int
     return writer.commit();
 }
 
-std::filesystem::path next_screenshot_name(const std::filesystem::path& folder) {
+std::filesystem::path next_screenshot_name(const std::filesystem::path& folder, std::string_view extension) {
     std::error_code none;
     for (int i = 1;; ++i) {
-        auto path = folder / fmt::format("braitenlab-{:03}.png", i);
+        auto path = folder / fmt::format("braitenlab-{:03}{}", i, extension);
         if (!std::filesystem::exists(path, none)) return path;
     }
 }

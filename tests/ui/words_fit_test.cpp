@@ -195,6 +195,14 @@ std::vector<Screen> screens() {
                  studies.front(), *read_text(folder / "scenes" / "2b-aggressor.toml"), "scene");
              d.panels.sheet = Sheet::study;
          }},
+        {"a picture to save", [](Desk& d) { d.panels.sheet = Sheet::take; }},
+        {"a clip to save",
+         [](Desk& d) {
+             d.panels.sheet = Sheet::take, d.panels.take.page = TakePage::clip, d.view.timeline.latest = 900;
+         }},
+        {"no clip to save",
+         [](Desk& d) { d.panels.sheet = Sheet::take, d.panels.take.page = TakePage::clip, d.view.timeline = {}; }},
+        {"a clip that is written", [](Desk& d) { d.panels.sheet = Sheet::take, d.view.clip_progress = 0.99f; }},
         {"exercise, not from every start",
          [](Desk& d) {
              late_in_lesson(d);

@@ -48,6 +48,7 @@ constexpr MenuPlace menu_places[]{
     {"file", Action::copy_link, true},
     {"file", Action::export_robot},
     {"file", Action::export_csv},
+    {"file", Action::take_away},
     {"file", Action::screenshot},
     {"file", Action::exit, true},
 

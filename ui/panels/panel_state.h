@@ -66,7 +66,8 @@ enum class Sheet {
     students,
     study,
     mystery,
-    robot
+    robot,
+    take
 };
 
 // State that a lecture changes and restores at its end.
@@ -88,6 +89,19 @@ struct ValuesState {
     VehicleId followed = no_vehicle;  // the kind is that of this selected vehicle until another is selected or chosen
     TextField seed;
     bool body_open = false, realism_open = false, memory_open = false, lamps_open = false, path_open = false;
+};
+
+// The sheet for pictures and clips.
+enum class TakePage { picture, clip };
+struct TakeAwayState {
+    SheetState sheet;
+    bool open = false;    // in the last frame
+    bool writes = false;  // a clip was being written in the last frame
+    TakePage page = TakePage::picture;
+    bool window = false;                          // a picture shows the window with its cards, not only the scene
+    std::size_t picture_size = 0, clip_size = 0;  // of those that the sheet lists
+    std::size_t format = 0;                       // of a clip, of those that can be written
+    float from = 0, to = 0;                       // s, of a clip
 };
 
 // The card of the map of behaviour.
@@ -157,6 +171,7 @@ struct PanelState {
     TextField note;
     Sheet sheet = Sheet::none;
     SheetState keys, settings, about, recovery, leaving, children, students, study, mystery;
+    TakeAwayState take;
     int study_shown = 0;            // StudyView::shown at the last frame
     std::size_t study_measure = 0;  // in Study::measures, shown on the sheet of the study
     GlossaryState glossary;

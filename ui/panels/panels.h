@@ -85,8 +85,9 @@ void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version,
 void children_sheet(const LabView&, PanelState&, Ui&, Rect window);  // children of a brain, of which one is chosen
 void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the students of this computer
 
-void mystery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // a hidden brain and the score of a rebuilt one
-void study_sheet(const LabView&, PanelState&, Ui&, Rect window);    // runs of a study, as dots and boxes
+void mystery_sheet(const LabView&, PanelState&, Ui&, Rect window);    // a hidden brain and the score of a rebuilt one
+void study_sheet(const LabView&, PanelState&, Ui&, Rect window);      // runs of a study, as dots and boxes
+void take_away_sheet(const LabView&, PanelState&, Ui&, Rect window);  // pictures and clips as files
 
 // unsaved_sheets.cpp
 // "today at 14:05" for the time `when`, "2026-03-01 14:05:12", on the day `today`, "2026-03-01".

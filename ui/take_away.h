@@ -1,0 +1,33 @@
+// What a person takes away as a file: a picture of the present moment, or a clip of recorded time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace braitenlab {
+
+enum class TakeKind { scene, window, gif, mp4, webm };
+
+struct TakeKindTraits {
+    TakeKind value;
+    std::string_view extension;  // of the file, with its dot
+    bool is_clip, by_ffmpeg;
+};
+inline constexpr std::array<TakeKindTraits, 5> take_kinds{{
+    {TakeKind::scene, ".png", false, false},
+    {TakeKind::window, ".png", false, false},
+    {TakeKind::gif, ".gif", true, false},
+    {TakeKind::mp4, ".mp4", true, true},
+    {TakeKind::webm, ".webm", true, true},
+}};
+constexpr const TakeKindTraits& row_of(TakeKind kind) { return take_kinds[static_cast<std::size_t>(kind)]; }
+
+struct TakeAway {
+    TakeKind kind = TakeKind::scene;
+    int width = 0, height = 0;       // px; 0: those of the window
+    std::uint64_t from = 0, to = 0;  // ticks of the run, of a clip
+    friend bool operator==(const TakeAway&, const TakeAway&) = default;
+};
+
+}  // namespace braitenlab
