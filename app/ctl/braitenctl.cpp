@@ -71,6 +71,54 @@ std::string measure_words() {
 
 constexpr const char* brain_file_help = "a brain, a scene, a saved run, or the name of a shipped scene or preset";
 
+CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
+    CLI::App* command = app.add_subcommand(
+        "robustness", "run robots whose parts differ, and print how many do what the ideal robot does");
+    command->add_option("FILE", tried.file, "a scene or an exercise, by path or bare name")->required();
+    command->add_option("--robots", tried.robots, "number of robots, 1 to 1000; default: 40");
+    command->add_option(
+        "--reality", tried.reality,
+        "factor on mismatch, gain spread, noise, latency, dead band and friction spread, 0 to 2; default: 1");
+    command->add_option("--seed", tried.seed,
+                        "seed of the start and of the first robot; default: 1, or "
+                        "that of the exercise");
+    command
+        ->add_option("--seconds", tried.seconds,
+                     "simulated time of each run; default: 20, or that of "
+                     "the exercise")
+        ->check(CLI::Range(1.0, 600.0));
+    command->add_option("--vehicle", tried.vehicle, "the robot, by its name; default: the first vehicle");
+    command->add_option("--brain", tried.brain, "of an exercise: this brain; default: its solution")->type_name("FILE");
+    command->add_option("--set", tried.settings, "one value of the scene, for every run")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--threads", tried.threads, "threads; without it, one per processor")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--json", tried.json, "print the robots as one JSON object");
+    command->add_option("--csv", tried.csv, "write a row per robot; -: to standard output")->type_name("FILE");
+    return command;
+}
+
+CLI::App* add_picture(CLI::App& app, PictureOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("picture", "draw the wiring of a brain, and the paths of a run, as SVG files");
+    command->add_option("SCENE", options.file, brain_file_help)->required();
+    command->add_option("--wiring", options.wiring, "write the wiring diagram of a brain")->type_name("FILE");
+    command->add_option("--paths", options.paths, "run the scene and write the paths of its vehicles")
+        ->type_name("FILE");
+    add_choice(*command, options.choice);
+    command->add_option("--seconds", options.seconds, "simulated time of the paths; default: 20")
+        ->check(CLI::Range(0.1, 600.0));
+    command->add_option("--seed", options.seed, "seed of the run; default: 1");
+    command->add_option("--set", options.settings, "one value of the scene, for the paths")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--lang", options.language, "language of the words; default: en")->type_name("CODE");
+    return command;
+}
+
 CLI::App* add_export(CLI::App& app, ExportOptions& options) {
     CLI::App* command = app.add_subcommand("export", "write a brain as a program for a robot");
     command->add_option("BRAIN", options.file, brain_file_help)->required();
@@ -252,33 +300,9 @@ int command_line(int argc, char** argv) {
     map_command->add_option("--png", mapped.png, "write a picture")->type_name("FILE");
 
     RobustnessOptions tried;
-    CLI::App* robustness_command = app.add_subcommand(
-        "robustness", "run robots whose parts differ, and print how many do what the ideal robot does");
-    robustness_command->add_option("FILE", tried.file, "a scene or an exercise, by path or bare name")->required();
-    robustness_command->add_option("--robots", tried.robots, "number of robots, 1 to 1000; default: 40");
-    robustness_command->add_option(
-        "--reality", tried.reality,
-        "factor on mismatch, gain spread, noise, latency, dead band and friction spread, 0 to 2; default: 1");
-    robustness_command->add_option("--seed", tried.seed,
-                                   "seed of the start and of the first robot; default: 1, or "
-                                   "that of the exercise");
-    robustness_command
-        ->add_option("--seconds", tried.seconds,
-                     "simulated time of each run; default: 20, or that of "
-                     "the exercise")
-        ->check(CLI::Range(1.0, 600.0));
-    robustness_command->add_option("--vehicle", tried.vehicle, "the robot, by its name; default: the first vehicle");
-    robustness_command->add_option("--brain", tried.brain, "of an exercise: this brain; default: its solution")
-        ->type_name("FILE");
-    robustness_command->add_option("--set", tried.settings, "one value of the scene, for every run")
-        ->type_name("PATH=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    robustness_command->add_option("--threads", tried.threads, "threads; without it, one per processor")
-        ->check(CLI::Range(1, 256));
-    robustness_command->add_flag("--json", tried.json, "print the robots as one JSON object");
-    robustness_command->add_option("--csv", tried.csv, "write a row per robot; -: to standard output")
-        ->type_name("FILE");
+    CLI::App* robustness_command = add_robustness(app, tried);
+    PictureOptions drawn;
+    CLI::App* picture_command = add_picture(app, drawn);
 
     std::string shown;
     CLI::App* show_command =
@@ -312,8 +336,8 @@ int command_line(int argc, char** argv) {
 
     std::vector<std::string_view> commands;
     for (const CLI::App* command :
-         {run_command, map_command, robustness_command, check_command, grade_command, show_command, hashes_command,
-          export_command, think_command, study_command, link_command, compare_command, mystery_command})
+         {run_command, map_command, robustness_command, picture_command, check_command, grade_command, show_command,
+          hashes_command, export_command, think_command, study_command, link_command, compare_command, mystery_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -325,6 +349,7 @@ int command_line(int argc, char** argv) {
     if (*run_command) return run(options);
     if (*map_command) return map(mapped);
     if (*robustness_command) return robustness(tried);
+    if (*picture_command) return picture(drawn);
     if (*grade_command && (!graded.html.empty() || is_class(graded.files))) return grade_class(graded);
     if (*grade_command) return grade_all(graded);
     if (*show_command) return show(shown);

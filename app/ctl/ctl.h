@@ -77,6 +77,18 @@ struct MysteryOptions {
 // Prints the score of core/insight/mystery.h.
 int mystery(const MysteryOptions&);
 
+struct PictureOptions {
+    std::string file;           // a scene; for the wiring alone also a brain or a saved run
+    std::string wiring, paths;  // SVG files; empty: not written
+    BrainChoice choice;         // of the brain
+    double seconds = 20;        // of the run whose paths are drawn
+    std::uint64_t seed = 1;
+    std::vector<std::string> settings;  // PATH=VALUE, for the paths
+    std::string language = "en";        // of the words in the drawings
+};
+// Writes the wiring diagram of a brain, and the paths of a run, as SVG files.
+int picture(const PictureOptions&);
+
 struct StudyOptions {
     std::string file;  // a study: path or bare name
     std::string csv;   // file of the table; "-": standard output; empty: none

@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 
 #include "app/reports/html.h"
+#include "app/reports/svg_file.h"
 #include "ui/number_text.h"
 
 namespace braitenlab {
 
 namespace {
 
-constexpr float wide = 360, node_radius = 15;
+constexpr float usual_width = 360, width_of_a_node = 90, node_radius = 15;
 constexpr std::size_t most_weights = 40;
 constexpr const char* plus_colour = "#0b6e4f";
 constexpr const char* minus_colour = "#b3261e";
@@ -48,16 +49,19 @@ std::map<NodeId, std::size_t> rows_of(const BrainGraph& brain) {
 
 class Drawing {
 public:
-    Drawing(const BrainGraph& brain, const std::vector<Sensor>& sensors, const Strings& strings)
+    // `fits`: the drawing becomes so wide that the weights of a row do not overlap.
+    Drawing(const BrainGraph& brain, const std::vector<Sensor>& sensors, const Strings& strings, bool fits = false)
         : brain_(brain), strings_(strings) {
         std::map<std::size_t, std::vector<const Node*>> by_row;
         for (const auto& [id, row] : rows_of(brain)) by_row[row].push_back(find_node(brain, id));
+        for (const auto& [row, nodes] : by_row)
+            if (fits) wide_ = std::max(wide_, width_of_a_node * static_cast<float>(nodes.size()));
         for (auto& [row, nodes] : by_row) {
             std::stable_sort(nodes.begin(), nodes.end(), [&](const Node* a, const Node* b) {
                 return left_to_right(*a, sensors) < left_to_right(*b, sensors);
             });
             for (std::size_t i = 0; i < nodes.size(); ++i)
-                places_[nodes[i]->id] = {wide * (static_cast<float>(i) + 0.5f) / static_cast<float>(nodes.size()),
+                places_[nodes[i]->id] = {wide_ * (static_cast<float>(i) + 0.5f) / static_cast<float>(nodes.size()),
                                          34 + row_height(by_row.size()) * static_cast<float>(rows_)};
             ++rows_;
         }
@@ -65,11 +69,21 @@ public:
     }
 
     std::string svg() const {
-        const float high = 34 + row_height(rows_) * static_cast<float>(std::max<std::size_t>(rows_, 1) - 1) + 62;
-        std::string out = fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" "
-            "width=\"{:.0f}\" height=\"{:.0f}\" font-size=\"12\">",
-            html::escaped(strings_("report.brain")), wide, high, wide, high);
+        return fmt::format(
+                   "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{0}\" "
+                   "viewBox=\"0 0 {1:.0f} {2:.0f}\" width=\"{1:.0f}\" height=\"{2:.0f}\" font-size=\"12\">",
+                   html::escaped(strings_("report.brain")), wide_, height()) +
+               content() + "</svg>";
+    }
+
+    float width() const { return wide_; }
+    float height() const {
+        return 34 + row_height(rows_) * static_cast<float>(std::max<std::size_t>(rows_, 1) - 1) + 62;
+    }
+
+    std::string content() const {
+        const float high = height();
+        std::string out;
         for (const Wire& wire : brain_.wires)
             if (is_drawn(wire)) out += wire_svg(wire);
         for (const Wire& wire : brain_.wires)
@@ -78,9 +92,8 @@ public:
             if (places_.count(node.id)) out += node_svg(node);
         return out +
                fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\" fill=\"#5a5a55\">▶ {} · ● {}</text>",
-                           wide / 2, high - 5, html::escaped(strings_("report.excites")),
-                           html::escaped(strings_("report.inhibits"))) +
-               "</svg>";
+                           wide_ / 2, high - 5, html::escaped(strings_("report.excites")),
+                           html::escaped(strings_("report.inhibits")));
     }
 
 private:
@@ -157,7 +170,7 @@ private:
         const maths::vec2 at = p.at(0.2f);
         const float towards = p.to.x - p.from.x;
         const bool is_slanted = std::fabs(towards) > 24;  // then it bends below the number: put that higher
-        const bool is_right = is_slanted ? towards > 0 : p.from.x > wide / 2;
+        const bool is_right = is_slanted ? towards > 0 : p.from.x > wide_ / 2;
         const float beside = is_slanted ? 9 : 6, below = is_slanted ? -2 : 4;
         std::string text = number(wire.weight);
         if (wire.threshold > 0) text += " θ " + number(wire.threshold);
@@ -196,6 +209,7 @@ private:
     const BrainGraph& brain_;
     const Strings& strings_;
     std::map<NodeId, maths::vec2> places_;
+    float wide_ = usual_width;
     std::size_t rows_ = 0, drawn_ = 0;
 };
 
@@ -203,6 +217,17 @@ private:
 
 std::string brain_drawing(const BrainGraph& brain, const std::vector<Sensor>& sensors, const Strings& strings) {
     return Drawing(brain, sensors, strings).svg();
+}
+
+std::string brain_file(const BrainGraph& brain, const std::vector<Sensor>& sensors, std::string_view heading,
+                       const Strings& strings) {
+    constexpr float margin = 20, heading_height = 40, scale = 1.5f;
+    const Drawing drawing(brain, sensors, strings, true);
+    const float width = scale * drawing.width() + 2 * margin;
+    return svg_file(
+        heading, width, heading_height + scale * drawing.height() + margin,
+        fmt::format("<g transform=\"translate({} {}) scale({})\" font-size=\"12\">", margin, heading_height, scale) +
+            drawing.content() + "</g>");
 }
 
 }  // namespace braitenlab

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/brain/graph.h"
 #include "core/scene/scene.h"
@@ -13,5 +15,8 @@ namespace braitenlab {
 // beside it, and at its end ▶ where it excites and ● where it inhibits; its width is |weight|. A cut wire is dashed, a
 // silenced node is crossed out. Wires of weight 0 that do not learn are left out. Above 40 wires there are no weights.
 std::string brain_drawing(const BrainGraph&, const std::vector<Sensor>&, const Strings&);
+
+// The same as the text of an SVG file, larger and with a heading.
+std::string brain_file(const BrainGraph&, const std::vector<Sensor>&, std::string_view heading, const Strings&);
 
 }  // namespace braitenlab

@@ -22,12 +22,15 @@ void RecordedRun::step() {
     world_.capture(snapshot_);
 }
 
-std::map<VehicleId, std::vector<maths::vec2>> recorded_paths(const Recording& recording, std::uint64_t from,
-                                                             std::uint64_t to, std::uint64_t stride) {
-    std::map<VehicleId, std::vector<maths::vec2>> paths;
+std::map<VehicleId, RecordedPath> recorded_paths(const Recording& recording, std::uint64_t from, std::uint64_t to,
+                                                 std::uint64_t stride) {
+    std::map<VehicleId, RecordedPath> paths;
     for (RecordedRun run(recording, from);; run.step()) {
         if (run.tick() % stride == 0 || run.tick() == to)
-            for (const VehicleView& v : run.snapshot().vehicles) paths[v.id].push_back({v.x, v.y});
+            for (const VehicleView& v : run.snapshot().vehicles) {
+                paths[v.id].places.push_back({v.x, v.y});
+                paths[v.id].last = v;
+            }
         if (run.tick() >= to) return paths;
     }
 }

@@ -31,9 +31,14 @@ private:
     Snapshot snapshot_;
 };
 
-// The places of each vehicle, m, one per `stride` ticks from tick `from` on, and that at tick `to`. Costs a step per
+struct RecordedPath {
+    std::vector<maths::vec2> places;  // m
+    VehicleView last;                 // when it was last there
+};
+
+// The path of each vehicle: a place per `stride` ticks from tick `from` on, and that at tick `to`. Costs a step per
 // tick from the keyframe before `from`.
-std::map<VehicleId, std::vector<maths::vec2>> recorded_paths(const Recording&, std::uint64_t from, std::uint64_t to,
-                                                             std::uint64_t stride);
+std::map<VehicleId, RecordedPath> recorded_paths(const Recording&, std::uint64_t from, std::uint64_t to,
+                                                 std::uint64_t stride);
 
 }  // namespace braitenlab

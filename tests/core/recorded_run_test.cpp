@@ -84,7 +84,8 @@ TEST(RecordedRun, GivesThePathOfEachVehicle) {
     }
     const auto paths = recorded_paths(session.recording(), 20, 125, 10);
     ASSERT_EQ(paths.size(), 3U);
-    const auto& path = paths.at(session.snapshot().vehicles[0].id);
+    const auto& path = paths.at(session.snapshot().vehicles[0].id).places;
+    EXPECT_EQ(paths.at(session.snapshot().vehicles[0].id).last.x, path.back().x);
     ASSERT_EQ(path.size(), first.size());
     for (std::size_t i = 0; i < path.size(); ++i) EXPECT_EQ(path[i].x, first[i].x);
 }

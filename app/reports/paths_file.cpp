@@ -1,0 +1,143 @@
+#include "app/reports/paths_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/reports/floor_drawing.h"
+#include "app/reports/html.h"
+#include "app/reports/svg_file.h"
+#include "core/maths/angle.h"
+#include "core/session/recorded_run.h"
+#include "ui/number_text.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float across = 800, margin = 24, above = 48, row = 22;  // px
+constexpr std::uint64_t stride = 6;                               // ticks
+constexpr std::size_t most_named = 8;                             // vehicles
+constexpr std::size_t most_points = 2000;                         // of a path
+
+// Of M. Okabe and K. Ito's colours, those that are dark enough on white, and more of other lightness.
+constexpr std::array<const char*, most_named> colours{"#0072b2", "#d55e00", "#007a5a", "#a3477f",
+                                                      "#4a4a46", "#8a6d00", "#5b3fa0", "#2f9ccc"};
+
+struct LegendRow {
+    std::string words;
+    const char* colour;
+};
+
+std::string name_of(const Scene& scene, const VehicleView& vehicle) {
+    if (vehicle.start >= 0) return scene.starts[static_cast<std::size_t>(vehicle.start)].name;
+    return fmt::format("{} {}", scene.kinds[static_cast<std::size_t>(vehicle.kind)].name, vehicle.id + 1);
+}
+
+std::string text(float x, float y, std::string_view words, std::string_view more = "") {
+    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\" fill=\"#1c1c1a\"{}>{}</text>\n", x, y, more,
+                       html::escaped(words));
+}
+
+std::string edge_svg(const Arena& arena, const FloorMap& map) {
+    const char* dashes = arena.edge == Boundary::torus ? " stroke-dasharray=\"8 5\"" : "";
+    const char* width = arena.edge == Boundary::wall ? "3" : "1";
+    if (arena.round)
+        return fmt::format(
+            "<ellipse cx=\"{0:.1f}\" cy=\"{1:.1f}\" rx=\"{0:.1f}\" ry=\"{1:.1f}\" fill=\"#fafaf8\" stroke=\"#7a5a40\" "
+            "stroke-width=\"{2}\"/>\n",
+            map.width / 2, map.height / 2, width);
+    return fmt::format(
+        "<rect width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#fafaf8\" stroke=\"#7a5a40\" stroke-width=\"{}\"{}/>\n",
+        map.width, map.height, width, dashes);
+}
+
+std::string path_svg(const RecordedPath& path, const Arena& arena, const FloorMap& map, const char* colour,
+                     std::string_view name) {
+    const maths::vec2 first = path.places.front();
+    const float x = map.x(path.last.x), y = map.y(path.last.y);
+    std::string out = fmt::format(
+        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n"
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"2\"/>\n"
+        "<path d=\"M10 0L-6 -6L-6 6Z\" transform=\"translate({:.1f} {:.1f}) rotate({:.0f})\" fill=\"{}\"/>\n",
+        path_data(path.places, arena, map, most_points), colour, map.x(first.x), map.y(first.y), colour, x, y,
+        -maths::degrees(path.last.heading), colour);
+    if (name.empty()) return out;
+    const bool is_right = x > map.width / 2;
+    return out + fmt::format(
+                     "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"{}\" fill=\"{}\" "
+                     "stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>\n",
+                     x + (is_right ? -13.0f : 13.0f), y + 17, is_right ? "end" : "start", colour, html::escaped(name));
+}
+
+// A length of 1, 2 or 5 times a power of ten, m, of about a fifth of the picture.
+float bar_length(const FloorMap& map) {
+    const float wanted = across / 5 / map.scale, power = std::pow(10.0f, std::floor(std::log10(wanted)));
+    const float share = wanted / power;
+    return power * (share >= 5 ? 5.0f : share >= 2 ? 2.0f : 1.0f);
+}
+
+std::string scale_bar(const FloorMap& map, float y, const Strings& strings) {
+    const float metres = bar_length(map), x = across - metres * map.scale;
+    const int decimals = metres < 1 ? (metres < 0.1f ? 2 : 1) : 0;
+    return fmt::format(
+               "<path d=\"M{0:.1f} {1:.1f}v10M{0:.1f} {2:.1f}H{3:.1f}M{3:.1f} {1:.1f}v10\" fill=\"none\" "
+               "stroke=\"#1c1c1a\" stroke-width=\"2\"/>\n",
+               x, y - 5, y, across) +
+           text((x + across) / 2, y + 20, ui::fixed(metres, decimals, decimal_mark(strings)) + " m",
+                " text-anchor=\"middle\"");
+}
+
+std::string legend_svg(const std::vector<LegendRow>& rows, float y) {
+    std::string out;
+    for (const LegendRow& each : rows) {
+        out += fmt::format("<path d=\"M0 {0:.1f}H30\" stroke=\"{1}\" stroke-width=\"3\"/>\n", y, each.colour) +
+               text(40, y + 5, each.words);
+        y += row;
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string paths_file(const Recording& recording, std::uint64_t from, std::uint64_t to, std::string_view title,
+                       const Strings& strings) {
+    const RecordedRun end(recording, to);
+    const Scene& scene = *end.snapshot().scene;
+    const auto paths = recorded_paths(recording, from, to, stride);
+    const FloorMap map(scene.arena, across);
+    const bool is_named = paths.size() <= most_named;
+    std::string drawn = edge_svg(scene.arena, map) + floor_svg(scene, map) + sources_svg(scene, map, true);
+    std::vector<LegendRow> legend;
+    std::map<int, std::size_t> of_kind;
+    for (const auto& [id, path] : paths) {
+        const auto kind = static_cast<std::size_t>(path.last.kind);
+        const std::size_t number = is_named ? legend.size() : kind;
+        const char* colour = colours[number % colours.size()];
+        const std::string name = is_named ? name_of(scene, path.last) : std::string();
+        drawn += path_svg(path, scene.arena, map, colour, name);
+        if (is_named)
+            legend.push_back({name, colour});
+        else
+            ++of_kind[path.last.kind];
+    }
+    for (const auto& [kind, count] : of_kind)
+        legend.push_back({fmt::format("{} ({})", scene.kinds[static_cast<std::size_t>(kind)].name, count),
+                          colours[static_cast<std::size_t>(kind) % colours.size()]});
+    const float below = map.height + 36;
+    const auto seconds = [&](std::uint64_t tick) {
+        return ui::fixed(static_cast<float>(tick) / 60, 1, decimal_mark(strings));
+    };
+    drawn += text(0, below, fill(strings("report.paths_time"), {seconds(from), seconds(to)})) +
+             legend_svg(legend, below + row) + scale_bar(map, below - 8, strings);
+    const float height = above + below + row * (static_cast<float>(legend.size()) + 1) + margin;
+    return svg_file(title, across + 2 * margin, height,
+                    fmt::format("<g transform=\"translate({} {})\">\n{}</g>", margin, above, drawn));
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,21 @@
+#include "app/reports/svg_file.h"
+
+#include <fmt/format.h>
+
+#include "app/reports/html.h"
+
+namespace braitenlab {
+
+std::string svg_file(std::string_view heading, float width, float height, std::string_view content) {
+    const std::string words = html::escaped(heading);
+    return fmt::format(
+               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+               "height=\"{1:.0f}\" font-family=\"Noto Sans, DejaVu Sans, sans-serif\">\n<title>{2}</title>\n"
+               "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n"
+               "<text x=\"20\" y=\"28\" font-size=\"18\" font-weight=\"bold\" fill=\"#1c1c1a\">{2}</text>\n",
+               width, height, words) +
+           std::string(content) + "\n</svg>\n";
+}
+
+}  // namespace braitenlab
