@@ -81,6 +81,23 @@ TEST(CtlRun, PrintsAHashThatDependsOnTheSeed) {
     EXPECT_NE(ctl("run predator-prey --seconds 5 --seed 2 --hash").out, a);
 }
 
+TEST(CtlPicture, WritesDrawingsAndRefusesWhatItCannotDraw) {
+    const std::string wiring = scratch("wiring.svg"), paths = scratch("paths.svg");
+    const Ran both = ctl("picture 3a-love --wiring " + wiring + " --paths " + paths + " --seconds 3 --lang es");
+    EXPECT_EQ(both.code, 0) << both.out;
+    EXPECT_NE(shell("cat " + wiring).out.find("kind lover"), std::string::npos);
+    EXPECT_NE(shell("cat " + paths).out.find("0,0 s a 3,0 s"), std::string::npos);
+    for (const std::string& file : {wiring, paths}) {
+        EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + file).code, 0) << file;
+        std::filesystem::remove(file);
+    }
+    EXPECT_EQ(ctl("picture 3a-love").code, 2) << "nothing to draw";
+    const Ran exercise = ctl("picture 05-aggressor --paths " + paths);
+    EXPECT_EQ(exercise.code, 2);
+    EXPECT_NE(exercise.out.find("takes a scene"), std::string::npos) << exercise.out;
+    EXPECT_FALSE(std::filesystem::exists(paths));
+}
+
 TEST(CtlHashes, NamesEachFileWhoseHashDiffers) {
     const std::filesystem::path file = scratch("hashes.json");
     ASSERT_EQ(ctl("hashes --seconds 0 > " + file.string()).code, 0);
