@@ -58,7 +58,7 @@ Result<Tried> tried_scene(const RobustnessOptions& options) {
     return Tried{scene->name, std::move(*scene), nullptr};
 }
 
-nlohmann::ordered_json rounded(float number) {
+nlohmann::ordered_json rounded_number(float number) {
     if (!std::isfinite(number)) return nullptr;
     return std::round(static_cast<double>(number) * 1e5) / 1e5;
 }
@@ -67,9 +67,9 @@ nlohmann::ordered_json robot_json(const RobotResult& robot) {
     nlohmann::ordered_json json{{"seed", robot.seed}, {"works", robot.works}, {"kind", word(robot.outcome.behaviour)}};
     json["failed_step"] = nullptr;
     if (robot.failed_step >= 0) json["failed_step"] = robot.failed_step + 1;
-    json["seconds"] = rounded(robot.seconds);
-    json["closest_m"] = rounded(robot.outcome.closest);
-    json["final_m"] = rounded(robot.outcome.final_distance);
+    json["seconds"] = rounded_number(robot.seconds);
+    json["closest_m"] = rounded_number(robot.outcome.closest);
+    json["final_m"] = rounded_number(robot.outcome.final_distance);
     return json;
 }
 
@@ -77,14 +77,15 @@ std::string json_text(const Tried& tried, const insight::Robots& robots, const R
     const insight::RobotsQuestion& question = robots.question();
     const Reality used = insight::reality_of(robots.scene().kinds[static_cast<std::size_t>(robots.kind())]);
     nlohmann::ordered_json json{{tried.exercise ? "exercise" : "scene", tried.name},
-                                {"reality", rounded(question.reality)},
+                                {"reality", rounded_number(question.reality)},
                                 {"robots", question.robots},
                                 {"working", report.working},
-                                {"share", rounded(report.share())},
+                                {"share", rounded_number(report.share())},
                                 {"weakest", report.weakest + 1}};
-    json["figures"] = {{"mismatch", rounded(used.mismatch)},   {"gain_spread", rounded(used.gain_spread)},
-                       {"noise", rounded(used.noise)},         {"latency", rounded(used.latency)},
-                       {"dead_band", rounded(used.dead_band)}, {"friction_spread", rounded(used.friction_spread)}};
+    json["figures"] = {
+        {"mismatch", rounded_number(used.mismatch)},   {"gain_spread", rounded_number(used.gain_spread)},
+        {"noise", rounded_number(used.noise)},         {"latency", rounded_number(used.latency)},
+        {"dead_band", rounded_number(used.dead_band)}, {"friction_spread", rounded_number(used.friction_spread)}};
     json["ideal"] = robot_json(report.ideal);
     json["each"] = nlohmann::ordered_json::array();
     for (const RobotResult& robot : report.robots) json["each"].push_back(robot_json(robot));

@@ -8,19 +8,6 @@
 
 namespace braitenlab {
 
-VehicleId id_at_start(const Scene& scene, std::uint64_t seed, const Snapshot& now, const VehicleView& vehicle) {
-    const auto world = World::create(scene, seed);
-    if (!world) return no_vehicle;
-    Snapshot start;
-    world->capture(start);
-    const int number = vehicle.start < 0 ? number_in_population(now, vehicle.id) : -1;
-    for (const VehicleView& each : start.vehicles) {
-        if (each.start != vehicle.start) continue;
-        if (vehicle.start >= 0 || number_in_population(start, each.id) == number) return each.id;
-    }
-    return no_vehicle;
-}
-
 namespace {
 
 using insight::MapAxis;

@@ -52,10 +52,6 @@ struct BehaviourMap {
     insight::Path path{};  // empty: not known yet
 };
 
-// The vehicle with the same start or the same number in the population, in a world that begins with this scene;
-// no_vehicle if there is none.
-VehicleId id_at_start(const Scene&, std::uint64_t seed, const Snapshot& now, const VehicleView&);
-
 // Call once per turn, after Jobs::deliver. A change of the scene or the choice begins the map anew.
 void update_map(Lab&, Jobs&);
 

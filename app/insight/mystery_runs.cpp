@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "app/insight/behaviour_map.h"
 #include "app/lab.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"

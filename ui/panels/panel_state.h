@@ -43,7 +43,7 @@ enum class Card {
     charts,
     inspector
 };
-inline constexpr std::size_t card_count = 11;
+inline constexpr std::size_t card_count = static_cast<std::size_t>(Card::inspector) + 1;
 
 // Every card in its initial state.
 std::array<CardState, card_count> initial_cards();
