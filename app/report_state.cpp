@@ -75,7 +75,7 @@ Json obstacles_json(const Snapshot& now, const CameraView& camera_view) {
                        {"width", plain(o.width)},
                        {"mass", plain(o.mass)},
                        {"corners", o.corners.size()},
-                       {"at", pixel(camera_view, place.x, place.y, obstacle_height)}});
+                       {"at", pixel(camera_view, place.x, place.y, obstacle_height(now.scene->arena))}});
     }
     return all;
 }

@@ -19,7 +19,7 @@ constexpr std::string_view fixed_anchors[]{
     "card.slots", "card.slots.fold", "slot.a", "slot.b", "slot.a.store", "slot.b.store", "button.compare",
     // the trial with real robots
     "card.reality", "card.reality.fold", "reality.slider", "reality.try", "reality.dots", "reality.weakest",
-    "reality.all",
+    "reality.all", "reality.cancel",
     // its picture, with what a lesion can be set to
     "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
     "lesion.LR", "lesion.RL", "lesion.RR",

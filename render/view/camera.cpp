@@ -18,7 +18,6 @@ constexpr float overview_field =
     0.56f;  // rad, vertical, of the whole window; a small angle keeps distances in the picture comparable
 constexpr float follow_field = 0.87f;
 constexpr float driver_field = 1.1f;
-constexpr float wall_height = 0.35f;  // m; the walls are part of the fitted picture
 
 float clamped_elevation(float elevation) { return std::clamp(elevation, 0.15f, 1.5f); }
 float clamped_zoom(const Camera& camera) { return std::clamp(camera.zoom, 0.25f, 8.0f); }
@@ -87,7 +86,7 @@ Stand overview(const Camera& camera, const Arena& arena, const FloorBox& box, Re
     std::array<vec3, 8> corners;
     for (unsigned i = 0; i < 8; ++i) {
         const vec2 place{i & 1U ? half.x : -half.x, i & 2U ? half.y : -half.y};
-        const vec3 p = to_gl(place, i & 4U ? wall_height : 0);
+        const vec3 p = to_gl(place, i & 4U ? wall_of(arena).height : 0);
         corners[i] = {maths::dot(right, p), maths::dot(up, p), maths::dot(back, p)};
     }
 

@@ -3,6 +3,7 @@
 // The world's (x, y, height) is GL's (x, height, −y).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -24,6 +25,15 @@ constexpr bool rides(CameraMode mode) { return mode == CameraMode::follow || mod
 
 // World coordinates, m, to GL coordinates.
 constexpr maths::vec3 to_gl(maths::vec2 place, float height = 0) { return {place.x, height, -place.y}; }
+
+// Walls and obstacles as drawn, m. In an arena of less than five metres they are lower in proportion, so that they do
+// not hide a small robot.
+inline float share_of_height(const Arena& arena) { return std::min(1.0f, std::min(arena.width, arena.height) / 5); }
+struct WallSize {
+    float thickness = 0, height = 0;
+};
+inline WallSize wall_of(const Arena& arena) { return {0.22f * share_of_height(arena), 0.35f * share_of_height(arena)}; }
+inline float obstacle_height(const Arena& arena) { return 0.42f * share_of_height(arena); }
 
 // A rectangle in window pixels, y down.
 struct Rect {

@@ -39,21 +39,23 @@ void add_metres(Drawing& drawing, const Arena& arena) {
     if (!looks_down(drawing.picture.camera_view)) return;
     const CameraView& camera_view = drawing.picture.camera_view;
     const bool walled = arena.edge == Boundary::wall;
+    const WallSize wall = wall_of(arena);
     const Colour quiet = drawing.colours.second_text.with_alpha(0.75f);
     const auto along = [&](float length, auto place_of) {
         const int most = static_cast<int>(length / 2 / metres_between);
+        if (most == 0) return;  // a lone 0 tells nothing
         for (int i = -most; i <= most; ++i) {
             const int n = i * static_cast<int>(metres_between);
             const auto [place, outwards] = place_of(static_cast<float>(n));
             // Outside the wall, at its foot or its top, whichever is farther out in the picture.
-            const vec2 edge = place + outwards * (walled ? wall_thickness : 0.0f);
+            const vec2 edge = place + outwards * (walled ? wall.thickness : 0.0f);
             const auto foot = project(camera_view, edge), beyond = project(camera_view, edge + outwards * 0.5f);
-            const auto top = project(camera_view, edge, wall_height);
+            const auto top = project(camera_view, edge, wall.height);
             if (!foot || !beyond || !top) continue;
             const vec2 away = maths::normalise(*beyond - *foot);
             const bool leans_out = walled && maths::dot(*top - *foot, away) > 0;
             drawing.list.labels.push_back({.place = edge,
-                                           .height = leans_out ? wall_height : 0,
+                                           .height = leans_out ? wall.height : 0,
                                            .offset = away * clear_of_wall,
                                            .text = metres(n, i == most),
                                            .colour = quiet,

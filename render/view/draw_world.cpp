@@ -45,10 +45,11 @@ std::vector<vec2> rectangle(float half_length, float half_width) {
 void add_walls(Drawing& drawing, const Arena& arena) {
     if (arena.edge != Boundary::wall) return;
     const float half_w = arena.width / 2, half_h = arena.height / 2;
-    constexpr float thick = wall_thickness / 2, high = wall_height, chamfer = 0.035f;  // m
+    const WallSize wall = wall_of(arena);
+    const float thick = wall.thickness / 2, high = wall.height, chamfer = 0.1f * high;  // m
     const vec4 colour = rgb_with(drawing.colours.rim, 0);
     if (arena.round) {
-        for (const WallBox& box : round_wall(arena, wall_thickness)) {
+        for (const WallBox& box : round_wall(arena, wall.thickness)) {
             const vec2 ahead = maths::direction(box.heading);
             drawing.list.blocks.push_back(block({box.middle.x, box.middle.y, ahead.x, ahead.y},
                                                 rectangle(box.length / 2, thick), high, chamfer, colour, true));
@@ -97,9 +98,10 @@ void add_obstacles(Drawing& drawing, const Scene& scene) {
         const Colour colour =
             movable ? mix(drawing.colours.obstacle, drawing.colours.crate, 0.75f) : drawing.colours.obstacle;
         const std::vector<vec2> corners = corners_of(obstacle);
-        const float height = movable ? 0.34f : 0.42f;
+        const float height = obstacle_height(scene.arena) * (movable ? 0.8f : 1.0f);
         drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y}, plain ? corners : blunted(corners),
-                                            height, plain ? 0.045f : 0.07f, rgb_with(colour, movable ? 1.0f : 0.0f)));
+                                            height, (plain ? 0.11f : 0.17f) * height,
+                                            rgb_with(colour, movable ? 1.0f : 0.0f)));
         if (!plain) add_obstacle_casts(drawing, {pose.x, pose.y}, ahead, corners, height);
     }
 }

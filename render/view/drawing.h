@@ -21,8 +21,7 @@ struct Drawing {
     std::vector<StrikeView> struck{};  // strikes that shake their vehicles now
 };
 
-constexpr float wall_thickness = 0.22f, wall_height = 0.35f;  // m
-constexpr float deck_height = 0.27f;                          // m, of the standard vehicle
+constexpr float deck_height = 0.27f;  // m, of the standard vehicle
 
 // One vehicle with its kind and brain.
 struct Subject {

@@ -88,7 +88,8 @@ int pick_obstacle(const Snapshot& now, const CameraView& camera_view, vec2 pixel
     float nearest = std::numeric_limits<float>::max();
     // Test the polygon at several heights between foot and top.
     for (int slice = 0; slice <= 3; ++slice) {
-        const auto at = unproject(camera_view, pixel, obstacle_height * static_cast<float>(slice) / 3);
+        const auto at =
+            unproject(camera_view, pixel, obstacle_height(now.scene->arena) * static_cast<float>(slice) / 3);
         if (!at) continue;
         for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i) {
             const SceneObject obstacle{SceneObjectKind::obstacle, i};

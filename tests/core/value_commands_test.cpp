@@ -80,7 +80,7 @@ TEST(EditArena, IsOneStepForADragThatMovesFurtherVehicles) {
 
 TEST(EditArena, RefusesValuesOutsideTheirRanges) {
     Session session = opened(tests::crowd(3));
-    EXPECT_TRUE(session.apply(EditArena{Arena{.width = 1}}));
+    EXPECT_TRUE(session.apply(EditArena{Arena{.width = 0.4f}}));
     EXPECT_TRUE(session.apply(EditArena{Arena{.grip = std::nanf("")}}));
     EXPECT_EQ(session.undo_depth(), 0);
 }

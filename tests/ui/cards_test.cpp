@@ -31,7 +31,7 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     desk.now.sources.resize(1);
     desk.view.settings.selection.object = {SceneObjectKind::source, 0};
     desk.panels.charts_open = true;
-    desk.view.settings.values = desk.view.settings.map = true;
+    desk.view.settings.values = desk.view.settings.map = desk.view.settings.reality = true;
     const insight::Design design;
     desk.view.slots.slots[0].design = &design;
     desk.frame(3);

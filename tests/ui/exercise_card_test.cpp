@@ -281,10 +281,12 @@ TEST(ExerciseCard, AMadePredictionIsFixedOnceTheVehicleHasRun) {
     EXPECT_TRUE(desk.last<PredictRequest>());
     desk.lesson.prediction = 0;
     desk.lesson.has_run = true;
+    desk.panels.keyboard.focus = "exercise.predict.1";
     desk.all.clear();
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "the steps need its room";
     EXPECT_TRUE(says(desk, "You predicted")) << "the chosen answer stays";
+    EXPECT_EQ(desk.panels.keyboard.focus, "") << "the focus is on no row that is gone";
     desk.key({'2'});
     EXPECT_FALSE(desk.last<PredictRequest>());
 }

@@ -71,8 +71,11 @@ TEST_F(RealityCard, ReplaysARobotTheWeakestOrAll) {
     const auto asked = [&] { return desk.last<RobotsRequest>()->replays; };
     desk.click("reality.robot.3");
     EXPECT_EQ(asked(), std::optional<int>(2));
+    desk.point("reality.slider");  // the words below the dots are those of the weakest again
+    desk.rest();
     desk.click("reality.weakest");
     EXPECT_EQ(asked(), std::optional<int>(6));
+    desk.rest();
     desk.click("reality.all");
     EXPECT_EQ(asked(), std::optional<int>(every_robot));
     desk.view.robots->replayed = 6;

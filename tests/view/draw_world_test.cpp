@@ -67,6 +67,21 @@ TEST(DrawWorld, DrawsTheWallOfARoundArenaAlongItsEdge) {
     }
 }
 
+TEST(DrawWorld, WallsAndObstaclesOfASmallArenaDoNotHideASmallRobot) {
+    auto scene = bare();
+    scene->arena.edge = Boundary::wall;
+    scene->obstacles.push_back({});
+    const auto highest = [&](float size) {
+        scene->arena.width = scene->arena.height = size;
+        float high = 0;
+        for (const BlockInstance& block : drawn(hand_made::empty(scene)).blocks) high = std::max(high, block.size.x);
+        return high;
+    };
+    EXPECT_NEAR(highest(1), 0.084f, 1e-5f) << "little more than an e-puck";
+    EXPECT_NEAR(highest(5), 0.42f, 1e-5f);
+    EXPECT_NEAR(highest(20), 0.42f, 1e-5f);
+}
+
 TEST(DrawWorld, DrawsASolidSourceOnAPost) {
     auto scene = bare();
     scene->sources.push_back({.name = "ghost", .x = 0});

@@ -84,7 +84,7 @@ TEST(Pick, FindsATurnedBoxWithinItsOutlineAndByItsTop) {
     const Yard yard({box(2, 1, maths::radians(45), 4, 1)});
     EXPECT_EQ(yard.at({3.2f, 2.2f}), obstacle(0)) << "along its heading";
     EXPECT_FALSE(yard.at({3.2f, -0.2f})) << "at the same distance across its heading";
-    EXPECT_EQ(yard.at({3.2f, 2.2f}, obstacle_height), obstacle(0));
+    EXPECT_EQ(yard.at({3.2f, 2.2f}, obstacle_height(yard.now.scene->arena)), obstacle(0));
 }
 
 TEST(Pick, FindsAPolygonByItsCornersAndNotByItsBox) {
@@ -92,7 +92,7 @@ TEST(Pick, FindsAPolygonByItsCornersAndNotByItsBox) {
     triangle.corners = {{-2, -2}, {2, -2}, {-2, 2}};
     const Yard yard({triangle});
     EXPECT_EQ(yard.at({-1, -1}), obstacle(0));
-    EXPECT_FALSE(yard.at({1.5f, 1.5f}, obstacle_height));
+    EXPECT_FALSE(yard.at({1.5f, 1.5f}, obstacle_height(yard.now.scene->arena)));
 }
 
 TEST(Pick, FindsAPushedObstacleWhereItIsNow) {

@@ -62,7 +62,7 @@ constexpr CardTraits card_traits[]{
      .shown = [](const LabView& view) { return view.settings.reality && view.mode != Mode::wiring; },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
                 Rect) { reality_card(view, state, ui, place); },
-     .least_share = 0.5f},
+     .least_share = 0.62f},
     {.card = Card::sensors,
      .anchor = "card.sensors",
      .heading = "sensors.heading",

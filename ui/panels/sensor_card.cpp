@@ -95,7 +95,7 @@ public:
         ImGui::PopStyleVar();
         gap(ui_, 8);
         choose("sensor.shape", &Sensor::shape);
-        choose("sensor.response", &Sensor::response);
+        response();
         if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensor_quality_open)) return;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
         for (const SensorNumber& number : quality_numbers) turn(number);
@@ -236,12 +236,20 @@ private:
         if (chosen >= 0) state_.sensor_alone = chosen == 1;
     }
 
-    // One segment per row of the enumeration's table; the keys of their words are "sensors.WORD".
+    // The card offers two laws. Photocells and tables are of measured sensors, whose files give their numbers.
+    void response() {
+        const SensorResponse now = sensor_->response;
+        if (now == SensorResponse::graded || now == SensorResponse::boolean)
+            return choose("sensor.response", &Sensor::response, 2);
+        paragraph(ui_, ui_.strings("sensors." + std::string(word(now))), ui_.palette.second_text, Face::small);
+    }
+
+    // One segment per row of the enumeration's table, up to `most`; the keys of their words are "sensors.WORD".
     template <class Enum>
-    void choose(std::string_view anchor, Enum Sensor::*member) {
+    void choose(std::string_view anchor, Enum Sensor::*member, std::size_t most = 8) {
         std::vector<std::string_view> words;
         for (const auto& row : table_of(Enum{}))
-            words.push_back(ui_.strings.find("sensors." + std::string(row.word), row.word));
+            if (words.size() < most) words.push_back(ui_.strings.find("sensors." + std::string(row.word), row.word));
         const int chosen = segments(ui_, anchor, words, static_cast<int>(sensor_->*member), card_width(ui_));
         if (chosen < 0) return;
         edit(++state_.sliders.gesture, [=](Sensor& s, bool) { s.*member = static_cast<Enum>(chosen); });

@@ -81,7 +81,7 @@ private:
         if (!obstacle && object.kind != SceneObjectKind::zone) return;
         const auto corners = outline_of(*frame_.view.now, object);
         line(on_screen(corners), obstacle ? colour.with_alpha(0.6f * colour.a) : colour, width);
-        if (obstacle) line(on_screen(corners, obstacle_height), colour, width);
+        if (obstacle) line(on_screen(corners, obstacle_height(frame_.view.now->scene->arena)), colour, width);
     }
 
     // The renderer draws the ring of the chosen vehicle only.

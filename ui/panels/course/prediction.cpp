@@ -146,6 +146,7 @@ void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
     if (is_prediction_open(lesson)) {
         open_prediction(view, state, ui);
     } else {
+        if (ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
         if (is_open)
             paragraph(ui, translated(ui, asked.question), ui.palette.text);  // the steps need the room of the options
         made_prediction(lesson, ui);
