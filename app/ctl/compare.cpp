@@ -44,7 +44,7 @@ const VehicleView* vehicle_named(const Snapshot& start, const std::string& name)
 Result<Design> design_of_file(const std::string& file, const std::vector<Sensor>& own) {
     auto read = brain_of_file(file, {});
     if (!read) return read.error();
-    return Design{std::move(read->brain), read->sensors.empty() ? own : std::move(read->sensors)};
+    return Design{std::move(read->brain), read->sensors.empty() ? own : read->sensors};
 }
 
 Result<BothRuns> run_both(const CompareOptions& options) {

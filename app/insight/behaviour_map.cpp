@@ -40,7 +40,7 @@ private:
 
 class PathOfCell {
 public:
-    PathOfCell(std::shared_ptr<const MapBase> base, MapPlace place) : run_(std::move(base), place, 0) {}
+    PathOfCell(const std::shared_ptr<const MapBase>& base, MapPlace place) : run_(base, place, 0) {}
     std::optional<insight::Path> operator()() {
         if (!run_.advance(ticks_per_step)) return std::nullopt;
         return run_.path();

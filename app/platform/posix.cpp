@@ -114,7 +114,7 @@ std::filesystem::path find_program(const std::string& name) {
     const std::string folders = environment_path("PATH").string();
     for (std::size_t from = 0; from <= folders.size();) {
         const std::size_t end = std::min(folders.find(':', from), folders.size());
-        const std::filesystem::path file = std::filesystem::path(folders.substr(from, end - from)) / name;
+        std::filesystem::path file = std::filesystem::path(folders.substr(from, end - from)) / name;
         std::error_code none;
         if (std::filesystem::is_regular_file(file, none) && access(file.c_str(), X_OK) == 0) return file;
         from = end + 1;

@@ -67,12 +67,12 @@ void DesignRun::add_tick() {
     }
     if (goes_on && run_.path.size() <= ticks_) return;
     const Outcome outcome = judge_->outcome(*world_);
-    constexpr float jump = 1;  // m; across the seam of a torus
+    constexpr float seam_jump = 1;  // m; across the seam of a torus
     double driven = 0;
     for (std::size_t i = 1; i < run_.path.size(); ++i) {
         const Pose &from = run_.path[i - 1], &to = run_.path[i];
         const float step = std::hypot(to.x - from.x, to.y - from.y);
-        if (step < jump) driven += static_cast<double>(step);
+        if (step < seam_jump) driven += static_cast<double>(step);
     }
     constexpr float tick = 1.0f / 60;  // s
     run_.numbers = {outcome.closest, outcome.time_to_touch, outcome.final_distance, static_cast<float>(driven),
