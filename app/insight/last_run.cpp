@@ -32,7 +32,7 @@ void record_paths(Lab& lab) {
         const auto found = present.paths.find(vehicle.id);
         if (found == present.paths.end()) continue;  // born later
         ReferencePath& path = found->second;
-        if (is_new && path.size() > now.tick) path.resize(now.tick);
+        if (is_new && path.size() > now.tick) path.resize(static_cast<std::size_t>(now.tick));
         if (path.size() == now.tick) path.push_back({vehicle.x, vehicle.y, vehicle.heading});
     }
 }

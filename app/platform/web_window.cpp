@@ -102,7 +102,7 @@ struct Window::Native {
     bool wants_text = false;
     ImGuiMouseCursor cursor = ImGuiMouseCursor_COUNT;
     std::string clipboard;
-    std::optional<Canvas> canvas;  // drawn into in place of the page's
+    std::optional<Canvas> redirected;  // drawn into in place of the page's
     bool imgui = false;
 
     Native() = default;
@@ -300,14 +300,14 @@ std::vector<std::array<int, 4>> Window::displays() const { return {}; }
 void Window::move_to(int, int) {}
 
 int Window::framebuffer_width() const {
-    if (native_->canvas) return native_->canvas->width;
+    if (native_->redirected) return native_->redirected->width;
     int width = 0, height = 0;
     emscripten_get_canvas_element_size(canvas, &width, &height);
     return width;
 }
 
 int Window::framebuffer_height() const {
-    if (native_->canvas) return native_->canvas->height;
+    if (native_->redirected) return native_->redirected->height;
     int width = 0, height = 0;
     emscripten_get_canvas_element_size(canvas, &width, &height);
     return height;
@@ -348,7 +348,7 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
         self.wheel.y += touch->notches;
         self.twist += touch->twist;
     }
-    io.MousePos = self.canvas ? ImVec2(-FLT_MAX, -FLT_MAX) : self.pointer;
+    io.MousePos = self.redirected ? ImVec2(-FLT_MAX, -FLT_MAX) : self.pointer;
     for (std::size_t i = 0; i < buttons; ++i) io.MouseDown[i] = self.down[i] || std::exchange(self.pressed[i], false);
     const ImVec2 wheel = std::exchange(self.wheel, {});
     io.MouseWheel += wheel.y, io.MouseWheelH += wheel.x;
@@ -375,10 +375,10 @@ void Window::toggle_full_screen() { toggle_full_page(); }
 bool Window::watches_graphics() const { return false; }
 int Window::graphics_errors() const { return 0; }
 
-void Window::redirect(std::optional<Canvas> redirected) { native_->canvas = redirected; }
+void Window::redirect(std::optional<Canvas> wanted) { native_->redirected = wanted; }
 
 void Window::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, native_->canvas ? native_->canvas->framebuffer : 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, native_->redirected ? native_->redirected->framebuffer : 0);
     glViewport(0, 0, framebuffer_width(), framebuffer_height());
 }
 
