@@ -108,6 +108,45 @@ TEST(LiveBrain, ShowsEyesWeightsAndWheels) {
     EXPECT_LT(desk.where("lecture.left").y, desk.where("lecture.right").y);
 }
 
+TEST(LiveBrain, ABrainWithHiddenNeuronsIsShownWholeBetweenEyesAndWheels) {
+    for (const Size& size : sizes)
+        for (const char* scene : {"5-logic", "tortoise"}) {
+            SCOPED_TRACE(scene + std::string(" at ") + std::to_string(size.width));
+            Desk desk(size.width, size.height, size.scale, true);
+            begin_lecture(desk, scene);
+            const Rect wires = desk.where("lecture.wires");
+            std::vector<Rect> neurons;
+            for (const Node& node : desk.now.brains[0]->nodes)
+                if (node.kind == NodeKind::neuron) neurons.push_back(desk.where("lecture.neuron." + node.name));
+            EXPECT_GE(neurons.size(), 5u);
+            for (std::size_t i = 0; i < neurons.size(); ++i) {
+                EXPECT_TRUE(is_inside(neurons[i], wires)) << i;
+                for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(neurons[i], neurons[j])) << i << " " << j;
+            }
+            desk.view.settings.revealed.brain = false;
+            desk.frame(2);
+            EXPECT_FALSE(desk.anchors.find("lecture.neuron." + desk.now.brains[0]->nodes.back().name));
+        }
+}
+
+TEST(LiveBrain, ManyEyesAreInTheOrderOfTheirMounts) {
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "3c-values");
+    const Rect bar = desk.layout.hint_bar;
+    std::vector<std::pair<float, float>> mounts;  // y of the middle on the screen, y of the mount
+    for (const Sensor& sensor : desk.now.scene->kinds[0].sensors)
+        if (const Rect* eye = desk.anchors.find("lecture.eye." + sensor.name)) {
+            EXPECT_TRUE(is_inside(*eye, bar)) << sensor.name;
+            mounts.push_back({eye->y, sensor.y});
+        }
+    EXPECT_GE(mounts.size(), 8u);
+    std::sort(mounts.begin(), mounts.end());
+    for (std::size_t i = 1; i < mounts.size(); ++i) {
+        EXPECT_GT(mounts[i].first, mounts[i - 1].first);
+        EXPECT_LE(mounts[i].second, mounts[i - 1].second);
+    }
+}
+
 TEST(LiveBrain, HidesTheBrainTheCharacterAndTheTitle) {
     Desk desk(1280, 800, 1.6f, true);
     begin_lecture(desk, "2b-aggressor");

@@ -29,12 +29,20 @@ NodeMark mark_of(const BrainGraph& brain, std::string_view name, ImVec2 at) {
 
 constexpr float row_half_width = 0.30f;  // of the neurons, in units of GraphFrame
 
-// The frame in which plan_deck() places the graph: x points up, y to the left. The picture is wider than a deck.
+// The frame in which plan_deck() places the graph: x points up, y to the left. Sideways, x points to the left, y up.
+// The picture is wider than a deck.
 struct GraphFrame {
     ImVec2 middle;
-    float down = 1, across = 1;  // window pixels per unit
-    ImVec2 pixel(vec2 place) const { return {middle.x - place.y * across, middle.y - place.x * down}; }
-    vec2 place(ImVec2 pixel) const { return {(middle.y - pixel.y) / down, (middle.x - pixel.x) / across}; }
+    float along = 1, across = 1;  // window pixels per unit of x and of y
+    bool is_sideways = false;
+    ImVec2 pixel(vec2 place) const {
+        const float x = place.x * along, y = place.y * across;
+        return is_sideways ? ImVec2{middle.x - x, middle.y - y} : ImVec2{middle.x - y, middle.y - x};
+    }
+    vec2 place(ImVec2 pixel) const {
+        const float x = middle.x - pixel.x, y = middle.y - pixel.y;
+        return is_sideways ? vec2{x / along, y / across} : vec2{y / along, x / across};
+    }
 };
 
 // The sensors that the brain reads, from the vehicle's left to its right.
@@ -64,28 +72,33 @@ ImVec2 rim(ImVec2 neuron, ImVec2 before, float radius) {
 }
 
 // A wire from a neuron to itself: a loop on the side away from the middle.
-WirePath loop(ImVec2 neuron, float side, float radius) {
-    const float near = side * radius * 0.8f, far = side * radius * 3.2f;
-    return {ImVec2{neuron.x + near, neuron.y - radius * 0.6f}, ImVec2{neuron.x + far, neuron.y - radius * 2.4f},
-            ImVec2{neuron.x + far, neuron.y + radius * 2.4f}, ImVec2{neuron.x + near, neuron.y + radius * 0.6f}};
+WirePath loop(ImVec2 neuron, const GraphFrame& frame, float radius) {
+    const float outward = frame.is_sideways ? neuron.y - frame.middle.y : neuron.x - frame.middle.x;
+    const float side = outward < 0 ? -radius : radius;
+    const auto at = [&](float out, float along) {
+        return frame.is_sideways ? ImVec2{neuron.x + along * radius, neuron.y + out * side}
+                                 : ImVec2{neuron.x + out * side, neuron.y + along * radius};
+    };
+    return {at(0.8f, -0.6f), at(3.2f, -2.4f), at(3.2f, 2.4f), at(0.8f, 0.6f)};
 }
 
 // Spreads the ends of the wires to each motor, so that their signs are side by side.
 void spread_ends(std::vector<WireMark>& wires, const BrainGraph& brain, const std::array<NodeMark, 2>& motors,
-                 float scale) {
+                 bool is_sideways, float scale) {
+    float ImVec2::*const axis = is_sideways ? &ImVec2::y : &ImVec2::x;
     for (const NodeMark& motor : motors) {
         std::vector<WireMark*> ending;
         for (WireMark& each : wires)
             if (motor.node && brain.wires[static_cast<std::size_t>(each.wire)].to == motor.node->id)
                 ending.push_back(&each);
         std::stable_sort(ending.begin(), ending.end(),
-                         [](const WireMark* a, const WireMark* b) { return a->path[0].x < b->path[0].x; });
+                         [&](const WireMark* a, const WireMark* b) { return a->path[0].*axis < b->path[0].*axis; });
         const float gap =
             std::min(14 * scale, 48 * scale / static_cast<float>(std::max<std::size_t>(ending.size(), 1)));
         for (std::size_t i = 0; i < ending.size(); ++i) {
             const float shift = (static_cast<float>(i) - static_cast<float>(ending.size() - 1) / 2) * gap;
-            ending[i]->path[3].x += shift;
-            ending[i]->path[2].x += shift;
+            ending[i]->path[3].*axis += shift;
+            ending[i]->path[2].*axis += shift;
         }
     }
 }
@@ -98,8 +111,50 @@ WirePath path_of(const BrainLayout& parts, const render::DeckPlan& plan, const W
     if (neuron == plan.neurons.end()) return cubic(from, bend, frame.pixel(planned.to));
     const ImVec2 at = frame.pixel(neuron->place);
     const float reach = parts.neuron_radius + 3 * scale;
-    if (wire.from == wire.to) return loop(at, at.x < frame.middle.x ? -1.0f : 1.0f, reach);
+    if (wire.from == wire.to) return loop(at, frame, reach);
     return cubic(from, bend, rim(at, bend, reach));
+}
+
+// A flat vehicle for plan_deck(): its wires begin at `starts` and end at `ends`, window pixels.
+Kind flat_vehicle(const GraphFrame& frame, std::vector<Sensor> sensors, const std::vector<ImVec2>& starts,
+                  const std::array<ImVec2, 2>& ends) {
+    Kind flat;
+    flat.body.length = 1;
+    flat.body.wheels.clear();
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        // plan_deck() starts a wire at (x − 0.07 length, 0.86 y).
+        const vec2 start = frame.place(starts[i]);
+        sensors[i].x = start.x + 0.07f, sensors[i].y = start.y / 0.86f;
+    }
+    flat.sensors = std::move(sensors);
+    for (std::size_t side = 0; side < 2; ++side) {
+        // plan_deck() ends a wire at (x − 0.10 length, 0.52 y).
+        const vec2 end = frame.place(ends[side]);
+        flat.body.wheels.push_back({end.x + 0.10f, end.y / 0.52f});
+        flat.body.wheels.back().motor = side == 0 ? Motor::left : Motor::right;
+    }
+    return flat;
+}
+
+// Adds the neurons and the wires as plan_deck() places them.
+void add_graph(BrainLayout& p, const BrainGraph& brain, const SensorPair& pair, const GraphFrame& frame,
+               const Kind& flat, const render::DeckRows& rows, float scale) {
+    const render::DeckPlan plan = render::plan_deck(brain, flat, rows);
+    p.neuron_radius = std::max(plan.neuron_radius * std::min(frame.along, frame.across), 3 * scale);
+    for (const render::DeckNeuron& neuron : plan.neurons) {
+        const Node& node = *find_node(brain, neuron.id);
+        p.neurons.push_back({&node, node.name, lesion_anchor(node.name), frame.pixel(neuron.place)});
+    }
+    for (const render::DeckWire& each : plan.wires) {
+        const Wire& wire = brain.wires[each.wire];
+        WireMark made;
+        made.wire = static_cast<int>(each.wire);
+        made.letters = wire_name(brain, {wire.from, wire.to}, pair);
+        made.anchor = lesion_anchor(made.letters);
+        made.path = path_of(p, plan, wire, each, frame, scale);
+        p.wires.push_back(std::move(made));
+    }
+    spread_ends(p.wires, brain, p.motors, frame.is_sideways, scale);
 }
 
 }  // namespace
@@ -142,49 +197,49 @@ BrainLayout lay_out_graph(const BrainGraph& brain, const Kind& kind, const Senso
     const float wheel = area.w / 2 - 78 * scale;  // from the middle; numbers are outside
     const GraphFrame frame{{middle, area.y + area.h / 2}, area.h, (wheel - 28 * scale) / row_half_width};
 
-    // A flat vehicle with the proportions of the picture, for plan_deck().
-    Kind flat;
-    flat.body.length = 1;
-    flat.body.wheels.clear();
-    flat.sensors = read_sensors(brain, kind);
-    const auto count = static_cast<float>(flat.sensors.size());
+    std::vector<Sensor> sensors = read_sensors(brain, kind);
+    const auto count = static_cast<float>(sensors.size());
     const float apart = std::min(64 * scale, count > 1 ? 2 * half / (count - 1) : 0.0f);
     if (apart > 0) p.sensor_radius = std::clamp(0.36f * apart / scale, 4.0f, 9.0f);
-    for (std::size_t i = 0; i < flat.sensors.size(); ++i) {
-        Sensor& sensor = flat.sensors[i];
+    std::vector<ImVec2> starts;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
         const ImVec2 at{middle + (static_cast<float>(i) - (count - 1) / 2) * apart, area.y + 26 * scale};
-        p.sensors.push_back(mark_of(brain, sensor.name, at));
-        // plan_deck() starts a wire at (x − 0.07 length, 0.86 y).
-        const vec2 start = frame.place({at.x, at.y + p.sensor_radius * scale});
-        sensor.x = start.x + 0.07f, sensor.y = start.y / 0.86f;
+        p.sensors.push_back(mark_of(brain, sensors[i].name, at));
+        starts.push_back({at.x, at.y + p.sensor_radius * scale});
     }
+    std::array<ImVec2, 2> ends;
     for (std::size_t side = 0; side < 2; ++side) {
         const float s = side == 0 ? -1.0f : 1.0f;
         p.motors[side] = mark_of(brain, motor_names[side], {middle + s * wheel, wheel_y});
-        // plan_deck() ends a wire at (x − 0.10 length, 0.52 y).
-        const vec2 end = frame.place({middle + s * (wheel - 34 * scale), wheel_y - 2 * scale});
-        flat.body.wheels.push_back({end.x + 0.10f, end.y / 0.52f});
-        flat.body.wheels.back().motor = side == 0 ? Motor::left : Motor::right;
+        ends[side] = {middle + s * (wheel - 34 * scale), wheel_y - 2 * scale};
     }
     p.chassis = {middle - wheel + 4 * scale, area.y + 20 * scale, 2 * (wheel - 4 * scale), area.h - 32 * scale};
-
     const float front = frame.place({0, area.y + 52 * scale}).x, back = frame.place({0, wheel_y - 14 * scale}).x;
-    const render::DeckPlan plan = render::plan_deck(brain, flat, {front, back, row_half_width});
-    p.neuron_radius = std::max(plan.neuron_radius * area.h, 3 * scale);
-    for (const render::DeckNeuron& neuron : plan.neurons) {
-        const Node& node = *find_node(brain, neuron.id);
-        p.neurons.push_back({&node, node.name, lesion_anchor(node.name), frame.pixel(neuron.place)});
+    add_graph(p, brain, pair, frame, flat_vehicle(frame, std::move(sensors), starts, ends),
+              {front, back, row_half_width}, scale);
+    return p;
+}
+
+BrainLayout lay_out_sideways(const BrainGraph& brain, const Kind& kind, const SensorPair& pair, Rect area,
+                             float scale) {
+    BrainLayout p;
+    p.chassis = area;
+    const float inset = 10 * scale;
+    const GraphFrame frame{{area.x + area.w / 2, area.y + area.h / 2}, 2 * area.w, 2 * area.h, true};
+    std::vector<Sensor> sensors = read_sensors(brain, kind);
+    const float each = area.h / static_cast<float>(std::max<std::size_t>(1, sensors.size()));
+    std::vector<ImVec2> starts;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        starts.push_back({area.x + inset, area.y + each * (static_cast<float>(i) + 0.5f)});
+        p.sensors.push_back(mark_of(brain, sensors[i].name, starts.back()));
     }
-    for (const render::DeckWire& each : plan.wires) {
-        const Wire& wire = brain.wires[each.wire];
-        WireMark made;
-        made.wire = static_cast<int>(each.wire);
-        made.letters = wire_name(brain, {wire.from, wire.to}, pair);
-        made.anchor = lesion_anchor(made.letters);
-        made.path = path_of(p, plan, wire, each, frame, scale);
-        p.wires.push_back(std::move(made));
+    std::array<ImVec2, 2> ends;
+    for (std::size_t side = 0; side < 2; ++side) {
+        ends[side] = {area.x + area.w - inset, area.y + area.h * (0.25f + 0.5f * static_cast<float>(side))};
+        p.motors[side] = mark_of(brain, motor_names[side], ends[side]);
     }
-    spread_ends(p.wires, brain, p.motors, scale);
+    const render::DeckRows rows{.front = 0.11f, .back = -0.11f, .half_width = 0.14f};
+    add_graph(p, brain, pair, frame, flat_vehicle(frame, std::move(sensors), starts, ends), rows, scale);
     return p;
 }
 

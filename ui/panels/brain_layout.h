@@ -50,4 +50,8 @@ BrainLayout lay_out_pair(const BrainGraph&, const SensorPair&, Rect area, float 
 // order of the signals, as on the vehicle's deck; motors at the lower end.
 BrainLayout lay_out_graph(const BrainGraph&, const Kind&, const SensorPair&, Rect area, float scale);
 
+// The whole brain from left to right, for a low and wide picture: the sensors that it reads from top to bottom at the
+// left edge, from the vehicle's left to its right; the left motor above the right one at the right edge.
+BrainLayout lay_out_sideways(const BrainGraph&, const Kind&, const SensorPair&, Rect area, float scale);
+
 }  // namespace braitenlab::ui::sketch

@@ -1,4 +1,5 @@
-// A lecture's large picture of the brain at work: bars of the eyes, wires with their weights, bars of the wheels.
+// A lecture's large picture of the brain at work: bars of the eyes, wires with their weights, bars of the wheels. A
+// brain of more than two eyes or with hidden neurons is shown whole, without numbers on its wires.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -6,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "ui/panels/brain_layout.h"
 #include "ui/panels/brain_sketch.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
@@ -20,9 +22,11 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr std::size_t most_rows = 2;  // eyes; the labels of more wires do not fit
+constexpr std::size_t most_labelled = 2;  // eyes; the labels of more wires do not fit
+constexpr std::size_t most_eyes = 14;     // of a brain that is shown whole
 constexpr float words_share = 0.22f, eyes_share = 0.20f, wheels_share = 0.21f;  // of the width; the rest are wires
 constexpr float live_inset = 16, live_bar = 10, low_picture = 110;              // layout pixels
+constexpr float name_share = 0.24f, number_share = 0.24f;                       // of a row that is one line
 
 // A node of the brain in its row.
 struct LiveRow {
@@ -39,13 +43,23 @@ public:
         : view_(view), ui_(ui), vehicle_(vehicle), brain_(*brain_of(*view.now, vehicle)), bar_(bar) {
         const float inset = ui.px(live_inset), from = bar.x + words_share * bar.w;
         const float top = bar.y + ui.px(8), height = bar.h - 2 * ui.px(8);
-        lay_out(shown_eyes(), eyes_, {from, top, eyes_share * bar.w, height});
+        const Rect eyes{from, top, eyes_share * bar.w, height};
+        const std::vector<std::string> read = sensors_read();
+        const bool is_simple = read.size() <= most_labelled && !has_neurons();
+        is_graph_ = !is_simple && !is_low() && !read.empty() && read.size() <= most_eyes;
+        if (is_graph_ || (is_simple && !read.empty()))
+            lay_out(read, eyes_, eyes);
+        else
+            lay_out({pair_.left, pair_.right}, eyes_, eyes);
         const float wheels = wheels_share * bar.w;
         lay_out({"ML", "MR"}, wheels_, {bar.x + bar.w - inset - wheels, top, wheels, height});
     }
 
     void draw() {
-        for (const LiveRow& eye : eyes_) draw_row(eye, false);
+        for (const LiveRow& eye : eyes_) {
+            eyes_.size() > most_labelled ? draw_line(eye) : draw_row(eye, false);
+            mark(ui_, "lecture.eye." + eye.name, eye.place);
+        }
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             LiveRow wheel = wheels_[i];
             wheel.value = vehicle_.motor[i];
@@ -59,24 +73,25 @@ public:
         if (hides_brain(view_, vehicle_.kind))
             put_centred(ui_, {between.x + between.w / 2, between.y + (between.h - line_height(ui_, Face::title)) / 2},
                         "?", ui_.palette.second_text, Face::title);
+        else if (is_graph_)
+            draw_graph(between);
         else
             draw_wires(between);
     }
 
 private:
-    // The sensors that the brain reads; of more than there is room for, the chosen pair.
-    std::vector<std::string> shown_eyes() const {
+    // The sensors that the brain reads, from the vehicle's left to its right.
+    std::vector<std::string> sensors_read() const {
         std::vector<std::string> names;
-        for (const Sensor& sensor : kind_of(*view_.now, vehicle_).sensors) {
-            const Node* node = find_node(brain_, sensor.name);
-            const bool is_read = node && std::any_of(brain_.wires.begin(), brain_.wires.end(), [&](const Wire& wire) {
-                                     return wire.from == node->id && wire.weight != 0;
-                                 });
-            if (is_read) names.push_back(sensor.name);
-        }
-        if (!names.empty() && names.size() <= most_rows) return names;
-        const SensorPair pair = shown_pair(view_, vehicle_);
-        return {pair.left, pair.right};
+        for (const sketch::NodeMark& mark :
+             sketch::lay_out_sideways(brain_, kind_of(*view_.now, vehicle_), pair_, bar_, 1).sensors)
+            names.push_back(mark.name);
+        return names;
+    }
+
+    bool has_neurons() const {
+        return std::any_of(brain_.nodes.begin(), brain_.nodes.end(),
+                           [](const Node& node) { return node.kind == NodeKind::neuron; });
     }
 
     void lay_out(const std::vector<std::string>& names, std::vector<LiveRow>& rows, Rect area) {
@@ -109,6 +124,26 @@ private:
         if (is_wheel) fill_box(ui_, {zero - ui_.px(1), track.y - ui_.px(3), ui_.px(2), track.h + ui_.px(6)}, p.text, 0);
     }
 
+    // Name, bar and number in one line; only the bar where lines are too close for text.
+    void draw_line(const LiveRow& row) {
+        const Palette& p = ui_.palette;
+        const bool has_text = row.place.h >= line_height(ui_, Face::small);
+        const float h = std::min(ui_.px(live_bar), 0.7f * row.place.h);
+        Rect track{row.place.x, row.middle() - h / 2, row.place.w, h};
+        if (has_text) {
+            const float y = row.middle() - line_height(ui_, Face::small) / 2;
+            put(ui_, {row.place.x, y}, wiring::short_name(kind_of(*view_.now, vehicle_).sensors, row.name),
+                p.second_text, Face::small);
+            put_right(ui_, {row.place.x + row.place.w, y}, fixed(ui_, row.value, 2), p.text, Face::small);
+            track.x += name_share * row.place.w, track.w *= 1 - name_share - number_share;
+        }
+        fill_box(ui_, track, p.line.with_alpha(0.6f), 5);
+        const float reach = std::clamp(row.value, 0.0f, 1.0f) * track.w;
+        if (reach >= 1)
+            fill_box(ui_, {track.x, track.y, reach, h}, colour_of(p, channel_of(row.name)),
+                     std::min(5.0f, reach / ui_.scale / 2));
+    }
+
     // Beside the watched diagram, which shows all wires.
     bool is_low() const { return bar_.h < ui_.px(low_picture); }
 
@@ -122,6 +157,32 @@ private:
         for (const LiveRow& row : rows)
             if (row.node && row.node->id == id) return &row;
         return nullptr;
+    }
+
+    void draw_graph(Rect between) {
+        const float top = eyes_.front().place.y;
+        const Rect area{between.x, top, between.w, eyes_.back().place.y + eyes_.back().place.h - top};
+        const sketch::BrainLayout parts =
+            sketch::lay_out_sideways(brain_, kind_of(*view_.now, vehicle_), pair_, area, ui_.px(1));
+        ImGui::PushClipRect({between.x, between.y}, {between.x + between.w, between.y + between.h}, true);
+        for (const sketch::WireMark& mark : parts.wires) {
+            const Wire& wire = brain_.wires[static_cast<std::size_t>(mark.wire)];
+            const float plus = learns(wire) ? learned(*view_.now, vehicle_, wire.from, wire.to) : 0;
+            const Node* from = find_node(brain_, wire.from);
+            const float input = from->silenced ? 0 : node_value(*view_.now, vehicle_, from->id);
+            sketch::wire(ui_, mark.path,
+                         {.weight = wire.weight + plus,
+                          .carried = wire.cut ? 0 : signal(wire, input, plus),
+                          .cut = wire.cut,
+                          .thin = parts.wires.size() > 8});
+        }
+        const float r = parts.neuron_radius;
+        for (const sketch::NodeMark& neuron : parts.neurons) {
+            sketch::neuron(ui_, neuron.at, r, node_value(*view_.now, vehicle_, neuron.node->id), neuron.node->silenced,
+                           0);
+            mark(ui_, "lecture.neuron." + neuron.name, {neuron.at.x - r, neuron.at.y - r, 2 * r, 2 * r});
+        }
+        ImGui::PopClipRect();
     }
 
     void draw_wires(Rect between) {
@@ -150,7 +211,7 @@ private:
         for (const Label& label : labels) draw_weight(label.at, *label.wire);
         ImGui::PopClipRect();
         if (others == 0 || is_low()) return;
-        const bool is_network = labels.empty();
+        const bool is_network = labels.empty();  // too large for a picture of the whole
         const float y = is_network ? between.y + (between.h - line_height(ui_, Face::small)) / 2
                                    : between.y + between.h - line_height(ui_, Face::small) - ui_.px(2);
         put_centred(ui_, {between.x + between.w / 2, y},
@@ -183,7 +244,9 @@ private:
     Ui& ui_;
     const VehicleView& vehicle_;
     const BrainGraph& brain_;
+    SensorPair pair_;
     Rect bar_;
+    bool is_graph_ = false;  // the whole brain is shown, not only the wires between two eyes and the wheels
     std::vector<LiveRow> eyes_, wheels_;
 };
 
