@@ -356,6 +356,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["prey"] = now.prey;
     state["generation"] = now.generation;
     state["overlays"] = {{"trails", lab.view.overlays.trails},
+                         {"trail_colour", word(lab.view.overlays.trail_colour.value)},
                          {"surfaces", lab.view.overlays.surfaces},
                          {"memory", lab.view.overlays.memory},
                          {"labels", lab.view.overlays.labels},

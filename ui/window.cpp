@@ -10,6 +10,7 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/trail_legend.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
@@ -219,6 +220,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     } else {
         scene_input(view, state.scene_input, ui, layout.scene);
     }
+    trail_legend(view, ui, layout.scene);
     why_callout(view, ui, layout.scene);
     point_to_lamp(view, ui);
     if (view.mode == Mode::wiring)

@@ -46,8 +46,18 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
         const vec2 along = maths::normalise(point(i == 0 ? 0 : i - 1) - point(std::min(i + 1, count - 1)));
         return vec2{along.y, -along.x};  // left of the direction back, in which the trail is drawn
     };
-    const Colour colour = colour_of(drawing.colours, s.view.role);
-    const float newest = s.selected ? 0.85f : 0.5f, oldest = 0.35f * newest;
+    const TrailColour& wanted = drawing.picture.settings.overlays.trail_colour;
+    const bool plain = wanted.value == TrailValue::plain;
+    const float top_speed = wanted.value == TrailValue::speed ? top_speed_of(drawing.now) : 0;
+    const Colour role = colour_of(drawing.colours, s.view.role);
+    const auto colour = [&](std::size_t i) {  // of the piece between points i and i + 1
+        if (plain) return role;
+        const auto share = share_of_scale(wanted, trail.moment(shown[i]), s.kind.sensors, top_speed);
+        return share ? colour_of_share(wanted.value, *share, drawing.picture.theme) : role;
+    };
+    // A coloured trail fades less, so that its colours can be compared with the legend.
+    const float newest = s.selected ? (plain ? 0.85f : 1) : (plain ? 0.5f : 0.8f),
+                oldest = (plain ? 0.35f : 0.8f) * newest;
     const bool ends = drawing.now.vehicles.size() > 64;  // the recent part only: it fades out
     const auto opacity = [&](std::size_t i) {
         const float age = static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(count, 24));
@@ -59,7 +69,7 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
         if (jumps) continue;
         drawing.list.trails.push_back({{a.x, a.y, b.x, b.y},
                                        {na.x, na.y, nb.x, nb.y},
-                                       rgb_with(colour, s.selected ? 4.0f : 2.6f),
+                                       rgb_with(colour(i), s.selected ? 4.0f : 2.6f),
                                        {opacity(i), opacity(i + 1), 0, 0}});
     }
 }

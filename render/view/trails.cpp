@@ -42,25 +42,38 @@ bool Trail::is_on_the_known_way(maths::vec2 place) const {
     return maths::distance(before, after) > jump || distance_to_way(place, before, after) < beside;
 }
 
-void Trail::extend(std::uint64_t tick, maths::vec2 place, const Arena& arena, std::size_t most) {
+bool Trail::extend(std::uint64_t tick, maths::vec2 place, const Arena& arena, std::size_t most) {
     if (tick != tick_) {  // count the points after this tick
         while (later_ < places_.size() && places_[places_.size() - 1 - later_].tick > tick) ++later_;
         while (later_ > 0 && places_[places_.size() - later_].tick <= tick) --later_;
     }
     tick_ = tick;
     if (later_ > 0) {
-        if (is_on_the_known_way(place)) return;
+        if (is_on_the_known_way(place)) return false;
         places_.resize(places_.size() - later_);
         later_ = 0;
     }
     if (!places_.empty()) {
-        if (tick < places_.back().tick + ticks_between) return;
+        if (tick < places_.back().tick + ticks_between) return false;
         const float moved = maths::distance(places_.back().at, place);
-        if (moved < still) return;
+        if (moved < still) return false;
         if (moved > jump && !went_round(arena, places_.back().at, place)) dropped_ += places_.size(), places_.clear();
     }
     places_.push_back({place, tick});
     while (places_.size() > most) places_.pop_front(), ++dropped_;
+    return true;
+}
+
+void Trail::note(const TrailMoment& moment, const std::vector<Sensor>& sensors) {
+    const std::size_t recorded = std::min(sensors.size(), recorded_sensors);
+    if (!std::equal(sensors_.begin(), sensors_.end(), sensors.begin(),
+                    sensors.begin() + static_cast<std::ptrdiff_t>(recorded),
+                    [](const std::string& name, const Sensor& sensor) { return name == sensor.name; })) {
+        for (Place& place : places_) place.moment.readings = TrailMoment::all_unknown();
+        sensors_.clear();
+        for (std::size_t i = 0; i < recorded; ++i) sensors_.push_back(sensors[i].name);
+    }
+    places_.back().moment = moment;
 }
 
 void Trails::record(const Snapshot& now) {
@@ -70,8 +83,11 @@ void Trails::record(const Snapshot& now) {
     if (now.seed != seed_ || now.generation != generation_ || name != scene_) trails_.clear();
     seed_ = now.seed, generation_ = now.generation, scene_ = name;
     const std::size_t most = recorded_points(now.vehicles.size());
-    for (const VehicleView& vehicle : now.vehicles)
-        trails_[vehicle.id].extend(now.tick, {vehicle.x, vehicle.y}, arena, most);
+    for (const VehicleView& vehicle : now.vehicles) {
+        Trail& trail = trails_[vehicle.id];
+        if (trail.extend(now.tick, {vehicle.x, vehicle.y}, arena, most) && now.scene)
+            trail.note(trail_moment_of(now, vehicle), kind_of(now, vehicle).sensors);
+    }
     if (trails_.size() > now.vehicles.size())
         std::erase_if(trails_, [&](const auto& entry) { return !find_vehicle(now, entry.first); });
 }

@@ -5,9 +5,11 @@
 #include <deque>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "core/maths/vec.h"
 #include "core/world/snapshot.h"
+#include "render/view/trail_colour.h"
 
 namespace braitenlab::render {
 
@@ -21,23 +23,31 @@ public:
     // i = 0 is the newest point, i = count() − 1 the oldest.
     maths::vec2 at(std::size_t i) const { return places_[places_.size() - later_ - 1 - i].at; }
 
+    // What the vehicle did at point i.
+    const TrailMoment& moment(std::size_t i) const { return places_[places_.size() - later_ - 1 - i].moment; }
+
     // The number of point i, counted from the beginning of the path; it does not change while the path grows.
     std::size_t serial(std::size_t i) const { return dropped_ + count() - 1 - i; }
 
-    // Adds the vehicle's position at a tick. `most`: number of recorded points.
-    void extend(std::uint64_t tick, maths::vec2 place, const Arena&, std::size_t most);
+    // Adds the vehicle's position at a tick, unless it is near the newest point. `most`: number of recorded points.
+    // True if it adds a point.
+    bool extend(std::uint64_t tick, maths::vec2 place, const Arena&, std::size_t most);
+    // Sets what the vehicle does at the newest point. Readings of other sensors than these become unknown.
+    void note(const TrailMoment&, const std::vector<Sensor>&);
 
 private:
     struct Place {
         maths::vec2 at;
         std::uint64_t tick = 0;
+        TrailMoment moment{};
     };
     bool is_on_the_known_way(maths::vec2 place) const;
 
-    std::deque<Place> places_;  // oldest first
-    std::size_t later_ = 0;     // number of points at the end that are later than the displayed tick
-    std::size_t dropped_ = 0;   // number of points removed at the beginning
-    std::uint64_t tick_ = 0;    // the displayed tick
+    std::deque<Place> places_;          // oldest first
+    std::size_t later_ = 0;             // number of points at the end that are later than the displayed tick
+    std::size_t dropped_ = 0;           // number of points removed at the beginning
+    std::uint64_t tick_ = 0;            // the displayed tick
+    std::vector<std::string> sensors_;  // names of those whose readings are recorded
 };
 
 class Trails {

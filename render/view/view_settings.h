@@ -9,6 +9,7 @@
 #include "core/scene/scene.h"
 #include "render/view/camera.h"
 #include "render/view/pick.h"
+#include "render/view/trail_colour.h"
 
 namespace braitenlab {
 
@@ -16,7 +17,8 @@ inline constexpr int longest_prediction = 20;  // s
 
 // Layers drawn over the scene, each of which can be switched off.
 struct Overlays {
-    bool trails = true;    // recent paths of the vehicles
+    bool trails = true;  // paths of the vehicles
+    TrailColour trail_colour{};
     bool surfaces = true;  // zones: ice, carpet, wind, …
     bool memory = true;    // positions that vehicles remember
     bool labels = true;    // names of things
@@ -76,11 +78,13 @@ struct ViewSettings {
 };
 
 // The settings for another scene. Layers and sensor fields stay as they are; camera, intensity field and selection
-// return to their defaults, because they depend on the scene; whether edits apply to one vehicle or to its kind stays.
+// return to their defaults, because they depend on the scene, and so do trails coloured by a sensor; whether edits
+// apply to one vehicle or to its kind stays.
 inline ViewSettings for_another_scene(ViewSettings settings) {
     settings.camera = {};
     settings.orbits = false;
     settings.overlays.field.reset();
+    if (settings.overlays.trail_colour.value == TrailValue::reading) settings.overlays.trail_colour = {};
     settings.selection = {.object = {}, .whole_kind = settings.selection.whole_kind, .pair = {}};
     return settings;
 }

@@ -153,4 +153,37 @@ TEST_F(DrawInsight, TheViewMenuSetsTheSecondsOfThePath) {
     }
 }
 
+TEST_F(DrawInsight, TheViewMenuStepsThroughTheColoursOfTrails) {
+    desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
+    desk.view.settings.overlays.trails = false;
+    desk.choose("view", "trail_colour");
+    std::vector<TrailColour> wanted{{TrailValue::wheels}, {TrailValue::speed}};
+    for (const Sensor& sensor : kind_of(desk.now, desk.now.vehicles[0]).sensors)
+        wanted.push_back({TrailValue::reading, sensor.name});
+    wanted.push_back({});
+    for (const TrailColour& colour : wanted) {
+        ASSERT_TRUE(desk.last<OverlaysRequest>());
+        EXPECT_EQ(desk.last<OverlaysRequest>()->overlays.trail_colour, colour);
+        EXPECT_TRUE(desk.last<OverlaysRequest>()->overlays.trails) << "a colour is seen";
+        desk.view.settings.overlays = desk.last<OverlaysRequest>()->overlays;
+        desk.frame();
+        desk.click("menu.view.trail_colour");
+    }
+}
+
+TEST_F(DrawInsight, ALegendTellsValueAndUnitOfColouredTrails) {
+    desk.frame();
+    EXPECT_FALSE(desk.anchors.find("trail_legend")) << "plain";
+    desk.view.settings.overlays.trail_colour = {TrailValue::speed};
+    desk.frame(2);
+    const Rect scene = desk.where("viewport"), legend = desk.where("trail_legend");
+    EXPECT_TRUE(scene.contains(legend.x, legend.y));
+    EXPECT_TRUE(scene.contains(legend.x + legend.w, legend.y + legend.h));
+    EXPECT_TRUE(writes("m/s"));
+    EXPECT_TRUE(writes("3.0")) << "top speed";
+    desk.view.settings.overlays.trails = false;
+    desk.frame();
+    EXPECT_FALSE(desk.anchors.find("trail_legend")) << "no trails";
+}
+
 }  // namespace braitenlab::tests::draw_insight_test

@@ -9,6 +9,7 @@
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/trail_legend.h"
 #include "ui/scene_input/edits.h"
 #include "ui/strings.h"
 #include "ui/widgets/paint.h"
@@ -271,6 +272,21 @@ LabMenuRow row_of_prediction(const LabView& view, const Ui& ui) {
     return row;
 }
 
+// What the trails show; each choice sets the next one and shows the trails.
+LabMenuRow row_of_trail_colour(const LabView& view, const Ui& ui) {
+    Overlays wanted = view.settings.overlays;
+    LabMenuRow row;
+    row.entry.anchor = "menu.view.trail_colour";
+    row.entry.words = fill(ui.strings("view.trail.colour"), {trail_colour_words(view, ui)});
+    row.entry.how = ui.strings("view.trail.how");
+    row.entry.on = wanted.trail_colour.value != TrailValue::plain;
+    row.entry.stays_open = true;
+    wanted.trails = true;
+    wanted.trail_colour = next_trail_colour(view);
+    row.request = OverlaysRequest{wanted};
+    return row;
+}
+
 // "9/10" of the best grade, after a check mark once it is passed.
 std::string passed_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
     const ExerciseProgress* progress = progress_of(view, entry);
@@ -338,6 +354,7 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         rows.push_back(action_row(view, state, ui, place));
         if (place.action == Action::open) add_recent_files(rows, view, ui);
         if (place.action == Action::next_field) add_fields(rows, view, ui);
+        if (place.action == Action::trails) rows.push_back(row_of_trail_colour(view, ui));
         if (place.action == Action::last_run) rows.push_back(row_of_prediction(view, ui));
         if (place.action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
         if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);

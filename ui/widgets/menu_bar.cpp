@@ -19,7 +19,7 @@ namespace {
 
 // Layout pixels.
 constexpr float menu_pad = 5, title_pad = 10, entry_pad = 10, menu_sign_room = 22, before_keys = 28, menu_rule = 7;
-constexpr float tallest_entry = 26, lowest_entry = 20, menu_margin = 6;
+constexpr float tallest_entry = 26, lowest_entry = 18, menu_margin = 6;
 
 std::string title_anchor(const MenuTitle& title) { return "menu." + std::string(title.name); }
 
@@ -56,7 +56,7 @@ float rules_height(const Ui& ui, std::span<const MenuEntry> entries) {
 float entry_height(const Ui& ui, std::span<const MenuEntry> entries, float room) {
     const float count = static_cast<float>(std::max<std::size_t>(1, entries.size()));
     const float fits = (room - 2 * ui.px(menu_pad) - rules_height(ui, entries)) / count;
-    const float least = std::max(ui.px(lowest_entry), 0.9f * line_height(ui, Face::text));
+    const float least = std::max(ui.px(lowest_entry), 0.82f * line_height(ui, Face::text));
     return std::floor(std::clamp(fits, least, std::max(least, ui.px(tallest_entry))));
 }
 
