@@ -86,6 +86,7 @@ LabView view_of(const Lab& lab) {
     if (can_compare(view)) view.ghost = ghost_of(lab);
     view.pages = lab.pages ? &*lab.pages : nullptr;
     if (may_show_future(view)) view.last_run = last_run_of(lab), view.prediction = prediction_of(lab);
+    view.path = path_of_selected(lab);
     view.why = explanation_of(lab, view);
     view.has_left_run = has_left_run(lab);
     view.mystery = mystery_of(lab, view);

@@ -514,6 +514,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const StudyRequest& r) { handle_study(lab.study, r); },
                      [&](const RobotsRequest& r) { handle_robots(lab, r); },
                      [&](const SeekRequest& r) { seek(lab, r); },
+                     [&](const WhyRequest& r) { explain_at(lab, r.tick); },
                      [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
                      [&](const OpenRequest& r) { lab.files.push_back(r); },
                      [&](const BrowseRequest& r) { lab.files.push_back(r); },

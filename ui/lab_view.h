@@ -245,6 +245,7 @@ struct LabView {
     const LessonView* lesson = nullptr;        // null outside exercises
     std::optional<GhostView> ghost;            // while LessonView::compares and it is known
     std::optional<GhostView> last_run;         // the selected vehicle in the run before the reset
+    const std::vector<Pose>* path = nullptr;   // of the selected vehicle, a pose per tick of the run; null: not known
     std::optional<PredictionView> prediction;  // while something is tried, and until it is driven
     bool has_left_run = false;                 // the run before the reset can be returned to
     SlotsView slots{};
@@ -330,6 +331,12 @@ inline bool is_brain_secret(const LabView& view, int kind) {
 inline bool hides_brain(const LabView& view, int kind) {
     if (!view.settings.revealed.brain) return true;
     return is_brain_secret(view, kind) || (hides_outcome(view) && view.lesson->exercise->prediction.hides_brain);
+}
+
+// True if the cause of the selected vehicle's turns may be told: its brain drives and is shown.
+inline bool can_tell_why(const LabView& view) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    return vehicle && vehicle->driver == Driver::brain && !hides_outcome(view) && !hides_brain(view, vehicle->kind);
 }
 
 // True if the map of behaviour may show what other brains of this vehicle would do: its brain drives and is shown, and

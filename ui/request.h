@@ -292,6 +292,9 @@ struct SeekRequest {
     std::uint64_t tick = 0;
     bool held = false;  // true while the playhead is dragged: the simulation stays paused
 };
+struct WhyRequest {  // goes to this tick, pauses, and shows the cause of the selected vehicle's turn there
+    std::uint64_t tick = 0;
+};
 struct BookmarkRequest {
     int index = 0;        // in TimelineView::bookmarks
     bool remove = false;  // else go to it
@@ -353,8 +356,8 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
 using Request =
     std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
                  PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
-                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
-                 BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
+                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, WhyRequest,
+                 BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
                  LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest,

@@ -62,11 +62,17 @@ void update_explanation(Lab& lab) {
     e.why = insight::why(now, *vehicle, e.past);
 }
 
+void explain_at(Lab& lab, std::uint64_t tick) {
+    if (!selected_vehicle(lab)) return;
+    if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
+    seek(lab, {.tick = tick});
+    lab.explanation.on = true;
+    update_explanation(lab);
+}
+
 const insight::Why* explanation_of(const Lab& lab, const LabView& view) {
-    const VehicleView* vehicle = selected_vehicle(lab);
-    if (!lab.explanation.why || !vehicle || lab.together || vehicle->driver != Driver::brain) return nullptr;
-    if (lab.explanation.why->vehicle != vehicle->id || hides_outcome(view) || hides_brain(view, vehicle->kind))
-        return nullptr;
+    if (!lab.explanation.why || lab.together || !can_tell_why(view)) return nullptr;
+    if (lab.explanation.why->vehicle != view.settings.selection.vehicle) return nullptr;
     return &*lab.explanation.why;
 }
 

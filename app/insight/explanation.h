@@ -29,6 +29,9 @@ void record_moment(Lab&);
 // Call once per turn. While playing, the numbers change ten times a second, so that they can be read.
 void update_explanation(Lab&);
 
+// Goes to this tick and shows the cause there; pauses while playing.
+void explain_at(Lab&, std::uint64_t tick);
+
 // null: not shown, or the vehicle's brain may not be shown, or it does not drive.
 const insight::Why* explanation_of(const Lab&, const LabView&);
 

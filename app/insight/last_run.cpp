@@ -59,6 +59,13 @@ bool is(const Lab& lab, UndoOfReturn::State state) {
 
 }  // namespace
 
+const ReferencePath* path_of_selected(const Lab& lab) {
+    const RunPaths& present = lab.last_run.present;
+    const auto found = present.paths.find(lab.view.selection.vehicle);
+    return present.run == lab.document.run_id && !lab.together && found != present.paths.end() ? &found->second
+                                                                                               : nullptr;
+}
+
 LeftRun present_run(const Lab& lab) {
     LeftRun run{.run = lab.document.run_id, .timeline = lab.document.session.timeline(), .paths = lab.last_run.present};
     if (run.paths.run != run.run) run.paths = {run.run, {}};

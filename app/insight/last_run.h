@@ -48,6 +48,9 @@ struct LastRun {
 // Call before each tick. Records the first 16 vehicles for at most ten minutes, if the run is known from its start on.
 void record_paths(Lab&);
 
+// The poses of the selected vehicle in the present run, by tick; null if they are not known from its start on.
+const ReferencePath* path_of_selected(const Lab&);
+
 // The present run. Call before a reset, after record_paths().
 LeftRun present_run(const Lab&);
 

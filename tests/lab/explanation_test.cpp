@@ -34,6 +34,25 @@ TEST_F(Explanation, IsShownByItsActionForTheDisplayedTick) {
     EXPECT_FALSE(why());
 }
 
+TEST_F(Explanation, AtAPointOfTheTrailGoesToThatMomentAndPauses) {
+    handle(lab, Action::play_pause);
+    run(60);
+    const std::vector<Pose>* path = view_of(lab).path;
+    ASSERT_TRUE(path);
+    ASSERT_EQ(path->size(), 60u) << "one pose per tick before this one";
+    const Pose then = (*path)[25];
+    handle(lab, WhyRequest{25});
+    ASSERT_TRUE(why());
+    EXPECT_EQ(why()->tick, 25u);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    const VehicleView& now = lab.document.session.snapshot().vehicles[0];
+    EXPECT_EQ(now.x, then.x);
+    EXPECT_EQ(now.y, then.y);
+    handle(lab, WhyRequest{40});
+    ASSERT_TRUE(why()) << "a second click does not switch it off";
+    EXPECT_EQ(why()->tick, 40u);
+}
+
 TEST_F(Explanation, ChangesItsNumbersTenTimesASecondWhilePlaying) {
     handle(lab, Action::why);
     handle(lab, Action::play_pause);

@@ -13,7 +13,8 @@ bool wait_for(const std::function<bool()>& holds, double patience = 5) {
 Point place(const Json& thing) {
     return {static_cast<int>(thing["at"][0].get<double>()), static_cast<int>(thing["at"][1].get<double>())};
 }
-Point vehicle(const LabWindow& lab, std::size_t i) { return place(lab.state()["vehicles"][i]); }
+Point vehicle(const Json& state, std::size_t i) { return place(state["vehicles"][i]); }
+Point vehicle(const LabWindow& lab, std::size_t i) { return vehicle(lab.state(), i); }
 Point source(const LabWindow& lab, std::size_t i) { return place(lab.state()["sources"][i]); }
 
 void right_click(const LabWindow& lab, Point at) {
@@ -53,6 +54,25 @@ TEST(SceneInputWindow, DragsAVehicleWhilePlayingAndUndoRestoresIt) {
     lab.key("ctrl+z");
     EXPECT_TRUE(wait_for(
         [&] { return std::abs(lab.state()["vehicles"][0]["x"].get<double>() - before["x"].get<double>()) < 0.05; }));
+}
+
+TEST(SceneInputWindow, AClickOnTheTrailTellsTheCauseOfThatMoment) {
+    LabWindow lab({"2b-aggressor", "--size", "1280x800"});
+    lab.key("Tab");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["selected"] == 0; }));
+    lab.key("space");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > 60; }, 15));
+    lab.key("space");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
+    const Json before = lab.state();
+    lab.key("space");
+    const int then = before["tick"].get<int>();
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > then + 90; }, 15));
+    lab.click(vehicle(before, 0));
+    EXPECT_TRUE(wait_for([&] { return !lab.state()["why"].is_null(); }));
+    const Json state = lab.state();
+    EXPECT_EQ(state["mode"], "paused");
+    EXPECT_NEAR(state["tick"].get<int>(), then, 12) << "the vehicle is back where it was";
 }
 
 TEST(SceneInputWindow, HoldsADraggedVehicleWhilePlaying) {

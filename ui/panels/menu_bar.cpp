@@ -429,8 +429,7 @@ std::string_view why_not_with_vehicle(const LabView& view, const PanelState& sta
 std::string_view why_no_cause(const LabView& view, const PanelState& state) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle) return why_not_with_vehicle(view, state, Action::why);
-    const bool is_known = vehicle->driver == Driver::brain && !hides_outcome(view) && !hides_brain(view, vehicle->kind);
-    return is_known ? "" : "unavailable.why";
+    return can_tell_why(view) ? "" : "unavailable.why";
 }
 
 std::string_view why_no_map(const LabView& view, const PanelState& state) {

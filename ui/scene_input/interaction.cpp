@@ -7,6 +7,7 @@
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/scene_input/tools.h"
+#include "ui/scene_input/trail_moments.h"
 #include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::ui {
@@ -20,6 +21,11 @@ constexpr float turn_step = maths::pi / 12;  // with Shift
 
 void request(Outbox& outbox, Command command, std::uint64_t gesture = 0) {
     outbox.push_back(EditRequest{std::move(command), gesture});
+}
+
+// Trails are drawn over zones.
+bool is_free_floor(const SceneInputHit& hit) {
+    return !hit.handle && (!hit.object || hit.object.kind == SceneObjectKind::zone);
 }
 
 bool is_selected(const LabView& view, const SceneObject& object) {
@@ -39,6 +45,7 @@ void begin_drag(SceneInputState& state, const SceneInputFrame& frame) {
     drag.press = drag.last = pointer.at;
     drag.gesture = gestures::viewport + ++state.gesture;
     if (!drag.left) return;
+    drag.moment = state.trail_moment;
     drag.selects = pointer.shift && !state.hovered.handle && frame.view.mode != Mode::wiring;
     if (drag.selects) {
         drag.click = state.hovered.object;
@@ -226,7 +233,10 @@ void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbo
         outbox.push_back(SelectObjectsRequest{objects_between(frame, drag.press, pointer.at)});
     if (drag.phase != SceneInputPhase::pending || frame.view.mode == Mode::wiring) return;
     if (drag.selects && drag.click) toggle(drag.click, frame.view, outbox);
-    if (drag.left && !drag.selects && (!drag.on || drag.click)) choose(drag.click, frame.view, outbox);
+    if (drag.moment && !drag.selects && !drag.on)
+        outbox.push_back(WhyRequest{*drag.moment});
+    else if (drag.left && !drag.selects && (!drag.on || drag.click))
+        choose(drag.click, frame.view, outbox);
     if (drag.right && state.tool != SceneInputTool::hand)
         take_back_corner(state);
     else if (drag.right)
@@ -245,6 +255,8 @@ void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outb
     if (use_path_drawing(state, frame, outbox)) return;
     if (use_sensor_handles(state, frame, outbox) || use_point_handles(state, frame, outbox)) return;
     state.hovered = under_pointer(state, frame);
+    if (state.drag.phase == SceneInputPhase::idle)
+        state.trail_moment = is_free_floor(state.hovered) ? trail_moment_at_pointer(state, frame) : std::nullopt;
     press(state, frame, outbox);
     if (state.drag.phase == SceneInputPhase::idle) return;
     continue_drag(state, frame, outbox);

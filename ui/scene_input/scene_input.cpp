@@ -13,6 +13,7 @@
 #include "ui/scene_input/interaction.h"
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/scene_input/tools.h"
+#include "ui/scene_input/trail_moments.h"
 
 namespace braitenlab::ui {
 
@@ -55,7 +56,7 @@ void show_cursor(const SceneInputState& state) {
     const bool busy = phase == SceneInputPhase::move || phase == SceneInputPhase::turn || phase == SceneInputPhase::pan;
     const bool on_handle =
         phase == SceneInputPhase::handle || state.sensors.hovered != SensorHandle::none || state.points.hovered;
-    if (busy || on_handle || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (busy || on_handle || state.hovered || state.trail_moment) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 // The axis of the floor nearest to a direction on the screen, so that arrow keys move objects along grid lines.
@@ -169,7 +170,7 @@ void follow_document(SceneInputState& state, const LabView& view) {
     if (state.run_id == view.run_id) return;
     state.run_id = view.run_id;
     choose_tool(state, SceneInputTool::hand);
-    state.hovered = {}, state.nudged = {};
+    state.hovered = {}, state.trail_moment.reset(), state.nudged = {};
     state.drag = {}, state.sensors.drag = {}, state.points.drag = {};
     state.refusal = {}, state.menu = {}, state.path = {};
 }
@@ -190,6 +191,8 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
     interact(state, frame, ui.outbox);
     show_cursor(state);
     draw_insight(frame, ui);
+    if (state.trail_moment && state.drag.phase == SceneInputPhase::idle)
+        draw_trail_moment(frame, ui, *state.trail_moment);
     draw_lesson(state, frame, ui);
     draw_sensor_handles(state, frame, ui);
     draw_scene_input(state, frame, ui);

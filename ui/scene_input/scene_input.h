@@ -55,6 +55,7 @@ struct SceneInputDrag {
     maths::vec2 last;                                  // pointer in the last frame, window pixels
     maths::vec2 moved;                                 // of the pointer since then
     Pose began, put;                                   // pose of the object at the press, and the last one requested
+    std::optional<std::uint64_t> moment;               // of the trail at the press, see trail_moment_at_pointer()
     maths::vec2 offset;                                // m, from the pointer's position on the floor to the object's
     float bearing = 0;  // rad, from the object to the pointer, at the press of the handle
     std::uint64_t gesture = 0;
@@ -90,6 +91,7 @@ struct SceneInputState {
     bool over = false;                     // the pointer was over the scene in the last frame, not over a card
     maths::vec2 middle;                    // of the area free of cards in the last frame, window pixels
     SceneInputHit hovered;
+    std::optional<std::uint64_t> trail_moment;  // tick of the point of the trail under the pointer
     SceneInputDrag drag;
     SceneInputRefusal refusal;
     SceneInputMenu menu;
