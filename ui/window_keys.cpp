@@ -1,7 +1,6 @@
 #include "ui/window_keys.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -19,10 +18,10 @@ namespace braitenlab::ui {
 
 namespace {
 
-std::optional<std::string_view> slider_of(Action action) {
-    constexpr std::array<std::string_view, 4> sliders{"slider.LL", "slider.LR", "slider.RL", "slider.RR"};
+// The position of a slider among numbered_sliders().
+std::optional<std::size_t> slider_number(Action action) {
     if (action < Action::slider_LL || action > Action::slider_RR) return std::nullopt;
-    return sliders[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::slider_LL)];
+    return static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::slider_LL);
 }
 
 bool key_for_typing(SliderState& sliders, KeyPress press) {
@@ -231,29 +230,21 @@ bool key_for_link(PanelState& state, KeyPress press, Outbox& outbox) {
     return true;
 }
 
-// Moves the focus to a slider of the brain. Where the exercise does not offer it, to the first one that it offers, and
-// says which ones these are.
-void focus_slider(const LabView& view, PanelState& state, std::string_view wanted, Outbox& outbox) {
-    std::string_view found = wanted;
-    if (offers_some(view)) {
-        found = {};
+// Moves the focus to a slider of the brain. Where the exercise offers fewer, to the first one, and says which ones it
+// offers.
+void focus_slider(const LabView& view, PanelState& state, std::size_t number, Outbox& outbox) {
+    const std::vector<std::string_view> sliders = numbered_sliders(view);
+    if (number >= sliders.size()) {
         std::string offered;
-        const std::vector<Offer> offers = offered_dials(*view.lesson->exercise);
-        for (const Offer& offer : offers) {
+        for (const Offer& offer : offered_dials(*view.lesson->exercise))
             offered += (offered.empty() ? "" : ", ") + words_of(offer);
-            for (const Dial dial : offer.dials)
-                if (anchor_of(dial) == wanted) found = anchor_of(offer.dials.front());
-        }
-        const std::string missing(wanted.substr(wanted.find('.') + 1));
-        if (found.empty() && offers.empty())
-            outbox.push_back(NoticeRequest{"notice.no_slider_offered", missing, {}});
-        else if (found.empty())
-            outbox.push_back(NoticeRequest{"notice.slider_not_offered", missing, offered});
-        if (found.empty() && !offers.empty()) found = anchor_of(offers.front().dials.front());
+        const std::string_view key = sliders.empty() ? "notice.no_slider_offered" : "notice.no_such_slider";
+        outbox.push_back(NoticeRequest{std::string(key), std::to_string(number + 1), offered});
+        number = 0;
     }
-    if (found.empty()) return;
+    if (sliders.empty()) return;
     state.card(Card::brain).folded = false;
-    state.keyboard.focus = found;
+    state.keyboard.focus = sliders[number];
     state.keyboard.revealed = true;
 }
 
@@ -267,8 +258,8 @@ bool has_other_vehicle(const LabView& view) {
 
 // Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
 bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press, Outbox& outbox) {
-    if (const auto slider = slider_of(action))
-        focus_slider(view, state, *slider, outbox);
+    if (const auto number = slider_number(action))
+        focus_slider(view, state, *number, outbox);
     else if (action == Action::next_card)
         state.keyboard.presses.push_back(press);
     else if (action == Action::keys)

@@ -187,10 +187,11 @@ public:
         }
     }
 
-    // Draws only the hint bar, with this text.
-    void show_hint(std::string_view key) {
+    // Draws only the hint bar, with this text, while the widget `prompted` pulses.
+    void show_hint(std::string_view key, std::string_view prompted = {}) {
         anchors.begin();
         ui::Ui ui{strings, palette(view.theme), fonts_, scale_, anchors, asked, {}, 1};
+        ui.highlight = prompted;
         written.clear();
         ui.written = &written;
         ImGui::NewFrame();

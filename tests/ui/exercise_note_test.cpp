@@ -91,6 +91,11 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     ASSERT_TRUE(desk.last<PredictRequest>());
     EXPECT_EQ(desk.last<PredictRequest>()->option, 2);
     EXPECT_EQ(desk.panels.keyboard.focus, "exercise.predict.3");
+    press({key::up});
+    EXPECT_EQ(desk.panels.keyboard.focus, "exercise.predict.2") << "arrows move between the answers";
+    EXPECT_EQ(desk.last<PredictRequest>()->option, 2) << "and choose none";
+    for (int i = 0; i < 3; ++i) press({key::down});
+    EXPECT_EQ(desk.panels.keyboard.focus, "exercise.predict.3") << "the last one";
     desk.lesson.prediction = 2;
     press({' '});
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "it is chosen already";

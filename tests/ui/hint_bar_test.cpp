@@ -76,6 +76,17 @@ TEST(HintBar, ListsTheKeysOfASliderThatKeysHaveReached) {
     EXPECT_EQ(said(desk).find("types a number"), std::string::npos) << "the mouse is used";
 }
 
+// The slider that pulses is the prompt's; the hint names the key that focuses this one.
+TEST(HintBar, NamesTheKeyOfTheSliderThatPulses) {
+    Desk desk(1280, 800, 1, true);
+    for (const auto& [slider, key] : {std::pair{"slider.LL", "1"}, {"slider.RL", "3"}, {"curve.peak", "Ctrl+Tab"}}) {
+        desk.show_hint("hint.turn_slider", slider);
+        std::vector<std::string> caps;
+        for (const Written& w : desk.written) caps.push_back(w.words);
+        EXPECT_NE(std::find(caps.begin(), caps.end(), key), caps.end()) << slider;
+    }
+}
+
 TEST(HintBar, NamesTheKeyThatEndsManualDrivingAndDriverView) {
     const auto said = [](Desk& desk) {
         desk.frame(2);

@@ -292,31 +292,31 @@ TEST(Slider, TellsForASecondThatKeysHaveChangedIt) {
     EXPECT_EQ(gesture_by_keys(desk.panels.sliders, desk.view.wall_seconds), 0u) << "a drag is not by keys";
 }
 
-TEST(Slider, AKeyOfASliderThatIsNotOfferedSaysWhichOnesAre) {
+TEST(Slider, DigitsFocusTheSlidersThatTheExerciseOffersFromTopToBottom) {
     Desk desk(1280, 800, 1, true);
     desk.open_exercise();
     desk.lesson.has_run = true;
     desk.lesson.prediction = 0;
-    desk.opened.offers = {"LM", "RM"};
+    desk.opened.offers = {"LL=RR", "LM=RM"};
     desk.frame(3);
+    desk.key({'2'});
+    EXPECT_EQ(desk.panels.keyboard.focus, "bias.LM");
     desk.key({'1'});
-    desk.frame(2);
-    ASSERT_TRUE(desk.last<NoticeRequest>());
-    EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.slider_not_offered");
-    EXPECT_EQ(desk.last<NoticeRequest>()->words, "LL");
-    EXPECT_EQ(desk.last<NoticeRequest>()->more, "LM, RM");
-    EXPECT_EQ(desk.panels.keyboard.focus, "bias.LM") << "the first one that is";
-    desk.all.clear();
-    desk.opened.offers = {"LL=RR"};
-    desk.frame(3);
-    desk.key({'4'});
-    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LL") << "the slider that sets both";
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LL");
     EXPECT_FALSE(desk.last<NoticeRequest>());
+    desk.key({'4'});
+    ASSERT_TRUE(desk.last<NoticeRequest>()) << "there are two";
+    EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.no_such_slider");
+    EXPECT_EQ(desk.last<NoticeRequest>()->words, "4");
+    EXPECT_EQ(desk.last<NoticeRequest>()->more, "LL = RR, LM = RM");
     desk.opened.offers = {"wiring"};
     desk.frame(3);
     desk.key({'4'});
-    ASSERT_TRUE(desk.last<NoticeRequest>());
     EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.no_slider_offered");
+    desk.lesson.free_play = true;
+    desk.frame(3);
+    desk.key({'4'});
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.RR");
 }
 
 TEST(Slider, EveryDialHasASlider) {

@@ -252,6 +252,17 @@ private:
 
 std::string_view anchor_of(Dial dial) { return slider_of(dial).anchor; }
 
+std::vector<std::string_view> numbered_sliders(const LabView& view) {
+    std::vector<std::string_view> anchors;
+    if (offers_some(view)) {
+        for (const Offer& offer : offered_dials(*view.lesson->exercise))
+            anchors.push_back(anchor_of(offer.dials.front()));
+    } else {
+        for (const DialSlider& slider : weight_sliders) anchors.push_back(slider.anchor);
+    }
+    return anchors;
+}
+
 std::string words_of(const Offer& offer) {
     std::string words;
     for (const Dial dial : offer.dials) words += (words.empty() ? "" : " = ") + shown_name(dial);

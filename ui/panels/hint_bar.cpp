@@ -1,12 +1,17 @@
 // The line at the bottom: the next step, or a notice.
+#include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
@@ -16,17 +21,6 @@
 namespace braitenlab::ui {
 
 namespace {
-
-// A key cap. Returns its width.
-float key_cap(const Ui& ui, ImVec2 at, float height, std::string_view words) {
-    const float w = std::max(text_width(ui, Face::small, words) + ui.px(10), ui.px(18)), h = ui.px(18);
-    const Rect cap{at.x, at.y + (height - h) / 2, w, h};
-    fill_box(ui, cap, ui.palette.raised);
-    line_box(ui, cap, ui.palette.line);
-    put_centred(ui, {cap.x + w / 2, cap.y + (h - line_height(ui, Face::small)) / 2}, words, ui.palette.text,
-                Face::small);
-    return w;
-}
 
 // "[play_pause] plays": the key of the action in brackets is drawn as a cap; "[F1]" is drawn as it is.
 std::string cap_words(const Ui& ui, std::string_view inside) {
@@ -41,7 +35,7 @@ float hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rec
         const std::string_view words = close == hint.npos ? hint : hint.substr(0, open);
         x += put(ui, {x, bar.y + (bar.h - line_height(ui, Face::small)) / 2}, words, colour, Face::small);
         if (close == hint.npos) return x;
-        x += key_cap(ui, {x, bar.y}, bar.h, cap_words(ui, hint.substr(open + 1, close - open - 1)));
+        x += key_cap(ui, {x, bar.y + bar.h / 2}, cap_words(ui, hint.substr(open + 1, close - open - 1)));
         hint.remove_prefix(close + 1);
     }
     return x;
@@ -68,6 +62,15 @@ std::string_view usual_hint(const LabView& view) {
     return view.settings.selection.vehicle == no_vehicle ? "hint.no_vehicle" : "hint.paused";
 }
 
+// The key that brings the focus to the slider that pulses, in brackets.
+std::string key_to_slider(const LabView& view, std::string_view anchor) {
+    constexpr std::array keys{Action::slider_LL, Action::slider_LR, Action::slider_RL, Action::slider_RR};
+    const std::vector<std::string_view> sliders = numbered_sliders(view);
+    const auto number = static_cast<std::size_t>(std::find(sliders.begin(), sliders.end(), anchor) - sliders.begin());
+    const bool has_key = number < std::min(sliders.size(), keys.size());
+    return "[" + std::string(name(has_key ? keys[number] : Action::next_card)) + "]";
+}
+
 // True if keys have brought the focus to a slider of the brain.
 bool is_slider_focused(const Ui& ui) {
     if (!ui.keyboard || !ui.keyboard->shown) return false;
@@ -87,7 +90,10 @@ void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::strin
         put_icon(ui, {x + ui.px(6), bar.y + bar.h / 2}, icon::hint, ui.palette.accent, Face::small);
         if (has_icons(ui)) x += ui.px(20);
     }
-    const std::string words = fill(ui.strings(prompted ? hint : usual_hint(view)), {ui.strings(next_change(view))});
+    const bool is_slider = hint == "hint.turn_slider" || hint == "hint.turn_slider_paused";
+    const std::string key = is_slider ? key_to_slider(view, ui.highlight) : std::string();
+    const std::string words = fill(ui.strings(prompted ? hint : usual_hint(view)),
+                                   {is_slider ? std::string_view(key) : ui.strings(next_change(view))});
     hint_line(ui, words, prompted ? ui.palette.text : ui.palette.second_text, x, bar);
 }
 

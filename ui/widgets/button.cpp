@@ -140,10 +140,25 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
     return clicked;
 }
 
-bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how) {
+float key_cap_width(const Ui& ui, std::string_view words) {
+    return std::max(text_width(ui, Face::small, words) + ui.px(10), ui.px(18));
+}
+
+float key_cap(const Ui& ui, ImVec2 at, std::string_view words) {
+    const float w = key_cap_width(ui, words), h = ui.px(18);
+    const Rect cap{at.x, at.y - h / 2, w, h};
+    fill_box(ui, cap, ui.palette.raised);
+    line_box(ui, cap, ui.palette.line);
+    put_centred(ui, {cap.x + w / 2, at.y - line_height(ui, Face::small) / 2}, words, ui.palette.text, Face::small);
+    return w;
+}
+
+bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how,
+               std::string_view key) {
     const float width = card_width(ui), left = ui.px(34), top = ui.px(7);
     ImFont* f = font(ui, Face::text);
-    const float wrap = width - left - ui.px(10);
+    const float cap = key.empty() ? 0 : key_cap_width(ui, key) + ui.px(8);
+    const float wrap = width - left - ui.px(10) - cap;
     const std::string lines = wrapped_at_spaces(ui, Face::text, words, wrap);
     const char *begin = lines.c_str(), *end = begin + lines.size();
     const ImVec2 text = f->CalcTextSizeA(compat::size_of(f), 1e9f, wrap, begin, end);
@@ -157,6 +172,7 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     if (chosen) draw.AddCircleFilled(dot, ui.px(3.5f), paint(p.accent));
     put_on(draw, ui, {at.rect.x + left, at.rect.y + top}, lines, enabled || chosen ? p.text : p.second_text, Face::text,
            wrap);
+    if (cap > 0) key_cap(ui, {at.rect.x + width - cap, at.middle_y()}, key);
     tooltip(ui, at, how);
     return at.pressed;
 }

@@ -43,7 +43,12 @@ int segments(Ui&, std::string_view id, std::span<const std::string_view> words, 
              std::string_view how = {});
 
 // An option of a list: a row of wrapped words. True when clicked.
-bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how = {});
+// `key`: of the key that presses it, shown as a cap at the right end.
+bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how = {},
+               std::string_view key = {});
+
+// A key cap; `at`: the middle of its left edge. Returns its width.
+float key_cap(const Ui&, ImVec2 at, std::string_view words);
 
 // A row that folds and unfolds the part below it. Returns true if the part is open.
 bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open, std::string_view how = {});

@@ -1,5 +1,6 @@
 #include "ui/panels/course/exercise_keys.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,16 @@ int focused_answer(const PanelState& state, int count) {
     for (int i = 0; i < count; ++i)
         if (state.keyboard.focus == std::string(answer_stem) + std::to_string(i + 1)) return i;
     return -1;
+}
+
+// Moves the focus from an answer to the one above or below it. False if no answer has the focus.
+bool move_between_answers(PanelState& state, int count, int pressed) {
+    const int focused = focused_answer(state, count);
+    if (focused < 0 || !state.keyboard.shown) return false;
+    const int wanted = std::clamp(focused + (pressed == key::up ? -1 : 1), 0, count - 1);
+    state.keyboard.focus = std::string(answer_stem) + std::to_string(wanted + 1);
+    state.keyboard.revealed = true;
+    return true;
 }
 
 // True if keys may be for the exercise: no sheet, menu or text field has them.
@@ -38,6 +49,7 @@ bool asks_before_play(const LabView& view) {
 bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (press.ctrl || press.shift || !is_asked(view, state)) return false;
     const int count = static_cast<int>(view.lesson->exercise->prediction.options.size());
+    if (press.key == key::up || press.key == key::down) return move_between_answers(state, count, press.key);
     int wanted = -1;
     if (press.key >= '1' && press.key <= '9' && !view.lecture) wanted = press.key - '1';
     if (press.key == ' ' && state.keyboard.shown) wanted = focused_answer(state, count);

@@ -87,7 +87,9 @@ void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     for (std::size_t i = 0; i < asked.options.size(); ++i) {
         const bool is_chosen = static_cast<int>(i) == lesson.prediction;
         const std::string id = "exercise.predict." + std::to_string(i + 1);
-        if (radio_row(ui, id, translated(ui, asked.options[i]), is_chosen, true, ui.strings("exercise.predict_how")) &&
+        const std::string key = view.lecture ? "" : std::to_string(i + 1);
+        if (radio_row(ui, id, translated(ui, asked.options[i]), is_chosen, true, ui.strings("exercise.predict_how"),
+                      key) &&
             !is_chosen)
             ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
     }
