@@ -85,7 +85,8 @@ std::string json_text(const Tried& tried, const insight::Robots& robots, const R
     json["figures"] = {
         {"mismatch", rounded_number(used.mismatch)},   {"gain_spread", rounded_number(used.gain_spread)},
         {"noise", rounded_number(used.noise)},         {"latency", rounded_number(used.latency)},
-        {"dead_band", rounded_number(used.dead_band)}, {"friction_spread", rounded_number(used.friction_spread)}};
+        {"dead_band", rounded_number(used.dead_band)}, {"friction_spread", rounded_number(used.friction_spread)},
+        {"interval", rounded_number(used.interval)},   {"bits", used.bits}};
     json["ideal"] = robot_json(report.ideal);
     json["each"] = nlohmann::ordered_json::array();
     for (const RobotResult& robot : report.robots) json["each"].push_back(robot_json(robot));
@@ -113,16 +114,24 @@ std::string outcome_text(const Tried& tried, const RobotResult& robot) {
     return text;
 }
 
+// "a sample every 0.02 s of 10 bit, "; empty without interval and converter.
+std::string sampling(const Reality& used) {
+    std::string text = used.interval > 0 ? fmt::format("a sample every {:g} s", used.interval) : "";
+    if (used.bits > 0) text += fmt::format("{}{} bit", text.empty() ? "readings of " : " of ", used.bits);
+    return text.empty() ? text : text + ", ";
+}
+
 std::string plain_text(const Tried& tried, const insight::Robots& robots, const RobotsReport& report) {
     const Kind& kind = tried.scene.kinds[static_cast<std::size_t>(robots.kind())];
     const Reality used = insight::reality_of(robots.scene().kinds[static_cast<std::size_t>(robots.kind())]);
     std::string text = fmt::format(
-        "reality {:g}{}: motors ±{:g} %, sensors ±{:g} %, noise {:g}, latency {:g} s, dead band {:g}, wheels ±{:g} %\n",
+        "reality {:g}{}: motors ±{:g} %, sensors ±{:g} %, noise {:g}, latency {:g} s, {}dead band {:g}, wheels ±{:g} "
+        "%\n",
         robots.question().reality,
         insight::is_ideal(kind)
             ? fmt::format(" (the kind {} has no figures: those of a typical small robot)", kind.name)
             : "",
-        100 * used.mismatch, 100 * used.gain_spread, used.noise, used.latency, used.dead_band,
+        100 * used.mismatch, 100 * used.gain_spread, used.noise, used.latency, sampling(used), used.dead_band,
         100 * used.friction_spread);
     text += fmt::format("{} of {} robots {}\n", report.working, report.robots.size(),
                         tried.exercise ? "pass the exercise" : "do what the ideal robot does");

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/scene/schema.h"
+
 namespace braitenlab::insight {
 
 namespace {
@@ -21,6 +23,12 @@ float scaled(float own, float typical, bool is_typical, float reality, float mos
     return std::min((is_typical ? typical : own) * reality, most);
 }
 
+int scaled_bits(int bits, float reality) {
+    if (bits == 0 || reality <= 0) return 0;
+    return std::clamp(static_cast<int>(std::lround(static_cast<float>(bits) - std::log2(reality))), 1,
+                      braitenlab::limits::converter_bits);
+}
+
 void scale(std::vector<Sensor>& sensors, bool is_typical, float reality) {
     const Reality& typical = typical_robot;
     for (Sensor& s : sensors) {
@@ -28,6 +36,8 @@ void scale(std::vector<Sensor>& sensors, bool is_typical, float reality) {
         s.gain_spread = scaled(s.gain_spread, typical.gain_spread, is_typical, reality, most_spread);
         s.noise = scaled(s.noise, typical.noise, is_typical, reality, most_noise);
         s.latency = scaled(s.latency, typical.latency, is_typical, reality, most_latency);
+        s.interval = scaled(s.interval, typical.interval, is_typical, reality, most_latency);
+        s.bits = scaled_bits(is_typical ? typical.bits : s.bits, reality);
     }
 }
 
@@ -75,6 +85,8 @@ Reality reality_of(const Kind& kind) {
         reality.gain_spread = std::max(reality.gain_spread, sensor.gain_spread);
         reality.noise = std::max(reality.noise, sensor.noise);
         reality.latency = std::max(reality.latency, sensor.latency);
+        reality.interval = std::max(reality.interval, sensor.interval);
+        if (sensor.bits > 0) reality.bits = reality.bits > 0 ? std::min(reality.bits, sensor.bits) : sensor.bits;
     }
     return reality;
 }

@@ -24,25 +24,31 @@ inline constexpr int robots = 1000;
 // The figures of a kind that an ideal robot does not have; see Body and Sensor. Of sensors the largest.
 struct Reality {
     float mismatch = 0, gain_spread = 0, noise = 0, latency = 0, dead_band = 0, friction_spread = 0;
+    float interval = 0;
+    int bits = 0;  // the smallest; 0: no converter
     friend bool operator==(const Reality&, const Reality&) = default;
 };
 
 // A small robot with two geared TT motors and photoresistors. Motors: 200 rpm ± 10 % (data sheet of Adafruit 3777).
 // Sensors: the resistance of a GL5528 at 10 lx is 10 to 20 kΩ (data sheet), which over 1.5 kΩ is ± 22 % of a reading;
-// it follows light in 20 to 30 ms. Dead band: what the exported sketch leaves. Noise and friction are assumed.
+// it follows light in 20 to 30 ms. Dead band: what the exported sketch leaves. It reads its sensors 50 times per second
+// with 10 bit. Noise and friction are assumed.
 inline constexpr Reality typical_robot{.mismatch = 0.10f,
                                        .gain_spread = 0.20f,
                                        .noise = 0.01f,
                                        .latency = 0.04f,
                                        .dead_band = 0.02f,
-                                       .friction_spread = 0.20f};
+                                       .friction_spread = 0.20f,
+                                       .interval = 0.02f,
+                                       .bits = 10};
 
 Reality reality_of(const Kind&);
 inline bool is_ideal(const Kind& kind) { return reality_of(kind) == Reality{}; }
 
 // The scene in which the figures of this kind are multiplied by `reality` (0..limits::reality), limited to their
-// ranges: 0 ideal, 1 as in the scene. A kind that is ideal gets those of typical_robot instead. Sensors for touch,
-// energy and place memory stay as they are; they have no such errors.
+// ranges: 0 ideal, 1 as in the scene. The steps of a converter are so many times as large, to the nearest bit. A kind
+// that is ideal gets those of typical_robot instead. Sensors for touch, energy and place memory stay as they are; they
+// have no such errors.
 Scene with_reality(Scene, int kind, float reality);
 
 struct RobotsQuestion {

@@ -40,6 +40,8 @@ struct Sensor {
     float gain_spread = 0;    // ± share by which the readings of each vehicle's sensor differ, random
     float gamma = 1;          // exponent of a photocell's curve
     bool hard_range = false;  // a graded reading does not fade towards the range
+    float interval = 0;       // s between two samples, 0..1; the last one is held; 0: a sample at every tick
+    int bits = 0;             // of the converter, which rounds a reading down to one of 2^bits steps; 0: none
     std::vector<ResponsePoint> points{};  // of SensorResponse::table, by distance; the reading is 0 beyond the last
     friend bool operator==(const Sensor&, const Sensor&) = default;
 };

@@ -42,6 +42,7 @@ inline constexpr int vehicles = 20000;  // in a world at a time
 inline constexpr std::size_t kinds = 64, starts = 4096, sources = 1024, obstacles = 4096, wheels = 16;
 inline constexpr std::size_t lamps = 16, waypoints = 256, corners = 8, zones = 1024, on_times = 64;
 inline constexpr int marks = 64;
+inline constexpr int converter_bits = 16;
 inline constexpr std::size_t response_points = 32;
 inline constexpr std::size_t name_length = 40, title_length = 120, text_length = 2000;
 }  // namespace limits
@@ -49,7 +50,8 @@ inline constexpr std::size_t name_length = 40, title_length = 120, text_length =
 // Values that earlier versions did not have: files of runs may lack them, and a default is not a part of the digest of
 // a run. No other struct has a value with one of these keys.
 constexpr bool is_later_value(std::string_view key) {
-    for (const std::string_view later : {"gain_spread", "gamma", "hard_range", "point", "friction_spread"})
+    for (const std::string_view later :
+         {"gain_spread", "gamma", "hard_range", "point", "friction_spread", "interval", "bits"})
         if (key == later) return true;
     return false;
 }
@@ -133,6 +135,9 @@ void describe(Visitor& v, Of<Sensor>) {
     v.number("gain_spread", &Sensor::gain_spread, "", {0, 0.9}, "± share by which the sensor of each vehicle differs");
     v.number("gamma", &Sensor::gamma, "", {0.2, 3}, "exponent γ of a photocell; of a photoresistor about 0.7");
     v.flag("hard_range", &Sensor::hard_range, "a graded reading does not fade towards the range");
+    v.number("interval", &Sensor::interval, "s", {0, 1}, "between two samples; 0: a sample at every tick");
+    v.number("bits", &Sensor::bits, "", {0, limits::converter_bits},
+             "of the converter, which reads one of 2^bits steps; 0: no steps");
     v.list("point", &Sensor::points, limits::response_points, "a measured reading, for the response `table`");
 }
 

@@ -16,6 +16,11 @@ float reach_of(const Sensor& s) {
     return s.range * std::max(0.0f, maths::cosine(s.fov / 2));
 }
 
+// In microseconds; 0 for an interval that is no longer than a tick.
+std::uint32_t interval_of(const Sensor& s) {
+    return s.interval > tick_seconds ? static_cast<std::uint32_t>(s.interval * 1e6f + 0.5f) : 0;
+}
+
 }  // namespace
 
 CompiledSensor::CompiledSensor(const Sensor& s)
@@ -38,10 +43,21 @@ CompiledSensor::CompiledSensor(const Sensor& s)
       points(s.response == SensorResponse::table ? s.points : std::vector<ResponsePoint>{}),
       noise(s.noise),
       delay(delay_ticks(s)),
+      interval(interval_of(s)),
+      steps(s.bits > 0 ? static_cast<float>(1U << static_cast<unsigned>(s.bits)) : 0.0f),
       sees_ambient_light(is_seen_as(s.channel, Channel::light)),
       is_blocked(is_blocked_by_obstacles(s.channel)) {}
 
 std::uint32_t delay_ticks(const Sensor& s) { return static_cast<std::uint32_t>(s.latency / tick_seconds + 0.5f); }
+
+std::uint32_t kept_readings(const Sensor& s) { return (interval_of(s) > 0 ? 1 : 0) + delay_ticks(s); }
+
+bool is_sampled(std::uint32_t interval, std::uint64_t tick) {
+    if (interval == 0 || tick == 0) return true;
+    constexpr std::uint64_t microseconds = 1000000, ticks = 60;  // of a second
+    const auto number = [&](std::uint64_t t) { return t * microseconds / (ticks * interval); };
+    return number(tick) != number(tick - 1);
+}
 
 bool in_field(const CompiledSensor& sensor, const SensorPose& pose, vec2 point) {
     const vec2 d = point - pose.position;

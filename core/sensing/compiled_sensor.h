@@ -36,12 +36,27 @@ struct CompiledSensor {
     std::vector<ResponsePoint> points;  // of a table
     float noise;                        // standard deviation of a reading
     std::uint32_t delay;                // ticks until the brain receives a reading
+    std::uint32_t interval;             // microseconds between two samples; 0: a sample at every tick
+    float steps;                        // of the converter; 0: none
     bool sees_ambient_light;            // the arena's ambient light is added to its readings
     bool is_blocked;                    // obstacles hide stimuli of its channel
 };
 
 // Latency of a sensor in ticks, rounded.
 std::uint32_t delay_ticks(const Sensor&);
+
+// Number of readings that a vehicle keeps for a sensor: the last sample if its interval is longer than a tick, then the
+// ring of its latency.
+std::uint32_t kept_readings(const Sensor&);
+
+// True if a sensor with this interval takes a sample in the tick: the first tick that begins in an interval. All
+// intervals are counted from tick 0, so sensors of equal intervals take their samples together.
+bool is_sampled(std::uint32_t interval, std::uint64_t tick);
+
+// What a converter of so many steps makes of a reading (0..1): rounded down to a step, of which the last is 1.
+inline float converted(float reading, float steps) {
+    return std::min(std::floor(reading * steps), steps - 1) / (steps - 1);
+}
 
 // A sensor's position, axis and arms in world coordinates.
 struct SensorPose {

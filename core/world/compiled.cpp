@@ -72,7 +72,7 @@ void limit_overshoot(const Body& body, std::vector<CompiledWheel>& wheels, float
 
 std::uint32_t delayed_readings(const Kind& kind) {
     std::uint32_t count = 0;
-    for (const Sensor& sensor : kind.sensors) count += sensing::delay_ticks(sensor);
+    for (const Sensor& sensor : kind.sensors) count += sensing::kept_readings(sensor);
     return count;
 }
 

@@ -56,7 +56,7 @@ SharedDesign own_design(const Kind&, const std::vector<Sensor>&);
 // Fails as compile() does.
 Result<SharedBrain> compile_brain(const BrainGraph&, const Kind&);
 
-// Number of readings that the ring buffers of one vehicle of the kind hold.
+// Number of readings that one vehicle of the kind keeps: held samples and ring buffers.
 std::uint32_t delayed_readings(const Kind&);
 
 // Compiles a kind without its brain.

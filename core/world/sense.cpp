@@ -91,6 +91,14 @@ maths::Random gains_for(const WorldData& s, std::size_t row) {
     return {s.parts_seed ^ 0x6761696eULL, static_cast<std::uint32_t>(s.vehicles.id[row])};
 }
 
+// The sample that a sensor with an interval holds is in the slot before its ring.
+float held_sample(const WorldData& s, const CompiledSensor& sensor, float value, std::size_t slot,
+                  std::vector<float>* keep) {
+    if (!sensing::is_sampled(sensor.interval, s.tick)) return s.vehicles.delayed[slot];
+    if (keep) (*keep)[slot] = value;
+    return value;
+}
+
 // Reads all sensors into `sensed`. A sensor with latency returns its reading of `delay` ticks ago from its ring buffer;
 // the new reading replaces it in `keep_delayed` unless that is null.
 void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float>& sensed,
@@ -110,6 +118,8 @@ void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float
             if (kind.has_gain_spread) value *= 1 + sensor.gain_spread * gains.uniform(-1, 1);
             if (sensor.noise > 0) value += sensor.noise * chance.normal();
             value = std::clamp(value, 0.0f, 1.0f);  // signals add up and saturate
+            if (sensor.steps > 0) value = sensing::converted(value, sensor.steps);
+            if (sensor.interval > 0) value = held_sample(s, sensor, value, ring++, keep_delayed);
             if (sensor.delay > 0) {
                 const std::size_t slot = ring + s.tick % sensor.delay;
                 const float delayed = v.delayed[slot];

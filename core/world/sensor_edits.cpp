@@ -31,23 +31,25 @@ std::string earlier_name(const std::vector<Sensor>& before, const std::vector<Se
 void append_readings(const Vehicles& v, const Readings& before, const std::vector<Sensor>& sensors, std::size_t index,
                      std::vector<float>& sensed, std::vector<float>& delayed) {
     std::size_t ring = before.first_delayed;
-    const std::uint32_t delay = sensing::delay_ticks(sensors[index]);
+    const std::uint32_t kept = sensing::kept_readings(sensors[index]);
     const std::string earlier = earlier_name(before.sensors, sensors, index);
     for (std::size_t i = 0; i < before.sensors.size(); ++i) {
-        const std::uint32_t old_delay = sensing::delay_ticks(before.sensors[i]);
+        const std::uint32_t old_kept = sensing::kept_readings(before.sensors[i]);
         if (before.sensors[i].name == earlier) {
             sensed.push_back(v.sensed[before.first_sensed + i]);
             const auto slots = v.delayed.begin() + static_cast<std::ptrdiff_t>(ring);
-            if (delay == old_delay)
-                delayed.insert(delayed.end(), slots, slots + delay);
+            const bool same =
+                kept == old_kept && sensing::delay_ticks(sensors[index]) == sensing::delay_ticks(before.sensors[i]);
+            if (same)
+                delayed.insert(delayed.end(), slots, slots + kept);
             else
-                delayed.insert(delayed.end(), delay, 0.0f);
+                delayed.insert(delayed.end(), kept, 0.0f);
             return;
         }
-        ring += old_delay;
+        ring += old_kept;
     }
     sensed.push_back(0);
-    delayed.insert(delayed.end(), delay, 0.0f);
+    delayed.insert(delayed.end(), kept, 0.0f);
 }
 
 // Lays out the readings of all vehicles for new sensors: `sensors_of(row)`.

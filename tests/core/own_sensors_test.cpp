@@ -82,6 +82,25 @@ TEST(Command, SetSensorsKeepsTheDelayedReadingsOfSensorsThatStay) {
     }
 }
 
+TEST(Command, SetSensorsKeepsTheSamplesOfSensorsThatStay) {
+    Scene scene = twins();
+    for (Sensor& sensor : scene.kinds[0].sensors) sensor.interval = 1;
+    Session session = open(scene);
+    for (int i = 0; i < 90; ++i) session.step();
+    const float left = reading(session, 0, 0);
+    ASSERT_GT(left, 0.01f);
+    std::vector<Sensor> sensors = design(session, 0).sensors;
+    std::swap(sensors[0], sensors[1]);
+    sensors.push_back({.name = "new", .angle = 0.6f, .interval = 1});
+    ASSERT_FALSE(session.apply(SetSensors{{.vehicle = 0}, sensors}));
+    session.step();
+    EXPECT_EQ(reading(session, 0, 1), left) << "the left eye is now the second sensor";
+    EXPECT_EQ(reading(session, 0, 2), 0) << "until its first sample";
+    for (int i = 0; i < 30; ++i) session.step();
+    EXPECT_NE(reading(session, 0, 1), left);
+    EXPECT_GT(reading(session, 0, 2), 0);
+}
+
 TEST(Command, SetSensorsOfAKindReplacesOwnSensorsAndUndoRestoresThem) {
     Session session = open(twins());
     const std::vector<Sensor> of_kind = design(session, 0).sensors;

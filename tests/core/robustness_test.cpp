@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/schema.h"
 #include "tests/core/scenes.h"
 
 namespace braitenlab::tests::robustness_test {
 namespace {
 
 using namespace insight;
+using braitenlab::limits::converter_bits;
 
 // A vehicle that drives straight to a lamp 6 m ahead and steers by nothing.
 Scene straight() {
@@ -109,6 +111,21 @@ TEST(Robustness, GivesAnIdealKindTheFiguresOfATypicalRobotButNoErrorsToBumpers) 
     EXPECT_EQ(reality_of(real.kinds[0]), typical_robot);
     EXPECT_EQ(real.kinds[0].sensors.back(), scene.kinds[0].sensors.back());
     EXPECT_FALSE(check_scene(with_reality(scene, 0, 2)));
+}
+
+TEST(Robustness, ScalesTheSamplesAndTheStepsOfAConverter) {
+    Scene scene = straight();
+    for (Sensor& sensor : scene.kinds[0].sensors) sensor.interval = 0.1f, sensor.bits = 10;
+    scene.kinds[0].sensors[1].bits = 8;
+    EXPECT_EQ(reality_of(scene.kinds[0]), (Reality{.interval = 0.1f, .bits = 8})) << "the coarser converter";
+    EXPECT_EQ(with_reality(scene, 0, 1), scene);
+    const auto scaled = [&](float reality) { return with_reality(scene, 0, reality).kinds[0].sensors[0]; };
+    EXPECT_EQ(scaled(2).bits, 9) << "steps twice as large";
+    EXPECT_FLOAT_EQ(scaled(2).interval, 0.2f);
+    EXPECT_EQ(scaled(0.25f).bits, 12);
+    EXPECT_EQ(scaled(0.001f).bits, converter_bits);
+    EXPECT_EQ(scaled(0).bits, 0);
+    EXPECT_EQ(scaled(0).interval, 0);
 }
 
 TEST(Robustness, KeepsTheStartPosesOfARandomPopulation) {

@@ -1,8 +1,10 @@
 // Readings of the sensors of every channel in a running world.
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
+#include "core/sensing/compiled_sensor.h"
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
@@ -341,6 +343,76 @@ TEST(World, LatencyDelaysEveryReadingByItsTicks) {
     EXPECT_EQ(reading(world), 0);
 }
 
+// A vehicle before a lamp that moves away by a little before every tick; step() gives the reading of the tick.
+class Receding {
+public:
+    explicit Receding(const Sensor& sensor) : world_(make(with(watcher(sensor), {.x = 4}))) {}
+    float step() {
+        EXPECT_FALSE(world_.apply(MoveSource{0, 4 + 0.01f * static_cast<float>(moved_++), 0}));
+        world_.step();
+        return reading(world_);
+    }
+    World& world() { return world_; }
+
+private:
+    World world_;
+    int moved_ = 0;
+};
+
+TEST(World, ASensorWithAnIntervalHoldsItsLastSample) {
+    const Sensor prompt{.channel = Channel::light}, slow{.channel = Channel::light, .interval = 0.1f};
+    Receding every_tick(prompt), every_sixth(slow);
+    EXPECT_EQ(reading(every_sixth.world()), reading(every_tick.world())) << "the first sample is at the start";
+    float sample = 0;
+    for (int tick = 0; tick < 40; ++tick) {
+        const float now = every_tick.step();
+        EXPECT_NE(now, sample);
+        if (tick % 6 == 0) sample = now;
+        EXPECT_EQ(every_sixth.step(), sample) << tick;
+    }
+}
+
+TEST(World, AnIntervalThatIsNoMultipleOfATickIsKeptOnTheAverage) {
+    // 50 samples of a robot's program in the 60 ticks of a second.
+    int samples = 0, longest = 0, last = 0;
+    for (int tick = 0; tick < 6000; ++tick) {
+        if (!sensing::is_sampled(20000, static_cast<std::uint64_t>(tick))) continue;
+        ++samples, longest = std::max(longest, tick - last), last = tick;
+    }
+    EXPECT_EQ(samples, 5000);
+    EXPECT_EQ(longest, 2);
+    const Sensor fast{.channel = Channel::light, .interval = 0.01f}, prompt{.channel = Channel::light};
+    Receding a(fast), b(prompt);
+    for (int tick = 0; tick < 20; ++tick) EXPECT_EQ(a.step(), b.step()) << "an interval shorter than a tick";
+}
+
+TEST(World, ASampleTravelsForTheLatencyAndIsThenHeld) {
+    Receding prompt({.channel = Channel::light}), slow({.channel = Channel::light, .latency = 0.05f, .interval = 0.1f});
+    std::vector<float> all;
+    for (int tick = 0; tick < 40; ++tick) {
+        all.push_back(prompt.step());
+        const float received = slow.step();
+        if (tick < 3) continue;
+        EXPECT_EQ(received, all[static_cast<std::size_t>((tick - 3) / 6 * 6)]) << tick;
+    }
+}
+
+TEST(World, AConverterReadsOneOfItsSteps) {
+    Receding plain({.channel = Channel::light}), stepped({.channel = Channel::light, .bits = 4});
+    std::set<float> values;
+    for (int tick = 0; tick < 600; ++tick) {
+        const float exact = plain.step(), read = stepped.step();
+        values.insert(read);
+        EXPECT_NEAR(read, exact, 1.0f / 16);
+        EXPECT_NEAR(read * 15, std::round(read * 15), 1e-5f);
+        EXPECT_EQ(std::lround(read * 15), std::lround(std::floor(exact * 16))) << "as a converter counts";
+    }
+    EXPECT_GE(values.size(), 4u);
+    EXPECT_EQ(sensing::converted(1, 1024), 1);
+    EXPECT_EQ(sensing::converted(0, 1024), 0);
+    EXPECT_FLOAT_EQ(sensing::converted(0.5f, 1024), 512.0f / 1023);
+}
+
 TEST(World, ATriangularFieldIsRefusedAt180DegreesOrMore) {
     Scene scene = watcher({.shape = SensorShape::triangle, .fov = maths::radians(200)});
     EXPECT_FALSE(World::create(scene, 1));
@@ -377,6 +449,7 @@ Scene crowd_with_every_sense() {
             {"a", Channel::touch}, {"b", Channel::floor}, {"c", Channel::memory}, {"d", Channel::red}};
         for (const auto& [name, channel] : senses) {
             kind.sensors.push_back({.name = name, .channel = channel, .noise = 0.02f, .latency = 0.1f});
+            if (channel == Channel::red) kind.sensors.back().interval = 0.25f;
             const auto id = static_cast<NodeId>(100 + kind.brain.nodes.size());
             kind.brain.nodes.push_back({.id = id, .kind = NodeKind::sensor, .name = name});
             kind.brain.wires.push_back({.from = id, .to = find_node(kind.brain, "ML")->id, .weight = -0.4f});

@@ -42,6 +42,7 @@ struct RealityCard : SceneOnDesk {
 
 TEST_F(RealityCard, BeginsATrial) {
     EXPECT_TRUE(says("Wheels: speed ±10 %"));
+    EXPECT_TRUE(says("every 20 ms, 10 bit"));
     EXPECT_FALSE(says("robots do"));
     desk.click("reality.try");
     ASSERT_TRUE(desk.last<RobotsRequest>());

@@ -99,6 +99,10 @@ private:
         const auto percent = [&](float share) { return std::to_string(std::lround(100 * share)); };
         std::string text = fill(strings("reality.sensors"), {percent(f.gain_spread), fixed(ui_, f.noise, 3),
                                                              std::to_string(std::lround(1000 * f.latency))});
+        // A sensor without an interval takes a sample at every tick.
+        const float interval = std::max(f.interval, tick_seconds);
+        text += "\n" + fill(strings("reality.samples"), {std::to_string(std::lround(1000 * interval))});
+        if (f.bits > 0) text += ", " + fill(strings("reality.bits"), {std::to_string(f.bits)});
         text += "\n" + fill(strings("reality.motors"),
                             {percent(f.mismatch), fixed(ui_, f.dead_band, 2), percent(f.friction_spread)});
         paragraph(ui_, text, ui_.palette.second_text, Face::small);
