@@ -66,6 +66,7 @@ constexpr Shortcut shortcut_table[]{
     {{'=', true, true}, Action::larger},
     {{'-', true, false}, Action::smaller},
     {{',', true, false}, Action::settings},
+    {{'H', false, true}, Action::hint},
     {{'C'}, Action::charts},
     {{key::f9}, Action::lecture},
     {{key::f5}, Action::first_page},

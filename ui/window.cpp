@@ -167,6 +167,12 @@ void draw_title_page(const LabView& view, PanelState& state, Ui& ui, Rect window
     end_keyboard(state.keyboard);
 }
 
+// A hint may name a widget that is not in the window now: then nothing pulses.
+std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
+    const bool pulses = prompt.anchor.empty() || prompt.anchor == lamp_anchor || ui.anchors.find(prompt.anchor);
+    return prompt.hint == "hint.follow_hint" && !pulses ? "hint.after_hint" : prompt.hint;
+}
+
 }  // namespace
 
 OpenCards open_cards(const LabView& view, const PanelState& state) {
@@ -241,7 +247,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         state.marks = {};
         timeline(view, state, ui, layout.timeline);
         const std::string tool = hint_of_tool(state.scene_input, view);
-        hint_bar(view, ui, layout.hint_bar, tool.empty() ? prompt.hint : std::string_view(tool));
+        hint_bar(view, ui, layout.hint_bar, tool.empty() ? shown_hint(prompt, ui) : std::string_view(tool));
         toolbar(view, state, ui, layout.toolbar);
         menu_bar(state, ui, layout.menu_bar);
     }

@@ -302,6 +302,39 @@ TEST_F(LessonPrompts, AskForNoChangeWhileWaitingCompletesEveryStep) {
     EXPECT_EQ(next().hint, "hint.ask");
 }
 
+// Of conditioning: the vehicle stands in the dark until a lamp is switched on.
+TEST_F(LessonPrompts, AskForNoResetWhileAStepIsStillToBeJudged) {
+    desk.now.vehicles.resize(1);
+    desk.now.vehicles[0].speed = 0;
+    desk.lesson.has_run = true;
+    desk.opened.seconds = 60;
+    desk.opened.steps.resize(1);
+    desk.opened.steps[0].check.earliest = 40;
+    desk.lesson.verdicts.assign(1, Verdict{});
+    at(1), next();
+    at(12);
+    EXPECT_EQ(anchor(), "");
+    desk.opened.steps[0].check.earliest = 10;
+    EXPECT_EQ(anchor(), "button.reset");
+}
+
+TEST_F(LessonPrompts, AHintThatNamesAHiddenWidgetSaysNotThatItPulses) {
+    const auto says = [&](std::string_view words) {
+        desk.frame(3);
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& w) { return w.words.find(words) != std::string::npos; });
+    };
+    desk.lesson.has_run = true;
+    desk.lesson.prediction = 0;
+    desk.lesson.hints_shown = 1;
+    desk.opened.hints = {{"Raise it.", "slider.LL"}};
+    at(3);
+    EXPECT_TRUE(says("Try what pulses"));
+    desk.opened.hints[0].anchor = "wire.weight";  // of the diagram, which is closed
+    EXPECT_TRUE(says("Do what the hint says"));
+    EXPECT_FALSE(says("Try what pulses"));
+}
+
 TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
     const std::vector<std::pair<std::vector<std::string>, std::string_view>> cases{
         {{"LM", "RM"}, "slider"}, {{"curves"}, "slider"},   {{"wiring"}, "wire"},

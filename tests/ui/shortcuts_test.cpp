@@ -36,7 +36,7 @@ TEST(Shortcuts, AreNamedAsOnTheKeyboard) {
     EXPECT_EQ(key_name(Action::redo, strings), "Ctrl+Shift+Z");
     EXPECT_EQ(key_name(Action::play_pause, strings), "Space");
     EXPECT_EQ(key_name(Action::full_screen, strings), "F11");
-    EXPECT_EQ(key_name(Action::hint, strings), "");
+    EXPECT_EQ(key_name(Action::exercise_reset, strings), "");
 }
 
 TEST(Shortcuts, InTheHintBarHaveAnAction) {

@@ -167,6 +167,17 @@ bool is_completing_a_step(const LessonView& lesson) {
                        [&](const Verdict& v) { return v.done || lasts_for(v, INFINITY); });
 }
 
+// True while a step is still to be judged at a later time, after lamps were switched for example: the vehicle may stand
+// and see nothing until then.
+bool waits_for_a_step(const LabView& view) {
+    const auto& steps = view.lesson->exercise->steps;
+    const auto& verdicts = view.lesson->verdicts;
+    for (std::size_t i = 0; i < std::min(steps.size(), verdicts.size()); ++i)
+        if (!verdicts[i].done && !verdicts[i].lost && static_cast<double>(steps[i].check.earliest) > view.now->seconds)
+            return true;
+    return false;
+}
+
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
@@ -178,7 +189,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (const auto anchor = hinted(memory, view); !anchor.empty()) return {anchor, "hint.follow_hint"};
     if (at_start) return {"button.play", "hint.press_play"};
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
-    if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
+    if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view)) return out;
     if (may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
     return {};
 }

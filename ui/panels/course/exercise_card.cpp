@@ -112,6 +112,8 @@ void result(const LabView& view, Ui& ui) {
         const std::string needed = std::to_string(lesson.exercise->needed);
         paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
     }
+    if (!grade.good && lesson.passed_before)
+        paragraph(ui, ui.strings("exercise.stays_passed"), ui.palette.second_text, Face::small);
     start_pictures(view, ui);
     median_rows(lesson, ui);
     if (grade.good) together_button(lesson, ui);
@@ -161,7 +163,8 @@ void hint_button(const LessonView& lesson, Ui& ui) {
     look.enabled = lesson.hint_ready;
     const Item at = button(ui, "exercise.hint", look);
     if (at.pressed) ui.outbox.push_back(Action::hint);
-    tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.hint_how" : "exercise.hint_wait"));
+    tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.hint_how" : "exercise.hint_wait"),
+            key_name(Action::hint, ui.strings));
 }
 
 // The exercise after this one, by number and then by name; or null.
