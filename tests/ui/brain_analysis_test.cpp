@@ -223,6 +223,20 @@ TEST(BrainAnalysis, NamesTheLargestTermAsTheCause) {
     EXPECT_EQ(cause(pushed).product, nullptr);
 }
 
+// Each eye drives both wheels alike: what differs is the bias.
+TEST(BrainAnalysis, NamesNoSensorThatDrivesBothWheelsAlike) {
+    Snapshot now = snapshot(0);
+    now.sensed = {0, 0.45f};
+    now.brains[0] = std::make_shared<BrainGraph>(
+        make_graph({.LL = 0.4f, .LR = 0.4f, .RL = 0.4f, .RR = 0.4f, .LM = 0.70f, .RM = 0.66f}));
+    now.vehicles[0].motor = {0.88f, 0.84f};
+    EXPECT_EQ(cause(motor_sums(now, now.vehicles[0])).by, Cause::By::biases);
+    now.brains[0] = std::make_shared<BrainGraph>(
+        make_graph({.LL = 0.4f, .LR = 0.4f, .RL = 0.4f, .RR = 0.2f, .LM = 0.70f, .RM = 0.66f}));
+    now.vehicles[0].motor = {0.88f, 0.75f};
+    EXPECT_EQ(cause(motor_sums(now, now.vehicles[0])).name, "SR·LR") << "0.09 more to the left wheel";
+}
+
 TEST(BrainAnalysis, NamesTheBiasesIfAllOtherTermsAreZero) {
     Snapshot now = snapshot(0);
     FourNeurons biased;

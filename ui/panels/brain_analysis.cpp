@@ -106,6 +106,36 @@ std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehic
     return both;
 }
 
+namespace {
+
+// A contribution of a sensor or neuron to the sum of a motor.
+struct Contribution {
+    std::string_view source;  // the node's name
+    Cause::By by;
+    const Product* product;  // null for a term
+    std::string name;
+    float value = 0;
+    float push = 0;  // towards the turn
+};
+
+std::vector<Contribution> contributions(const std::array<MotorSum, 2>& both, float towards) {
+    std::vector<Contribution> all;
+    for (const float side : {-1.0f, 1.0f}) {
+        const MotorSum& sum = both[side > 0 ? 1 : 0];
+        const float sign = side * towards;
+        for (const Product& p : sum.products) {
+            const std::string_view letters = p.letters;
+            all.push_back(
+                {letters.substr(0, letters.find("·")), Cause::By::product, &p, p.letters, p.value, sign * p.value});
+        }
+        for (const Term& term : sum.terms)
+            all.push_back({term.name, Cause::By::term, nullptr, term.name, term.value, sign * term.value});
+    }
+    return all;
+}
+
+}  // namespace
+
 Cause cause(const std::array<MotorSum, 2>& both) {
     Cause c;
     c.difference = both[1].total - both[0].total;
@@ -119,15 +149,14 @@ Cause cause(const std::array<MotorSum, 2>& both) {
     };
     claim(Cause::By::biases, (both[1].bias - both[0].bias) * towards);
     claim(Cause::By::rest, (both[1].rest - both[0].rest) * towards);
-    const auto claim_named = [&](Cause::By by, const Product* product, const std::string& name, float value,
-                                 float side) {
-        if (claim(by, value * side * towards))
-            c.product = product, c.name = name, c.value = value, c.holds_back = value < 0;
-    };
-    for (const float side : {-1.0f, 1.0f}) {
-        const MotorSum& sum = both[side > 0 ? 1 : 0];
-        for (const Product& p : sum.products) claim_named(Cause::By::product, &p, p.letters, p.value, side);
-        for (const Term& term : sum.terms) claim_named(Cause::By::term, nullptr, term.name, term.value, side);
+    const std::vector<Contribution> all = contributions(both, towards);
+    for (const Contribution& one : all) {
+        float whole = 0;
+        bool is_largest = true;  // of its source
+        for (const Contribution& other : all)
+            if (other.source == one.source) whole += other.push, is_largest &= other.push <= one.push;
+        if (is_largest && claim(one.by, whole))
+            c.product = one.product, c.name = one.name, c.value = one.value, c.holds_back = one.value < 0;
     }
     return c;
 }

@@ -48,7 +48,8 @@ struct MotorSum {
 // Left and right motor, with the wires of this pair as products. Precondition: the vehicle is in the snapshot.
 std::array<MotorSum, 2> motor_sums(const Snapshot&, const VehicleView&, const SensorPair& = {});
 
-// The cause of the difference between the wheels: the largest contribution towards it, from either wheel.
+// The cause of the difference between the wheels: the sensor or neuron that adds most to it with all of its wires, the
+// biases, or the rest, as in insight::why(). It is named by its largest contribution to either wheel.
 struct Cause {
     enum class By { nothing, product, term, biases, rest };
     float difference = 0;  // right − left
