@@ -236,6 +236,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     draw_column(Column::left, view, state, ui, layout.left);
     draw_column(Column::right, view, state, ui, layout.right);
     lesions(view, state, ui);
+    try_without_wire(view, state, ui, layout.scene);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
     if (!view.lecture) tool_palette(view, state, ui, layout.tools);
     if (view.lecture) {

@@ -226,7 +226,7 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
             brain < drawing.now.brains.size() ? drawing.now.brains[brain].get() : nullptr,
             place,
             ahead,
-            std::min(its_kind.body.length, its_kind.body.width / 0.7f),
+            height_scale_of(its_kind.body),
             pixels,
             fine ? 1.0f : detail_of(pixels),
             fine,

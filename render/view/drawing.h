@@ -23,6 +23,9 @@ struct Drawing {
 
 constexpr float deck_height = 0.27f;  // m, of the standard vehicle
 
+// Heights of parts of this body, as a factor of those of the standard vehicle.
+inline float height_scale_of(const Body& body) { return std::min(body.length, body.width / 0.7f); }
+
 // One vehicle with its kind and brain.
 struct Subject {
     const VehicleView& view;

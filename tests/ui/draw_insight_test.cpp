@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "core/brain/four_neurons.h"
 #include "core/insight/why.h"
+#include "render/view/deck.h"
+#include "render/view/drawing.h"
 #include "scene_on_desk.h"
 
 namespace braitenlab::tests::draw_insight_test {
@@ -140,6 +143,49 @@ TEST_F(DrawInsight, APresetUnderThePointerIsTriedOut) {
     ASSERT_EQ(desk.panels.what_if.size(), 1u);
     EXPECT_TRUE(std::holds_alternative<SetBrain>(desk.panels.what_if.front()));
     EXPECT_TRUE(desk.edits().empty()) << "nothing is changed";
+}
+
+// The wires of the deck are where plan_deck() places them, at the deck's height.
+TEST_F(DrawInsight, AWireOnTheDeckUnderThePointerIsTriedOut) {
+    VehicleView& vehicle = desk.now.vehicles[0];
+    Camera close;
+    close.mode = CameraMode::follow;
+    camera_view = look(close, desk.now.scene->arena, &vehicle, {0, 0, 1280, 800}, desk.layout.scene);
+    desk.view.settings.selection.vehicle = vehicle.id;
+    const Kind& kind = kind_of(desk.now, vehicle);
+    const BrainGraph& brain = *brain_of(desk.now, vehicle);
+    const render::DeckPlan plan = render::plan_deck(brain, kind);
+    ASSERT_FALSE(plan.wires.empty());
+    for (const render::DeckWire& each : plan.wires) {
+        const maths::vec2 own = each.from * 0.49f + each.bend * 0.42f + each.to * 0.09f;  // at 0.3 of the curve
+        const maths::vec2 at =
+            maths::vec2{vehicle.x, vehicle.y} + maths::rotate(own, maths::direction(vehicle.heading));
+        const auto pixel = project(camera_view, at, render::deck_height * render::height_scale_of(kind.body));
+        ASSERT_TRUE(pixel);
+        desk.point(pixel->x, pixel->y);
+        desk.frame(2);
+        ASSERT_EQ(desk.panels.what_if.size(), 1u);
+        BrainGraph without = brain;
+        without.wires[each.wire].cut = true;
+        EXPECT_EQ(std::get<SetBrain>(desk.panels.what_if.front()).brain, without);
+        EXPECT_TRUE(writes("The path without"));
+    }
+    EXPECT_TRUE(desk.edits().empty()) << "nothing is changed";
+    desk.point(5, 400);
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.what_if.empty());
+}
+
+TEST_F(DrawInsight, AWireOfTheDiagramBesideTheSceneIsTriedOut) {
+    desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
+    desk.view.settings.watching = true;
+    desk.frame(3);
+    const BrainGraph& brain = *brain_of(desk.now, desk.now.vehicles[0]);
+    const Wire& wire = brain.wires.front();
+    desk.point("wire." + wire_name(brain, {wire.from, wire.to}));
+    desk.frame(2);
+    ASSERT_EQ(desk.panels.what_if.size(), 1u);
+    EXPECT_TRUE(find_wire(std::get<SetBrain>(desk.panels.what_if.front()).brain, wire.from, wire.to)->cut);
 }
 
 TEST_F(DrawInsight, TheViewMenuSetsTheSecondsOfThePath) {
