@@ -147,6 +147,7 @@ enum class Action {
     paste,
     select_all,
     tidy,
+    probe,
     join,
     menu,
     step_left,

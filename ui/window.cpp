@@ -77,6 +77,7 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     Rect canvas = layout.canvas;
     canvas.h -= below.h + ui.px(above_inspector);
     wiring::draw_canvas(view, state.canvas, ui, canvas);
+    draw_probes(view, state, ui, canvas);
     wiring::draw_inspector(view, state.canvas, state.sliders, ui, below);
 }
 
@@ -135,6 +136,7 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     if (border.held) ui.outbox.push_back(CanvasShareRequest{share_at_pointer(layout)});
     ImGui::End();
     wiring::draw_canvas(view, state.canvas, ui, layout.canvas);
+    draw_probes(view, state, ui, layout.canvas);
     let_canvas_be_focused(ui, layout.canvas);
 }
 

@@ -133,7 +133,7 @@ TEST(ChartCard, ShowsNeuronsAndLearnedWeightsByName) {
     Desk desk(1280, 800, 1, true);
     desk.now = shipped_scene("7-mnemotrix");
     desk.panels.charts_open = true;
-    desk.panels.chart = Chart::neurons;
+    desk.panels.chart = Chart::all;
     for (std::uint64_t tick = 0; tick <= 60; tick += 3) desk.now.tick = tick, desk.frame();
     const auto writes_in_card = [&](const std::string& words) {
         return std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& w) {
@@ -149,14 +149,18 @@ TEST(ChartCard, ShowsNeuronsAndLearnedWeightsByName) {
     EXPECT_TRUE(writes_in_card("0.00"));
 }
 
-TEST(ChartCard, SaysThatABrainHasNoNeurons) {
+TEST(ChartCard, ShowsEverySensorAndBothWheelsAsStrips) {
     Desk desk(1280, 800, 1, true);
-    desk.now = shipped_scene("2a-coward");
+    desk.now = shipped_scene("3c-values");
+    desk.view.settings.selection.vehicle = 0;
     desk.panels.charts_open = true;
-    desk.panels.chart = Chart::neurons;
-    desk.rest();
-    EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(),
-                            [&](const Written& w) { return w.words == desk.strings("charts.no_neurons"); }));
+    desk.panels.chart = Chart::all;
+    for (std::uint64_t tick = 0; tick <= 60; tick += 3) desk.now.tick = tick, desk.frame();
+    for (const Sensor& sensor : desk.now.scene->kinds[0].sensors) {
+        const Rect strip = desk.where("charts.strip." + sensor.name);
+        EXPECT_LE(strip.y + strip.h, desk.layout.charts.y + desk.layout.charts.h) << sensor.name;
+    }
+    EXPECT_LT(desk.where("charts.strip.ML").x, desk.where("charts.strip.MR").x);
 }
 
 TEST(ChartCard, SelectsTheVehicleOfTheClickedBarInAnyOrder) {

@@ -137,7 +137,7 @@ TEST(Item, HasATargetOfAtLeast24PixelsOnEveryScreen) {
         }
         desk.panels.card(Card::sensors).folded = false, desk.panels.sensor_channel_open = true;
         desk.panels.sensor_quality_open = true, desk.panels.charts_open = true;
-        for (const Chart chart : {Chart::signals, Chart::neurons, Chart::population, Chart::energy, Chart::bars}) {
+        for (const Chart chart : {Chart::signals, Chart::all, Chart::population, Chart::energy, Chart::bars}) {
             desk.panels.chart = chart;
             look(desk);
         }

@@ -234,7 +234,7 @@ std::vector<Screen> screens() {
         {"signals", [](Desk& d) { with_chart(d, Chart::signals); }},
         {"population", [](Desk& d) { with_chart(d, Chart::population); }},
         {"energy", [](Desk& d) { with_chart(d, Chart::energy); }},
-        {"neurons", [](Desk& d) { with_chart(d, Chart::neurons); }},
+        {"neurons", [](Desk& d) { with_chart(d, Chart::all); }},
         {"everybody's energy", [](Desk& d) { with_chart(d, Chart::bars); }},
         {"driven by hand", [](Desk& d) { d.now.vehicles[0].driver = Driver::manual; }},
         {"on a path", [](Desk& d) { d.now.vehicles[0].driver = Driver::path; }},

@@ -19,6 +19,7 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
@@ -122,45 +123,42 @@ void signal_chart(const History& history, const ShownSignals& shown, Ui& ui, Rec
     signal_pair(history, shown, ui, {r.x, r.y + half, r.w, half + line}, time, 2);
 }
 
-// One neuron or learned weight: its name, its line, and its value now or under the pointer.
-void brain_strip(const History& history, Ui& ui, Rect r, const Axis& time, std::size_t index) {
+// One signal: its name, its line, and its value now or under the pointer.
+void signal_strip(const History& history, const Signal& signal, std::string_view name, Ui& ui, Rect r,
+                  const Axis& time) {
     const float room = ui.px(78), number = ui.px(44);
     const float y = r.y + (r.h - line_height(ui, Face::small)) / 2;
-    put(ui, {r.x, y}, shortened(ui, history.brain_values[index], Face::small, room - ui.px(6)), ui.palette.second_text,
-        Face::small);
+    put(ui, {r.x, y}, shortened(ui, name, Face::small, room - ui.px(6)), ui.palette.second_text, Face::small);
     const Rect plot{r.x + room, r.y + ui.px(2), r.w - room - number, r.h - ui.px(4)};
     fill_box(ui, plot, ui.palette.ground.with_alpha(0.45f), 3);
-    Axis value{0, 1};
-    for (const History::Signals& s : history.signals) {
-        value.high = std::max(value.high, std::fabs(s.brain[index]));
-        if (s.brain[index] < 0) value.low = -1;
-    }
-    if (value.low < 0) value.low = -value.high;
+    const SignalRange range = range_of(history, signal);
+    const Axis value{range.low, range.high};
     plot_line(ui, plot, time, value, history.signals.size(), ui.palette.accent, 1.5f, [&](std::size_t k) {
         const History::Signals& s = history.signals[k];
-        return ImVec2{static_cast<float>(s.seconds), s.brain[index]};
+        return ImVec2{static_cast<float>(s.seconds), signal.value(s)};
     });
     const auto at = plot_cursor(ui, plot, time);
-    const History::Signals& shown = at ? nearest_sample(history.signals, *at) : history.signals.back();
-    put_right(ui, {r.x + r.w, y}, with_sign(ui, shown.brain[index], 2), ui.palette.text, Face::small);
+    const float shown = signal.value(at ? nearest_sample(history.signals, *at) : history.signals.back());
+    const bool is_signed = signal.of != Signal::Of::sensor;
+    put_right(ui, {r.x + r.w, y}, is_signed ? with_sign(ui, shown, 2) : fixed(ui, shown, 2), ui.palette.text,
+              Face::small);
+    mark(ui, "charts.strip." + signal.name, plot);
 }
 
-// A strip for each hidden neuron and each learned weight, in two columns. Those without room are counted.
-void brain_strips(const History& history, Ui& ui, Rect r) {
-    if (history.brain_values.empty()) {
-        put_centred(ui, {r.x + r.w / 2, r.y + r.h / 2 - line_height(ui, Face::small)}, ui.strings("charts.no_neurons"),
-                    ui.palette.second_text, Face::small);
-        return;
-    }
-    if (history.signals.size() < 2) return no_samples(ui, r);
+// A strip for each sensor, wheel, neuron and learned weight, in two columns. Those without room are counted.
+void signal_strips(const LabView& view, const History& history, Ui& ui, Rect r) {
+    const VehicleView* vehicle = find_vehicle(*view.now, history.vehicle);
+    if (!vehicle || history.signals.size() < 2) return no_samples(ui, r);
     const Axis time = time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
     const float row = ui.px(24), space = ui.px(16), width = (r.w - space) / 2;
     const auto rows = static_cast<std::size_t>(std::max(1.0f, r.h / row));
-    const std::size_t count = history.brain_values.size();
+    const std::vector<Signal> signals = all_signals(history);
+    const std::size_t count = signals.size();
     const std::size_t shown = count <= 2 * rows ? count : 2 * rows - 1;
     for (std::size_t i = 0; i < shown; ++i) {
         const float x = r.x + (i % 2 == 0 ? 0 : width + space), y = r.y + row * static_cast<float>(i / 2);
-        brain_strip(history, ui, {x, y, width, row}, time, i);
+        const std::string name = wiring::short_name(kind_of(*view.now, *vehicle).sensors, signals[i].name);
+        signal_strip(history, signals[i], name, ui, {x, y, width, row}, time);
     }
     if (shown < count)
         put_right(ui, {r.x + r.w, r.y + row * static_cast<float>(shown / 2) + ui.px(4)},
@@ -291,7 +289,7 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
 void export_csv(const LabView& view, const PanelState& state, Outbox& outbox) {
     switch (state.chart) {
         case Chart::signals:
-        case Chart::neurons:
+        case Chart::all:
             outbox.push_back(ExportRequest{"signals", signals_csv(state.history)});
             break;
         case Chart::population:
@@ -309,8 +307,8 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool open = open_card(state, ui, Card::charts, place, buttons);
     if (open) {
         if (buttons[0].pressed) export_csv(view, state, ui.outbox);
-        const std::array words{ui.strings("charts.signals"), ui.strings("charts.neurons"),
-                               ui.strings("charts.population"), ui.strings("charts.energy"), ui.strings("charts.bars")};
+        const std::array words{ui.strings("charts.signals"), ui.strings("charts.all"), ui.strings("charts.population"),
+                               ui.strings("charts.energy"), ui.strings("charts.bars")};
         const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.chart), card_width(ui));
         if (chosen >= 0) state.chart = static_cast<Chart>(chosen);
         const Rect picture = rest_of_card(ui, place);
@@ -320,8 +318,8 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
             const Item area = item(ui, "charts.picture", {picture.w, picture.h}, false);
             if (state.chart == Chart::signals)
                 signal_chart(state.history, shown_signals(state.history, view), ui, area.rect);
-            else if (state.chart == Chart::neurons)
-                brain_strips(state.history, ui, area.rect);
+            else if (state.chart == Chart::all)
+                signal_strips(view, state.history, ui, area.rect);
             else
                 population_chart(state.history, ui, area.rect, state.chart == Chart::energy);
         }

@@ -123,6 +123,38 @@ void record(History& history, const LabView& view) {
         add_sample(history.population, counted(now, seconds), History::population_samples);
 }
 
+float Signal::value(const History::Signals& sample) const {
+    if (of == Of::motor) return sample.motors[index];
+    return of == Of::sensor ? sample.sensors[index] : sample.brain[index];
+}
+
+std::vector<Signal> all_signals(const History& history) {
+    std::vector<Signal> all;
+    for (std::size_t i = 0; i < history.sensors.size(); ++i) all.push_back({Signal::Of::sensor, i, history.sensors[i]});
+    all.push_back({Signal::Of::motor, 0, "ML"});
+    all.push_back({Signal::Of::motor, 1, "MR"});
+    for (std::size_t i = 0; i < history.brain_values.size(); ++i)
+        all.push_back({Signal::Of::brain, i, history.brain_values[i]});
+    return all;
+}
+
+std::optional<Signal> signal_named(const History& history, std::string_view name) {
+    for (Signal& signal : all_signals(history))
+        if (signal.name == name) return std::move(signal);
+    return std::nullopt;
+}
+
+SignalRange range_of(const History& history, const Signal& signal) {
+    SignalRange range{signal.of == Signal::Of::motor ? -1.0f : 0.0f, 1};
+    for (const History::Signals& sample : history.signals) {
+        const float value = signal.value(sample);
+        range.high = std::max(range.high, std::fabs(value));
+        if (value < 0) range.low = -1;
+    }
+    if (range.low < 0) range.low = -range.high;
+    return range;
+}
+
 float ShownSignals::value(const History::Signals& sample, std::size_t signal) const {
     if (signal >= 2) return sample.motors[signal - 2];
     return sensors[signal] ? sample.sensors[*sensors[signal]] : 0;

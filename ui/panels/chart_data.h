@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/world/snapshot.h"
@@ -54,6 +55,28 @@ void record(History&, const LabView&);
 
 // The longest time (s) in which every sample had at least `count` vehicles of the role, predator or prey.
 double longest_time_with(const History&, Role, int count);
+
+// One of the recorded signals of the vehicle.
+struct Signal {
+    enum class Of { sensor, motor, brain };
+    Of of = Of::sensor;
+    std::size_t index = 0;  // in History::Signals::sensors, motors or brain
+    std::string name;       // of the sensor, motor or neuron; of a learned part "SL>N1"
+
+    float value(const History::Signals&) const;
+};
+
+// Sensors, motors, neurons, learned parts of wires.
+std::vector<Signal> all_signals(const History&);
+
+// nullopt: there is no signal with this name.
+std::optional<Signal> signal_named(const History&, std::string_view name);
+
+// From −1 or 0 to 1, or symmetric about 0 and to the largest value where this is more.
+struct SignalRange {
+    float low = 0, high = 1;
+};
+SignalRange range_of(const History&, const Signal&);
 
 // The four signals that strips and charts show: the readings of a pair of sensors, and the commands of both wheels.
 struct ShownSignals {

@@ -72,6 +72,7 @@ constexpr MenuPlace menu_places[]{
     {"edit", Action::close_outline},
     {"edit", Action::take_back},
     {"edit", Action::menu, true},
+    {"edit", Action::probe},
     {"edit", Action::join},
     {"edit", Action::lesion},
     {"edit", Action::tidy},
@@ -389,6 +390,7 @@ std::string_view why_not_on_canvas(const LabView& view, const PanelState& state,
     if (action == Action::paste) return canvas.clipboard.neurons.empty() ? "wiring.refused.nothing_copied" : "";
     if (action == Action::cut || action == Action::copy)
         return canvas.selection.nodes.empty() ? "wiring.refused.nothing_to_copy" : "";
+    if (action == Action::probe) return canvas.selection.nodes.empty() ? "unavailable.no_node" : "";
     if (action == Action::join) return canvas.selection.nodes.size() == 1 ? "" : "wiring.refused.join_one";
     return "";
 }
@@ -465,7 +467,7 @@ std::string_view why_no_robot(const LabView& view, const PanelState& state) {
 }
 
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
-    const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::neurons;
+    const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::all;
     const bool empty = of_vehicle                   ? state.history.signals.empty()
                        : state.chart == Chart::bars ? view.now->vehicles.empty()
                                                     : state.history.population.empty();
@@ -493,6 +495,7 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::select_all:
             return view.mode == Mode::wiring ? why_not_on_canvas(view, state, action) : why_not_in_scene(view, action);
         case Action::menu:
+        case Action::probe:
         case Action::join:
         case Action::tidy:
         case Action::fit:

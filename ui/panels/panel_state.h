@@ -49,7 +49,7 @@ inline constexpr std::size_t card_count = static_cast<std::size_t>(Card::inspect
 std::array<CardState, card_count> initial_cards();
 
 // The large charts; one is shown at a time.
-enum class Chart { signals, neurons, population, energy, bars };
+enum class Chart { signals, all, population, energy, bars };
 
 // The sheet that covers the window; at most one.
 enum class Sheet {

@@ -34,6 +34,22 @@ void toggle_lesion(CanvasState& state, const CanvasFrame& frame, Outbox& outbox)
               outbox);
 }
 
+// The node under the pointer, unless it is selected: then all selected ones. All of them get a probe, or lose theirs.
+void toggle_probes(CanvasState& state, const CanvasFrame& frame) {
+    std::set<NodeId> chosen = state.selection.nodes;
+    if (state.hovered.is_of_node() && !state.selection.contains(state.hovered)) chosen = {state.hovered.node};
+    const bool has_all = std::all_of(chosen.begin(), chosen.end(), [&](NodeId id) {
+        return state.probes.contains(find_node(frame.graph, id)->name);
+    });
+    for (const NodeId id : chosen) {
+        const std::string& name = find_node(frame.graph, id)->name;
+        if (has_all)
+            state.probes.erase(name);
+        else
+            state.probes.insert(name);
+    }
+}
+
 void select_all(CanvasState& state, const Layout& layout) {
     state.selection = {};
     for (const NodeShape& node : layout.nodes) state.selection.nodes.insert(node.id);
@@ -169,6 +185,8 @@ void execute(CanvasState& state, const CanvasFrame& frame, Action action, Outbox
             return select_all(state, frame.layout);
         case Action::lesion:
             return toggle_lesion(state, frame, outbox);
+        case Action::probe:
+            return toggle_probes(state, frame);
         case Action::join:
             return begin_joining(state, frame);
         default:

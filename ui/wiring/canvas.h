@@ -76,6 +76,7 @@ struct CanvasState {
     CanvasCamera camera;
     Positions held;  // of dragged nodes, until the snapshot has their new positions after the release
     CanvasSelection selection;
+    std::set<std::string> probes;   // names of nodes whose last seconds are shown; kept for every brain
     Hit focus;                      // node or label that arrow keys start from
     std::optional<NodeId> joining;  // start of a wire that is drawn with keys, to the node in focus
     Drag drag;

@@ -227,6 +227,7 @@ bool press_key(CanvasState& state, Action action) {
         case Action::paste:
         case Action::select_all:
         case Action::lesion:
+        case Action::probe:
         case Action::join:
         case Action::menu:
         case Action::step_left:

@@ -84,6 +84,7 @@ std::vector<MenuRow> menu_rows(const BrainGraph& graph, const CanvasSelection& s
                     : nodes > 0 ? "wiring.do.silence"
                                 : "wiring.do.sever",
                     Action::lesion});
+    if (nodes > 0) rows.push_back({MenuCommand::probe, "wiring.do.probe", Action::probe});
     const auto is_neuron = [&](NodeId id) {
         const Node* node = find_node(graph, id);
         return node != nullptr && node->kind == NodeKind::neuron;

@@ -13,6 +13,7 @@ namespace braitenlab::wiring {
 enum class MenuCommand {
     add,  // a neuron of MenuRow::kind
     edit_numbers,
+    probe,
     join,  // begins a wire that is drawn with keys
     insert,
     flip,  // the sign of a weight

@@ -57,6 +57,7 @@ struct Hit {
     NodeId node = 0;  // of a pin or node
     WireEnds wire;    // of a label or wire
     bool is_wire() const { return part == Part::label || part == Part::wire; }
+    bool is_of_node() const { return part == Part::node || is_pin(); }
     bool is_pin() const { return part == Part::in_pin || part == Part::out_pin; }
     friend bool operator==(const Hit&, const Hit&) = default;
 };
