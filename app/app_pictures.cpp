@@ -7,7 +7,11 @@
 #include "app/app.h"
 #include "app/applied_theme.h"
 #include "app/files/data.h"
+#include "app/files/safe_file.h"
 #include "app/files/screenshot.h"
+#include "app/lab_selection.h"
+#include "app/reports/brain_drawing.h"
+#include "app/reports/paths_file.h"
 #include "core/messages.h"
 
 namespace braitenlab {
@@ -20,6 +24,21 @@ float pixel_scale_of(int width, int height) {
     constexpr float usual_width = 1280, usual_height = 800, least = 0.75f;
     return std::max(least,
                     std::min(static_cast<float>(width) / usual_width, static_cast<float>(height) / usual_height));
+}
+
+std::optional<Error> write_wiring(const Lab& lab, const Strings& strings, const std::filesystem::path& path) {
+    const VehicleView* vehicle = selected_vehicle(lab);
+    if (!vehicle) return Error{std::string(strings("unavailable.no_vehicle")), path.string()};
+    const Snapshot& now = lab.document.session.snapshot();
+    const Kind& kind = kind_of(now, *vehicle);
+    const std::string heading = now.scene->title + ": " + kind.name;
+    return write_whole(path, brain_file(*brain_of(now, *vehicle), kind.sensors, heading, strings));
+}
+
+std::optional<Error> write_paths(const Lab& lab, const Strings& strings, const std::filesystem::path& path) {
+    const Session& session = lab.document.session;
+    const Snapshot& now = session.snapshot();
+    return write_whole(path, paths_file(session.recording(), session.earliest(), now.tick, now.scene->title, strings));
 }
 
 }  // namespace
@@ -68,6 +87,8 @@ std::optional<Error> App::take(const TakeAway& wanted, const std::filesystem::pa
     const int width = wanted.width > 0 ? wanted.width : window_.framebuffer_width();
     const int height = wanted.height > 0 ? wanted.height : window_.framebuffer_height();
     if (row_of(wanted.kind).is_clip) return begin_clip(wanted, path);
+    if (wanted.kind == TakeKind::wiring) return write_wiring(lab_, words_.strings, path);
+    if (wanted.kind == TakeKind::paths) return write_paths(lab_, words_.strings, path);
     return wanted.kind == TakeKind::window ? write_window(path, width, height) : write_scene(path, width, height);
 }
 

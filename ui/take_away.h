@@ -7,20 +7,24 @@
 
 namespace braitenlab {
 
-enum class TakeKind { scene, window, gif, mp4, webm };
+// wiring: the diagram of the selected vehicle's brain. paths: those of all vehicles since the start of the run.
+enum class TakeKind { scene, window, wiring, paths, gif, mp4, webm };
 
 struct TakeKindTraits {
     TakeKind value;
     std::string_view extension;  // of the file, with its dot
     bool is_clip, by_ffmpeg;
 };
-inline constexpr std::array<TakeKindTraits, 5> take_kinds{{
+inline constexpr std::array<TakeKindTraits, 7> take_kinds{{
     {TakeKind::scene, ".png", false, false},
     {TakeKind::window, ".png", false, false},
+    {TakeKind::wiring, ".svg", false, false},
+    {TakeKind::paths, ".svg", false, false},
     {TakeKind::gif, ".gif", true, false},
     {TakeKind::mp4, ".mp4", true, true},
     {TakeKind::webm, ".webm", true, true},
 }};
+inline constexpr std::array pictures_to_take{TakeKind::scene, TakeKind::window, TakeKind::wiring, TakeKind::paths};
 constexpr const TakeKindTraits& row_of(TakeKind kind) { return take_kinds[static_cast<std::size_t>(kind)]; }
 
 struct TakeAway {

@@ -54,6 +54,26 @@ TEST_F(TakeAwayDesk, SavesTheSceneAsItIsSeenUnlessAnotherPictureIsChosen) {
     EXPECT_EQ(taken(), (TakeAway{TakeKind::window, 3840, 2160}));
 }
 
+TEST_F(TakeAwayDesk, SavesTheDiagramAndThePathsUnlessTheBrainIsHidden) {
+    desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
+    desk.now.tick = 600;
+    desk.click("take.shows.3");
+    EXPECT_FALSE(desk.anchors.find("take.size.1")) << "an SVG file has no pixels";
+    desk.view.settings.revealed.brain = false;
+    desk.frame(2);
+    EXPECT_FALSE(can_save());
+    desk.view.settings.revealed.brain = true;
+    desk.frame(2);
+    EXPECT_TRUE(can_save());
+    desk.click("button.clip");
+    EXPECT_EQ(taken(), (TakeAway{TakeKind::wiring}));
+    desk.panels.sheet = Sheet::take;
+    desk.frame(2);
+    desk.click("take.shows.4");
+    desk.click("button.clip");
+    EXPECT_EQ(taken(), (TakeAway{TakeKind::paths}));
+}
+
 TEST_F(TakeAwayDesk, OffersTheLastTenSecondsAsAGif) {
     desk.click("take.page.2");
     EXPECT_FALSE(desk.anchors.find("take.format.2")) << "ffmpeg is missing";

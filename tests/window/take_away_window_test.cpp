@@ -49,6 +49,20 @@ TEST_F(TakeAwayWindow, SavesPicturesLargerThanItself) {
     EXPECT_EQ(lab.anchors()["card.brain"], anchors["card.brain"]) << "the window is as it was";
 }
 
+TEST_F(TakeAwayWindow, SavesTheDiagramAndThePathsAsSvg) {
+    if (!windows_program().empty()) GTEST_SKIP() << "Windows has no file of the user's folders";
+    for (const auto& [choice, name, part] :
+         {std::tuple{"take.shows.3", "braitenlab-001.svg", "SL"}, {"take.shows.4", "braitenlab-002.svg", "path"}}) {
+        open("1");
+        lab.click(choice);
+        lab.click("button.clip");
+        expect_saved(saved(name));
+        const std::string text = shell("cat " + saved(name)).out;
+        EXPECT_NE(text.find("<svg"), std::string::npos) << name;
+        EXPECT_NE(text.find(part), std::string::npos) << name;
+    }
+}
+
 TEST_F(TakeAwayWindow, SavesAClipOfThePastAndLeavesTheRunAsItIs) {
     if (!windows_program().empty()) GTEST_SKIP() << "Windows has no file of the user's folders";
     const auto before = lab.state();

@@ -98,7 +98,7 @@ struct TakeAwayState {
     bool open = false;    // in the last frame
     bool writes = false;  // a clip was being written in the last frame
     TakePage page = TakePage::picture;
-    bool window = false;                          // a picture shows the window with its cards, not only the scene
+    std::size_t picture = 0;                      // in pictures_to_take
     std::size_t picture_size = 0, clip_size = 0;  // of those that the sheet lists
     std::size_t format = 0;                       // of a clip, of those that can be written
     float from = 0, to = 0;                       // s, of a clip

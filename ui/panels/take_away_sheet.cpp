@@ -48,14 +48,39 @@ PictureSize size_choice(Ui& ui, std::string_view id, const std::array<PictureSiz
     return sizes[chosen];
 }
 
-TakeAway picture_page(TakeAwayState& state, Ui& ui) {
-    const std::array<std::string_view, 2> words{ui.strings("take.scene"), ui.strings("take.window")};
+// Why the diagram cannot be drawn; empty: it can.
+std::string_view why_no_diagram(const LabView& view) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return "unavailable.no_vehicle";
+    return hides_brain(view, vehicle->kind) ? "take.hidden" : "";
+}
+
+std::string_view why_no_picture(const LabView& view, const TakeAwayState& state) {
+    const TakeKind kind = pictures_to_take[state.picture];
+    if (kind == TakeKind::wiring) return why_no_diagram(view);
+    return kind == TakeKind::paths && view.now->tick == 0 ? "take.no_run" : "";
+}
+
+void reason(Ui& ui, std::string_view why) {
+    if (why.empty()) return;
+    paragraph(ui, ui.strings(why), legible(ui.palette.warning, ui.palette.panel, ui.palette.text), Face::small);
+}
+
+TakeAway picture_page(const LabView& view, TakeAwayState& state, Ui& ui) {
+    const std::array<std::string_view, pictures_to_take.size()> words{
+        ui.strings("take.scene"), ui.strings("take.window"), ui.strings("take.wiring"), ui.strings("take.paths")};
     subheading(ui, ui.strings("take.shows"));
-    const int clicked = segments(ui, "take.shows", words, state.window ? 1 : 0, card_width(ui));
-    if (clicked >= 0) state.window = clicked == 1;
+    const int clicked = segments(ui, "take.shows", words, static_cast<int>(state.picture), card_width(ui),
+                                 ui.strings("take.shows_how"));
+    if (clicked >= 0) state.picture = static_cast<std::size_t>(clicked);
     gap(ui, 8);
-    const PictureSize size = size_choice(ui, "take.size", picture_sizes, state.picture_size);
-    return {state.window ? TakeKind::window : TakeKind::scene, size.width, size.height};
+    const TakeKind kind = pictures_to_take[state.picture];
+    if (kind == TakeKind::scene || kind == TakeKind::window) {
+        const PictureSize size = size_choice(ui, "take.size", picture_sizes, state.picture_size);
+        return {kind, size.width, size.height};
+    }
+    reason(ui, why_no_picture(view, state));
+    return {kind};
 }
 
 TakeKind format_choice(const LabView& view, TakeAwayState& state, Ui& ui) {
@@ -124,8 +149,7 @@ TakeAway clip_page(const LabView& view, PanelState& panels, Ui& ui) {
         time_slider(view, panels, ui, "take.from", state.from, std::max(time.earliest, time.latest - usual_clip));
         time_slider(view, panels, ui, "take.to", state.to, time.latest);
     }
-    if (const std::string_view why = why_no_clip(view, state); !why.empty())
-        paragraph(ui, ui.strings(why), legible(ui.palette.warning, ui.palette.panel, ui.palette.text), Face::small);
+    reason(ui, why_no_clip(view, state));
     const auto tick = [](float seconds) {
         return static_cast<std::uint64_t>(std::lround(seconds * ticks_of_a_second));
     };
@@ -171,12 +195,13 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
         const int clicked = segments(ui, "take.page", pages, static_cast<int>(state.page), card_width(ui));
         if (clicked >= 0) state.page = static_cast<TakePage>(clicked);
         gap(ui, 12);
-        wanted = state.page == TakePage::picture ? picture_page(state, ui) : clip_page(view, panels, ui);
+        wanted = state.page == TakePage::picture ? picture_page(view, state, ui) : clip_page(view, panels, ui);
     }
     sheet_buttons(ui, state.sheet);
     if (!view.clip_progress) {
         ButtonLook look{icon::save, ui.strings("take.save"), Emphasis::primary};
-        look.enabled = state.page == TakePage::picture || why_no_clip(view, state).empty();
+        look.enabled =
+            (state.page == TakePage::picture ? why_no_picture(view, state) : why_no_clip(view, state)).empty();
         const Item save = button(ui, "button.clip", look);
         tooltip(ui, save, ui.strings(view.uploads ? "take.save_page_how" : "take.save_how"));
         if (save.pressed) {
