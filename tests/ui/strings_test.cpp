@@ -14,6 +14,7 @@
 #include "core/insight/compare.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"
+#include "core/lesson/exercise.h"
 #include "core/lesson/lecture.h"
 #include "core/lesson/submission.h"
 #include "core/messages.h"
@@ -364,11 +365,16 @@ TEST(Strings, NameTheKindsOfEveryShippedSceneThatHasSeveral) {
     for (const Language& language : shipped_languages())
         words[language.code] =
             *Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/" + language.code + ".toml");
-    for (const auto& file :
-         std::filesystem::directory_iterator(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes")) {
-        const auto scene = load_scene(file.path());
-        if (!scene || scene->kinds.size() < 2) continue;
-        for (const Kind& kind : scene->kinds) {
+    const std::filesystem::path shipped = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises";
+    std::vector<Scene> scenes;
+    for (const auto& file : std::filesystem::directory_iterator(shipped / "scenes"))
+        if (const auto scene = load_scene(file.path())) scenes.push_back(*scene);
+    for (const auto& file : std::filesystem::directory_iterator(shipped / "guided"))
+        if (const auto exercise = load_exercise(file.path())) scenes.push_back(exercise->scene);
+    EXPECT_GT(scenes.size(), 40u);
+    for (const Scene& scene : scenes) {
+        if (scene.kinds.size() < 2) continue;
+        for (const Kind& kind : scene.kinds) {
             ++kinds;
             for (const auto& [language, own] : words)
                 EXPECT_TRUE(own.all().contains("kind." + kind.name)) << kind.name << " in " << language;
