@@ -15,7 +15,7 @@ namespace {
 using maths::vec2;
 
 constexpr float near_touch = 0.05f;               // m, between chassis and object
-constexpr float standing = 0.3f, farther = 0.5f;  // m
+constexpr float standing = 0.3f, farther = 0.5f;  // m, times scale_of() the arena
 constexpr float resting = 0.1f;                   // m in the time of rest
 constexpr float told_to_stand = 0.1f;             // wheel command
 constexpr std::size_t rest_ticks = 120;
@@ -112,7 +112,7 @@ bool Judge::add(const VehicleTrace& now, const std::vector<vec2>& others) {
     has_object_ = true, round_ = object->index, bearing_ = bearing;
     most_turned_ = std::max(most_turned_, std::fabs(turned_));
     closest_ = std::min(closest_, object->distance), last_ = object->distance;
-    const float radius = sources_.empty() ? half_lengths_[object->index] : solid_source_radius;
+    const float radius = sources_.empty() ? half_lengths_[object->index] : source_radius(arena_);
     if (std::isinf(touched_at_) && gap(object->offset, pose.heading, half_length_, half_width_) <= radius + near_touch)
         touched_at_ = static_cast<float>(places_.size() - 1) * tick_seconds;
     return true;
@@ -129,17 +129,18 @@ Behaviour Judge::behaviour_of(bool is_gone) const {
     const bool is_outside = places_.empty() || (arena_.edge == Boundary::open && !is_inside(arena_, places_.back()));
     if (is_gone || fell_ || is_outside) return Behaviour::leaves;
     if (!std::isinf(touched_at_)) return Behaviour::touches;
-    if (farthest_from_start_ < standing) return Behaviour::stands;
+    const float scale = scale_of(arena_);
+    if (farthest_from_start_ < scale * standing) return Behaviour::stands;
     if (!has_object_) return rests() ? Behaviour::stands : Behaviour::passes;
     if (most_turned_ >= once_round) return Behaviour::circles;
-    const bool is_farther = last_ > first_ + farther;
+    const bool is_farther = last_ > first_ + scale * farther;
     if (rests()) {
         if (is_farther) return Behaviour::flees;
         return last_ < first_ ? Behaviour::rests_near : Behaviour::stands;
     }
     if (is_farther && closest_ > first_ / 2) return Behaviour::flees;
     if (last_ > reach_) return Behaviour::leaves;
-    if (last_ < first_ - farther && last_ <= closest_ + farther) return Behaviour::approaches;
+    if (last_ < first_ - scale * farther && last_ <= closest_ + scale * farther) return Behaviour::approaches;
     return Behaviour::passes;
 }
 

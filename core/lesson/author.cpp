@@ -81,7 +81,7 @@ float reach(const Scene& scene, std::string_view vehicle, const std::string& sou
     const int kind = start ? find_kind(scene, start->kind) : -1;
     if (found < 0 || kind < 0 || !scene.sources[static_cast<std::size_t>(found)].solid) return 0.5f;
     const Body& body = scene.kinds[static_cast<std::size_t>(kind)].body;
-    return std::ceil((solid_source_radius + body.length / 2 + 0.15f) * 10) / 10;
+    return std::ceil((source_radius(scene.arena) + body.length / 2 + 0.15f) * 10) / 10;
 }
 
 bool has_role(const Scene& scene, Role role) {

@@ -76,11 +76,11 @@ Corners chassis_of(const Body& body, const VehicleView& vehicle) {
     return placed_at({{x, y}, {-x, y}, {-x, -y}, {x, -y}}, {vehicle.x, vehicle.y}, vehicle.heading);
 }
 
-Corners corners_of(const Source& post) {
+Corners corners_of(const Source& post, float radius) {
     Corners corners;
     for (int i = 0; i < 12; ++i) {
         const float angle = static_cast<float>(i) * 2 * maths::pi / 12;
-        corners.push_back(vec2{post.x, post.y} + solid_source_radius * vec2{std::cos(angle), std::sin(angle)});
+        corners.push_back(vec2{post.x, post.y} + radius * vec2{std::cos(angle), std::sin(angle)});
     }
     return corners;
 }
@@ -91,7 +91,8 @@ std::string stands_in(const Scene& scene, const Corners& chassis) {
         if (overlap(chassis, placed_at(corners_of(each), {each.x, each.y}, each.heading)))
             return fmt::format("the obstacle {}", in_quotes(each.name));
     for (const Source& each : scene.sources)
-        if (each.solid && overlap(chassis, corners_of(each))) return fmt::format("the solid {}", in_quotes(each.name));
+        if (each.solid && overlap(chassis, corners_of(each, source_radius(scene.arena))))
+            return fmt::format("the solid {}", in_quotes(each.name));
     const auto is_in = [&](vec2 corner) { return is_inside(scene.arena, corner); };
     if (scene.arena.edge == Boundary::wall && !std::all_of(chassis.begin(), chassis.end(), is_in)) return "the wall";
     return "";

@@ -61,6 +61,10 @@ bool is_colour(std::string_view text) {
            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
 }
 
+float scale_of(const Arena& arena) { return std::min(1.0f, std::min(arena.width, arena.height) / full_scale_side); }
+
+float voltage_share(const Body& body) { return body.voltage > 0 ? body.voltage / body.nominal_voltage : 1; }
+
 Body resized(const Body& body, float length, float width) {
     Body to = body;
     const float along = length / body.length, across = width / body.width;

@@ -23,8 +23,8 @@ struct ResponsePoint {
     friend bool operator==(const ResponsePoint&, const ResponsePoint&) = default;
 };
 
-// A sensor on a vehicle. Coordinates are in the vehicle's frame: x ahead, y left, origin in the middle of the driven
-// axle.
+// A sensor on a vehicle. Coordinates are in the vehicle's frame: x ahead, y left. Its origin is the middle of the
+// chassis and the centre of mass; wheels may be anywhere, so an axle behind the middle has wheels of negative x.
 struct Sensor {
     std::string name;  // "SL", "SR", …: the brain's sensor node of this name takes the reading
     Channel channel = Channel::light;
@@ -41,6 +41,7 @@ struct Sensor {
     float gamma = 1;          // exponent of a photocell's curve
     bool hard_range = false;  // a graded reading does not fade towards the range
     float interval = 0;       // s between two samples, 0..1; the last one is held; 0: a sample at every tick
+    float half_lux = 268;     // lx at which a photocell reads 0.5; default: a GL5528 over 1.5 kOhm
     int bits = 0;             // of the converter, which rounds a reading down to one of 2^bits steps; 0: none
     std::vector<ResponsePoint> points{};  // of SensorResponse::table, by distance; the reading is 0 beyond the last
     friend bool operator==(const Sensor&, const Sensor&) = default;
@@ -59,10 +60,10 @@ struct Wheel {
 
 // The body of a vehicle. Default: the standard vehicle, a differential drive with a castor ahead and one behind.
 struct Body {
-    float length = 1.0f, width = 0.7f;  // m, of the chassis, which is centred on the vehicle's origin
+    float length = 1.0f, width = 0.7f;  // m, of the chassis, whose middle is the vehicle's origin
     float mass = 10;                    // kg
-    float top_speed = 3;                // m/s, of a wheel commanded to 1
-    float motor_force = 24;             // N, maximum of one motor
+    float top_speed = 3;                // m/s, of a wheel commanded to 1, at the nominal voltage
+    float motor_force = 24;             // N, maximum of one motor, at the nominal voltage
     float mismatch = 0;                 // ± share of top_speed by which each motor of each vehicle differs, random
     float dead_band = 0;                // a motor does not turn for commands of smaller size
     std::vector<Wheel> wheels{
@@ -72,6 +73,8 @@ struct Body {
         {-0.38f, 0, 0.07f, 0.05f, Motor::none, 0, 0.1f, 0.004f},
     };
     float friction_spread = 0;  // ± share by which grip and rolling drag of each wheel of each vehicle differ, random
+    float voltage = 0;          // V, at the motors; 0: the nominal one
+    float nominal_voltage = 6;  // V
     friend bool operator==(const Body&, const Body&) = default;
 };
 
@@ -81,6 +84,7 @@ struct CarriedLamp {
     Channel channel = Channel::light;
     float x = 0, y = 0;  // m, in the vehicle's frame
     float strength = 1;  // 0..1
+    float candela = 0;   // as Source
     friend bool operator==(const CarriedLamp&, const CarriedLamp&) = default;
 };
 
@@ -91,8 +95,8 @@ struct Waypoint {
 };
 
 // The marks that a vehicle keeps where it met obstacles; its sensors on the channel `memory` sense them like sources. A
-// contact makes a mark unless one is within 0.5 m; that one is set back to full strength instead. A mark ends after
-// seven halvings of its strength.
+// contact makes a mark unless one is within mark_spacing(); that one is set back to full strength instead. A mark ends
+// after seven halvings of its strength.
 struct PlaceMemory {
     int marks = 0;          // maximum; a new mark replaces the oldest; 0: no memory
     float fade = 20;        // s, half-life of a mark's strength
@@ -166,12 +170,14 @@ struct Source {
     Channel channel = Channel::light;
     float x = 0, y = 0;
     float strength = 1;        // 0..1, reading of a sensor at the source
-    bool solid = false;        // a post of solid_source_radius that vehicles collide with
+    bool solid = false;        // a post of source_radius() that vehicles collide with
     std::vector<OnTime> on{};  // its strength is 0 at other times; empty: always on
+    float candela = 0;         // luminous intensity at strength 1, for photocells; 0: not stated, by strength alone
     friend bool operator==(const Source&, const Source&) = default;
 };
 
-inline constexpr float solid_source_radius = 0.15f;  // m
+inline constexpr float solid_source_radius = 0.15f;  // m, in an arena with sides from full_scale_side
+inline constexpr float full_scale_side = 5;          // m
 
 // A corner of an obstacle or a zone, in the object's own frame.
 struct PolygonCorner {
@@ -213,8 +219,17 @@ struct Arena {
     float grip = 1;            // factor on every wheel's grip; ice is 0.1
     float reflectance = 0.8f;  // 0..1, reading of a floor sensor
     float ambient = 0;         // 0..1, added to the readings of all sensors for light or a colour
+    float lux = 0;             // illuminance of photocells by ambient light, in addition
     friend bool operator==(const Arena&, const Arena&) = default;
 };
+
+// What has no size of its own has this share of its usual size in the arena: 1 where the shorter side has 5 m or more,
+// in proportion to it below, so that a lamp on a table is no larger than a robot.
+float scale_of(const Arena&);
+// Radius of the post of a solid source, m.
+inline float source_radius(const Arena& arena) { return solid_source_radius * scale_of(arena); }
+// Smallest distance between two marks of one vehicle, m.
+inline float mark_spacing(const Arena& arena) { return 0.5f * scale_of(arena); }
 
 struct Ecology {
     int population = 0;    // vehicles placed at random, in addition to `starts`; 0..20000
@@ -277,6 +292,10 @@ int find_zone(const Scene&, const std::string& name);
 
 // True for "#rrggbb" with hexadecimal digits of either case.
 bool is_colour(std::string_view);
+
+// Share of top speed and motor force that the motors have at their voltage: both are proportional to it, as those of a
+// direct-current motor without load and at rest.
+float voltage_share(const Body&);
 
 // The body with this length and width (m): its wheels are moved and scaled in proportion, within their ranges.
 Body resized(const Body&, float length, float width);

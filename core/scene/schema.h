@@ -50,8 +50,8 @@ inline constexpr std::size_t name_length = 40, title_length = 120, text_length =
 // Values that earlier versions did not have: files of runs may lack them, and a default is not a part of the digest of
 // a run. No other struct has a value with one of these keys.
 constexpr bool is_later_value(std::string_view key) {
-    for (const std::string_view later :
-         {"gain_spread", "gamma", "hard_range", "point", "friction_spread", "interval", "bits"})
+    for (const std::string_view later : {"gain_spread", "gamma", "hard_range", "point", "friction_spread", "interval",
+                                         "bits", "voltage", "half_lux", "candela", "lux", "nominal_voltage"})
         if (key == later) return true;
     return false;
 }
@@ -73,6 +73,7 @@ void describe(Visitor& v, Of<Arena>) {
     v.number("grip", &Arena::grip, "", {0, 2}, "factor on every wheel's grip; ice is 0.1");
     v.number("reflectance", &Arena::reflectance, "", {0, 1}, "reading of a floor sensor");
     v.number("ambient", &Arena::ambient, "", {0, 1}, "added to the readings of all sensors for light or a colour");
+    v.number("lux", &Arena::lux, "lx", {0, 100000}, "illuminance of photocells by ambient light");
 }
 
 template <class Visitor>
@@ -109,12 +110,16 @@ void describe(Visitor& v, Of<Body>) {
     v.number("length", &Body::length, "m", {0.05, 20}, "of the chassis");
     v.number("width", &Body::width, "m", {0.05, 20}, "of the chassis");
     v.number("mass", &Body::mass, "kg", {0.05, 1000}, "of the whole vehicle");
-    v.number("top_speed", &Body::top_speed, "m/s", {0.05, 10}, "of a wheel whose motor gets the command 1");
-    v.number("motor_force", &Body::motor_force, "N", {0.01, 10000}, "maximum of one motor");
+    v.number("top_speed", &Body::top_speed, "m/s", {0.05, 10},
+             "of a wheel whose motor gets the command 1, at the nominal voltage");
+    v.number("motor_force", &Body::motor_force, "N", {0.01, 10000}, "maximum of one motor, at the nominal voltage");
     v.number("mismatch", &Body::mismatch, "", {0, 0.5}, "± share of top_speed by which each motor differs");
     v.number("dead_band", &Body::dead_band, "", {0, 0.9}, "a motor does not turn for commands of smaller size");
     v.number("friction_spread", &Body::friction_spread, "", {0, 0.9},
              "± share by which grip and rolling drag of each wheel differ");
+    v.number("voltage", &Body::voltage, "V", {0, 60},
+             "of the battery, less that of the motor driver; 0: the nominal one");
+    v.number("nominal_voltage", &Body::nominal_voltage, "V", {0.5, 60}, "that gives top_speed and motor_force");
     v.list("wheel", &Body::wheels, limits::wheels, "replace the standard four when there is at least one");
 }
 
@@ -134,6 +139,7 @@ void describe(Visitor& v, Of<Sensor>) {
     v.number("latency", &Sensor::latency, "s", {0, 1}, "between a reading and the brain's input");
     v.number("gain_spread", &Sensor::gain_spread, "", {0, 0.9}, "± share by which the sensor of each vehicle differs");
     v.number("gamma", &Sensor::gamma, "", {0.2, 3}, "exponent γ of a photocell; of a photoresistor about 0.7");
+    v.number("half_lux", &Sensor::half_lux, "lx", {0.1, 100000}, "at which a photocell reads 0.5");
     v.flag("hard_range", &Sensor::hard_range, "a graded reading does not fade towards the range");
     v.number("interval", &Sensor::interval, "s", {0, 1}, "between two samples; 0: a sample at every tick");
     v.number("bits", &Sensor::bits, "", {0, limits::converter_bits},
@@ -153,6 +159,8 @@ void describe(Visitor& v, Of<CarriedLamp>) {
     v.number("x", &CarriedLamp::x, "m", mount_range, "ahead of the origin");
     v.number("y", &CarriedLamp::y, "m", mount_range, "left of the origin");
     v.number("strength", &CarriedLamp::strength, "", {0, 1}, "reading of a sensor at the source");
+    v.number("candela", &CarriedLamp::candela, "cd", {0, 1000000},
+             "intensity at strength 1, for photocells; 0: by strength");
 }
 
 template <class Visitor>
@@ -225,7 +233,9 @@ void describe(Visitor& v, Of<Source>) {
     v.number("x", &Source::x, "m", place_range, "position");
     v.number("y", &Source::y, "m", place_range, "position");
     v.number("strength", &Source::strength, "", {0, 1}, "reading of a sensor at the source");
-    v.flag("solid", &Source::solid, "a post of 0.15 m radius that vehicles collide with");
+    v.number("candela", &Source::candela, "cd", {0, 1000000},
+             "intensity at strength 1, for photocells; 0: by strength");
+    v.flag("solid", &Source::solid, "a post that vehicles collide with, of 0.15 m radius where the arena has 5 m");
     v.list("on", &Source::on, limits::on_times, "a time in which it is on; default: always on");
 }
 

@@ -39,6 +39,8 @@ CompiledSensor::CompiledSensor(const Sensor& s)
       inverse_range_squared(s.hard_range ? 0 : 1 / (s.range * s.range)),
       inverse_half_distance_squared(1 / (s.half_distance * s.half_distance)),
       gamma(s.gamma),
+      per_lux(1 / s.half_lux),
+      per_candela(1 / (s.half_lux * s.half_distance * s.half_distance)),
       gain_spread(s.gain_spread),
       points(s.response == SensorResponse::table ? s.points : std::vector<ResponsePoint>{}),
       noise(s.noise),
@@ -100,13 +102,13 @@ float table_reading(const std::vector<ResponsePoint>& points, float distance) {
     return a.reading + (b.reading - a.reading) * ((distance - a.distance) / (b.distance - a.distance));
 }
 
-float total_reading(const CompiledSensor& sensor, float sum, float ambient) {
+float total_reading(const CompiledSensor& sensor, float sum, float ambient, float lux) {
     if (sensor.response != SensorResponse::photocell) return sum + ambient;
     // The light that alone gives the reading `ambient`.
     const float around = ambient <= 0   ? 0.0f
                          : ambient >= 1 ? std::numeric_limits<float>::max() / 2
                                         : maths::power(ambient / (1 - ambient), 1 / sensor.gamma);
-    const float light = maths::power(sum + around, sensor.gamma);
+    const float light = maths::power(sum + around + lux * sensor.per_lux, sensor.gamma);
     return light / (1 + light);
 }
 

@@ -32,6 +32,8 @@ struct CompiledSensor {
     float inverse_range_squared;  // of the fade; 0 for a hard range
     float inverse_half_distance_squared;
     float gamma;                        // of a photocell
+    float per_lux;                      // light of a photocell per lux: 1 at its half_lux
+    float per_candela;                  // strength of a lamp for a photocell per candela: 1 cd at 1 m gives 1 lx
     float gain_spread;                  // readings of each vehicle differ by up to ± this share
     std::vector<ResponsePoint> points;  // of a table
     float noise;                        // standard deviation of a reading
@@ -75,9 +77,16 @@ bool in_field(const CompiledSensor&, const SensorPose&, maths::vec2 point);
 // reading, 0..strength. 0 beyond the range. With c = max(0, cos off-axis), 1 for an omni sensor:
 //     graded     strength · c / (1 + (d/d0)^2) · (1 − (d/range)^2)^2,   without the last factor for a hard range
 //     boolean    strength
-//     photocell  strength · c / (d/d0)^2: illuminance (inverse square and cosine law) as a multiple of that at d0
+//     photocell  strength · c / (d/d0)^2: illuminance (inverse square and cosine law) as a multiple of that at d0;
+//                of a lamp of I candela the multiple I·c/d^2 of its half_lux, for the strength of strength_for()
 //     table      strength · c · the reading of the table at d
 float response_to(const CompiledSensor&, const SensorPose&, maths::vec2 point, float strength);
+
+// The strength of a stimulus for this sensor: that in candela, where it is stated and the sensor is a photocell.
+inline float strength_for(const CompiledSensor& sensor, float strength, float candela) {
+    const bool is_light = sensor.response == SensorResponse::photocell && candela > 0;
+    return is_light ? strength * candela * sensor.per_candela : strength;
+}
 
 // The same for a point inside the field: its distance (m), the distance squared, and its distance along the axis.
 float response_in_field(const CompiledSensor&, float squared, float distance, float along, float strength);
@@ -85,10 +94,11 @@ float response_in_field(const CompiledSensor&, float squared, float distance, fl
 // Reading of a table at a distance (m): linear between its points, that of the first before it, 0 beyond the last.
 float table_reading(const std::vector<ResponsePoint>&, float distance);
 
-// Reading of the sum of all stimuli with ambient light (0..1, the reading that it gives alone). A photocell adds light
+// Reading of the sum of all stimuli with ambient light (0..1, the reading that it gives alone, and lx, of which only
+// photocells read). A photocell adds light
 // before its curve 1/(1 + E^−γ), the divider of a photoresistor of exponent γ and a resistor; other responses add
 // readings.
-float total_reading(const CompiledSensor&, float sum, float ambient);
+float total_reading(const CompiledSensor&, float sum, float ambient, float lux = 0);
 
 // The graded response to a point inside the field: its distance (m), the distance squared, and its distance along the
 // axis.

@@ -13,7 +13,7 @@ void gather_lamps(const Emitters& e, const Seam& seam, Channel channel, std::vec
         for (const CarriedLamp& lamp : e.kinds[static_cast<std::size_t>(e.kind[row])].lamps)
             if (is_seen_as(lamp.channel, channel))
                 out.push_back({seam.inside(mechanics::to_world(e.motion[row], {lamp.x, lamp.y})), lamp.strength,
-                               static_cast<std::int32_t>(row)});
+                               static_cast<std::int32_t>(row), lamp.candela});
 }
 
 float read_stimuli(const Environment& e, const StimulusGrid& grid, const CompiledSensor& sensor, const SensorPose& pose,
@@ -30,7 +30,8 @@ bool has_stimuli(Channel channel) { return row_of(channel).is_summed; }
 void gather_stimuli(const Emitters& e, const Seam& seam, Channel channel, std::vector<Stimulus>& out) {
     out.clear();
     for (const PointSource& source : e.sources)
-        if (is_seen_as(source.channel, channel)) out.push_back({seam.inside(source.position), source.strength, -1});
+        if (is_seen_as(source.channel, channel))
+            out.push_back({seam.inside(source.position), source.strength, -1, source.candela});
     if (channel == Channel::predator || channel == Channel::prey || channel == Channel::vehicle) {
         const Role wanted = channel == Channel::predator ? Role::predator : Role::prey;
         for (std::size_t row = 0; row < e.motion.size(); ++row)
@@ -45,7 +46,11 @@ void gather_stimuli(const Emitters& e, const Seam& seam, Channel channel, std::v
 }
 
 Environment::Environment(const Scene& scene, const std::vector<mechanics::Motion>& obstacles)
-    : ground(scene), outlines(scene, obstacles), seam(scene.arena), ambient(scene.arena.ambient) {}
+    : ground(scene),
+      outlines(scene, obstacles),
+      seam(scene.arena),
+      ambient(scene.arena.ambient),
+      lux(scene.arena.lux) {}
 
 float read_environment(const Environment& e, const StimulusGrids& grids, const CompiledSensor& sensor, SensorPose pose,
                        std::int32_t self) {
@@ -54,8 +59,8 @@ float read_environment(const Environment& e, const StimulusGrids& grids, const C
     if (sensor.channel == Channel::floor)
         return response_to_amount(sensor, e.ground.floor_at(pose.position).reflectance);
     const StimulusGrid& grid = grids[static_cast<std::size_t>(sensor.channel)];
-    const float ambient = sensor.sees_ambient_light ? e.ambient : 0.0f;
-    return total_reading(sensor, read_stimuli(e, grid, sensor, pose, self), ambient);
+    const float light = read_stimuli(e, grid, sensor, pose, self);
+    return sensor.sees_ambient_light ? total_reading(sensor, light, e.ambient, e.lux) : total_reading(sensor, light, 0);
 }
 
 }  // namespace braitenlab::sensing

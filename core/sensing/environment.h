@@ -19,6 +19,7 @@ struct PointSource {
     Channel channel = Channel::light;
     maths::vec2 position;  // m
     float strength = 1;    // 0..1
+    float candela = 0;     // as Source
 };
 
 // What gives off stimuli. The spans of vehicles have one element per vehicle.
@@ -46,6 +47,7 @@ struct Environment {
     Outlines outlines;
     Seam seam;
     float ambient = 0;  // 0..1
+    float lux = 0;      // of photocells
 };
 
 // Reading of a channel with stimuli, of `obstacle` or of `floor`, before noise, delay and clamping. Stimuli owned by

@@ -155,7 +155,7 @@ Outlines::Outlines(const Scene& scene, const std::vector<mechanics::Motion>& obs
         for (int i = 0; i < sides; ++i)
             post.corners.push_back(
                 vec2{source.x, source.y} +
-                maths::from_polar(solid_source_radius, 2 * maths::pi * static_cast<float>(i) / sides));
+                maths::from_polar(source_radius(scene.arena), 2 * maths::pi * static_cast<float>(i) / sides));
         add(std::move(post));
     }
 }

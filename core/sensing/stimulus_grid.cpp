@@ -49,10 +49,12 @@ void StimulusGrid::fill(const std::vector<Stimulus>& stimuli) {
     // first_ now holds each cell's end; filling backwards turns ends into beginnings.
     for (std::size_t c = 1; c <= cells; ++c) first_[c] += first_[c - 1];
     x_.resize(stimuli.size() + lanes), y_.resize(x_.size()), strength_.resize(x_.size()), owner_.resize(x_.size());
+    candela_.resize(x_.size());
     for (std::size_t i = stimuli.size(); i-- > 0;) {
         const std::uint32_t at = --first_[cell_[i]];
         x_[at] = stimuli[i].position.x, y_[at] = stimuli[i].position.y;
         strength_[at] = stimuli[i].strength, owner_[at] = stimuli[i].owner;
+        candela_[at] = stimuli[i].candela;
     }
 }
 

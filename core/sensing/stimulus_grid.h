@@ -13,6 +13,7 @@ struct Stimulus {
     maths::vec2 position;
     float strength = 1;       // 0..1
     std::int32_t owner = -1;  // row of the vehicle that carries it, which does not sense itself; −1: none
+    float candela = 0;        // as Source
     friend bool operator==(const Stimulus&, const Stimulus&) = default;
 };
 
@@ -53,7 +54,7 @@ private:
     float farthest_ = 1;
     Cells columns_, rows_;
     std::vector<std::uint32_t> first_, cell_;
-    std::vector<float> x_, y_, strength_;  // sorted, padded for reads of whole blocks
+    std::vector<float> x_, y_, strength_, candela_;  // sorted, padded for reads of whole blocks
     std::vector<std::int32_t> owner_;
 };
 
@@ -92,7 +93,7 @@ float StimulusGrid::total_in_sight(const CompiledSensor& sensor, const SensorPos
         for (std::uint32_t i = begin; i < end; ++i) {
             if (owner_[i] == self) continue;
             const maths::vec2 position = pose.position + seam_.shortest(maths::vec2{x_[i], y_[i]} - pose.position);
-            const float answered = response_to(sensor, pose, position, strength_[i]);
+            const float answered = response_to(sensor, pose, position, strength_for(sensor, strength_[i], candela_[i]));
             if (answered > 0 && !hidden(pose.position, position)) sum += answered;
         }
     });

@@ -104,8 +104,8 @@ CompiledKind compile_kind(const Kind& kind) {
     }
     limit_overshoot(body, compiled.wheels, &CompiledWheel::drive_mass, &CompiledWheel::lateral_mass);
     limit_overshoot(body, compiled.wheels, &CompiledWheel::carried_mass, &CompiledWheel::carried_mass);
-    compiled.top_speed = body.top_speed;
-    compiled.motor_force = body.motor_force;
+    compiled.top_speed = body.top_speed * voltage_share(body);
+    compiled.motor_force = body.motor_force * voltage_share(body);
     compiled.dead_band = body.dead_band;
     compiled.friction_spread = body.friction_spread;
     compiled.mass = body.mass;

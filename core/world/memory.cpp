@@ -8,7 +8,6 @@ namespace braitenlab::world {
 
 namespace {
 
-constexpr float apart = 0.5f;                // m, minimum distance between marks of one vehicle
 constexpr float halvings = 7;                // of its strength; then a mark is removed
 constexpr std::uint64_t ticks_a_sweep = 60;  // between two removals of old marks
 
@@ -36,6 +35,7 @@ void remember(WorldData& s) {
     forget(s);
     s.physics.find_bumps(s.bumps);
     const std::size_t before = s.marks.size();
+    const float apart = mark_spacing(s.scene->arena);
     for (const Bump& bump : s.bumps) {
         const auto row = s.row_of(bump.vehicle);
         if (!row) continue;

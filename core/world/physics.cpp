@@ -70,7 +70,7 @@ bool may_skip_an_impact(const Scene& scene) {
         return true;
     float fastest = 0, thinnest = wall_thickness;
     for (const Kind& kind : scene.kinds) {
-        fastest = std::max(fastest, kind.body.top_speed);
+        fastest = std::max(fastest, kind.body.top_speed * voltage_share(kind.body));
         thinnest = std::min({thinnest, kind.body.length, kind.body.width});
     }
     return 2 * fastest * tick_seconds > thinnest / 4;
@@ -134,11 +134,11 @@ struct Physics::Impl : b2ContactListener {
         const float l = length / 2, w = width / 2;
         add_block(mechanics::at_rest(middle, heading), {{-l, -w}, {l, -w}, {l, w}, {-l, w}}, 0);
     }
-    void add_post(maths::vec2 middle) {
+    void add_post(maths::vec2 middle, float radius) {
         b2BodyDef body;
         body.position = to_box(middle);
         b2CircleShape shape;
-        shape.m_radius = solid_source_radius;
+        shape.m_radius = radius;
         b2FixtureDef fixture;
         fill(fixture, shape, environment, chassis | wheel | environment);
         world.CreateBody(&body)->CreateFixture(&fixture);
@@ -182,7 +182,7 @@ Physics::Physics(const Scene& scene, const std::vector<mechanics::Motion>& obsta
         impl_->obstacles.push_back(
             impl_->add_block(obstacles[i], corners_of(scene.obstacles[i]), scene.obstacles[i].mass));
     for (const Source& source : scene.sources)
-        if (source.solid) impl_->add_post({source.x, source.y});
+        if (source.solid) impl_->add_post({source.x, source.y}, source_radius(scene.arena));
 }
 
 Physics::~Physics() = default;

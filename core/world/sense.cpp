@@ -64,7 +64,7 @@ void fill(SensingBuffers& buffers, const WorldData& s) {
     buffers.point_sources.clear();
     for (const Source& source : s.scene->sources)
         buffers.point_sources.push_back(
-            {source.channel, {source.x, source.y}, strength_at(source, seconds_at(s.tick))});
+            {source.channel, {source.x, source.y}, strength_at(source, seconds_at(s.tick)), source.candela});
     buffers.roles.clear();
     const auto is_sensed = [&](Channel channel) { return s.sensed_channel[static_cast<std::size_t>(channel)]; };
     if (is_sensed(Channel::predator) || is_sensed(Channel::prey))

@@ -105,7 +105,11 @@ std::vector<sensing::Stimulus> marks_of(const Snapshot& now, VehicleId owner) {
 // All stimuli of the channel but those of one vehicle.
 std::vector<sensing::Stimulus> stimuli_beside(const Snapshot& now, Channel channel, VehicleId left_out) {
     std::vector<sensing::PointSource> sources;
-    for (const SourceView& s : now.sources) sources.push_back({s.channel, {s.x, s.y}, s.strength});
+    for (const SourceView& s : now.sources) {
+        const auto i = static_cast<std::size_t>(s.source);
+        const float candela = i < now.scene->sources.size() ? now.scene->sources[i].candela : 0;
+        sources.push_back({s.channel, {s.x, s.y}, s.strength, candela});
+    }
     std::vector<mechanics::Motion> motion;
     std::vector<std::int32_t> kind;
     std::vector<Role> role;

@@ -40,7 +40,8 @@ std::optional<float> share_of_scale(const TrailColour& colour, const TrailMoment
 float top_speed_of(const Snapshot& now) {
     float fastest = 0;
     if (now.scene)
-        for (const Kind& kind : now.scene->kinds) fastest = std::max(fastest, kind.body.top_speed);
+        for (const Kind& kind : now.scene->kinds)
+            fastest = std::max(fastest, kind.body.top_speed * voltage_share(kind.body));
     return fastest > 0 ? fastest : Body{}.top_speed;
 }
 

@@ -94,6 +94,14 @@ TEST(World, ObstaclesStopAVehicleAtTheirSideForAnyShape) {
     post.sources.push_back({.name = "post", .solid = true});
     World other = make(post);
     EXPECT_NEAR(after(other, 3).vehicles[0].x, -0.5f - solid_source_radius, 0.03f);
+    Scene table = at_the_middle(0.2f);
+    table.arena.width = table.arena.height = 2;
+    table.starts[0].x = -0.8f;
+    table.kinds[0].body = resized(table.kinds[0].body, 0.1f, 0.07f);
+    table.kinds[0].body.mass = 0.2f, table.kinds[0].body.top_speed = 0.5f;
+    table.sources = post.sources;
+    World small = make(table);
+    EXPECT_NEAR(after(small, 12).vehicles[0].x, -0.05f - 0.06f, 0.01f) << "posts are smaller on a table of 2 m";
     Scene ghost = at_the_middle();
     ghost.sources.push_back({.name = "lamp"});
     World third = make(ghost);

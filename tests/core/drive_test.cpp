@@ -104,6 +104,43 @@ TEST(World, TheTurningRadiusIsThatOfADifferentialDriveAtTheOrigin) {
     }
 }
 
+TEST(World, AVehicleTurnsAboutTheMiddleOfItsAxleWhereverThatIs) {
+    // The axle of a Thymio is 2.5 cm behind the middle of a hull of 11 cm; here at the size of the standard vehicle.
+    Scene scene = alone({.LM = -0.1f, .RM = 0.1f});
+    for (Wheel& wheel : scene.kinds[0].body.wheels)
+        if (wheel.motor != Motor::none) wheel.x = -0.25f;
+    World world = make(scene);
+    const auto axle = [&](const VehicleView& v) { return vec2{v.x, v.y} - 0.25f * maths::direction(v.heading); };
+    after(world, 1);
+    const vec2 before = axle(look(world).vehicles[0]);
+    vec2 farthest{};
+    for (int i = 0; i < 40; ++i) {
+        const VehicleView now = after(world, 0.1).vehicles[0];
+        EXPECT_LT(maths::distance(axle(now), before), 0.02f) << i;
+        farthest.x = std::max(farthest.x, std::fabs(now.x - before.x));
+    }
+    EXPECT_NEAR(farthest.x, 0.25f, 0.02f) << "the middle of the chassis goes round it";
+}
+
+TEST(World, TopSpeedAndForceOfTheMotorsAreProportionalToTheirVoltage) {
+    Scene scene = alone({.LM = 1, .RM = 1});
+    Body& body = scene.kinds[0].body;
+    const auto speed_after = [&](double seconds) {
+        World world = make(scene);
+        return after(world, seconds).vehicles[0].speed;
+    };
+    const float top = speed_after(5), start = speed_after(0.1);
+    body.nominal_voltage = 9;
+    EXPECT_EQ(speed_after(5), top) << "without a voltage of its own it has the nominal one";
+    body.voltage = 9;
+    EXPECT_EQ(speed_after(5), top);
+    body.voltage = 6;
+    EXPECT_NEAR(speed_after(5), top * 2 / 3, 0.02f * top);
+    EXPECT_NEAR(speed_after(0.1), start * 2 / 3, 0.02f * start) << "the force is smaller, too";
+    body.voltage = 61;
+    EXPECT_FALSE(World::create(scene, 1));
+}
+
 float kinetic_energy(const Body& body, const mechanics::Motion& m) {
     const float inertia = mechanics::plate_inertia(body.mass, body.length, body.width);
     return body.mass / 2 * maths::dot(m.velocity, m.velocity) + inertia / 2 * m.angular_velocity * m.angular_velocity;

@@ -71,6 +71,24 @@ TEST(World, PlaceMemoryKeepsTheNewestMarksHalfAMetreApart) {
     EXPECT_NEAR(now.marks[0].y, met[4], 0.4f);
 }
 
+TEST(World, PlaceMemoryHasMarksCloserTogetherOnATable) {
+    const auto marks_on = [](float height) {
+        Scene scene = at_the_wall({.marks = 9});
+        scene.arena.width = 6, scene.arena.height = height;
+        Body& body = scene.kinds[0].body;
+        body = resized(body, 0.1f, 0.07f);
+        body.mass = 0.2f;
+        World world = make(scene);
+        for (const float y : {-0.3f, 0.0f, 0.3f}) {
+            EXPECT_FALSE(world.apply(MoveVehicle{0, 2.9f, y, 0}));
+            after(world, 1);
+        }
+        return look(world).marks.size();
+    };
+    EXPECT_EQ(marks_on(6), 2u) << "0 and 0.3 m are closer than 0.5 m to a mark";
+    EXPECT_EQ(marks_on(1), 3u) << "0.1 m where the arena has 1 m";
+}
+
 TEST(World, PlaceMemoryIsRemovedWithItsVehicle) {
     Scene scene = at_the_wall({.marks = 3});
     scene.starts.push_back({.name = "other", .kind = "tester", .x = 1, .y = -1.5f});

@@ -197,6 +197,39 @@ TEST(World, AnEyeThatIsAPhotocellReadsLampsAndAmbientLightTogether) {
     EXPECT_NEAR(reading(scene), 0.5f, 1e-5f);
 }
 
+TEST(World, AnEyeThatIsAPhotocellAddsLampsInCandelaAndAmbientLightInLux) {
+    // GL5528 (γ 0.7, 15 kΩ at 10 lx) over 1.5 kΩ, torches of 84 cd and a room: 1/(1 + (R10/Rf)·(E/10 lx)^−γ).
+    const auto divider = [](double lux) { return 1 / (1 + 10 * std::pow(lux / 10, -0.7)); };
+    const Sensor eye{
+        .channel = Channel::light, .response = SensorResponse::photocell, .x = 0, .gamma = 0.7f, .half_lux = 268.27f};
+    Scene scene = with(watcher(eye), {.x = 1, .candela = 84});
+    EXPECT_NEAR(reading(scene), divider(84), 1e-4);
+    for (const float half_distance : {0.1f, 5.0f}) {
+        scene.kinds[0].sensors[0].half_distance = half_distance;
+        EXPECT_NEAR(reading(scene), divider(84), 1e-4) << "a distance does not matter to candela";
+    }
+    scene = with(scene, {.x = 2, .candela = 200});
+    EXPECT_NEAR(reading(scene), divider(84 + 50), 1e-4);
+    scene.arena.lux = 300;
+    EXPECT_NEAR(reading(scene), divider(84 + 50 + 300), 1e-4) << "added before the curve";
+    scene.sources[1].strength = 0.5f;
+    EXPECT_NEAR(reading(scene), divider(84 + 25 + 300), 1e-4) << "a dimmed lamp";
+    scene.kinds.push_back(tests::two_eyed("bearer", {}));
+    scene.kinds[1].lamps.push_back({.name = "torch", .x = 0, .candela = 90});
+    scene.starts.push_back({.name = "b", .kind = "bearer", .x = 3});
+    EXPECT_NEAR(reading(scene), divider(84 + 25 + 300 + 10), 1e-4) << "a lamp on a vehicle";
+}
+
+TEST(World, CandelaAndLuxAreForPhotocellsAlone) {
+    Scene scene = with(watcher(Channel::light), {.x = 3});
+    const float by_strength = reading(scene);
+    scene.sources[0].candela = 500, scene.arena.lux = 500;
+    EXPECT_EQ(reading(scene), by_strength);
+    scene = watcher({.channel = Channel::heat, .response = SensorResponse::photocell});
+    scene.arena.lux = 500;
+    EXPECT_EQ(reading(scene), 0) << "ambient light is no heat";
+}
+
 TEST(World, AFloorSensorReadsTheBrightnessOfTheFloorBelowIt) {
     Scene scene = watcher(Sensor{.channel = Channel::floor, .x = 0.5f});
     EXPECT_FLOAT_EQ(reading(scene), scene.arena.reflectance);

@@ -37,8 +37,8 @@ Scene ideal(const Figures& figures) {
 struct Path {
     double speed = 0, radius = 0;  // m/s, m; of the last second
 };
-Path driven(const Figures& figures, float left, float right) {
-    auto world = World::create(ideal(figures), 1);
+Path driven(const Scene& scene, float left, float right) {
+    auto world = World::create(scene, 1);
     Snapshot now;
     world->capture(now);
     EXPECT_FALSE(world->apply(Steer{now.vehicles[0].id, left, right}));
@@ -46,17 +46,21 @@ Path driven(const Figures& figures, float left, float right) {
     world->capture(now);
     const VehicleView before = now.vehicles[0];
     double length = 0, turn = 0;
+    const double axle = now.scene->kinds[0].body.wheels[0].x;  // ahead of the middle of the chassis
     VehicleView last = before;
     for (int tick = 0; tick < 60; ++tick) {
         world->step();
         world->capture(now);
         const VehicleView& here = now.vehicles[0];
-        length += std::hypot(here.x - last.x, here.y - last.y);
+        length += std::hypot(here.x + axle * std::cos(here.heading) - last.x - axle * std::cos(last.heading),
+                             here.y + axle * std::sin(here.heading) - last.y - axle * std::sin(last.heading));
         turn += std::remainder(here.heading - last.heading, 2 * M_PI);
         last = here;
     }
     return {length, std::fabs(turn) > 1e-6 ? length / std::fabs(turn) : 0};
 }
+
+Path driven(const Figures& figures, float left, float right) { return driven(ideal(figures), left, right); }
 
 TEST(RobotScenes, ReachTheTopSpeedOfTheRobot) {
     for (const Figures& figures : robots_of_scenes)
@@ -87,6 +91,7 @@ TEST(RobotScenes, HaveABrainThatTheirRobotHolds) {
 float reading_at(const Figures& figures, float distance) {
     Scene scene = ideal(figures);
     Kind& kind = scene.kinds[0];
+    scene.arena.lux = 0;
     kind.sensors.resize(1);
     Sensor& sensor = kind.sensors[0];
     sensor.x = sensor.y = sensor.angle = 0, sensor.noise = sensor.latency = sensor.gain_spread = 0;
@@ -96,16 +101,37 @@ float reading_at(const Figures& figures, float distance) {
     Start& start = scene.starts[0];
     start.x = start.y = start.heading = 0, start.facing.clear(), start.heading_spread = 0;
     const float from = sensor.x;
+    const float candela = scene.sources.empty() ? 0 : scene.sources[0].candela;
     scene.sources.clear();
     if (sees_walls)
         scene.obstacles.push_back({.name = "wall", .x = from + distance + 0.5f, .length = 1, .width = 4});
     else
-        scene.sources.push_back({.name = "lamp", .x = distance});
+        scene.sources.push_back({.name = "lamp", .x = distance, .candela = candela});
     const auto world = World::create(scene, 1);
     EXPECT_TRUE(world) << world.error().text();
     Snapshot now;
     world->capture(now);
     return now.sensed[static_cast<std::size_t>(now.vehicles[0].first_sensed)];
+}
+
+TEST(RobotScenes, DriveTheThymioAboutAnAxleBehindItsMiddle) {
+    const Body body = scene_of(robots_of_scenes[1]).kinds[0].body;
+    for (const Wheel& wheel : body.wheels)
+        if (wheel.motor != Motor::none) {
+            EXPECT_FLOAT_EQ(body.length / 2 - wheel.x, 0.08f) << "the hull ahead of the axle, by Enki";
+            EXPECT_FLOAT_EQ(body.length / 2 + wheel.x, 0.03f) << "and behind it";
+        }
+    // A turn on the spot: the axle stays, so its path is short beside that of the middle.
+    EXPECT_LT(driven(robots_of_scenes[1], -0.3f, 0.3f).speed, 0.005);
+}
+
+TEST(RobotScenes, AreAsFastAsMeasuredAtTheVoltagesOfTheMotorsOfTheArduinoRobot) {
+    // 0.41 m/s at 3 V, 0.63 m/s at 4.5 V, 0.85 m/s at 6 V (SunFounder).
+    for (const auto& [voltage, speed] : {std::pair{3.0f, 0.41f}, {4.5f, 0.63f}, {6.0f, 0.85f}}) {
+        Scene scene = ideal(robots_of_scenes[0]);
+        scene.kinds[0].body.voltage = voltage;
+        EXPECT_NEAR(driven(scene, 1, 1).speed, speed, 0.05 * speed) << voltage;
+    }
 }
 
 TEST(RobotScenes, ReadWhatWebotsPublishesOfAnEPuck) {

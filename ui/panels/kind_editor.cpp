@@ -130,7 +130,8 @@ private:
     }
 
     void body() {
-        constexpr std::string_view shown[]{"length", "width", "mass", "top_speed", "motor_force"};
+        constexpr std::string_view shown[]{"length",      "width",   "mass",           "top_speed",
+                                           "motor_force", "voltage", "nominal_voltage"};
         auto edit = record_fields(rows(), kind_.body, filed_.body, shown);
         if (!edit) return;
         const float length = edit->to.length, width = edit->to.width;
