@@ -49,7 +49,8 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .least_share = lab.before_lecture ? least_share_in_lecture : least_share,
                                    .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
                                    .held = held});
-    const CameraView wanted = look(lab.view.camera, now.scene->arena, followed, window, free_area, &state.framed);
+    const CameraView wanted =
+        look(lab.view.camera, now.scene->arena, followed, window, free_area, &state.framed, ride_scale(now, followed));
     state.age = jumped(state, lab) ? 0 : state.age + seconds;
     state.last = lab.view.camera;
     state.last_followed = lab.view.selection.vehicle;

@@ -18,7 +18,7 @@ layout(std140) uniform Frame {
     vec4 window;  // width, height of the picture, pixels; its lower left corner in the framebuffer
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels per layout pixel
     vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far sensor fields reach beyond the arena, m; w: boundary
-    vec4 form;    // x: 1 if the arena is an ellipse
+    vec4 form;    // x: 1 if the arena is an ellipse; y: scale of a small arena; z: m between the lines of the grid
     vec4 law;     // 1/half distance^2, 1/range^2 of light; lamps that light the floor; quality 0 low, 1 medium, 2 high
     Lamp lamps[8];
 };
@@ -133,8 +133,8 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     // Slightly brighter at the centre of the arena. Outside walls the ground is a plain table.
     vec2 from_middle = place / arena.xy;
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
-    float faint = max(middle, lines(place, pixel, many, 1.0, 0.016) * 0.75) * inside;
-    float bright = lines(place, pixel, many, 5.0, 0.032) * inside;
+    float faint = max(middle, lines(place, pixel, many, form.z, 0.016 * form.z) * 0.75) * inside;
+    float bright = lines(place, pixel, many, 5.0 * form.z, 0.032 * form.z) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
     return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright);
 }
@@ -144,7 +144,7 @@ const float floor_wall_width = 0.22;  // m, as in render/view/drawing.h
 // The floor is darker at the foot of walls, on both sides, and fades into the sky outside the arena within `beyond` m.
 vec3 faded_floor(vec3 ground, vec2 place, float outside, float beyond) {
     float to_wall = from_edge(place);
-    float foot = clamp(1.0 - max(-to_wall, to_wall - floor_wall_width) / 0.4, 0.0, 1.0);
+    float foot = clamp(1.0 - max(-to_wall, to_wall - floor_wall_width * form.y) / (0.4 * form.y), 0.0, 1.0);
     ground *= 1.0 - foot * foot * (counts.w == edge_wall ? mix(0.5, 0.18, counts.y) : 0.0);
 
     float fade = max(smoothstep(0.0, 0.8 * beyond, outside), min(outside * 20.0, 1.0) * (counts.w == edge_wall ? 0.72 : 0.35));

@@ -20,7 +20,8 @@ CameraView view_of_look(const SceneLook& look_of, const Snapshot& now, int width
     const ViewSettings& settings = look_of.picture.settings;
     const Rect all{0, 0, static_cast<float>(width), static_cast<float>(height)};
     const VehicleView* followed = rides(settings.camera.mode) ? find_vehicle(now, settings.selection.vehicle) : nullptr;
-    return look(settings.camera, now.scene->arena, followed, all, all, look_of.framed ? &*look_of.framed : &framed);
+    return look(settings.camera, now.scene->arena, followed, all, all, look_of.framed ? &*look_of.framed : &framed,
+                ride_scale(now, followed));
 }
 
 // Two passes over the run. The first one records the paths of the vehicles up to the clip; of a GIF it goes on to the

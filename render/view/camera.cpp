@@ -141,26 +141,26 @@ CameraView birds_eye(const Camera& camera, const FloorBox& box, float border, Re
     return camera_view;
 }
 
-Stand riding(const Camera& camera, const VehicleView& vehicle, Rect window, Rect area) {
+Stand riding(const Camera& camera, const VehicleView& vehicle, float scale, Rect window, Rect area) {
     const vec2 ahead = maths::direction(vehicle.heading), place{vehicle.x, vehicle.y};
-    const float zoom = clamped_zoom(camera);
+    const float zoom = clamped_zoom(camera) / scale;
     const vec3 eye = to_gl(place - ahead * (4.0f / zoom), 2.6f / zoom);
     return {eye,
-            to_gl(place + ahead * 1.4f, 0.2f),
+            to_gl(place + ahead * (1.4f * scale), 0.2f * scale),
             window.h / (2 * std::tan(follow_field / 2)),
             {area.x + area.w / 2, area.y + area.h / 2},
-            0.08f,
+            0.08f * scale,
             300};
 }
 
 // Just behind the sensors, the front of the vehicle at the lower edge of the picture.
-Stand driving(const Camera& camera, const VehicleView& vehicle, Rect window, Rect area) {
+Stand driving(const Camera& camera, const VehicleView& vehicle, float scale, Rect window, Rect area) {
     const vec2 ahead = maths::direction(vehicle.heading), place{vehicle.x, vehicle.y};
-    return {to_gl(place - ahead * 0.12f, 0.62f),
-            to_gl(place + ahead * 2.4f, 0.12f),
+    return {to_gl(place - ahead * (0.12f * scale), 0.62f * scale),
+            to_gl(place + ahead * (2.4f * scale), 0.12f * scale),
             window.h / (2 * std::tan(driver_field / 2)) * clamped_zoom(camera),
             {area.x + area.w / 2, area.y + area.h / 2},
-            0.05f,
+            0.05f * scale,
             300};
 }
 
@@ -173,12 +173,18 @@ vec4 clip_place(const CameraView& camera_view, vec2 place, float height) {
 
 }  // namespace
 
+float ride_scale(const Snapshot& now, const VehicleView* followed) {
+    return followed && now.scene && scale_of(now.scene->arena) < 1 ? kind_of(now, *followed).body.length : 1;
+}
+
 CameraView look(const Camera& camera, const Arena& arena, const VehicleView* follow, Rect window, Rect free_area,
-                const FloorBox* framed) {
+                const FloorBox* framed, float ride_scale) {
     window.w = std::max(window.w, 1.0f), window.h = std::max(window.h, 1.0f);
     const Rect area = usable(window, free_area);
-    if (camera.mode == CameraMode::follow && follow) return through(riding(camera, *follow, window, area), window);
-    if (camera.mode == CameraMode::driver && follow) return through(driving(camera, *follow, window, area), window);
+    if (camera.mode == CameraMode::follow && follow)
+        return through(riding(camera, *follow, ride_scale, window, area), window);
+    if (camera.mode == CameraMode::driver && follow)
+        return through(driving(camera, *follow, ride_scale, window, area), window);
     if (camera.mode == CameraMode::birds_eye)
         return birds_eye(camera, box_of(arena, framed), framed ? 0.1f : 0.5f, window, area);
     return through(overview(camera, arena, box_of(arena, framed), window, area), window);

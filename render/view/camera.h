@@ -28,12 +28,13 @@ constexpr maths::vec3 to_gl(maths::vec2 place, float height = 0) { return {place
 
 // Walls and obstacles as drawn, m. In an arena of less than five metres they are lower in proportion, so that they do
 // not hide a small robot.
-inline float share_of_height(const Arena& arena) { return std::min(1.0f, std::min(arena.width, arena.height) / 5); }
+// Distance of the fine lines of the grid on the floor, m: 1, in a small arena 0.1. Every fifth line is bright.
+inline float grid_share(const Arena& arena) { return scale_of(arena) < 1 ? 0.1f : 1.0f; }
 struct WallSize {
     float thickness = 0, height = 0;
 };
-inline WallSize wall_of(const Arena& arena) { return {0.22f * share_of_height(arena), 0.35f * share_of_height(arena)}; }
-inline float obstacle_height(const Arena& arena) { return 0.42f * share_of_height(arena); }
+inline WallSize wall_of(const Arena& arena) { return {0.22f * scale_of(arena), 0.35f * scale_of(arena)}; }
+inline float obstacle_height(const Arena& arena) { return 0.42f * scale_of(arena); }
 
 // A rectangle in window pixels, y down.
 struct Rect {
@@ -69,8 +70,12 @@ struct FloorBox {
 // Computes the view of a camera. `free_area`: the part of the window that no card covers; the framed box (null: the
 // whole arena) is centred and fitted there. `follow`: the vehicle for the modes follow and driver; if it is null, these
 // modes give the overview.
+// `ride_scale`: of the distances of these modes.
 CameraView look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area,
-                const FloorBox* framed = nullptr);
+                const FloorBox* framed = nullptr, float ride_scale = 1);
+
+// Scale of the distances of the modes follow and driver: 1, in a small arena the length of the vehicle in metres.
+float ride_scale(const Snapshot&, const VehicleView* followed);
 
 // Adds to azimuth and elevation, rad.
 void orbit(Camera&, float azimuth, float elevation);

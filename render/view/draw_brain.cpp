@@ -79,26 +79,29 @@ void add_stopped_wheels(Drawing& drawing, const Subject& s) {
     for (const Wheel& wheel : s.kind.body.wheels) {
         if (wheel.motor == Motor::none || !s.plan->stopped[wheel.motor == Motor::right]) continue;
         // Above the wheel and slightly outside, beside the hull.
-        const vec2 at = s.to_world({wheel.x, wheel.y + (wheel.y < 0 ? -0.04f : 0.04f)});
-        drawing.list.neurons.push_back({{at.x, at.y, 2 * wheel.radius + 0.02f, 0.15f * s.height_scale},
-                                        rgb_with(drawing.colours.excites, crossed_out)});
+        const vec2 at = s.to_world({wheel.x, wheel.y + (wheel.y < 0 ? -0.04f : 0.04f) * around(drawing, s)});
+        drawing.list.neurons.push_back(
+            {{at.x, at.y, 2 * wheel.radius + 0.02f * around(drawing, s), 0.15f * s.height_scale},
+             rgb_with(drawing.colours.excites, crossed_out)});
     }
 }
 
 void add_wheel_arrows(Drawing& drawing, const Subject& s) {
     if (!s.selected || s.driven) return;
     constexpr float longest = 0.9f, least = 0.03f;  // lengths of the body at full speed; no arrow below `least`
-    constexpr float widest = 0.085f;                // m, half; a short arrow is not wider than long
+    const float scale = around(drawing, s);
+    const float widest = 0.085f * scale;  // m, half; a short arrow is not wider than long
     for (const Wheel& wheel : s.kind.body.wheels) {
         if (wheel.motor == Motor::none) continue;
         const float speed = std::clamp(s.view.motor[wheel.motor == Motor::right], -1.0f, 1.0f);
         if (std::fabs(speed) < least) continue;
         const float half = 0.5f * longest * std::fabs(speed) * s.kind.body.length, way = speed < 0 ? -1.0f : 1.0f;
-        const float beside = wheel.y + (wheel.y < 0 ? -0.19f : 0.19f);
+        const float beside = wheel.y + (wheel.y < 0 ? -0.19f : 0.19f) * scale;
         const vec2 middle = s.to_world({wheel.x + way * half, beside});
-        drawing.list.rings.push_back({{middle.x, middle.y, way * s.ahead.x, way * s.ahead.y},
-                                      {half, std::min(widest, half), 0.012f, static_cast<float>(MarkKind::arrow)},
-                                      rgb_with(drawing.colours.text, 1)});
+        drawing.list.rings.push_back(
+            {{middle.x, middle.y, way * s.ahead.x, way * s.ahead.y},
+             {half, std::min(widest, half), 0.012f * scale, static_cast<float>(MarkKind::arrow)},
+             rgb_with(drawing.colours.text, 1)});
     }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/scene/arena.h"
@@ -17,8 +18,7 @@ namespace {
 
 enum Rank { rank_chosen, rank_vehicle, rank_source, rank_zone, rank_level, rank_metres };
 
-constexpr float metres_between = 5;  // the grid's bright lines
-constexpr float clear_of_wall = 9;   // layout pixels
+constexpr float clear_of_wall = 9;  // layout pixels
 
 // The word of the language, else the name of the file with spaces.
 std::string in_words(const Picture& picture, std::string name) {
@@ -28,8 +28,8 @@ std::string in_words(const Picture& picture, std::string name) {
     return name;
 }
 
-std::string metres(int n, bool with_unit) {
-    return (n < 0 ? "−" : "") + std::to_string(std::abs(n)) + (with_unit ? " m" : "");
+std::string in_metres(int n, std::string_view unit) {
+    return (n < 0 ? "−" : "") + std::to_string(std::abs(n)) + std::string(unit);
 }
 
 // False for low elevations, where labels along the boundary would overlap the walls.
@@ -41,15 +41,19 @@ void add_metres(Drawing& drawing, const Arena& arena) {
     const bool walled = arena.edge == Boundary::wall;
     const WallSize wall = wall_of(arena);
     const Colour quiet = drawing.colours.second_text.with_alpha(0.75f);
+    // The grid's bright lines: every 5 m, in a small arena every 50 cm.
+    const bool small = drawing.scale < 1;
+    const float between = 5 * grid_share(arena);
     const auto along = [&](float length, auto place_of) {
-        const int most = static_cast<int>(length / 2 / metres_between);
+        const int most = static_cast<int>(length / 2 / between);
         if (most == 0) return;  // a lone 0 tells nothing
         for (int i = -most; i <= most; ++i) {
-            const int n = i * static_cast<int>(metres_between);
-            const auto [place, outwards] = place_of(static_cast<float>(n));
+            const int n = i * (small ? 50 : 5);
+            const auto [place, outwards] = place_of(static_cast<float>(i) * between);
             // Outside the wall, at its foot or its top, whichever is farther out in the picture.
             const vec2 edge = place + outwards * (walled ? wall.thickness : 0.0f);
-            const auto foot = project(camera_view, edge), beyond = project(camera_view, edge + outwards * 0.5f);
+            const auto foot = project(camera_view, edge),
+                       beyond = project(camera_view, edge + outwards * (0.5f * drawing.scale));
             const auto top = project(camera_view, edge, wall.height);
             if (!foot || !beyond || !top) continue;
             const vec2 away = maths::normalise(*beyond - *foot);
@@ -57,7 +61,9 @@ void add_metres(Drawing& drawing, const Arena& arena) {
             drawing.list.labels.push_back({.place = edge,
                                            .height = leans_out ? wall.height : 0,
                                            .offset = away * clear_of_wall,
-                                           .text = metres(n, i == most),
+                                           .text = in_metres(n, i != most ? ""
+                                                                : small   ? " cm"
+                                                                          : " m"),
                                            .colour = quiet,
                                            .rank = rank_metres,
                                            .away = away});
@@ -88,15 +94,16 @@ bool covers_vehicle(const Drawing& drawing, vec2 place, float height, vec2 offse
 void add_source_names(Drawing& drawing, const Scene& scene) {
     constexpr vec2 below{0, 16}, above{0, -18};  // layout pixels
     if (drawing.now.sources.size() < 2) return;  // a single source has no label
+    const float bulb = bulb_height * drawing.scale;
     for (const SourceView& source : drawing.now.sources) {
         const auto i = static_cast<std::size_t>(source.source);
         if (i >= scene.sources.size()) continue;
         const std::string name = in_words(drawing.picture, scene.sources[i].name);
         const vec2 place{source.x, source.y};
         const bool moves_up =
-            covers_vehicle(drawing, place, 0, below, name) && !covers_vehicle(drawing, place, bulb_height, above, name);
+            covers_vehicle(drawing, place, 0, below, name) && !covers_vehicle(drawing, place, bulb, above, name);
         drawing.list.labels.push_back(
-            {place, moves_up ? bulb_height : 0, moves_up ? above : below, name, drawing.colours.text, rank_source});
+            {place, moves_up ? bulb : 0, moves_up ? above : below, name, drawing.colours.text, rank_source});
     }
 }
 
@@ -130,7 +137,7 @@ void add_numbers(Drawing& drawing) {
         const float pixels = pixels_per_metre(drawing.picture.camera_view, {v.x, v.y}) / drawing.picture.pixel_scale;
         if (!chosen && pixels < least_pixels) continue;
         drawing.list.labels.push_back({{v.x, v.y},
-                                       0.45f,
+                                       0.45f * drawing.scale,
                                        {0, -std::min(0.45f * pixels, 24.0f) - 10},
                                        std::to_string(v.id + 1),
                                        chosen ? drawing.colours.text : drawing.colours.second_text,

@@ -29,6 +29,15 @@ LightLaw light_law(const Scene& scene) {
         for (const Sensor& sensor : kind.sensors)
             if (sensor.response == SensorResponse::graded && sensor.channel == Channel::light)
                 law = {std::max(law.half_distance, sensor.half_distance), std::max(law.range, sensor.range)};
+    if (law.range > 0) return law;
+    // Of photocells: as far as the brightest lamp gives half of their range.
+    for (const Source& source : scene.sources)
+        for (const Kind& kind : scene.kinds)
+            for (const Sensor& sensor : kind.sensors)
+                if (sensor.response == SensorResponse::photocell && sensor.channel == Channel::light &&
+                    source.candela > 0)
+                    law = {std::max(law.half_distance, std::sqrt(source.candela / sensor.half_lux)),
+                           std::max(law.range, sensor.range)};
     return law.range > 0 ? law : LightLaw{};
 }
 
@@ -42,6 +51,7 @@ void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Tra
                     palette(picture.theme),
                     picture.camera_view.projection * picture.camera_view.view,
                     std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
+    if (now.scene) drawing.scale = scale_of(now.scene->arena);
     add_world(drawing);
     add_vehicles(drawing, trails);
     add_labels(drawing);

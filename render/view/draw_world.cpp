@@ -17,7 +17,7 @@ using maths::vec4;
 namespace {
 
 constexpr std::size_t most_corners = 8;
-constexpr float rounding = 0.09f;  // m, of the vertical edges of obstacles
+constexpr float rounding = 0.09f;  // m, of the vertical edges of obstacles, in an arena of full scale
 
 // Up to most_corners corners, two in each element.
 std::array<vec4, 4> packed(const std::vector<vec2>& corners) {
@@ -65,13 +65,14 @@ void add_walls(Drawing& drawing, const Arena& arena) {
 }
 
 // Two corners in place of each; the shader shades the short face between them as a rounded edge.
-std::vector<vec2> blunted(const std::vector<vec2>& corners) {
+std::vector<vec2> blunted(const std::vector<vec2>& corners, float scale) {
     if (2 * corners.size() > most_corners) return corners;
     std::vector<vec2> both;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const vec2 here = corners[i];
         for (const vec2 next : {corners[(i + corners.size() - 1) % corners.size()], corners[(i + 1) % corners.size()]})
-            both.push_back(here + maths::normalise(next - here) * std::min(rounding, maths::distance(next, here) / 3));
+            both.push_back(here +
+                           maths::normalise(next - here) * std::min(scale * rounding, maths::distance(next, here) / 3));
     }
     return both;
 }
@@ -99,9 +100,9 @@ void add_obstacles(Drawing& drawing, const Scene& scene) {
             movable ? mix(drawing.colours.obstacle, drawing.colours.crate, 0.75f) : drawing.colours.obstacle;
         const std::vector<vec2> corners = corners_of(obstacle);
         const float height = obstacle_height(scene.arena) * (movable ? 0.8f : 1.0f);
-        drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y}, plain ? corners : blunted(corners),
-                                            height, (plain ? 0.11f : 0.17f) * height,
-                                            rgb_with(colour, movable ? 1.0f : 0.0f)));
+        drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y},
+                                            plain ? corners : blunted(corners, scale_of(scene.arena)), height,
+                                            (plain ? 0.11f : 0.17f) * height, rgb_with(colour, movable ? 1.0f : 0.0f)));
         if (!plain) add_obstacle_casts(drawing, {pose.x, pose.y}, ahead, corners, height);
     }
 }
@@ -164,23 +165,24 @@ void add_zone(Drawing& drawing, const Zone& zone) {
     if (zone.recharge > 0) add_zone(drawing, zone, Pattern::recharge, rgb_with(drawing.colours.recharge, 0.75f));
 }
 
-void add_post(Drawing& drawing, vec2 place) {
+void add_post(Drawing& drawing, vec2 place, float scale) {
     std::vector<vec2> corners;
     for (std::size_t i = 0; i < most_corners; ++i)
         corners.push_back(maths::direction(maths::pi / 8 + maths::pi / 4 * static_cast<float>(i)) *
-                          solid_source_radius);
+                          (scale * solid_source_radius));
     drawing.list.blocks.push_back(
-        block({place.x, place.y, 1, 0}, corners, 0.26f, 0.03f, rgb_with(drawing.colours.obstacle, 0)));
+        block({place.x, place.y, 1, 0}, corners, 0.26f * scale, 0.03f * scale, rgb_with(drawing.colours.obstacle, 0)));
 }
 
 void add_sources(Drawing& drawing) {
+    const float scale = drawing.scale;
     for (const SourceView& source : drawing.now.sources) {
         const auto i = static_cast<std::size_t>(source.source);
         const vec2 place{source.x, source.y};
         const bool solid =
             drawing.now.scene && i < drawing.now.scene->sources.size() && drawing.now.scene->sources[i].solid;
-        if (solid) add_post(drawing, place);
-        add_source(drawing, source.channel, place, 0, source.strength, 0.8f + 0.35f * source.strength);
+        if (solid) add_post(drawing, place, scale);
+        add_source(drawing, source.channel, place, 0, source.strength, scale * (0.8f + 0.35f * source.strength));
     }
 }
 
@@ -192,7 +194,8 @@ void add_marks(Drawing& drawing) {
         const float opacity =
             (mark.owner == drawing.picture.settings.selection.vehicle ? 1.0f : 0.35f) * std::sqrt(mark.strength);
         drawing.list.rings.push_back({{mark.x, mark.y, 1, 0},
-                                      {0.22f, 0.22f, 0.035f, static_cast<float>(MarkKind::memory)},
+                                      {0.22f * drawing.scale, 0.22f * drawing.scale, 0.035f * drawing.scale,
+                                       static_cast<float>(MarkKind::memory)},
                                       rgb_with(drawing.colours.memory, opacity * (light ? 1.0f : 0.9f))});
     }
 }
@@ -205,7 +208,7 @@ void add_socket(Drawing& drawing, Channel channel, vec2 at, float size) {
     if (channel != Channel::red && channel != Channel::green && channel != Channel::blue) return;
     const float radius = 0.34f * size;
     drawing.list.rings.push_back({{at.x, at.y, 1, 0},
-                                  {radius, radius, 0.022f, static_cast<float>(kind)},
+                                  {radius, radius, 0.022f * drawing.scale, static_cast<float>(kind)},
                                   rgb_with(mix(colour_of(drawing.colours, channel), drawing.colours.text, 0.35f), 1)});
 }
 
@@ -229,7 +232,7 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
     const bool affordable = drawing.picture.quality != Quality::low || drawing.now.sources.size() <= most_at_low;
     const bool in_floor = on && affordable && foot == 0 && drawing.list.lamps.size() < most_lamps;
     if (on && !in_floor) {
-        const float pool = (1.6f + 2.4f * strength) * reach;
+        const float pool = (1.6f + 2.4f * strength) * reach * drawing.scale;
         drawing.list.marks.push_back({place,
                                       {pool, pool, 0, static_cast<float>(MarkKind::pool)},
                                       rgb_with(colour, (dark ? 0.42f : 0.26f) * (0.35f + 0.65f * strength))});

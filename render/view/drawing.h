@@ -18,6 +18,7 @@ struct Drawing {
     // Length of a vehicle on the screen by which all choose between plain and rounded meshes, layout pixels; 0: each by
     // its own, where near and far vehicles differ much.
     float common_pixels = 0;
+    float scale = 1;                   // of sources and marks in a small arena; see scale_of()
     std::vector<StrikeView> struck{};  // strikes that shake their vehicles now
 };
 
@@ -41,6 +42,9 @@ struct Subject {
 
     maths::vec2 to_world(maths::vec2 own) const { return place + maths::rotate(own, ahead); }
 };
+
+// The scale of what is drawn around a vehicle: 1, in a small arena that of the body.
+inline float around(const Drawing& drawing, const Subject& s) { return drawing.scale < 1 ? s.height_scale : 1; }
 
 inline maths::vec4 rgb_with(Colour c, float w) { return {c.r, c.g, c.b, w}; }
 

@@ -11,11 +11,12 @@ using maths::vec2;
 
 namespace {
 
+// All but the time and the border for the walls are for an arena of full scale; see scale_of().
 constexpr float around_vehicle = 0.9f, around_source = 1.0f;  // m
 constexpr float beside_action = 1.2f;                         // m: an obstacle closer than this may be met
 constexpr float beyond_edge = 0.3f;                           // m, the walls
 constexpr float least_side = 4;                               // m
-constexpr float ahead_of_action = 1.5f;                       // m: the box grows by so much more, and then rests
+constexpr float whole_ahead_of_action = 1.5f;                 // m: the box grows by so much more, and then rests
 constexpr float time_constant = 0.5f;                         // s
 
 void include(FloorBox& box, vec2 place, float radius) {
@@ -29,7 +30,8 @@ FloorBox both(FloorBox a, FloorBox b) {
 }
 
 // `action`, moved outwards at each side at which it has left `box`: the camera then moves seldom, not in each frame.
-FloorBox beyond(const FloorBox& box, FloorBox action) {
+FloorBox beyond(const FloorBox& box, FloorBox action, float scale) {
+    const float ahead_of_action = scale * whole_ahead_of_action;
     if (action.low.x < box.low.x) action.low.x -= ahead_of_action;
     if (action.low.y < box.low.y) action.low.y -= ahead_of_action;
     if (action.high.x > box.high.x) action.high.x += ahead_of_action;
@@ -39,7 +41,8 @@ FloorBox beyond(const FloorBox& box, FloorBox action) {
 
 // The part inside the arena with its walls.
 FloorBox within(FloorBox box, const Arena& arena) {
-    const vec2 half{arena.width / 2 + beyond_edge, arena.height / 2 + beyond_edge};
+    const float edge = scale_of(arena) * beyond_edge;
+    const vec2 half{arena.width / 2 + edge, arena.height / 2 + edge};
     const auto inside = [half](vec2 p) {
         return vec2{std::clamp(p.x, -half.x, half.x), std::clamp(p.y, -half.y, half.y)};
     };
@@ -73,7 +76,8 @@ bool include_tape(FloorBox& box, const Scene& scene) {
 }
 
 void include_obstacles(FloorBox& box, const Snapshot& now) {
-    const FloorBox near{box.low - vec2{beside_action, beside_action}, box.high + vec2{beside_action, beside_action}};
+    const float beside = scale_of(now.scene->arena) * beside_action;
+    const FloorBox near{box.low - vec2{beside, beside}, box.high + vec2{beside, beside}};
     for (std::size_t i = 0; i < now.scene->obstacles.size(); ++i) {
         const Obstacle& obstacle = now.scene->obstacles[i];
         const vec2 at =
@@ -89,7 +93,8 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
     const bool above = in.camera.mode == CameraMode::birds_eye;
     const float aspect = in.free_area.w / std::max(in.free_area.h, 1.0f) *
                          (above ? 1.0f : std::max(std::sin(in.camera.elevation), 0.3f));
-    vec2 side{std::max(box.high.x - box.low.x, least_side), std::max(box.high.y - box.low.y, least_side)};
+    const float least = scale_of(arena) * least_side;
+    vec2 side{std::max(box.high.x - box.low.x, least), std::max(box.high.y - box.low.y, least)};
     const vec2 most{std::max(side.x, arena.width), std::max(side.y, arena.height)};
     float &across = turned ? side.y : side.x, &along = turned ? side.x : side.y;
     across = std::max(across, std::min(along * aspect, turned ? most.y : most.x));
@@ -103,18 +108,18 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
 // at its edge.
 FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, float pixels, const FramingInput& in) {
     const vec2 place{vehicle.x, vehicle.y};
-    const float length = kind_of(now, vehicle).body.length;
+    const float length = kind_of(now, vehicle).body.length, around = scale_of(now.scene->arena) * around_vehicle;
     for (int i = 0; i < 4; ++i) {
         const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
         const float share = length * pixels_per_metre(seen, place) / pixels;
         if (share >= 1) break;
         const vec2 half = (box.high - box.low) * (share * 0.5f), middle = (box.low + box.high) / 2.0f;
-        const vec2 room{std::max(0.0f, half.x - around_vehicle), std::max(0.0f, half.y - around_vehicle)};
+        const vec2 room{std::max(0.0f, half.x - around), std::max(0.0f, half.y - around)};
         const vec2 kept{std::clamp(middle.x, place.x - room.x, place.x + room.x),
                         std::clamp(middle.y, place.y - room.y, place.y + room.y)};
         box = {kept - half, kept + half};
     }
-    for (const VehicleView& other : now.vehicles) include(box, {other.x, other.y}, around_vehicle);
+    for (const VehicleView& other : now.vehicles) include(box, {other.x, other.y}, around);
     return box;
 }
 
@@ -123,8 +128,9 @@ FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle,
 FloorBox action_of(const Snapshot& now) {
     if (!now.scene) return whole(Arena{});
     FloorBox box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
-    for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, around_vehicle);
-    for (const SourceView& s : now.sources) include(box, {s.x, s.y}, around_source);
+    const float scale = scale_of(now.scene->arena);
+    for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, scale * around_vehicle);
+    for (const SourceView& s : now.sources) include(box, {s.x, s.y}, scale * around_source);
     const bool has_aim = include_tape(box, *now.scene) || !now.sources.empty();
     if (!has_aim) return whole(now.scene->arena);
     include_obstacles(box, now);
@@ -143,7 +149,7 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     if (!grown_)
         grown_ = action;
     else if (!contains(*grown_, action))
-        grown_ = both(both(*grown_, action), within(beyond(*grown_, action), arena));
+        grown_ = both(both(*grown_, action), within(beyond(*grown_, action, scale_of(arena)), arena));
     FloorBox wanted = widened(*grown_, in, arena);
     const VehicleView* vehicle = find_vehicle(now, in.selected);
     if (vehicle && now.scene && now.vehicles.size() <= few_vehicles)

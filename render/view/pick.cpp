@@ -64,8 +64,9 @@ const SourceView* source_at(const Snapshot& now, int index) {
 int pick_source(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
     int found = -1;
     float best = source_reach;
+    const float bulb = bulb_height * (now.scene ? scale_of(now.scene->arena) : 1);
     for (const SourceView& source : now.sources) {
-        for (const float height : {0.0f, bulb_height}) {
+        for (const float height : {0.0f, bulb}) {
             const auto at = project(camera_view, {source.x, source.y}, height);
             if (at && maths::distance(*at, pixel) < best) best = maths::distance(*at, pixel), found = source.source;
         }

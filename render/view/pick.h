@@ -55,6 +55,6 @@ std::string name_of(const Scene&, const SceneObject&);
 // The source, obstacle or zone with this name; SceneObject{} if there is none.
 SceneObject object_named(const Scene&, SceneObjectKind, const std::string& name);
 
-inline constexpr float bulb_height = 0.4f;  // m, height of a source's light above the floor
+inline constexpr float bulb_height = 0.4f;  // m, of a source's light above the floor, times scale_of() the arena
 
 }  // namespace braitenlab

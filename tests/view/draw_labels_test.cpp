@@ -37,6 +37,14 @@ TEST(DrawLabels, LabelMetresAlongTheArena) {
     for (const char* text : {"−10", "−5", "0", "5", "10 m"}) EXPECT_TRUE(has(texts, text)) << text;
 }
 
+TEST(DrawLabels, LabelHalfMetresAlongATable) {
+    auto scene = hand_made::scene();
+    scene->arena.width = scene->arena.height = 2;
+    const auto texts = words(hand_made::empty(scene));
+    for (const char* text : {"−100", "−50", "0", "50", "100 cm"}) EXPECT_TRUE(has(texts, text)) << text;
+    EXPECT_FALSE(has(texts, "5"));
+}
+
 TEST(DrawLabels, PutTheNameOfASourceAboveItWhileAVehicleIsBelowIt) {
     auto scene = hand_made::scene();
     scene->sources = {{"covered", Channel::light, -3, 0}, {"free", Channel::light, 3, 0}};

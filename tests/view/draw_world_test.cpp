@@ -97,6 +97,31 @@ TEST(DrawWorld, DrawsASolidSourceOnAPost) {
     EXPECT_EQ(list.sources[0].size(), 2U);
 }
 
+TEST(DrawWorld, DrawsSourcesOnATableToItsScale) {
+    auto large = bare(), table = bare();
+    table->arena.width = table->arena.height = 1;
+    for (const auto& scene : {large, table}) scene->sources.push_back({.name = "post", .solid = true});
+    const auto drawn_in = [](const std::shared_ptr<Scene>& scene) {
+        Snapshot now = hand_made::empty(scene);
+        hand_made::add_source(now, Channel::light, 0, 0);
+        return drawn(now);
+    };
+    const DrawList full = drawn_in(large), small = drawn_in(table);
+    const auto lamp = [](const DrawList& list) { return list.sources[0].at(0).place.z; };
+    EXPECT_NEAR(lamp(small), 0.2f * lamp(full), 1e-5);
+    const maths::vec4 corner = small.blocks.at(0).corners[0];
+    EXPECT_NEAR(std::hypot(corner.x, corner.y), source_radius(table->arena), 1e-5) << "as it collides";
+    EXPECT_NEAR(small.halos.at(0).place.w, 0.2f * full.halos.at(0).place.w, 1e-5);
+}
+
+TEST(DrawWorld, LightsTheFloorAsFarAsALampInCandelaGivesHalfAPhotocell) {
+    auto scene = bare();
+    scene->sources.push_back({.name = "torch", .candela = 67});
+    for (Kind& kind : scene->kinds)
+        for (Sensor& sensor : kind.sensors) sensor.response = SensorResponse::photocell, sensor.half_lux = 268;
+    EXPECT_NEAR(light_law(*scene).half_distance, 0.5f, 1e-5);
+}
+
 TEST(DrawWorld, DrawsASourceThatIsOffInGreyAndWithoutLight) {
     Snapshot lit = hand_made::empty(bare()), unlit = lit;
     hand_made::add_source(lit, Channel::red, 0, 0, 1);

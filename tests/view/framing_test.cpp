@@ -56,6 +56,36 @@ vec2 share_of(const FloorBox& box, const Arena& arena, const FramingInput& in) {
     return {(high.x - low.x) / in.free_area.w, (high.y - low.y) / in.free_area.h};
 }
 
+TEST(Framing, FillsTheFreeAreaWithATableAsWithALargeArena) {
+    for (const float side : {1.0f, 2.0f, 20.0f}) {
+        auto scene = hand_made::scene();
+        scene->arena.width = scene->arena.height = side;
+        scene->kinds[0].body = resized(scene->kinds[0].body, side / 20, side / 30);
+        Snapshot now = hand_made::empty(scene);
+        hand_made::add(now, 0, 0, 0, 0);
+        Framing framing;
+        const vec2 share = share_of(framing.follow(now, input()), scene->arena, input());
+        EXPECT_GT(std::max(share.x, share.y), 0.6f) << side;
+    }
+}
+
+TEST(Framing, RidesASmallRobotFromAsFarAsItIsLong) {
+    auto scene = hand_made::scene();
+    scene->kinds[0].body = resized(scene->kinds[0].body, 0.1f, 0.07f);
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 0, 0, 0);
+    EXPECT_EQ(ride_scale(now, now.vehicles.data()), 1) << "in a large arena";
+    scene->arena.width = scene->arena.height = 1;
+    EXPECT_FLOAT_EQ(ride_scale(now, now.vehicles.data()), 0.1f);
+    EXPECT_EQ(ride_scale(now, nullptr), 1);
+    Camera camera;
+    camera.mode = CameraMode::follow;
+    const auto eye = [&](float scale) {
+        return look(camera, scene->arena, now.vehicles.data(), window, free_area, nullptr, scale).eye;
+    };
+    EXPECT_NEAR(maths::length(eye(0.1f)), 0.1f * maths::length(eye(1)), 1e-5f);
+}
+
 TEST(Framing, UsesThreeQuartersOfTheFreeArea) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, -4, 1, 0);

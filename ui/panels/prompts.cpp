@@ -281,7 +281,7 @@ float pulse(const LabView& view) {
 void point_to_lamp(const LabView& view, Ui& ui) {
     const SourceView* lamp = ui.highlight == lamp_anchor && view.camera_view ? telling_lamp(view) : nullptr;
     if (!lamp) return;
-    const auto at = project(*view.camera_view, {lamp->x, lamp->y}, bulb_height);
+    const auto at = project(*view.camera_view, {lamp->x, lamp->y}, bulb_height * scale_of(view.now->scene->arena));
     if (!at) return;
     const float radius = ui.px(18 + 4 * ui.pulse);
     ImGui::GetBackgroundDrawList()->AddCircle(

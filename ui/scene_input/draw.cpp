@@ -76,7 +76,8 @@ private:
     void mark_object(const SceneObject& object, Colour colour, float width) const {
         const auto place = place_of(*frame_.view.now, object);
         if (!place) return;
-        if (object.kind == SceneObjectKind::source) line(circle({place->x, place->y}, source_ring), colour, width);
+        if (object.kind == SceneObjectKind::source)
+            line(circle({place->x, place->y}, source_ring * scale_of(frame_.view.now->scene->arena)), colour, width);
         const bool obstacle = object.kind == SceneObjectKind::obstacle;
         if (!obstacle && object.kind != SceneObjectKind::zone) return;
         const auto corners = outline_of(*frame_.view.now, object);
@@ -224,8 +225,8 @@ private:
     }
 
     void draw_ghost_lamp(vec2 floor) const {
-        line(circle(floor, source_ring), ui_.palette.lamp, 2);
-        if (const auto bulb = project(frame_.camera_view, floor, bulb_height))
+        line(circle(floor, source_ring * scale_of(frame_.view.now->scene->arena)), ui_.palette.lamp, 2);
+        if (const auto bulb = project(frame_.camera_view, floor, bulb_height * scale_of(frame_.view.now->scene->arena)))
             dot({bulb->x, bulb->y}, 6, ui_.palette.lamp);
     }
 
