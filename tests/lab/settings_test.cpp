@@ -25,7 +25,7 @@ TEST(Settings, AreClampedToTheirRange) {
 TEST(Settings, KeepTheViewAndTheWindow) {
     StoredState state;
     state.view.settings.camera.mode = CameraMode::birds_eye;
-    state.view.settings.overlays = {false, false, false, false, false, 3, std::nullopt};
+    state.view.settings.overlays = {false, {}, false, false, false, false, 3, std::nullopt};
     state.view.settings.sensors = false, state.view.settings.outlines = true, state.view.settings.watching = true;
     state.view.settings.canvas_share = 0.5f, state.view.settings.selection.whole_kind = false;
     state.view.time_scale = 4;
