@@ -10,6 +10,7 @@
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
 #include "app/files/links.h"
+#include "app/files/pages.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
 #include "core/lesson/utf8.h"
@@ -552,6 +553,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const HandInRequest& r) { lab.reports.push_back(r); },
                      [&](const LabRecordRequest& r) { lab.reports.push_back(r); },
                      [&](const TakeAwayRequest& r) { lab.take_away = r.what; },
+                     [&](const PageRequest& r) { open_page(lab, r.page); },
                      [&](const CancelClipRequest&) { lab.cancels_clip = true; },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());

@@ -282,6 +282,9 @@ inline constexpr int every_robot = -1;
 struct TakeAwayRequest {  // writes a new picture or clip to the folder of pictures
     TakeAway what;
 };
+struct PageRequest {  // opens a page of the manual, "docs/robots.md"
+    std::string page;
+};
 struct CancelClipRequest {};  // ends the clip that is being written; there is no file then
 struct SpeedRequest {
     float time_scale = 1;
@@ -362,7 +365,7 @@ using Request =
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
                  LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest,
-                 WriteFilesRequest, RobotsRequest, TakeAwayRequest, CancelClipRequest>;
+                 WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

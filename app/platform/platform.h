@@ -68,6 +68,10 @@ bool has_threads();
 // The file of a program that the system finds by its name, as a command line does; empty if there is none.
 std::filesystem::path find_program(const std::string& name);
 
+// Opens a file with the program that the system has for its type, without waiting for it. False if there is none, and
+// in a browser.
+bool open_with_system(const std::filesystem::path&);
+
 // A running program that reads what is written to it. It is started without a shell: each argument is passed as it is.
 class ProgramPipe {
 public:

@@ -122,6 +122,25 @@ std::filesystem::path find_program(const std::string& name) {
     return {};
 }
 
+bool open_with_system(const std::filesystem::path& file) {
+    const std::filesystem::path opener = find_program("xdg-open");
+    if (opener.empty()) return false;
+    // A child starts the program and ends at once, so that the program has no parent that must wait for it.
+    std::string program = opener.string(), argument = file.string();
+    std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+    const pid_t child = fork();
+    if (child < 0) return false;
+    if (child == 0) {
+        setsid();
+        pid_t opened = -1;
+        _exit(posix_spawn(&opened, program.c_str(), nullptr, nullptr, arguments.data(), environ) == 0 ? 0 : 1);
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 struct ProgramPipe::Running {
     pid_t process = -1;  // −1: has ended
     int input = -1;      // −1: closed

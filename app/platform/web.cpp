@@ -40,6 +40,8 @@ bool has_threads() { return false; }
 
 std::filesystem::path find_program(const std::string&) { return {}; }
 
+bool open_with_system(const std::filesystem::path&) { return false; }
+
 struct ProgramPipe::Running {};
 ProgramPipe::ProgramPipe(ProgramPipe&&) noexcept = default;
 ProgramPipe::~ProgramPipe() = default;

@@ -146,6 +146,11 @@ std::filesystem::path find_program(const std::string& name) {
     return found;
 }
 
+bool open_with_system(const std::filesystem::path& file) {
+    const HINSTANCE result = ShellExecuteW(nullptr, L"open", file.c_str(), nullptr, nullptr, SW_SHOWNORMAL);
+    return reinterpret_cast<INT_PTR>(result) > 32;  // below: an error
+}
+
 struct ProgramPipe::Running {
     HANDLE process = nullptr, input = nullptr;
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "desk.h"
+#include "ui/panels/course/pages.h"
 
 namespace braitenlab::tests::exercise_card_test {
 
@@ -65,6 +66,28 @@ TEST(ExerciseCard, ItsHeadingTellsExercisesOfOneNumberApart) {
     desk.view.catalogue = &both;
     desk.frame(3);
     EXPECT_TRUE(says(desk, "EXERCISE " + number + "b\n"));
+}
+
+TEST(ExerciseCard, APageOfTheManualThatItNamesHasAButton) {
+    Desk desk;
+    desk.open_exercise();
+    desk.opened.why = "docs/robots.md shows how to build one.";
+    desk.lesson.outcome_known = true;
+    desk.frame(3);
+    desk.panels.why_open = true;
+    desk.frame(3);
+    desk.click("exercise.page");
+    ASSERT_TRUE(desk.last<PageRequest>());
+    EXPECT_EQ(desk.last<PageRequest>()->page, "docs/robots.md");
+}
+
+TEST(ExerciseCard, ATextNamesPagesOfTheManualAlone) {
+    using Pages = std::vector<std::string>;
+    EXPECT_EQ(pages_in("docs/robots.md, docs/teaching.md and docs/robots.md"),
+              (Pages{"docs/robots.md", "docs/teaching.md"}));
+    for (const char* text :
+         {"", "docs/", "docs/.md", "docs/../secret.md", "docs/a/b.md", "docs/robots.txt", "robots.md"})
+        EXPECT_EQ(pages_in(text), Pages{}) << text;
 }
 
 TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {

@@ -10,6 +10,7 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/lesson_text.h"
+#include "ui/panels/course/pages.h"
 #include "ui/panels/course/prediction.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
@@ -257,12 +258,22 @@ void question(const LessonView& lesson, PanelState& state, Ui& ui) {
     gap(ui, 12);
 }
 
+// The reason, and a button for each page of the manual that it names.
+void why(std::string_view text, PanelState& state, Ui& ui) {
+    paragraph_with_terms(ui, state.glossary, text, ui.palette.second_text);
+    for (const std::string& page : pages_in(text)) {
+        const Item at = button(ui, "exercise.page", {{}, fill(ui.strings("exercise.page"), {page})});
+        if (at.pressed) ui.outbox.emplace_back(PageRequest{page});
+        tooltip(ui, at, ui.strings("exercise.page_how"));
+    }
+}
+
 void task(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->goal), ui.palette.text);
     if (!lesson.exercise->why.empty() && !hides_outcome(view) &&
         fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
-        paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->why), ui.palette.second_text);
+        why(translated(ui, lesson.exercise->why), state, ui);
     gap(ui, 12);
 }
 
