@@ -30,7 +30,8 @@ StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
     stored.settings.camera.mode = shown.camera.mode;
     stored.settings.overlays = shown.overlays;
     stored.settings.overlays.field.reset();
-    stored.settings.overlays.trail_colour = {};
+    TrailColour& trails = stored.settings.overlays.trail_colour;
+    if (trails.value == TrailValue::reading) trails = {};  // depends on the scene
     stored.settings.watching = shown.watching;
     stored.settings.canvas_share = shown.canvas_share;
     stored.settings.sensors = shown.sensors;

@@ -125,6 +125,11 @@ void read_view(SettingsReader& reader, StoredView& view) {
     reader.read("camera", camera, "text_in_quotes");
     for (std::size_t i = 0; i < camera_mode_words.size(); ++i)
         if (camera_mode_words[i] == camera) view.settings.camera.mode = static_cast<CameraMode>(i);
+    TrailValue& trails = view.settings.overlays.trail_colour.value;
+    std::string trail_colour(word(trails));
+    reader.read("trail_colour", trail_colour, "text_in_quotes");
+    for (const TrailValue value : {TrailValue::wheels, TrailValue::speed})  // a reading depends on the scene
+        if (word(value) == trail_colour) trails = value;
     const auto clamped = [](float value, float low, float high, float otherwise) {
         return value >= low && value <= high ? value : std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
     };
@@ -181,7 +186,8 @@ std::string write_state(const StoredState& r) {
                       {"camera", camera_mode_words[static_cast<std::size_t>(r.view.settings.camera.mode)]},
                       {"diagram_share", r.view.settings.canvas_share},
                       {"speed", r.view.time_scale},
-                      {"prediction", r.view.settings.overlays.prediction}};
+                      {"prediction", r.view.settings.overlays.prediction},
+                      {"trail_colour", word(r.view.settings.overlays.trail_colour.value)}};
     visit_flags(r.view, [&](const char* key, bool value) { table.insert(key, value); });
     if (!r.student.empty()) table.insert("student", r.student);
     if (r.place) table.insert("x", r.place->x), table.insert("y", r.place->y);

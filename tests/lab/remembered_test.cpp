@@ -36,6 +36,15 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     EXPECT_EQ(view_to_store(next, next_panels), stored);
 }
 
+TEST(Remembered, KeepsTheColourOfTrailsButNotASensor) {
+    Lab lab = opened_lab("2b-aggressor");
+    const ui::PanelState panels;
+    lab.view.overlays.trail_colour = {TrailValue::wheels};
+    EXPECT_EQ(view_to_store(lab, panels).settings.overlays.trail_colour, TrailColour{TrailValue::wheels});
+    lab.view.overlays.trail_colour = {TrailValue::reading, "SL"};
+    EXPECT_EQ(view_to_store(lab, panels).settings.overlays.trail_colour, TrailColour{});
+}
+
 TEST(Remembered, IsTheInitialStateAtTheFirstStart) {
     Lab lab = opened_lab("2a-coward");
     const ViewSettings before = lab.view;

@@ -25,7 +25,7 @@ TEST(Settings, AreClampedToTheirRange) {
 TEST(Settings, KeepTheViewAndTheWindow) {
     StoredState state;
     state.view.settings.camera.mode = CameraMode::birds_eye;
-    state.view.settings.overlays = {false, {}, false, false, false, false, 3, std::nullopt};
+    state.view.settings.overlays = {false, {TrailValue::speed}, false, false, false, false, 3, std::nullopt};
     state.view.settings.sensors = false, state.view.settings.outlines = true, state.view.settings.watching = true;
     state.view.settings.canvas_share = 0.5f, state.view.settings.selection.whole_kind = false;
     state.view.time_scale = 4;
@@ -35,6 +35,8 @@ TEST(Settings, KeepTheViewAndTheWindow) {
     const auto read = parse_state(write_state(state), "s");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(*read, state);
+    state.view.settings.overlays.trail_colour = {TrailValue::wheels};
+    EXPECT_EQ(*parse_state(write_state(state), "s"), state);
     EXPECT_EQ(*parse_state(write_state({}), "s"), StoredState{});
 }
 
@@ -45,6 +47,9 @@ TEST(Settings, ClampTheView) {
     EXPECT_EQ(state->view.settings.canvas_share, ViewSettings{}.canvas_share);
     EXPECT_EQ(state->view.settings.camera.mode, CameraMode::overview);
     EXPECT_FALSE(state->place) << "y is missing";
+    const auto trails = [](const char* toml) { return parse_state(toml, "s")->view.settings.overlays.trail_colour; };
+    EXPECT_EQ(trails("trail_colour = \"rainbow\""), TrailColour{});
+    EXPECT_EQ(trails("trail_colour = \"reading\""), TrailColour{}) << "of which sensor is not stored";
     EXPECT_EQ(parse_state("speed = -1.0", "s")->view.time_scale, 0.125f);
     EXPECT_FALSE(parse_state("trails = \"yes\"", "s"));
 }
