@@ -97,6 +97,26 @@ TEST_F(SceneMenu, ExecutesTheMenuOfAVehicle) {
     EXPECT_EQ(commands<SetBrain>().back().target, (Target{1, -1}));
 }
 
+TEST_F(SceneMenu, TriesABrainUnderThePointerOutForTheSelectedVehicle) {
+    const auto point_at_brain = [&](VehicleId selected) {
+        desk.view.settings.selection.vehicle = selected;
+        click({-4.5f, 0}, 1);
+        desk.click("menu.brains");
+        desk.frame(2);
+        desk.point("menu.brain.2a-coward");
+        desk.frame(2);
+    };
+    point_at_brain(desk.now.vehicles[1].id);
+    ASSERT_EQ(desk.panels.what_if.size(), 1u);
+    EXPECT_EQ(std::get<SetBrain>(desk.panels.what_if.front()).target, (Target{1, -1}));
+    EXPECT_TRUE(commands<SetBrain>().empty()) << "nothing is changed";
+    desk.key({key::escape});
+    desk.frame(3);
+    EXPECT_TRUE(desk.panels.what_if.empty());
+    point_at_brain(desk.now.vehicles[0].id);
+    EXPECT_TRUE(desk.panels.what_if.empty()) << "the path of another vehicle is shown";
+}
+
 TEST_F(SceneMenu, CanBeUsedByKeysAlone) {
     desk.key({key::menu});
     desk.frame(3);

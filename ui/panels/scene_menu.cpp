@@ -32,6 +32,7 @@ struct SceneMenuRow {
     std::optional<SceneInputTool> takes;  // the tool that starts at the menu's position
     std::optional<Role> role;             // shows the sign of a vehicle
     std::optional<Channel> channel;
+    std::optional<Command> tries;  // PanelState::what_if while the pointer is over the row
     bool heading = false, rule_above = false;
 };
 
@@ -107,17 +108,21 @@ private:
         const VehicleView* v = find_vehicle(now_, menu_.object.index);
         if (!v) return;
         heading(name_of(*v) + "  ·  " + words("menu.brains"));
-        const auto give = [&](const BrainGraph& brain) {
-            return std::vector<Request>{SelectRequest{v->id}, EditRequest{SetBrain{{v->id, -1}, brain}}};
+        const bool is_selected = v->id == view_.settings.selection.vehicle;  // its path is predicted
+        const auto give = [&](std::string anchor, std::string text, const BrainGraph& brain) -> SceneMenuRow& {
+            const SetBrain edit{{v->id, -1}, brain};
+            SceneMenuRow& row = add(std::move(anchor), std::move(text), {SelectRequest{v->id}, EditRequest{edit}});
+            if (is_selected) row.tries = edit;
+            return row;
         };
         for (std::size_t k = 0; k < now_.kind_brains.size(); ++k)
             if (now_.scene->kinds.size() > 1)
-                add("brain.kind." + std::to_string(k), name_of(now_.scene->kinds[k]), give(*now_.kind_brains[k])).role =
+                give("brain.kind." + std::to_string(k), name_of(now_.scene->kinds[k]), *now_.kind_brains[k]).role =
                     now_.scene->kinds[k].role;
         for (const Preset& preset : presets()) {
             const std::string key(preset.name);
-            add("brain." + key, std::string(ui_.strings.find("preset." + key, key)),
-                give(graft(*brain_of(now_, *v), preset.brain)));
+            give("brain." + key, std::string(ui_.strings.find("preset." + key, key)),
+                 graft(*brain_of(now_, *v), preset.brain));
         }
     }
 
@@ -184,8 +189,8 @@ void draw_menu_row(const Ui& ui, const SceneMenuRow& row, const Item& at, bool i
     put_right(ui, {right, at.middle_y() - line_height(ui, Face::small) / 2}, row.keys, p.second_text, Face::small);
 }
 
-// Draws the row. True when it was pressed.
-bool menu_row(Ui& ui, const SceneMenuRow& row, bool indented) {
+// Draws the row.
+Item menu_row(Ui& ui, const SceneMenuRow& row, bool indented) {
     const float width = ui.px(scene_menu_width - 2 * scene_menu_pad);
     if (row.rule_above) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -198,11 +203,11 @@ bool menu_row(Ui& ui, const SceneMenuRow& row, bool indented) {
         put(ui, {from.x + ui.px(10), from.y + (ui.px(scene_row_height) - line_height(ui, Face::small)) / 2}, row.words,
             ui.palette.second_text, Face::small);
         ImGui::Dummy({width, ui.px(scene_row_height)});
-        return false;
+        return {};
     }
     const Item at = item(ui, row.anchor, {width, ui.px(scene_row_height)});
     draw_menu_row(ui, row, at, indented);
-    return at.pressed;
+    return at;
 }
 
 void execute(const LabView& view, PanelState& state, Ui& ui, const SceneMenuRow& row) {
@@ -251,7 +256,9 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
             std::any_of(rows.begin(), rows.end(), [](const SceneMenuRow& r) { return r.role || r.channel; });
         for (const SceneMenuRow& row : rows) {
             if (!row.heading) menu.rows.push_back(row.anchor);
-            if (menu_row(ui, row, signs)) execute(view, state, ui, row);
+            const Item at_row = menu_row(ui, row, signs);
+            if (at_row.hovered && row.tries) state.what_if = {*row.tries};
+            if (at_row.pressed) execute(view, state, ui, row);
         }
         mark(ui, "menu", {at.x, at.y, w, h});
         if (menu.by_key && ui.keyboard && !menu.rows.empty() && ui.keyboard->focus.empty())
