@@ -94,10 +94,9 @@ float response_in_field(const CompiledSensor&, float squared, float distance, fl
 // Reading of a table at a distance (m): linear between its points, that of the first before it, 0 beyond the last.
 float table_reading(const std::vector<ResponsePoint>&, float distance);
 
-// Reading of the sum of all stimuli with ambient light (0..1, the reading that it gives alone, and lx, of which only
-// photocells read). A photocell adds light
-// before its curve 1/(1 + E^−γ), the divider of a photoresistor of exponent γ and a resistor; other responses add
-// readings.
+// Reading of the sum of all stimuli with ambient light: 0..1, the reading that it gives alone, and lx, which only
+// photocells read. A photocell adds light before its curve 1/(1 + E^−γ), the divider of a photoresistor of exponent γ
+// and a resistor; other responses add readings.
 float total_reading(const CompiledSensor&, float sum, float ambient, float lux = 0);
 
 // The graded response to a point inside the field: its distance (m), the distance squared, and its distance along the

@@ -69,8 +69,8 @@ struct Vehicles {
     std::vector<SharedDesign> design;               // of a vehicle with sensors of its own; null: those of its kind
     std::vector<std::uint32_t> first_sensed, first_neuron, first_delayed;  // into the three arrays below
     std::vector<float> sensed, neurons;
-    std::vector<float>
-        delayed;  // per sensor: the sample that it holds, then a ring of readings on their way to the brain
+    // Per sensor: the sample that it holds, then a ring of readings on their way to the brain.
+    std::vector<float> delayed;
 
     std::size_t size() const { return id.size(); }
 

@@ -26,10 +26,11 @@ constexpr bool rides(CameraMode mode) { return mode == CameraMode::follow || mod
 // World coordinates, m, to GL coordinates.
 constexpr maths::vec3 to_gl(maths::vec2 place, float height = 0) { return {place.x, height, -place.y}; }
 
-// Walls and obstacles as drawn, m. In an arena of less than five metres they are lower in proportion, so that they do
-// not hide a small robot.
 // Distance of the fine lines of the grid on the floor, m: 1, in a small arena 0.1. Every fifth line is bright.
 inline float grid_share(const Arena& arena) { return scale_of(arena) < 1 ? 0.1f : 1.0f; }
+
+// Walls and obstacles as drawn, m. In an arena of less than five metres they are lower in proportion, so that they do
+// not hide a small robot.
 struct WallSize {
     float thickness = 0, height = 0;
 };
@@ -69,8 +70,7 @@ struct FloorBox {
 
 // Computes the view of a camera. `free_area`: the part of the window that no card covers; the framed box (null: the
 // whole arena) is centred and fitted there. `follow`: the vehicle for the modes follow and driver; if it is null, these
-// modes give the overview.
-// `ride_scale`: of the distances of these modes.
+// modes give the overview. `ride_scale`: of the distances of these modes.
 CameraView look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area,
                 const FloorBox* framed = nullptr, float ride_scale = 1);
 
