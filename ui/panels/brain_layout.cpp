@@ -45,18 +45,6 @@ struct GraphFrame {
     }
 };
 
-// The sensors that the brain reads, from the vehicle's left to its right.
-std::vector<Sensor> read_sensors(const BrainGraph& brain, const Kind& kind) {
-    std::vector<Sensor> read;
-    for (const Sensor& sensor : kind.sensors) {
-        const Node* node = find_node(brain, sensor.name);
-        const auto leaves = [&](const Wire& wire) { return node && wire.from == node->id && has_effect(wire); };
-        if (std::any_of(brain.wires.begin(), brain.wires.end(), leaves)) read.push_back(sensor);
-    }
-    std::stable_sort(read.begin(), read.end(), [](const Sensor& a, const Sensor& b) { return a.y > b.y; });
-    return read;
-}
-
 // A cubic curve equal to the quadratic one of a deck wire.
 WirePath cubic(ImVec2 from, ImVec2 bend, ImVec2 to) {
     const auto between = [](ImVec2 a, ImVec2 b) {
@@ -158,6 +146,17 @@ void add_graph(BrainLayout& p, const BrainGraph& brain, const SensorPair& pair, 
 }
 
 }  // namespace
+
+std::vector<Sensor> read_sensors(const BrainGraph& brain, const Kind& kind) {
+    std::vector<Sensor> read;
+    for (const Sensor& sensor : kind.sensors) {
+        const Node* node = find_node(brain, sensor.name);
+        const auto leaves = [&](const Wire& wire) { return node && wire.from == node->id && has_effect(wire); };
+        if (std::any_of(brain.wires.begin(), brain.wires.end(), leaves)) read.push_back(sensor);
+    }
+    std::stable_sort(read.begin(), read.end(), [](const Sensor& a, const Sensor& b) { return a.y > b.y; });
+    return read;
+}
 
 bool is_four_wires(const BrainGraph& brain, const SensorPair& pair) {
     return std::all_of(brain.wires.begin(), brain.wires.end(), [&](const Wire& wire) {

@@ -35,6 +35,9 @@ struct BrainLayout {
     float neuron_radius = 0;  // window pixels
 };
 
+// The sensors that the brain reads, from the vehicle's left to its right.
+std::vector<Sensor> read_sensors(const BrainGraph&, const Kind&);
+
 // True when every wire that has a weight, learns or is cut joins a sensor of the pair and a motor.
 bool is_four_wires(const BrainGraph&, const SensorPair&);
 

@@ -123,6 +123,14 @@ void record(History& history, const LabView& view) {
         add_sample(history.population, counted(now, seconds), History::population_samples);
 }
 
+std::size_t first_in_strip(const History& history) {
+    const auto& all = history.signals;
+    if (all.empty()) return 0;
+    const auto first = std::lower_bound(all.begin(), all.end(), all.back().seconds - strip_seconds,
+                                        [](const History::Signals& s, double at) { return s.seconds < at; });
+    return static_cast<std::size_t>(first - all.begin());
+}
+
 float Signal::value(const History::Signals& sample) const {
     if (of == Of::motor) return sample.motors[index];
     return of == Of::sensor ? sample.sensors[index] : sample.brain[index];

@@ -56,6 +56,12 @@ void record(History&, const LabView&);
 // The longest time (s) in which every sample had at least `count` vehicles of the role, predator or prey.
 double longest_time_with(const History&, Role, int count);
 
+// The last seconds that the strips of the card and the probes of the diagram show.
+inline constexpr double strip_seconds = 10;
+
+// Index of the first sample within strip_seconds before the newest one; 0 without samples.
+std::size_t first_in_strip(const History&);
+
 // One of the recorded signals of the vehicle.
 struct Signal {
     enum class Of { sensor, motor, brain };

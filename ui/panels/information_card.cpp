@@ -7,6 +7,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
+#include "ui/panels/chart_data.h"
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
@@ -162,17 +163,6 @@ void strip_ground(const Ui& ui, Rect r) {
     fill_box(ui, {r.x, r.y - ui.px(2), r.w, r.h + ui.px(4)}, ui.palette.ground.with_alpha(0.45f), 3);
 }
 
-constexpr double strip_seconds = 10;
-
-// Index of the first sample within the time span of the strips.
-std::size_t first_shown(const History& history) {
-    const auto& all = history.signals;
-    const double from = all.back().seconds - strip_seconds;
-    const auto first = std::lower_bound(all.begin(), all.end(), from,
-                                        [](const History::Signals& s, double at) { return s.seconds < at; });
-    return static_cast<std::size_t>(first - all.begin());
-}
-
 // One signal: its name, and a line on an axis from `low` to 1; the newest sample is at the right edge.
 void signal_strip(const Ui& ui, Rect r, const History& history, const ShownSignals& shown, std::size_t signal,
                   float low) {
@@ -186,7 +176,7 @@ void signal_strip(const Ui& ui, Rect r, const History& history, const ShownSigna
                                             paint(ui.palette.line), ui.px(1));
     const auto newest = static_cast<float>(history.signals.back().seconds);
     const Axis time{newest - static_cast<float>(strip_seconds), newest}, value{low, 1};
-    const std::size_t first = first_shown(history);
+    const std::size_t first = first_in_strip(history);
     plot_line(ui, plot, time, value, history.signals.size() - first, ui.palette.text, 1.5f, [&](std::size_t i) {
         const History::Signals& s = history.signals[first + i];
         return ImVec2{static_cast<float>(s.seconds), shown.value(s, signal)};

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "core/insight/why.h"
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/brain_sketch.h"
 #include "ui/panels/panels.h"
@@ -44,8 +45,10 @@ public:
         const float inset = ui.px(live_inset), from = bar.x + words_share * bar.w;
         const float top = bar.y + ui.px(8), height = bar.h - 2 * ui.px(8);
         const Rect eyes{from, top, eyes_share * bar.w, height};
-        const std::vector<std::string> read = sensors_read();
-        const bool is_simple = read.size() <= most_labelled && !has_neurons();
+        std::vector<std::string> read;
+        for (const Sensor& sensor : sketch::read_sensors(brain_, kind_of(*view.now, vehicle)))
+            read.push_back(sensor.name);
+        const bool is_simple = read.size() <= most_labelled && !insight::has_hidden_neurons(brain_);
         is_graph_ = !is_simple && !is_low() && !read.empty() && read.size() <= most_eyes;
         if (is_graph_ || (is_simple && !read.empty()))
             lay_out(read, eyes_, eyes);
@@ -80,20 +83,6 @@ public:
     }
 
 private:
-    // The sensors that the brain reads, from the vehicle's left to its right.
-    std::vector<std::string> sensors_read() const {
-        std::vector<std::string> names;
-        for (const sketch::NodeMark& mark :
-             sketch::lay_out_sideways(brain_, kind_of(*view_.now, vehicle_), pair_, bar_, 1).sensors)
-            names.push_back(mark.name);
-        return names;
-    }
-
-    bool has_neurons() const {
-        return std::any_of(brain_.nodes.begin(), brain_.nodes.end(),
-                           [](const Node& node) { return node.kind == NodeKind::neuron; });
-    }
-
     void lay_out(const std::vector<std::string>& names, std::vector<LiveRow>& rows, Rect area) {
         const float each = area.h / static_cast<float>(std::max<std::size_t>(1, names.size()));
         for (std::size_t i = 0; i < names.size(); ++i) {

@@ -1,9 +1,6 @@
 // Which controls the open exercise offers.
 #pragma once
 
-#include <string_view>
-#include <vector>
-
 #include "core/lesson/submission.h"
 #include "ui/lab_view.h"
 
@@ -20,9 +17,5 @@ template <class Control>
 bool is_offered(const LabView& view, Control control) {
     return !offers_some(view) || offers(*view.lesson->exercise, control);
 }
-
-// Anchors of the sliders that the keys 1 to 4 focus: LL, LR, RL and RR, or those that the exercise offers, from top to
-// bottom.
-std::vector<std::string_view> numbered_sliders(const LabView&);
 
 }  // namespace braitenlab::ui

@@ -97,6 +97,9 @@ void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while Fi
 
 // Parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
+// Anchors of the sliders that the keys 1 to 4 focus: LL, LR, RL and RR, or those that the exercise offers, from top to
+// bottom. In dial_sliders.cpp.
+std::vector<std::string_view> numbered_sliders(const LabView&);
 std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
 std::string words_of(const Offer&);  // of its slider: "LL = RR"
 void equations(const LabView&, Ui&, const VehicleView&);

@@ -1,6 +1,5 @@
 // Probes of the diagram: the last seconds of a sensor, neuron or motor beside its node.
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,13 +11,13 @@
 #include "ui/strings.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr double probed_seconds = 10;
 constexpr float probe_width = 150, probe_height = 46, probe_gap = 6, probe_pad = 5;  // layout pixels
 
 // Below the node, or above it, or beside it: the first place in the area that covers no other node and no probe; else
@@ -41,27 +40,25 @@ Rect place_of_probe(const Ui& ui, Rect node, Rect area, const std::vector<Rect>&
     return free == std::end(places) ? places[0] : *free;
 }
 
-void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect r, double now) {
+void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect r) {
     const Palette& p = ui.palette;
     fill_box(ui, r, p.panel.with_alpha(0.94f), 5);
     line_box(ui, r, p.accent.with_alpha(0.7f), 5);
+    if (history.signals.empty()) return;
     const float pad = ui.px(probe_pad), number = text_width(ui, Face::small, with_sign(ui, -1, 2)) + pad;
     const Rect plot{r.x + pad, r.y + pad, r.w - 2 * pad - number, r.h - 2 * pad};
+    const double now = history.signals.back().seconds;
+    const Axis time{static_cast<float>(now - strip_seconds), static_cast<float>(now)};
     const SignalRange range = range_of(history, signal);
-    const auto height = [&](float value) {
-        return plot.y + plot.h * (1 - (value - range.low) / (range.high - range.low));
-    };
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddLine({plot.x, height(0)}, {plot.x + plot.w, height(0)}, paint(p.line), ui.px(1));
-    std::vector<ImVec2> line;
-    for (const History::Signals& sample : history.signals) {
-        const double ago = now - sample.seconds;
-        if (ago < 0 || ago > probed_seconds) continue;
-        line.push_back({plot.x + plot.w * static_cast<float>(1 - ago / probed_seconds), height(signal.value(sample))});
-    }
-    if (line.size() > 1) draw.AddPolyline(line.data(), static_cast<int>(line.size()), paint(p.accent), 0, ui.px(1.6f));
-    const float value = history.signals.empty() ? 0 : signal.value(history.signals.back()),
-                h = line_height(ui, Face::small);
+    const Axis values{range.low, range.high};
+    const ImVec2 zero = plot_point(plot, time, values, time.low, 0);
+    ImGui::GetWindowDrawList()->AddLine(zero, {plot.x + plot.w, zero.y}, paint(p.line), ui.px(1));
+    const std::size_t first = first_in_strip(history);
+    plot_line(ui, plot, time, values, history.signals.size() - first, p.accent, 1.6f, [&](std::size_t i) {
+        const History::Signals& sample = history.signals[first + i];
+        return ImVec2{static_cast<float>(sample.seconds), signal.value(sample)};
+    });
+    const float value = signal.value(history.signals.back()), h = line_height(ui, Face::small);
     const bool is_signed = signal.of != Signal::Of::sensor;
     put_right(ui, {r.x + r.w - pad, r.y + r.h / 2 - h}, is_signed ? with_sign(ui, value, 2) : fixed(ui, value, 2),
               p.text, Face::small);
@@ -83,7 +80,7 @@ void draw_probes(const LabView& view, const PanelState& state, const Ui& ui, Rec
         const std::optional<Signal> signal = signal_named(state.history, name);
         if (!node || !signal) continue;
         const Rect place = place_of_probe(ui, *node, area, taken);
-        draw_probe(ui, state.history, *signal, place, view.now->seconds);
+        draw_probe(ui, state.history, *signal, place);
         taken.push_back(place);
         ui.anchors.record("probe." + name, place);
     }

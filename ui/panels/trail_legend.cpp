@@ -8,6 +8,7 @@
 
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
+#include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 
@@ -17,11 +18,6 @@ namespace {
 
 // Layout pixels.
 constexpr float narrowest_scale = 180, scale_height = 8, pad = 8, from_edge = 10;
-
-// The mouse reaches the scene through it.
-constexpr ImGuiWindowFlags only_drawn = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                                        ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
-                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::vector<TrailColour> choices(const LabView& view) {
     std::vector<TrailColour> all{{}, {TrailValue::wheels}, {TrailValue::speed}};
@@ -81,12 +77,7 @@ void trail_legend(const LabView& view, const Ui& ui, Rect area) {
     const float w = inner + 2 * space, h = 2 * line + ui.px(scale_height) + 3 * space;
     const Rect box{area.x + ui.px(from_edge), area.y + area.h - h - ui.px(from_edge), w, h};
     ui.anchors.record("trail_legend", box);
-    ImGui::SetNextWindowPos({box.x, box.y});
-    ImGui::SetNextWindowSize({box.w, box.h});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("trail_legend", nullptr, only_drawn);
-    fill_box(ui, box, ui.palette.panel.with_alpha(0.95f));
-    line_box(ui, box, ui.palette.line, 6, 1);
+    begin_overlay(ui, "trail_legend", box, ui.palette.line);
     const float x = box.x + space;
     float y = box.y + space;
     put(ui, {x, y}, shortened(ui, title, Face::small, inner), ui.palette.text, Face::small);
@@ -103,8 +94,7 @@ void trail_legend(const LabView& view, const Ui& ui, Rect area) {
     put(ui, {x, y}, numbers[0], ui.palette.second_text, Face::small);
     put(ui, {middle, y}, numbers[1], ui.palette.second_text, Face::small);
     put_right(ui, {x + inner, y}, numbers[2], ui.palette.second_text, Face::small);
-    ImGui::End();
-    ImGui::PopStyleVar();
+    end_overlay();
 }
 
 }  // namespace braitenlab::ui

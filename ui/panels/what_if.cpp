@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "core/maths/geometry.h"
 #include "render/view/deck.h"
 #include "render/view/drawing.h"
 #include "ui/panels/panels.h"
@@ -48,10 +49,8 @@ std::vector<ImVec2> on_screen(const CameraView& camera_view, const VehicleView& 
 float distance_to_line(const std::vector<ImVec2>& line, vec2 point) {
     float least = 1e9f;
     for (std::size_t i = 1; i < line.size(); ++i) {
-        const vec2 a{line[i - 1].x, line[i - 1].y}, b{line[i].x, line[i].y}, along = b - a;
-        const float length = maths::dot(along, along);
-        const float t = length > 0 ? std::clamp(maths::dot(point - a, along) / length, 0.0f, 1.0f) : 0;
-        least = std::min(least, maths::distance(a + along * t, point));
+        const vec2 on = maths::nearest_on_segment(point, {line[i - 1].x, line[i - 1].y}, {line[i].x, line[i].y});
+        least = std::min(least, maths::distance(on, point));
     }
     return least;
 }

@@ -13,6 +13,7 @@
 #include "ui/panels/panels.h"
 #include "ui/scene_input/draw.h"
 #include "ui/strings.h"
+#include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 
@@ -24,11 +25,6 @@ namespace {
 constexpr float narrowest_callout = 190, widest_callout = 250, callout_pad = 10, callout_row = 4, from_vehicle = 54;
 constexpr std::size_t most_why_bars = 4;
 constexpr float shown_as_zero = 0.005f;
-
-// The mouse reaches the scene through it.
-constexpr ImGuiWindowFlags behind_the_cards =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
-    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 struct WhyBar {
     std::string words;
@@ -203,15 +199,9 @@ void why_callout(const LabView& view, const Ui& ui, Rect area) {
         {{middle->x, middle->y}, {std::clamp(middle->x, box.x, box.x + w), std::clamp(middle->y, box.y, box.y + h)}},
         ui.palette.accent, 1.5f, false);
     ui.anchors.record("why", box);
-    ImGui::SetNextWindowPos({box.x, box.y});
-    ImGui::SetNextWindowSize({box.w, box.h});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("why", nullptr, behind_the_cards);
-    fill_box(ui, box, ui.palette.panel.with_alpha(0.95f));
-    line_box(ui, box, ui.palette.accent, 6, 1.25f);
+    begin_overlay(ui, "why", box, ui.palette.accent);
     draw_callout(ui, callout, {box.x + ui.px(callout_pad), box.y + ui.px(callout_pad)}, w - ui.px(2 * callout_pad));
-    ImGui::End();
-    ImGui::PopStyleVar();
+    end_overlay();
 }
 
 }  // namespace braitenlab::ui

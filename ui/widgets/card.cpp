@@ -148,6 +148,23 @@ void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, float roundi
 
 void end_bar() { ImGui::End(); }
 
+void begin_overlay(const Ui& ui, const char* name, Rect r, Colour border) {
+    constexpr ImGuiWindowFlags only_drawn =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
+        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGui::SetNextWindowPos({r.x, r.y});
+    ImGui::SetNextWindowSize({r.w, r.h});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin(name, nullptr, only_drawn);
+    fill_box(ui, r, ui.palette.panel.with_alpha(0.95f));
+    line_box(ui, r, border, 6, 1.25f);
+}
+
+void end_overlay() {
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
 float card_width(const Ui& ui) { return ImGui::GetWindowWidth() - ui.px(side_padding - card_scrollbar_inset); }
 
 float card_width(const Ui& ui, Rect card) { return card.w - 2 * ui.px(side_padding); }

@@ -49,6 +49,11 @@ void card_ground(const Ui&, Rect, float layout_rounding = 6);
 void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false, float layout_rounding = 0);
 void end_bar();
 
+// A box with a border over the scene and behind the cards, for what is only drawn: the mouse reaches the scene through
+// it.
+void begin_overlay(const Ui&, const char* name, Rect, Colour border);
+void end_overlay();
+
 // The width of the body without padding and scrollbar, window pixels.
 float card_width(const Ui&);
 
