@@ -57,6 +57,23 @@ TEST_F(Probes, OfAllNodesCoverNoNodeAndNoOtherProbe) {
     EXPECT_EQ(covered, 0u);
 }
 
+// Where the nodes are drawn smaller.
+TEST(ProbesInALowWindow, CoverNoNode) {
+    for (const float scale : {1.0f, 2.0f}) {
+        Desk desk{1024 * scale, 768 * scale, scale, true};
+        desk.now = shipped_scene("5-logic");
+        desk.view.settings.selection.vehicle = 0;
+        desk.frame(2);
+        desk.view.mode = Mode::wiring;
+        for (const Node& node : desk.now.brains[0]->nodes) desk.panels.canvas.probes.insert(node.name);
+        desk.frame(4);
+        for (const Node& node : desk.now.brains[0]->nodes)
+            for (const Node& other : desk.now.brains[0]->nodes)
+                EXPECT_FALSE(overlap(desk.where("probe." + node.name), desk.where("node." + other.name)))
+                    << node.name << " over " << other.name << " at scale " << scale;
+    }
+}
+
 TEST_F(Probes, TellNothingOfAHiddenBrain) {
     desk.panels.canvas.probes = {"SL"};
     desk.view.settings.revealed.brain = false;

@@ -18,26 +18,36 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float probe_width = 150, probe_height = 46, probe_gap = 6, probe_pad = 5;  // layout pixels
+constexpr float least_probe = 84, largest_probe = 150, probe_gap = 6, probe_pad = 5;  // layout pixels
+constexpr float probe_share = 1.15f, probe_height = 0.32f;  // width: of the node's width; height: of the probe's width
 
-// Below the node, or above it, or beside it: the first place in the area that covers no other node and no probe; else
-// below.
-Rect place_of_probe(const Ui& ui, Rect node, Rect area, const std::vector<Rect>& taken) {
-    const float w = ui.px(probe_width), h = ui.px(probe_height), gap = ui.px(probe_gap);
-    const float x = node.x + (node.w - w) / 2, y = node.y + (node.h - h) / 2;
-    const Rect places[]{{x, node.y + node.h + gap, w, h},
-                        {x, node.y - gap - h, w, h},
-                        {node.x + node.w + gap, y, w, h},
-                        {node.x - gap - w, y, w, h}};
-    const auto is_free = [&](const Rect& r) {
-        const bool is_inside =
-            r.x >= area.x && r.y >= area.y && r.x + r.w <= area.x + area.w && r.y + r.h <= area.y + area.h;
-        return is_inside && std::none_of(taken.begin(), taken.end(), [&](const Rect& t) {
-                   return r.x < t.x + t.w && t.x < r.x + r.w && r.y < t.y + t.h && t.y < r.y + r.h;
-               });
+bool covers_one(const Rect& r, const std::vector<Rect>& others) {
+    return std::any_of(others.begin(), others.end(), [&](const Rect& t) {
+        return r.x < t.x + t.w && t.x < r.x + r.w && r.y < t.y + t.h && t.y < r.y + r.h;
+    });
+}
+
+// Below the node, above it, right or left of it, at its corners: the first place in the area that covers no node and no
+// probe, else no node; else below.
+Rect place_of_probe(const Ui& ui, Rect node, Rect area, const std::vector<Rect>& nodes,
+                    const std::vector<Rect>& probes) {
+    const float w = std::clamp(probe_share * node.w, ui.px(least_probe), ui.px(largest_probe)), h = probe_height * w;
+    const float gap = ui.px(probe_gap), x = node.x + (node.w - w) / 2, y = node.y + (node.h - h) / 2;
+    const float right = node.x + node.w + gap, left = node.x - gap - w, below = node.y + node.h + gap,
+                above = node.y - gap - h;
+    const Rect places[]{{x, below, w, h},     {x, above, w, h},     {right, y, w, h},    {left, y, w, h},
+                        {right, below, w, h}, {right, above, w, h}, {left, below, w, h}, {left, above, w, h}};
+    const auto first = [&](auto is_wanted) {
+        return std::find_if(std::begin(places), std::end(places), [&](const Rect& r) {
+            const bool is_inside =
+                r.x >= area.x && r.y >= area.y && r.x + r.w <= area.x + area.w && r.y + r.h <= area.y + area.h;
+            return is_inside && is_wanted(r);
+        });
     };
-    const auto free = std::find_if(std::begin(places), std::end(places), is_free);
-    return free == std::end(places) ? places[0] : *free;
+    const auto free = first([&](const Rect& r) { return !covers_one(r, nodes) && !covers_one(r, probes); });
+    if (free != std::end(places)) return *free;
+    const auto beside_nodes = first([&](const Rect& r) { return !covers_one(r, nodes); });
+    return beside_nodes != std::end(places) ? *beside_nodes : places[0];
 }
 
 void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect r) {
@@ -60,9 +70,11 @@ void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect
     });
     const float value = signal.value(history.signals.back()), h = line_height(ui, Face::small);
     const bool is_signed = signal.of != Signal::Of::sensor;
-    put_right(ui, {r.x + r.w - pad, r.y + r.h / 2 - h}, is_signed ? with_sign(ui, value, 2) : fixed(ui, value, 2),
-              p.text, Face::small);
-    put_right(ui, {r.x + r.w - pad, r.y + r.h / 2}, ui.strings("wiring.probe_seconds"), p.second_text, Face::small);
+    const bool has_seconds = r.h >= 2 * h;
+    put_right(ui, {r.x + r.w - pad, r.y + r.h / 2 - (has_seconds ? h : h / 2)},
+              is_signed ? with_sign(ui, value, 2) : fixed(ui, value, 2), p.text, Face::small);
+    if (has_seconds)
+        put_right(ui, {r.x + r.w - pad, r.y + r.h / 2}, ui.strings("wiring.probe_seconds"), p.second_text, Face::small);
 }
 
 }  // namespace
@@ -70,18 +82,18 @@ void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect
 void draw_probes(const LabView& view, const PanelState& state, const Ui& ui, Rect area) {
     const VehicleView* vehicle = find_vehicle(*view.now, state.history.vehicle);
     if (state.canvas.probes.empty() || !vehicle || hides_brain(view, vehicle->kind)) return;
-    std::vector<Rect> taken;
+    std::vector<Rect> nodes, probes;
     for (const Node& node : brain_of(*view.now, *vehicle)->nodes)
-        if (const Rect* rect = ui.anchors.find("node." + node.name)) taken.push_back(*rect);
+        if (const Rect* rect = ui.anchors.find("node." + node.name)) nodes.push_back(*rect);
     ImGui::Begin("wiring canvas");  // again: over what the canvas has drawn
     ImGui::PushClipRect({area.x, area.y}, {area.x + area.w, area.y + area.h}, false);
     for (const std::string& name : state.canvas.probes) {
         const Rect* node = ui.anchors.find("node." + name);
         const std::optional<Signal> signal = signal_named(state.history, name);
         if (!node || !signal) continue;
-        const Rect place = place_of_probe(ui, *node, area, taken);
+        const Rect place = place_of_probe(ui, *node, area, nodes, probes);
         draw_probe(ui, state.history, *signal, place);
-        taken.push_back(place);
+        probes.push_back(place);
         ui.anchors.record("probe." + name, place);
     }
     ImGui::PopClipRect();
