@@ -1,7 +1,11 @@
 #include "ui/widgets/theme.h"
 
-#include <gtest/gtest.h>
+#include <filesystem>
 
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include "core/scene/file_kind.h"
 #include "desk.h"
 #include "ui/imgui_compat.h"
 
@@ -45,6 +49,29 @@ TEST(Theme, HasDigitsAndTheMinusSignInEveryFace) {
         for (const ImWchar sign : {ImWchar{0x2212}, ImWchar{'0'}, ImWchar{','}})
             EXPECT_TRUE(compat::has_glyph(face, sign)) << sign << " at " << compat::size_of(face);
     }
+}
+
+// Of the window's words, and of what exercises, scenes and lectures say.
+TEST(Theme, HasEveryLetterOfTheShippedTexts) {
+    const Desk desk(1280, 800, 1, true);  // builds the glyphs
+    ImFont* text = test_fonts(1).loaded.fonts.text;
+    const std::filesystem::path root = BRAITENLAB_SOURCE;
+    std::size_t files = 0;
+    for (const char* folder : {"ui/strings", "exercises/words", "exercises/guided", "exercises/scenes",
+                               "exercises/robots", "exercises/lectures"})
+        for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
+            if (entry.path().extension() != ".toml") continue;
+            ++files;
+            const std::string words = *read_text(entry.path());
+            const char *at = words.c_str(), *end = at + words.size();
+            while (at < end) {
+                unsigned int letter = 0;
+                at += ImTextCharFromUtf8(&letter, at, end);
+                const bool is_drawn = letter < 0x20 || compat::has_glyph(text, static_cast<ImWchar>(letter));
+                EXPECT_TRUE(is_drawn) << "U+" << std::hex << letter << " in " << entry.path();
+            }
+        }
+    EXPECT_GT(files, 50u);
 }
 
 TEST(Theme, ReplacesMissingFonts) {

@@ -136,13 +136,15 @@ void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect 
     const Rect pill{x, middle - ui.px(13), ui.px(104), ui.px(26)};
     fill_box(ui, pill, colour.with_alpha(0.14f), 13);
     const float icon_room = has_icons(ui) ? ui.px(18) : 0;
-    const float left = pill.x + (pill.w - icon_room - text_width(ui, Face::small, words)) / 2;
+    const bool fits = icon_room + text_width(ui, Face::small, words) <= pill.w - ui.px(12);
+    const Face face = fits ? Face::small : Face::label;
+    const float left = pill.x + (pill.w - icon_room - text_width(ui, face, words)) / 2;
     put_icon(ui, {left + ui.px(5), middle},
              playing  ? icon::play
              : wiring ? icon::wiring
                       : icon::pause,
              colour, Face::small);
-    put(ui, {left + icon_room, middle - line_height(ui, Face::small) / 2}, words, colour, Face::small);
+    put(ui, {left + icon_room, middle - line_height(ui, face) / 2}, words, colour, face);
     mark(ui, "mode", pill);
     const std::string time = fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(view.now->seconds), 1)});
     const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(layout_width - 112), pill.h};

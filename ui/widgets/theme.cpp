@@ -16,6 +16,8 @@ constexpr float label_em = 12, small_em = 14, text_em = 16, title_em = 20, capti
 constexpr ImWchar latin[]{0x0020, 0x017F,  // Latin, Latin-1, Latin Extended-A
                           0x0370, 0x03FF,  // Greek: θ, Σ, π
                           0x2010, 0x2027,  // dashes, quotation marks, …
+                          0x2039, 0x203A,  // ‹ ›
+                          0x2080, 0x2089,  // subscripts, which fonts of symbols may lack
                           0};
 constexpr ImWchar signs[]{0x2070, 0x209F,  // superscripts, subscripts
                           0x2190, 0x21FF,  // arrows
