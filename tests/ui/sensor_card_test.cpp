@@ -147,6 +147,30 @@ TEST(SensorCard, KeepsNoiseAndDelayFoldedAndClampsThem) {
     EXPECT_FLOAT_EQ(desk.asked_for()[1].noise, 0.25f);
 }
 
+TEST(SensorCard, SetsTheSamplesAndTheConverterOfBothEyes) {
+    SensorDesk desk;
+    desk.click("sensor.more");
+    desk.frame(2);
+    desk.type_into("sensor.interval", "0.05");
+    EXPECT_FLOAT_EQ(desk.asked_for()[0].interval, 0.05f);
+    EXPECT_FLOAT_EQ(desk.asked_for()[1].interval, 0.05f);
+    desk.type_into("sensor.bits", "99");
+    EXPECT_EQ(desk.asked_for()[0].bits, 16) << "the most that a converter has";
+    desk.type_into("sensor.bits", "9.6");
+    EXPECT_EQ(desk.asked_for()[1].bits, 10) << "a whole number";
+}
+
+TEST(SensorCard, SetsTheLightThatAPhotocellHalvesAt) {
+    SensorDesk desk;
+    EXPECT_FALSE(desk.anchors.find("sensor.half_lux")) << "the eyes are not photocells";
+    auto measured = std::make_shared<Scene>(*desk.now.scene);
+    for (Sensor& sensor : measured->kinds[0].sensors) sensor.response = SensorResponse::photocell;
+    desk.now.scene = measured;
+    desk.frame(2);
+    desk.type_into("sensor.half_lux", "120");
+    EXPECT_FLOAT_EQ(desk.asked_for()[0].half_lux, 120);
+}
+
 TEST(SensorCard, RightClickRestoresTheAngleOfTheFile) {
     SensorDesk desk;
     auto turned = std::make_shared<Scene>(*desk.now.scene);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include <imgui.h>
 
@@ -43,7 +44,7 @@ std::string channel_and_side(const Ui& ui, const Sensor& sensor) {
 // One number of a sensor as a slider shows it.
 struct SensorNumber {
     std::string_view anchor, words, tooltip;  // the latter two are keys of strings
-    float Sensor::*value;
+    std::variant<float Sensor::*, int Sensor::*> value;
     float low, high;
     float factor = 1;  // shown per stored
     float step = 0.01f;
@@ -66,7 +67,32 @@ constexpr SensorNumber quality_numbers[]{
      0.1f, 1, " m", false, true},
     {"sensor.noise", "sensors.noise", "sensors.noise_how", &Sensor::noise, 0, 1},
     {"sensor.latency", "sensors.latency", "sensors.latency_how", &Sensor::latency, 0, 1, 1, 0.01f, 2, " s"},
+    {"sensor.interval", "sensors.interval", "sensors.interval_how", &Sensor::interval, 0, 1, 1, 0.01f, 2, " s"},
+    {"sensor.bits", "sensors.bits", "sensors.bits_how", &Sensor::bits, 0, limits::converter_bits, 1, 1, 0, " bit"},
 };
+constexpr SensorNumber half_lux_number{"sensor.half_lux",
+                                       "sensors.half_lux",
+                                       "sensors.half_lux_how",
+                                       &Sensor::half_lux,
+                                       0.1f,
+                                       1000,
+                                       1,
+                                       1,
+                                       0,
+                                       " lx",
+                                       false,
+                                       true};
+
+float value_of(const Sensor& sensor, const SensorNumber& number) {
+    return number.factor * std::visit([&](auto member) { return static_cast<float>(sensor.*member); }, number.value);
+}
+
+void set_value(Sensor& sensor, const SensorNumber& number, float shown) {
+    if (const auto* count = std::get_if<int Sensor::*>(&number.value))
+        sensor.** count = static_cast<int>(std::lround(shown / number.factor));
+    else
+        sensor.*std::get<float Sensor::*>(number.value) = shown / number.factor;
+}
 
 class SensorEditor {
 public:
@@ -236,12 +262,13 @@ private:
         if (chosen >= 0) state_.sensor_alone = chosen == 1;
     }
 
-    // The card offers two laws. Photocells and tables are of measured sensors, whose files give their numbers.
+    // The card offers two laws. Photocells and tables are of measured sensors, whose files give their other numbers.
     void response() {
         const SensorResponse now = sensor_->response;
         if (now == SensorResponse::graded || now == SensorResponse::boolean)
             return choose("sensor.response", &Sensor::response, 2);
         paragraph(ui_, ui_.strings("sensors." + std::string(word(now))), ui_.palette.second_text, Face::small);
+        if (now == SensorResponse::photocell) turn(half_lux_number);
     }
 
     // One segment per row of the enumeration's table, up to `most`; the keys of their words are "sensors.WORD".
@@ -256,7 +283,7 @@ private:
     }
 
     void turn(const SensorNumber& number) {
-        const float value = sensor_->*number.value * number.factor;
+        const float value = value_of(*sensor_, number);
         SliderLook look;
         look.words = ui_.strings(number.words);
         look.tooltip = ui_.strings(number.tooltip);
@@ -266,7 +293,7 @@ private:
             look.high = most;
             if (number.low < 0) look.low = -most;
         }
-        look.home = filed_ ? filed_->*number.value * number.factor : value;
+        look.home = filed_ ? value_of(*filed_, number) : value;
         look.step = number.step, look.decimals = number.decimals, look.unit = number.unit;
         look.meaning = false;
         look.signed_number = number.low < 0;
@@ -275,7 +302,7 @@ private:
             slider(ui_, state_.sliders, number.anchor, value, card_width(ui_), view_.wall_seconds, look);
         if (!wanted) return;
         edit(wanted->gesture - gestures::panels, [&](Sensor& s, bool mirrored) {
-            s.*number.value = wanted->value / number.factor * (mirrored && number.sided ? -1.0f : 1.0f);
+            set_value(s, number, mirrored && number.sided ? -wanted->value : wanted->value);
         });
     }
 
