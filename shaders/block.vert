@@ -14,7 +14,7 @@ out float v_far;  // across the shadow: 0 at the foot, 1 at its outer end
 
 const int level_shadow_end = -2, level_shadow = -1, level_foot = 0, level_shoulder = 1, level_chamfer = 2,
           level_inner = 3, level_top = 4;
-const float shadow_reach = 0.24;  // m
+const float shadow_reach = 0.24;  // m, in an arena of usual size
 
 vec2 prism_corner(int i) {
     vec4 two = i < 2 ? corners_01 : i < 4 ? corners_23 : i < 6 ? corners_45 : corners_67;
@@ -37,7 +37,7 @@ void main() {
 
     bool on_top = level >= level_inner;
     bool shadow = level < level_foot;
-    vec2 at = here + outwards * (on_top ? -size.y : level == level_shadow_end ? shadow_reach : 0.0);
+    vec2 at = here + outwards * (on_top ? -size.y : level == level_shadow_end ? shadow_reach * form.y : 0.0);
     float height = shadow ? 0.004 : level == level_foot ? 0.0 : on_top ? size.x : size.x - size.y;
     // Edges are shaded as if they were round: across the chamfer, and across a short face between two long ones.
     if (law.w > 0.5 && size.w < 0.5 && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < 0.14)

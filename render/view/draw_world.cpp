@@ -240,7 +240,7 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
     if (in_floor) ++drawing.list.floor_lamps;
     if (foot == 0)
         drawing.list.marks.push_back({place,
-                                      {0.22f * size, 0.22f * size, 0.12f, static_cast<float>(MarkKind::shadow)},
+                                      {0.22f * size, 0.22f * size, 0.12f * size, static_cast<float>(MarkKind::shadow)},
                                       rgb_with(drawing.colours.shadow, drawing.colours.shadow.a * 0.7f)});
     if (foot == 0) add_socket(drawing, channel, at, size);
     if (!on) return;
