@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/lab_requests.h"
+#include "app/lab_edits.h"
 #include "ui/request.h"
 
 namespace braitenlab {

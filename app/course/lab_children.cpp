@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/course/lab_lesson.h"
-#include "app/lab_requests.h"
+#include "app/lab_edits.h"
 
 namespace braitenlab {
 

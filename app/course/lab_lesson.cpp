@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/jobs/grading.h"
-#include "app/lab_requests.h"
+#include "app/lab_edits.h"
 #include "app/lab_selection.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/selection.h"

@@ -13,7 +13,7 @@
 #include "app/files/links.h"
 #include "app/files/reports.h"
 #include "app/files/safe_file.h"
-#include "app/lab_requests.h"
+#include "app/lab_edits.h"
 #include "core/export/export.h"
 #include "core/io/link.h"
 #include "core/io/run_file.h"

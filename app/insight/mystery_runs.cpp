@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/lab.h"
-#include "app/lab_requests.h"
+#include "app/lab_edits.h"
 #include "app/lab_selection.h"
 #include "ui/scene_input/edits.h"
 

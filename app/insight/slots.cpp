@@ -7,7 +7,7 @@
 #include "app/course/lab_lesson.h"
 #include "app/course/reference_runs.h"
 #include "app/lab.h"
-#include "app/lab_requests.h"
+#include "app/lab_edits.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lesson.h"
+#include "app/lab_edits.h"
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
 

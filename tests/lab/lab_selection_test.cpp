@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/lab_edits.h"
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
 
