@@ -117,10 +117,15 @@ void mark(Ui& ui, std::string_view id, Rect rect) {
     const Rect visible = inside_clip(rect);
     if (!is_visible(visible)) return;
     ui.anchors.record(id, visible);
-    if (id == ui.highlight && !id.empty()) {
-        ring(ui, rect, ui.palette.accent.with_alpha(0.35f + 0.65f * ui.pulse), 3, 2);
-        ring(ui, rect, ui.palette.accent.with_alpha(0.25f * ui.pulse), 5, 4);
-    }
+    if (id == ui.highlight && !id.empty()) point_out(ui, rect);
+}
+
+void point_out(const Ui& ui, Rect rect) {
+    const Colour colour = ui.palette.accent;
+    const float grow = ui.px(2);
+    fill_box(ui, {rect.x - grow, rect.y - grow, rect.w + 2 * grow, rect.h + 2 * grow},
+             colour.with_alpha(0.10f + 0.14f * ui.pulse));
+    ring(ui, rect, colour.with_alpha(0.9f - 0.4f * ui.pulse), 2 + 3 * ui.pulse, 2);
 }
 
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {

@@ -7,6 +7,7 @@
 
 #include "core/maths/portable.h"
 #include "ui/imgui_compat.h"
+#include "ui/widgets/item.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::wiring {
@@ -195,10 +196,7 @@ bool overlaps(Rect area, Rect r) {
 void record_anchor(Ui& ui, Rect area, const std::string& id, Rect rect) {
     if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
     ui.anchors.record(id, rect);
-    if (ui.highlight != id) return;
-    const float grow = ui.px(3 + 4 * ui.pulse);
-    line_box(ui, {rect.x - grow, rect.y - grow, rect.w + 2 * grow, rect.h + 2 * grow},
-             ui.palette.accent.with_alpha(0.4f + 0.6f * ui.pulse), 10, 2.5f);
+    if (ui.highlight == id) point_out(ui, rect);
 }
 
 // Parameter of a point of the curve that the label does not cover.
