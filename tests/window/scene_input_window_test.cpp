@@ -1,5 +1,8 @@
 // Mouse input in the scene: dragging, drawing, the context menu, and undo.
+#include <chrono>
 #include <cmath>
+#include <thread>
+#include <utility>
 
 #include "tests/window/lab_window.h"
 
@@ -16,6 +19,18 @@ Point place(const Json& thing) {
 Point vehicle(const Json& state, std::size_t i) { return place(state["vehicles"][i]); }
 Point vehicle(const LabWindow& lab, std::size_t i) { return vehicle(lab.state(), i); }
 Point source(const LabWindow& lab, std::size_t i) { return place(lab.state()["sources"][i]); }
+
+// Where the first obstacle is in the window, once the camera has come to rest.
+Point obstacle_at_rest(const LabWindow& lab) {
+    const auto now = [&] { return place(lab.state()["obstacles"][0]); };
+    Point at = now();
+    EXPECT_TRUE(wait_for([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        const Point before = std::exchange(at, now());
+        return before.x == at.x && before.y == at.y;
+    }));
+    return at;
+}
 
 void right_click(const LabWindow& lab, Point at) {
     lab.move(at);
@@ -187,9 +202,9 @@ TEST(SceneInputWindow, RotatesABoxByItsRingAndEditsItOnItsCard) {
     choose_tool(lab, "box");
     drag(lab, {middle.x - 130, middle.y - 120}, {middle.x - 60, middle.y - 80});
     ASSERT_TRUE(wait_for([&] { return lab.state()["obstacles"].size() == 1; }));
-    lab.move(place(lab.state()["obstacles"][0]));
+    const Point box = obstacle_at_rest(lab);
+    lab.move(box);
     const Point knob = lab.at("stage.knob");
-    const Point box = place(lab.state()["obstacles"][0]);
     drag(lab, knob, {box.x, box.y - 60});
     EXPECT_TRUE(wait_for([&] { return std::abs(lab.state()["obstacles"][0]["heading"].get<double>() - 1.57) < 0.2; }))
         << lab.state()["obstacles"];
