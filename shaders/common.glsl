@@ -74,19 +74,25 @@ vec3 on_screen(vec3 light) {
     return sqrt(light * (held / most));
 }
 
-// Linear light on a surface from sun, sky, floor and lamps.
-vec3 light_at(vec3 normal, vec3 place) {
+// Linear light on a surface from sun, sky, floor and lamps. `darkness`: three bits a lamp, 0 all of its light .. 7 none
+// (HullInstance in render/view/draw_list.h).
+vec3 light_at(vec3 normal, vec3 place, float darkness) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
     light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
     for (int i = 0; i < int(counts.x); ++i) {
+        float others = floor(darkness * 0.125), passes = 1.0 - (darkness - 8.0 * others) / 7.0;
+        darkness = others;
         vec3 towards = lamps[i].place.xyz - place;
         float squared = dot(towards, towards);
         // Lamps are large and low: a surface that faces away from a lamp still gets part of its light.
         float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.8 + 0.2, 0.0);
-        light += lamps[i].colour.rgb * lamps[i].colour.rgb * (1.5 * lamps[i].place.w * facing * lamp_law(squared));
+        float amount = 1.5 * lamps[i].place.w * facing * lamp_law(squared) * passes;
+        light += lamps[i].colour.rgb * lamps[i].colour.rgb * amount;
     }
     return light;
 }
+
+vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
 
 // The screen colour of a surface of this screen colour in linear light.
 vec3 lit(vec3 tone, vec3 light) { return on_screen(tone * tone * light); }

@@ -3,7 +3,7 @@ layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;  // x, y, direction
-layout(location = 5) in vec4 size;   // radius, height, reading
+layout(location = 5) in vec4 size;   // radius, height, reading, darkness
 layout(location = 6) in vec4 base;   // colour of the channel; w: 0 covered, 1 open
 layout(location = 7) in vec4 lid;
 
@@ -23,7 +23,7 @@ void main() {
     vec3 at = to_gl(vec3(place.xy + turn(own.xy, place.zw), own.z + size.y));
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
     v_own = collar ? vec3(0.0) : corner;
-    v_light = light_at(up, at);
+    v_light = light_at(up, at, size.w);
     vec3 towards = normalize(eye.xyz - at);
     v_gloss = sun_light.rgb * (0.30 * pow(max(dot(reflect(-towards, up), sun.xyz), 0.0), 24.0));
     v_base = base;

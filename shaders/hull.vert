@@ -5,7 +5,7 @@ layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;   // x, y, direction
 layout(location = 5) in vec4 size;    // length, width, height's scale, energy
 layout(location = 6) in vec4 base;    // w: 1 awake, 0 parked
-layout(location = 7) in vec4 look;    // x: detail; y: 1 for a rounded body
+layout(location = 7) in vec4 look;    // x: detail; y: 1 for a rounded body; z: darkness
 
 out vec3 v_colour;
 out vec3 v_empty;             // colour of the empty part of the gauge
@@ -39,7 +39,7 @@ void main() {
         if (kind == paint_light) tone = mix(vec3(0.82, 0.84, 0.88), base.rgb, 0.12);
         if (kind == paint_gauge) tone = vec3(0.55, 0.85, 0.40);
     }
-    vec3 light = light_at(up, at);
+    vec3 light = light_at(up, at, look.z);
     v_colour = lit(tone, light);
     // The empty part of the gauge.
     v_empty = kind == paint_gauge ? lit(mix(tone, ink.rgb, max(detail, look.y)), light) : v_colour;

@@ -54,6 +54,7 @@ void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Tra
     if (now.scene) drawing.scale = scale_of(now.scene->arena);
     add_world(drawing);
     add_vehicles(drawing, trails);
+    add_darkness(drawing);
     add_labels(drawing);
     list.decks.forget_unused();
 }

@@ -27,11 +27,13 @@ namespace braitenlab::render {
 inline constexpr int role_count = 3;
 inline constexpr int source_shape_count = 4;  // light and all others, heat, smell, oxygen
 
+// Darkness: how much of each lamp's light boxes keep from a body, three bits a lamp: the sum of 8^i · d, d = 0..7 for
+// lamp i of DrawList::lamps.
 struct HullInstance {
     maths::vec4 place;
     maths::vec4 size;    // length, width, height's scale, energy 0..1
     maths::vec4 colour;  // w: 0 parked, 1 not parked
-    maths::vec4 look;    // x: detail; y: 1 for a rounded body
+    maths::vec4 look;    // x: detail; y: 1 for a rounded body; z: darkness
 };
 struct SignInstance {
     maths::vec4 place;
@@ -51,7 +53,7 @@ struct EyeInstance {
 // A rounded eye with its lid.
 struct EyeballInstance {
     maths::vec4 place;   // direction: that of the sensor
-    maths::vec4 size;    // radius m, height m, reading 0..1
+    maths::vec4 size;    // radius m, height m, reading 0..1, darkness as of a HullInstance
     maths::vec4 colour;  // of its channel; w: 0 covered, 1 open
     maths::vec4 lid;     // rgb
 };

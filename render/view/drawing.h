@@ -70,6 +70,9 @@ void add_source(Drawing&, Channel, maths::vec2 place, float foot, float strength
 // its width.
 void add_casts(Drawing&, maths::vec2 place, maths::vec2 ahead, maths::vec2 half, float height);
 
+// Darkens the bodies and eyes that are behind boxes whose shadows have been added.
+void add_darkness(Drawing&);
+
 // Adds all vehicles.
 void add_vehicles(Drawing&, const Trails&);
 // Adds the sensor fields of a vehicle.

@@ -256,6 +256,25 @@ TEST(DrawList, CastsShadowsAwayFromLampsInRange) {
         EXPECT_EQ(mark.shape.w, static_cast<float>(MarkKind::shadow)) << "the floor's shader draws the light";
 }
 
+TEST(DrawList, DarkensBodiesBehindBoxes) {
+    auto scene = hand_made::scene();
+    scene->obstacles.push_back({.name = "box", .x = 3, .length = 0.5f, .width = 3});
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 1.5f, 0, 0);   // between the first lamp and the box
+    hand_made::add(now, 0, 4.2f, 0, 0);   // behind the box for the first lamp, in front of it for the second one
+    hand_made::add(now, 0, 4.2f, -5, 0);  // beside the shadow
+    hand_made::add_source(now, Channel::light, 0, 0);
+    hand_made::add_source(now, Channel::light, 6.5f, 0);
+    Picture picture;
+    picture.quality = Quality::high;
+    const DrawList list = drawn(now, picture);
+    ASSERT_EQ(list.bodies[0].size(), 3U);
+    EXPECT_EQ(list.bodies[0][0].look.z, 56) << "all light of the second lamp is taken: 7 · 8; none of the first";
+    EXPECT_EQ(list.bodies[0][1].look.z, 7) << "all light of the first lamp";
+    EXPECT_EQ(list.bodies[0][2].look.z, 0);
+    for (const EyeballInstance& eye : list.eyeballs) EXPECT_EQ(eye.size.w, 0) << "it is higher than the box's shadow";
+}
+
 TEST(DrawList, DrawsPoolsOfLightForManyLampsAtLowQuality) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (int i = 0; i < 4; ++i) hand_made::add_source(now, Channel::light, static_cast<float>(i), 0);
