@@ -116,6 +116,7 @@ private:
     // Draws with the level of quality that was asked for, or the measured one; measures some frames.
     void draw_measured(const Picture&);
     Quality quality() const;
+    float resolution() const;
     // What the scene shows, without a camera view.
     Picture scene_picture(std::vector<bool> hidden_brains) const;
 

@@ -243,6 +243,7 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
     picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height())};
     const SceneObject& hovered = panels_.scene_input.hovered.object;
+    picture.resolution = resolution();
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     shown_ = shown_snapshot(lab);
     if (!repeatable()) render::stand_between(shown_, lab.playback.previous, between_ticks(lab));
@@ -256,9 +257,11 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
 
 Quality App::quality() const { return options_.quality.value_or(quality_.level()); }
 
+float App::resolution() const { return options_.quality ? 1 : quality_.resolution(); }
+
 void App::draw_measured(const Picture& picture) {
     if (quality_of_ != shown_lab().document.name) quality_.start_over(), quality_of_ = shown_lab().document.name;
-    facts_.quality = picture.quality;
+    facts_.quality = picture.quality, facts_.resolution = picture.resolution;
     if (options_.quality || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
     renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();

@@ -378,6 +378,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["type_size"] = plain(lab.preferences.type_size);
     state["draw_calls"] = frame.draw_calls;
     state["quality"] = word(frame.quality);
+    state["resolution"] = frame.resolution;
     state["text"] = {{"smallest_px", plain(frame.text.smallest)}, {"clipped", frame.text.clipped}};
     state["graphics_watched"] = frame.graphics_watched;
     state["graphics_errors"] = frame.graphics_errors;

@@ -22,6 +22,7 @@ struct FrameFacts {
     std::string typed;  // text so far in the focused text field or number
     int draw_calls = 0;
     Quality quality = Quality::medium;  // of the last picture
+    float resolution = 1;               // of the last picture, pixels drawn per pixel of the window
     ui::TextFacts text;                 // of the window, without the labels in the scene
     bool graphics_watched = false;
     int graphics_errors = 0;  // see Window
@@ -35,7 +36,7 @@ struct FrameFacts {
 
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
-// generation, camera, language, focus, menu, typed, overlays {…}, draw_calls, quality,
+// generation, camera, language, focus, menu, typed, overlays {…}, draw_calls, quality, resolution,
 // text {smallest_px, clipped}, graphics_watched,
 // graphics_errors, frame_ms, frames, pointer [x, y], pressed, exercise, student {name, students, passed, exercises},
 // thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles, sources, obstacles}. The last

@@ -144,7 +144,7 @@ bool renders_in_software() {
 }
 
 // With multisampling, unless the context does not support it or the renderer is software: it would become too slow, and
-// high quality has multisampling of its own (render/gl/multisample.h).
+// high quality has multisampling of its own (render/gl/resampling.h).
 GLFWwindow* make_best_window(const WindowOptions& options) {
     GLFWwindow* window = make_window(options, smooth_samples);
     if (window && !renders_in_software()) return window;

@@ -46,4 +46,11 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     return block;
 }
 
+FrameBlock at_resolution(FrameBlock block, float share) {
+    block.eye.w *= share;
+    block.window = {block.window.x * share, block.window.y * share, 0, 0};
+    block.arena.w *= share;
+    return block;
+}
+
 }  // namespace braitenlab::render

@@ -28,4 +28,7 @@ static_assert(sizeof(FrameBlock) == 64 + 18 * 16 + most_lamps * 32);
 
 FrameBlock frame_block(const Snapshot&, const Picture&, const DrawList&);
 
+// The block for the same picture with `share` times the pixels in width and in height, at 0, 0 of its framebuffer.
+FrameBlock at_resolution(FrameBlock, float share);
+
 }  // namespace braitenlab::render

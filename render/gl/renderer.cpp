@@ -10,9 +10,9 @@
 #include "render/gl/backdrop.h"
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
-#include "render/gl/multisample.h"
 #include "render/gl/opengl.h"
 #include "render/gl/programs.h"
+#include "render/gl/resampling.h"
 #include "render/gl/texture.h"
 #include "render/text/set_type.h"
 #include "render/view/draw_list.h"
@@ -48,6 +48,11 @@ bool has_rims(const std::vector<HullInstance>& hulls) {
     return std::any_of(hulls.begin(), hulls.end(), [](const HullInstance& hull) { return hull.look.x < 1; });
 }
 
+void set_viewport(const Rect& window) {
+    glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
+               static_cast<GLsizei>(window.h));
+}
+
 struct ContourInstance {
     maths::vec4 place;   // half the arena's size; samples along x and y
     maths::vec4 colour;  // w: side of the texture, samples
@@ -63,7 +68,7 @@ struct Renderer::Parts {
 
     Kit floors = kit<FloorInstance>(quad());
     Backdrop backdrop;
-    Multisample multisample;  // at high quality
+    Resampling resampling;
     Kit blocks = kit<BlockInstance>(prism());
     Batch skirts{skirt(), blocks.instances};
     Kit zones = kit<ZoneInstance>(quad());
@@ -124,11 +129,15 @@ struct Renderer::Parts {
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
 
-    // Copies the draw list and the frame block to the graphics memory, once per frame.
+    // Copies the frame block to the graphics memory.
     void upload(const FrameBlock& frame) {
         glBindBuffer(GL_UNIFORM_BUFFER, frame_buffer);
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(frame), &frame);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_buffer);
+    }
+
+    // Copies the draw list to the graphics memory, once per frame. `frame`: its arena is used.
+    void upload_list(const FrameBlock& frame) {
         // Beyond this distance the ground has faded into the sky.
         const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
         floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
@@ -254,10 +263,15 @@ struct Renderer::Parts {
             if (has_rims(list.hulls[role])) draw(with.rim, rims[role], hulls[role].instances);
         draw(with.mark, rings);
         draw(with.halo, halos);
+        glDepthMask(GL_TRUE);
+    }
+
+    void draw_letters() {
+        glDisable(GL_CULL_FACE);
+        glEnable(GL_BLEND);
         glDisable(GL_DEPTH_TEST);
         characters.bind();
         draw(with.letter, letters);
-        glDepthMask(GL_TRUE);
     }
 };
 
@@ -298,8 +312,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.prepare_letters(picture);
 
     const Rect& window = picture.camera_view.window;
-    glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
-               static_cast<GLsizei>(window.h));
+    set_viewport(window);
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -316,15 +329,22 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
     const FrameBlock frame = frame_block(now, picture, p.list);
-    p.upload(frame);
-    const bool in_backdrop = p.update_backdrop(frame);
-    const bool smooth = picture.quality == Quality::high;
-    if (smooth) p.multisample.begin(window);
+    const bool coarse = picture.resolution < 1 && p.resampling.begin_coarse(window, picture.resolution);
+    const FrameBlock drawn = coarse ? at_resolution(frame, picture.resolution) : frame;
+    p.upload(drawn);
+    p.upload_list(drawn);
+    const bool in_backdrop = p.update_backdrop(drawn);
+    if (!coarse && picture.quality == Quality::high) p.resampling.begin_smooth(window);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     p.draw_solids(picture.quality);
     p.draw_ground_below(in_backdrop);
     p.draw_flat();
-    if (smooth) p.multisample.end();
+    p.resampling.end();
+    if (coarse) {
+        set_viewport(window);
+        p.upload(frame);
+    }
+    p.draw_letters();
 
     // Restore default GL state for Dear ImGui.
     glBindVertexArray(0);

@@ -28,6 +28,7 @@ struct Picture {
     CameraView camera_view;
     Theme theme = Theme::dark;
     Quality quality = Quality::low;
+    float resolution = 1;   // pixels drawn per pixel of the window, in width and in height, 0..1; labels have all
     ViewSettings settings;  // its camera is not used: `camera_view` has been made from it
     VehicleId hovered = no_vehicle;
     VehicleId driver = no_vehicle;    // the vehicle that carries the camera: its sensor fields are always drawn

@@ -11,13 +11,18 @@ Quality beside(Quality level, int step) { return static_cast<Quality>(static_cas
 }  // namespace
 
 void QualityChoice::add(double seconds) {
-    slow_in_a_row_ = seconds > slow ? slow_in_a_row_ + 1 : 0;
-    fast_in_a_row_ = seconds < fast ? fast_in_a_row_ + 1 : 0;
-    if (slow_in_a_row_ >= slow_needed && level_ != Quality::low) {
-        level_ = highest_ = beside(level_, -1);
+    const bool lowest = level_ == Quality::low;
+    slow_in_a_row_ = seconds > (lowest ? very_slow : slow) ? slow_in_a_row_ + 1 : 0;
+    fast_in_a_row_ = seconds < (coarse_ ? fast_if_coarse : fast) ? fast_in_a_row_ + 1 : 0;
+    if (slow_in_a_row_ >= slow_needed && !coarse_) {
+        if (lowest)
+            coarse_ = true;
+        else
+            level_ = highest_ = beside(level_, -1);
         slow_in_a_row_ = fast_in_a_row_ = 0;
-    } else if (fast_in_a_row_ >= fast_needed && level_ != highest_) {
-        level_ = beside(level_, 1);
+    } else if (fast_in_a_row_ >= fast_needed && (coarse_ || level_ != highest_)) {
+        if (!coarse_) level_ = beside(level_, 1);
+        coarse_ = false;
         slow_in_a_row_ = fast_in_a_row_ = 0;
     }
 }

@@ -1,4 +1,4 @@
-// Chooses the level of quality from measured frame times.
+// Chooses the level of quality and the resolution from measured frame times.
 #pragma once
 
 #include "render/view/picture.h"
@@ -11,6 +11,10 @@ class QualityChoice {
 public:
     Quality level() const { return level_; }
 
+    // Pixels drawn per pixel of the window, in width and in height: less than 1 where low quality is very slow too, as
+    // on a software renderer in a browser.
+    float resolution() const { return coarse_ ? coarse_resolution : 1; }
+
     // True if this frame's time shall be measured: a measurement waits for the graphics hardware, so few frames are.
     bool measures(int frame) const { return frame % frames_between == 0; }
 
@@ -22,10 +26,14 @@ public:
 
     static constexpr int frames_between = 8;
     static constexpr double slow = 0.030, fast = 0.005;  // s
+    // A quarter of the pixels takes a quarter of the time, so the limits are more than a factor of 4 apart.
+    static constexpr double very_slow = 0.060, fast_if_coarse = 0.010;  // s
+    static constexpr float coarse_resolution = 0.5f;
 
 private:
     Quality level_ = Quality::medium, highest_ = Quality::high;
     int slow_in_a_row_ = 0, fast_in_a_row_ = 0;
+    bool coarse_ = false;
 };
 
 }  // namespace braitenlab

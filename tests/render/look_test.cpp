@@ -182,5 +182,26 @@ TEST_F(RoundedTest, SmoothsEdgesAtHighQuality) {
     EXPECT_EQ(stage.complaints(), "");
 }
 
+TEST_F(RoundedTest, HalfTheResolutionKeepsColoursAndPlaces) {
+    look_down(3);
+    now.vehicles[0].heading = 0.3f;
+    const auto drawn_at = [&](float resolution) {
+        picture.resolution = resolution;
+        renderer->draw(now, picture);
+        return stage.pixels();
+    };
+    const auto whole = drawn_at(1), half = drawn_at(0.5f), again = drawn_at(1);
+    EXPECT_EQ(whole, again);
+    int differ = 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        const int difference = std::abs(whole[i] - half[i]);
+        differ += difference > 40, sum += difference;
+    }
+    EXPECT_GT(differ, 100) << "edges are softer";
+    EXPECT_LT(sum / static_cast<double>(whole.size()), 3) << "of 255";
+    EXPECT_EQ(stage.complaints(), "");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::look_test

@@ -25,6 +25,20 @@ TEST(QualityChoice, StepsDownAfterSlowFramesInARowOnly) {
     EXPECT_EQ(choice.level(), Quality::low) << "nothing is below low";
 }
 
+TEST(QualityChoice, HalvesTheResolutionWhereLowQualityIsVerySlowToo) {
+    QualityChoice choice;
+    add(choice, 0.1, 3);
+    EXPECT_EQ(choice.level(), Quality::low);
+    EXPECT_EQ(choice.resolution(), 1);
+    add(choice, 0.1, 3);
+    EXPECT_EQ(choice.level(), Quality::low);
+    EXPECT_EQ(choice.resolution(), 0.5f);
+    add(choice, 0.02, 100);
+    EXPECT_EQ(choice.resolution(), 0.5f) << "all pixels would take four times as long";
+    add(choice, 0.008, 8);
+    EXPECT_EQ(choice.resolution(), 1);
+}
+
 TEST(QualityChoice, StepsUpAfterManyFastFrames) {
     QualityChoice choice;
     add(choice, 0.002, 7);

@@ -1,0 +1,37 @@
+// A framebuffer with more or fewer samples than the window has pixels: for smooth edges, or for slow graphics.
+#pragma once
+
+#include "render/view/camera.h"
+
+namespace braitenlab::render {
+
+class Resampling {
+public:
+    // Creates all GL objects. Precondition until destruction: a current GL context.
+    Resampling();
+    Resampling(const Resampling&) = delete;
+    Resampling& operator=(const Resampling&) = delete;
+    ~Resampling();
+
+    // Draw calls until end() draw with several samples. `window`: the part that is drawn, px.
+    // False, and nothing changes, where the bound framebuffer has samples or the driver allows none or has no memory.
+    bool begin_smooth(const Rect& window);
+    // Draw calls until end() draw a picture of `share` times the width and height of `window`, at 0, 0, with a viewport
+    // of its size. False, and nothing changes, where the bound framebuffer has samples or there is no memory.
+    bool begin_coarse(const Rect& window, float share);
+    // Copies the picture into the framebuffer that was bound at the beginning, enlarged to `window`, and binds it. Does
+    // nothing if no beginning was successful.
+    void end();
+
+private:
+    bool begin(int width, int height, int samples);
+
+    unsigned framebuffer_ = 0, colours_ = 0, depths_ = 0;
+    int width_ = 0, height_ = 0, samples_ = 0;  // of the framebuffer; px
+    int most_samples_ = 0;
+    int bound_before_ = 0;
+    Rect from_, to_;  // copied by end(), px
+    bool active_ = false, no_memory_ = false;
+};
+
+}  // namespace braitenlab::render
