@@ -72,6 +72,18 @@ TEST(BrainAnalysis, AddsTheSignalsOfFurtherWires) {
     EXPECT_NEAR(further(sums[1]), 0, 1e-6f);
 }
 
+TEST(BrainAnalysis, ShowsProductsOfWiresThatExist) {
+    Snapshot now = with_a_third_wire(0.5f, -0.8f);
+    EXPECT_TRUE(motor_sums(now, now.vehicles[0])[0].shows_products);
+    auto brain = std::make_shared<BrainGraph>(*now.brains[0]);
+    std::erase_if(brain->wires, [&](const Wire& wire) {
+        const Node* from = find_node(*brain, wire.from);
+        return from && from->kind == NodeKind::sensor;
+    });
+    now.brains[0] = brain;
+    for (const MotorSum& sum : motor_sums(now, now.vehicles[0])) EXPECT_FALSE(sum.shows_products);
+}
+
 TEST(BrainAnalysis, NamesTheLargestContributionsAndSumsTheRest) {
     Snapshot now = with_a_third_wire(0.5f, -0.8f);
     auto brain = std::make_shared<BrainGraph>(*now.brains[0]);

@@ -80,13 +80,15 @@ TEST(WiringNodeText, ShortNamesShowTheChannelAndTheSideOfASensorWithACode) {
     };
     const std::vector<Sensor> sensors{sensor("SL", Channel::light, 0.2f),  sensor("HL", Channel::heat, 0.2f),
                                       sensor("HR2", Channel::heat, -0.2f), sensor("EN", Channel::energy, 0),
-                                      sensor("SR", Channel::red, -0.2f),   sensor("nose", Channel::smell, 0)};
+                                      sensor("SR", Channel::red, -0.2f),   sensor("nose", Channel::smell, 0),
+                                      sensor("HOT", Channel::heat, 0.2f)};
     EXPECT_EQ(short_name(sensors, "SL"), "SL") << "a name of the four wires";
     EXPECT_EQ(short_name(sensors, "HL"), std::string(channel_symbol(Channel::heat)) + "L");
     EXPECT_EQ(short_name(sensors, "HR2"), std::string(channel_symbol(Channel::heat)) + "R2");
     EXPECT_EQ(short_name(sensors, "EN"), channel_symbol(Channel::energy)) << "has no side";
     EXPECT_EQ(short_name(sensors, "SR"), std::string(channel_symbol(Channel::red)) + "R");
     EXPECT_EQ(short_name(sensors, "nose"), "nose") << "a name that a person gave";
+    EXPECT_EQ(short_name(sensors, "HOT"), "HOT") << "a word";
     EXPECT_EQ(short_name(sensors, "N1"), "N1") << "a neuron";
 }
 

@@ -88,10 +88,14 @@ std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehic
     std::array<MotorSum, 2> both{MotorSum{"ML", "LM", {product(Dial::LL), product(Dial::LR)}, {}, dials.LM},
                                  MotorSum{"MR", "RM", {product(Dial::RR), product(Dial::RL)}, {}, dials.RM}};
     const bool plain = is_plain(brain, pair);
+    const bool is_wired = std::any_of(weight_dials.begin(), weight_dials.end(), [&](Dial dial) {
+        const auto ends = direct_ends(brain, dial, pair);
+        return ends && find_wire(brain, ends->from, ends->to);
+    });
     for (std::size_t side = 0; side < both.size(); ++side) {
         MotorSum& sum = both[side];
         sum.total = vehicle.motor[side];
-        sum.more_wires = !plain;
+        sum.more_wires = !plain, sum.shows_products = plain || is_wired;
         const Node* motor = find_node(brain, std::string(sum.motor));
         sum.stopped = motor && motor->silenced;
         if (!motor) continue;

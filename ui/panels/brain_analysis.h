@@ -38,11 +38,12 @@ struct MotorSum {
     std::array<Product, 2> products;       // the uncrossed wire of the shown pair, then the crossed one
     std::vector<Term> terms;               // the largest contributions of further wires, at most most_terms
     float bias = 0;
-    bool more_wires = false;  // the brain has more wires than the sliders show
-    float rest = 0;           // with more_wires: the remaining wires and the motor's memory and curve; else 0
-    bool stopped = false;     // lesion of the motor: the total is 0
-    bool limited = false;     // the sum is outside −1..1: the total is −1 or 1
-    float total = 0;          // the wheel command, −1..1
+    bool shows_products = true;  // false in both sums: with more_wires, and no wire is one of the products
+    bool more_wires = false;     // the brain has more wires than the sliders show
+    float rest = 0;              // with more_wires: the remaining wires and the motor's memory and curve; else 0
+    bool stopped = false;        // lesion of the motor: the total is 0
+    bool limited = false;        // the sum is outside −1..1: the total is −1 or 1
+    float total = 0;             // the wheel command, −1..1
 };
 
 // Left and right motor, with the wires of this pair as products. Precondition: the vehicle is in the snapshot.

@@ -80,18 +80,21 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     const float rest = more ? std::max(number, text_width(ui, Face::label, ui.strings("sums.rest"))) : 0;
     const float total = text_width(ui, Face::strong, with_sign(ui, 1, 2)), name = text_width(ui, Face::strong, "MR");
     const std::size_t terms = term_columns(both);
-    float taken = name + (factors ? 3 : 2) * sign + product(0) + product(1) + number + rest + total;
+    const bool products = both[0].shows_products;
+    float taken = name + (factors ? 3 : 2) * sign + number + rest + total;
+    if (products) taken += product(0) + product(1);
     for (std::size_t i = 0; i < terms; ++i) taken += term(i);
-    const float space = std::max(0.0f, (width - taken) / static_cast<float>(more ? 7 + terms : factors ? 7 : 6));
+    const std::size_t spaces = 4 + (products ? 2 : 0) + (more ? 1 + terms : factors ? 1 : 0);
+    const float space = std::max(0.0f, (width - taken) / static_cast<float>(spaces));
     EquationColumns c{};
     c.space = space;
     c.factors = factors;
     float x = left + name;
     const auto right_end = [&](float w) { return x += space + w; };
     c.equals = right_end(sign) - sign / 2;
-    c.first = right_end(product(0));
+    if (products) c.first = right_end(product(0));
     if (factors) c.plus = right_end(sign) - sign / 2;
-    c.second = right_end(product(1));
+    if (products) c.second = right_end(product(1));
     for (std::size_t i = 0; i < terms; ++i) c.terms[i] = right_end(term(i));
     c.bias = right_end(number);
     c.rest = more ? right_end(rest) : x;
@@ -140,9 +143,11 @@ public:
         };
         put(ui_, {at_.x, large}, sum_.motor, c.text, Face::strong);
         sign(x_.equals, "=");
-        product(x_.first, sum_.products[0]);
-        if (x_.factors) sign(x_.plus, "+");
-        product(x_.second, sum_.products[1]);
+        if (sum_.shows_products) {
+            product(x_.first, sum_.products[0]);
+            if (x_.factors) sign(x_.plus, "+");
+            product(x_.second, sum_.products[1]);
+        }
         for (std::size_t i = 0; i < sum_.terms.size(); ++i)
             contribution(x_.terms[i], sum_.terms[i].label, sum_.terms[i].name, sum_.terms[i].value);
         signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias);
@@ -199,7 +204,8 @@ std::string legend(const LabView& view, const Ui& ui, const VehicleView& vehicle
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     };
     for (const MotorSum& sum : both) {
-        for (const Product& product : sum.products) add(product.letters);
+        if (sum.shows_products)
+            for (const Product& product : sum.products) add(product.letters);
         for (const Term& term : sum.terms) add(term.name);
     }
     std::string lines;

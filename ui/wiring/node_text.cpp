@@ -59,7 +59,7 @@ std::string_view channel_symbol(Channel channel) {
 bool has_code_as_name(const Sensor& sensor) {
     const std::string& name = sensor.name;
     const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    return digits > 0 && digits <= 3 &&
+    return digits > 0 && digits <= 2 &&
            std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(digits),
                        [](char c) { return c >= 'A' && c <= 'Z'; });
 }
