@@ -168,12 +168,12 @@ private:
     ReportFile anchors_file_, state_file_;
     Clock::time_point shaders_checked_ = Clock::now();
     Gallery gallery_;
-    bool makes_pictures_ = false;  // of the gallery, in the last frame
-    std::optional<Clip> clip_;     // being written
-    float magnified_ = 1;          // factor on the scale, while the window is drawn at another size
-    std::optional<Lab> title_;     // the scene behind the title page, while it is shown
-    QualityChoice quality_;        // with --quality auto
-    std::string quality_of_;       // name of the document that it was measured for
+    bool makes_pictures_ = false;                    // of the gallery, in the last frame
+    std::optional<Clip> clip_;                       // being written
+    float magnified_ = 1;                            // factor on the scale, while the window is drawn at another size
+    std::optional<Lab> title_;                       // the scene behind the title page, while it is shown
+    QualityChoice quality_{options_.first_quality};  // with --quality auto
+    std::string quality_of_;                         // name of the document that it was measured for
     bool reported_label_font_ = false;
     Clock::time_point state_written_{};
 };

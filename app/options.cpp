@@ -119,11 +119,12 @@ CommandLine read_command_line(int argc, char** argv) {
                quality_given = true;
                for (std::size_t i = 0; i < quality_words.size(); ++i)
                    if (level == quality_words[i]) o.quality = static_cast<Quality>(i);
+               if (level == "auto-low") o.first_quality = Quality::low;
            },
-           "how much work a picture may be; auto: by measured frame time; default: auto, high with --screenshot and "
-           "--clip")
+           "how much work a picture may be; auto: by measured frame time, auto-low: the same, beginning with low; "
+           "default: auto, high with --screenshot and --clip")
         ->type_name("LEVEL")
-        ->check(CLI::IsMember({"low", "medium", "high", "auto"}));
+        ->check(CLI::IsMember({"low", "medium", "high", "auto", "auto-low"}));
     app.add_option_function<std::string>(
            "--field",
            [&](const std::string& word) {

@@ -33,7 +33,8 @@ struct Options {
     std::optional<Theme> theme;            // unset: as in the settings
     std::optional<CameraMode> camera;      // unset: as stored
     render::SectorPath sectors = render::SectorPath::automatic;
-    std::optional<Quality> quality;  // unset: chosen by measured frame time
+    std::optional<Quality> quality;           // unset: chosen by measured frame time
+    Quality first_quality = Quality::medium;  // with `quality` unset
     bool watch_graphics = false;
     int frame_rate = 0;                    // most pictures per second; 0: those of the display
     std::optional<Channel> field;          // its intensity is shown on the floor at the start

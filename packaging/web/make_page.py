@@ -19,7 +19,7 @@ contents = {name: (built / name).read_bytes() for name in names}
 version = hashlib.sha256(b"".join(contents.values())).hexdigest()[:16]
 icon = base64.b64encode((here.parent / "icons" / "braitenlab.svg").read_bytes()).decode()
 facts = {"version": version, "sizes": {name: len(content) for name, content in contents.items()}}
-scripts = [(here / name).read_text(encoding="utf-8") for name in ("files.js", "typing.js", "page.js")]
+scripts = [(here / name).read_text(encoding="utf-8") for name in ("files.js", "typing.js", "graphics.js", "page.js")]
 script = "\n".join([f"const built = {json.dumps(facts)};", *scripts])
 
 

@@ -9,6 +9,8 @@ namespace braitenlab {
 // again until start_over().
 class QualityChoice {
 public:
+    explicit QualityChoice(Quality first = Quality::medium) : first_(first), level_(first) {}
+
     Quality level() const { return level_; }
 
     // Pixels drawn per pixel of the window, in width and in height: less than 1 where low quality is very slow too, as
@@ -22,7 +24,7 @@ public:
     void add(double seconds);
 
     // For another scene.
-    void start_over() { *this = {}; }
+    void start_over() { *this = QualityChoice(first_); }
 
     static constexpr int frames_between = 8;
     static constexpr double slow = 0.030, fast = 0.005;  // s
@@ -31,7 +33,7 @@ public:
     static constexpr float coarse_resolution = 0.5f;
 
 private:
-    Quality level_ = Quality::medium, highest_ = Quality::high;
+    Quality first_, level_, highest_ = Quality::high;
     int slow_in_a_row_ = 0, fast_in_a_row_ = 0;
     bool coarse_ = false;
 };
