@@ -14,6 +14,7 @@ Resampling::Resampling() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
     most_samples_ = std::min(most, 4);
+    glGetIntegerv(GL_SAMPLES, &samples_of_window_);
 }
 
 Resampling::~Resampling() {
@@ -37,10 +38,10 @@ bool Resampling::begin_coarse(const Rect& window, float share) {
 }
 
 bool Resampling::begin(int width, int height, int samples) {
-    GLint has = 0;
-    glGetIntegerv(GL_SAMPLES, &has);
-    if (has > 0 || no_memory_) return false;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound_before_);
+    GLint has = samples_of_window_;
+    if (bound_before_ != 0) glGetIntegerv(GL_SAMPLES, &has);  // in a browser it waits for the last frame
+    if (has > 0 || no_memory_) return false;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     if (width != width_ || height != height_ || samples != samples_) {
         width_ = width, height_ = height, samples_ = samples;

@@ -7,7 +7,7 @@ namespace braitenlab::render {
 
 class Resampling {
 public:
-    // Creates all GL objects. Precondition until destruction: a current GL context.
+    // Creates all GL objects. Precondition: the window's framebuffer is bound; until destruction: a current GL context.
     Resampling();
     Resampling(const Resampling&) = delete;
     Resampling& operator=(const Resampling&) = delete;
@@ -28,7 +28,7 @@ private:
 
     unsigned framebuffer_ = 0, colours_ = 0, depths_ = 0;
     int width_ = 0, height_ = 0, samples_ = 0;  // of the framebuffer; px
-    int most_samples_ = 0;
+    int most_samples_ = 0, samples_of_window_ = 0;
     int bound_before_ = 0;
     Rect from_, to_;  // copied by end(), px
     bool active_ = false, no_memory_ = false;
