@@ -10,9 +10,12 @@ namespace braitenlab::ui {
 
 namespace {
 
+const std::string no_break = "\u00a0";  // a range stays on one line
+
 // Units that are words are translated.
 std::string unit_text(const Strings& strings, std::string_view unit) {
     if (unit == "°") return "°";
+    if (unit == "correlation") return {};  // a number
     return unit.empty() ? "" : " " + std::string(strings.find("unit." + std::string(unit), unit));
 }
 
@@ -55,7 +58,7 @@ std::string measure_text(const Strings& strings, const Measure& measure, bool do
     const std::string value = with_unit(strings, measure.value, measure.unit, digits);
     if (measure.needed_most)
         return fill(strings(done ? "exercise.done_between" : "exercise.now_between"),
-                    {value, fixed(measure.needed, digits, decimal_mark(strings)) + " … " +
+                    {value, fixed(measure.needed, digits, decimal_mark(strings)) + no_break + "…" + no_break +
                                 with_unit(strings, *measure.needed_most, measure.unit, digits)});
     if (measure.at_most && measure.needed == 0 && measure.unit == "m")  // the check mark says the rest
         return done ? std::string() : fill(strings("exercise.to_go"), {value});

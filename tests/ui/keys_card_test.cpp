@@ -55,7 +55,7 @@ TEST(KeysCard, BeginsInAnExerciseWithTheKeysOfAnswersAndSliders) {
     const auto top = [&](std::string_view key) {
         float y = -1;
         for (const Written& w : desk.written)
-            if (w.words == desk.strings(key)) y = w.rect.y;
+            if (w.words.size() > 8 && desk.strings(key).starts_with(w.words)) y = w.rect.y;  // or its first line
         return y;
     };
     desk.key({key::f1});

@@ -115,8 +115,12 @@ std::vector<std::string_view> lines_within(const Ui& ui, Face face, std::string_
     return lines;
 }
 
-// The words are in the left column of a row, its key in the right one.
+// The words are in the left column of a row, its key in the right one. A heading has the whole width.
 void break_into_lines(const Ui& ui, KeyRow& row, float width) {
+    if (row.heading) {
+        row.lines = lines_within(ui, Face::small, row.words, width);
+        return;
+    }
     row.lines = lines_within(ui, Face::text, row.words, width * words_share - ui.px(beside_key));
     row.key_lines = lines_within(ui, Face::strong, row.key, width * (1 - words_share));
 }
@@ -139,15 +143,15 @@ std::vector<std::size_t> column_ends(const std::vector<KeyRow>& list, std::size_
 }
 
 void write_row(const Ui& ui, const KeyRow& row, ImVec2 at, float width, float line) {
-    if (row.heading) {
-        put(ui, {at.x, at.y + line - line_height(ui, Face::small) - ui.px(line_gap)}, row.words, ui.palette.second_text,
-            Face::small);
-        return;
-    }
-    const auto column = [&](const std::vector<std::string_view>& lines, float x, Colour colour, Face face) {
-        float y = at.y;
+    const auto column = [&](const std::vector<std::string_view>& lines, float x, Colour colour, Face face,
+                            float below = 0) {
+        float y = at.y + below;
         for (const std::string_view words : lines) put(ui, {x, std::exchange(y, y + line)}, words, colour, face);
     };
+    if (row.heading) {
+        const float below = line - line_height(ui, Face::small) - ui.px(line_gap);
+        return column(row.lines, at.x, ui.palette.second_text, Face::small, below);
+    }
     column(row.lines, at.x, ui.palette.text, Face::text);
     column(row.key_lines, at.x + width * words_share, ui.palette.second_text, Face::strong);
 }
@@ -165,7 +169,7 @@ void keys_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     const float each = (width - ui.px(space) * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     for (KeyRow& row : list) {
         row.key = with_large_arrows(ui, std::move(row.key));
-        if (!row.heading) break_into_lines(ui, row, each);
+        break_into_lines(ui, row, each);
     }
     ImVec2 at = ImGui::GetCursorScreenPos();
     const float top = at.y;

@@ -81,7 +81,7 @@ struct KeepsMoving {
 
 // Pearson's correlation, from the running means and moments of B. P. Welford, Technometrics 4 (1962).
 struct SpeedFollows {
-    static constexpr Traits traits{"speed_follows", "", false, 0,
+    static constexpr Traits traits{"speed_follows", "correlation", false, 0,
                                    "after `seconds`, the speed and the sensor's reading have at least this "
                                    "`correlation` over the run so far"};
     struct State {

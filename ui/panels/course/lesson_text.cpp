@@ -11,6 +11,7 @@ std::string_view quantity(std::string_view unit) {
     if (unit == "m") return "exercise.distance";
     if (unit == "s") return "exercise.time";
     if (unit == "m/s") return "exercise.speed";
+    if (unit == "correlation") return "exercise.correlation";
     return unit == "°" ? "exercise.angle" : std::string_view{};
 }
 
