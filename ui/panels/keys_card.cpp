@@ -28,7 +28,7 @@ struct KeyRow {
 };
 
 constexpr float beside_key = 14, line_gap = 4;  // layout pixels
-constexpr float words_share = 0.58f;            // of the width; the keys begin behind it
+constexpr float key_words_share = 0.58f;        // of the width; the keys begin behind it
 
 // String keys of a mouse gesture and its effect.
 constexpr std::array<std::array<std::string_view, 2>, 17> gestures_of_mouse{{
@@ -121,8 +121,8 @@ void break_into_lines(const Ui& ui, KeyRow& row, float width) {
         row.lines = lines_within(ui, Face::small, row.words, width);
         return;
     }
-    row.lines = lines_within(ui, Face::text, row.words, width * words_share - ui.px(beside_key));
-    row.key_lines = lines_within(ui, Face::strong, row.key, width * (1 - words_share));
+    row.lines = lines_within(ui, Face::text, row.words, width * key_words_share - ui.px(beside_key));
+    row.key_lines = lines_within(ui, Face::strong, row.key, width * (1 - key_words_share));
 }
 
 std::size_t lines_of(const KeyRow& row) { return std::max({std::size_t{1}, row.lines.size(), row.key_lines.size()}); }
@@ -153,7 +153,7 @@ void write_row(const Ui& ui, const KeyRow& row, ImVec2 at, float width, float li
         return column(row.lines, at.x, ui.palette.second_text, Face::small, below);
     }
     column(row.lines, at.x, ui.palette.text, Face::text);
-    column(row.key_lines, at.x + width * words_share, ui.palette.second_text, Face::strong);
+    column(row.key_lines, at.x + width * key_words_share, ui.palette.second_text, Face::strong);
 }
 
 }  // namespace

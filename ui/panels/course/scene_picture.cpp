@@ -6,6 +6,7 @@
 #include "render/view/palette.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
