@@ -123,6 +123,20 @@ TEST_F(Predictions, IsShownForAPresetUnderThePointerAndOnlyThen) {
     EXPECT_FALSE(shown());
 }
 
+TEST_F(Predictions, IsShownInTheWiringEditorForAWireUnderThePointerAndOnlyThen) {
+    handle(lab, Action::wiring);
+    ASSERT_EQ(lab.playback.mode, Mode::wiring);
+    turn();
+    EXPECT_FALSE(shown());
+    lab.predictions.what_if = {SetBrain{{.vehicle = selected()}, find_preset("2b-aggressor")->brain}};
+    turn();
+    ASSERT_TRUE(shown());
+    EXPECT_NE(shown()->path->back(), shown()->before->back());
+    lab.predictions.what_if.clear();
+    turn();
+    EXPECT_FALSE(shown());
+}
+
 TEST_F(Predictions, HasAFanWhereThereIsNoise) {
     drag(0.5f);
     EXPECT_TRUE(shown()->fan->empty());

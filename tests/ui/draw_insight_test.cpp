@@ -188,6 +188,37 @@ TEST_F(DrawInsight, AWireOfTheDiagramBesideTheSceneIsTriedOut) {
     EXPECT_TRUE(find_wire(std::get<SetBrain>(desk.panels.what_if.front()).brain, wire.from, wire.to)->cut);
 }
 
+TEST_F(DrawInsight, AWireOfTheWiringEditorIsTriedOutUnlessItIsDragged) {
+    desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
+    desk.view.mode = Mode::wiring;
+    desk.frame(4);
+    EXPECT_TRUE(desk.panels.what_if.empty());
+    const BrainGraph& brain = *brain_of(desk.now, desk.now.vehicles[0]);
+    const Wire& wire = brain.wires.front();
+    desk.point("wire." + wire_name(brain, {wire.from, wire.to}));
+    desk.frame(2);
+    ASSERT_EQ(desk.panels.what_if.size(), 1u);
+    EXPECT_TRUE(find_wire(std::get<SetBrain>(desk.panels.what_if.front()).brain, wire.from, wire.to)->cut);
+    desk.button(0, true);
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.what_if.empty());
+    desk.button(0, false);
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.what_if.empty());
+    desk.point(5, 5);
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.what_if.empty());
+}
+
+TEST_F(DrawInsight, ThePathWithoutAWireIsShownBesideTheWiringEditor) {
+    desk.view.mode = Mode::wiring;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("stage.prediction"));
+    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan};
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("stage.prediction"));
+}
+
 TEST_F(DrawInsight, TheViewMenuSetsTheSecondsOfThePath) {
     desk.choose("view", "prediction");
     for (const int seconds : {20, 0, 3, 8}) {

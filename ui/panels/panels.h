@@ -119,8 +119,8 @@ void lesions(const LabView&, PanelState&, Ui&);
 // The last seconds of the nodes with a probe, over the canvas in `area`. Anchors: probe.NAME. Call it after the canvas.
 void draw_probes(const LabView&, const PanelState&, const Ui&, Rect area);
 
-// PanelState::what_if for the wire under the pointer on the selected vehicle's deck or on the canvas beside the scene:
-// cut, or healed. Notes are within `area`. Call it after what else sets what_if.
+// PanelState::what_if for the wire under the pointer on the selected vehicle's deck or on the canvas: cut, or
+// healed. Notes are within `area`. Call it after what else sets what_if.
 void try_without_wire(const LabView&, PanelState&, const Ui&, Rect area);
 
 // Sign and colour of a notice; readable on the panel colour. In hint_bar.cpp.

@@ -1,5 +1,5 @@
-// The path without the wire under the pointer: a wire on the deck of the selected vehicle, or of the diagram beside the
-// scene. (Wires of the brain picture and presets: brain_picture.cpp, presets_menu.cpp.)
+// The path without the wire under the pointer: a wire on the deck of the selected vehicle, or of the diagram. (Wires of
+// the brain picture and presets: brain_picture.cpp, presets_menu.cpp.)
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -96,13 +96,14 @@ void draw_deck_wire(const LabView& view, const Ui& ui, Rect area, const VehicleV
 
 void try_without_wire(const LabView& view, PanelState& state, const Ui& ui, Rect area) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (!state.what_if.empty() || !vehicle || vehicle->driver != Driver::brain || view.mode == Mode::wiring) return;
+    if (!state.what_if.empty() || !vehicle || vehicle->driver != Driver::brain) return;
     if (hides_brain(view, vehicle->kind)) return;
     const wiring::CanvasState& canvas = state.canvas;
-    const bool is_on_canvas =
-        view.settings.watching && canvas.hovered.is_wire() && canvas.drag.phase == wiring::DragPhase::idle;
+    const bool edits = view.mode == Mode::wiring;
+    const bool is_on_canvas = (view.settings.watching || edits) && canvas.hovered.is_wire() && !canvas.menu.open() &&
+                              canvas.drag.phase == wiring::DragPhase::idle;
     std::optional<DeckHit> on_deck;
-    if (!is_on_canvas) on_deck = deck_wire(view, state, ui, *vehicle);
+    if (!is_on_canvas && !edits) on_deck = deck_wire(view, state, ui, *vehicle);
     if (!is_on_canvas && !on_deck) return;
     const WireEnds ends = is_on_canvas ? canvas.hovered.wire : on_deck->ends;
     BrainGraph brain = *brain_of(*view.now, *vehicle);

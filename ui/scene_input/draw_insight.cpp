@@ -163,7 +163,10 @@ void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slo
 
 void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
     const LabView& view = frame.view;
-    if (view.mode == Mode::wiring) return;
+    if (view.mode == Mode::wiring) {  // of the wire under the pointer
+        if (view.prediction) draw_prediction(frame, ui, *view.prediction);
+        return;
+    }
     const bool waits = view.now->tick == 0 && view.mode == Mode::paused;
     if (view.last_run && !view.ghost && waits) draw_last_path(frame, ui, *view.last_run);
     if (view.last_run && !view.ghost && !waits && is_beside(view, view.last_run->pose))
