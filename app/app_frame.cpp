@@ -171,6 +171,8 @@ void App::frame(float passed) {
     facts_.focus = panels_.keyboard.focus;
     facts_.menu = panels_.menu_bar.open;
     facts_.typed = typed_text(panels_);
+    facts_.probes.assign(panels_.canvas.probes.begin(), panels_.canvas.probes.end());
+    facts_.strips = panels_.strips;
     window_.bind();
     window_.end_frame();
     note_press(lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));

@@ -373,6 +373,8 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["focus"] = frame.focus;
     state["menu"] = frame.menu;
     state["typed"] = frame.typed;
+    state["probes"] = frame.probes;
+    state["strips"] = frame.strips;
     state["language"] = lab.preferences.language;
     state["theme"] = word(lab.preferences.theme);
     state["type_size"] = plain(lab.preferences.type_size);

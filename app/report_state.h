@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/lab.h"
 #include "ui/scene_input/scene_input.h"
@@ -17,9 +18,10 @@ namespace braitenlab {
 std::string anchors_json(const ui::Anchors&);
 
 struct FrameFacts {
-    std::string focus;  // anchor of the widget with the keyboard focus; empty: the viewport
-    std::string menu;   // name of the open menu of the menu bar; empty: none
-    std::string typed;  // text so far in the focused text field or number
+    std::string focus;                        // anchor of the widget with the keyboard focus; empty: the viewport
+    std::string menu;                         // name of the open menu of the menu bar; empty: none
+    std::string typed;                        // text so far in the focused text field or number
+    std::vector<std::string> probes, strips;  // names of the signals beside nodes of the diagram, and on the chart
     int draw_calls = 0;
     Quality quality = Quality::medium;  // of the last picture
     float resolution = 1;               // of the last picture, pixels drawn per pixel of the window
@@ -36,11 +38,12 @@ struct FrameFacts {
 
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
-// generation, camera, language, focus, menu, typed, overlays {…}, draw_calls, quality, resolution,
-// text {smallest_px, clipped}, graphics_watched,
-// graphics_errors, frame_ms, frames, pointer [x, y], pressed, exercise, student {name, students, passed, exercises},
-// thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles, sources, obstacles}. The last
-// three are lists of at most 64; `at` is the position in the window in pixels, or null behind the camera.
+// generation, camera, language, focus, menu, typed, probes [names], strips [names], overlays {…}, draw_calls,
+// quality, resolution, text {smallest_px, clipped}, graphics_watched, graphics_errors, frame_ms, frames, pointer [x,
+// y], pressed, exercise, student {name, students, passed, exercises}, thing {kind, index}, hovered {kind, index,
+// handle}, cursor, tool, corners, vehicles, sources, obstacles}. The last three are lists of at most 64; `at` is the
+// position in the window in pixels, or null behind the camera. `probes` (of the diagram) and `strips` (on the chart's
+// tab "Chosen") may have names that the selected vehicle lacks.
 std::string state_json(const Lab&, const ui::SceneInputState&, const FrameFacts&);
 
 // A file that is replaced as a whole when its text changes, so that a reader always gets a complete file. The first

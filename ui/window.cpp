@@ -10,6 +10,7 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/signal_drag.h"
 #include "ui/panels/trail_legend.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
@@ -231,6 +232,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     trail_legend(view, ui, layout.scene);
     why_callout(view, ui, layout.scene);
     point_to_lamp(view, ui);
+    drop_nodes_on_chart(view, state, layout.charts);
     if (view.mode == Mode::wiring)
         draw_canvas(view, state, ui, layout);
     else if (layout.canvas.w > 0)
@@ -240,6 +242,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     lesions(view, state, ui);
     try_without_wire(view, state, ui, layout.scene);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
+    drop_signals(view, state, ui, layout.charts);
     if (!view.lecture) tool_palette(view, state, ui, layout.tools);
     if (view.lecture) {
         lecture_figures(view, state, ui, layout.hint_bar);

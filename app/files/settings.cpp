@@ -14,6 +14,7 @@
 #include "app/files/safe_file.h"
 #include "app/playback.h"
 #include "core/messages.h"
+#include "ui/panels/chart_data.h"
 
 namespace braitenlab {
 
@@ -136,6 +137,10 @@ void read_view(SettingsReader& reader, StoredView& view) {
     view.settings.canvas_share =
         clamped(view.settings.canvas_share, least_canvas_share, largest_canvas_share, ViewSettings{}.canvas_share);
     view.time_scale = clamped(view.time_scale, least_time_scale, largest_time_scale, 1);
+    if (const toml::array* strips = reader.table["strips"].as_array())
+        for (const toml::node& node : *strips)
+            if (const auto name = node.value<std::string>(); name && view.strips.size() < ui::most_strips)
+                view.strips.push_back(*name);
     const toml::array* folded = reader.table["folded"].as_array();
     if (!folded) return;
     view.folded.emplace();
@@ -191,6 +196,11 @@ std::string write_state(const StoredState& r) {
     visit_flags(r.view, [&](const char* key, bool value) { table.insert(key, value); });
     if (!r.student.empty()) table.insert("student", r.student);
     if (r.place) table.insert("x", r.place->x), table.insert("y", r.place->y);
+    if (!r.view.strips.empty()) {
+        toml::array strips;
+        for (const std::string& name : r.view.strips) strips.push_back(name);
+        table.insert("strips", strips);
+    }
     if (r.view.folded) {
         toml::array folded;
         for (const std::string& anchor : *r.view.folded) folded.push_back(anchor);

@@ -35,6 +35,7 @@ struct StoredView {
     float time_scale = 1;
     std::optional<std::vector<std::string>> folded{};  // anchors of the folded cards; nullopt: first start
     ui::PromptsFollowed followed{};
+    std::vector<std::string> strips{};  // names of the signals chosen for the chart, at most most_strips
     friend bool operator==(const StoredView&, const StoredView&) = default;
 };
 

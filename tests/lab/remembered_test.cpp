@@ -19,6 +19,7 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     panels.card(Card::brain).folded = true;
     panels.card(Card::sensors).folded = false;
     panels.prompts.followed.wiring = true;
+    panels.strips = {"SL", "N1"};
     const StoredView stored = view_to_store(lab, panels);
 
     Lab next = opened_lab("2a-coward");
@@ -33,6 +34,7 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     EXPECT_TRUE(next_panels.card(Card::brain).folded);
     EXPECT_FALSE(next_panels.card(Card::sensors).folded);
     EXPECT_TRUE(next_panels.prompts.followed.wiring);
+    EXPECT_EQ(next_panels.strips, panels.strips);
     EXPECT_EQ(view_to_store(next, next_panels), stored);
 }
 

@@ -31,6 +31,7 @@ TEST(Settings, KeepTheViewAndTheWindow) {
     state.view.time_scale = 4;
     state.view.folded = {"card.brain", "card.scene"};
     state.view.followed = {true, false, true, false};
+    state.view.strips = {"SL", "SL>N1"};
     state.place = WindowPlace{-20, 40};
     const auto read = parse_state(write_state(state), "s");
     ASSERT_TRUE(read) << read.error().text();

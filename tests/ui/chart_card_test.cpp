@@ -115,10 +115,10 @@ TEST(ChartCard, KeepsTheNumbersOfTwoChartsApart) {
 
 TEST(ChartCard, ExportsTheShownValues) {
     ChartDesk desk;
-    const char* names[]{"signals", "signals", "population", "population", "energies"};
-    const char* starts[]{"seconds,sensor_SL,", "seconds,sensor_SL,", "seconds,predators,", "seconds,predators,",
-                         "id,kind,"};
-    for (int i = 0; i < 5; ++i) {
+    const char* names[]{"signals", "signals", "signals", "population", "population", "energies"};
+    const char* starts[]{"seconds,sensor_SL,", "seconds,sensor_SL,", "seconds,sensor_SL,",
+                         "seconds,predators,", "seconds,predators,", "id,kind,"};
+    for (int i = 0; i < 6; ++i) {
         if (i > 0) desk.click("charts.tab." + std::to_string(i + 1));
         desk.all.clear();
         desk.click("charts.csv");
@@ -165,7 +165,7 @@ TEST(ChartCard, ShowsEverySensorAndBothWheelsAsStrips) {
 
 TEST(ChartCard, SelectsTheVehicleOfTheClickedBarInAnyOrder) {
     ChartDesk desk;
-    desk.click("charts.tab.5");
+    desk.click("charts.tab.6");
     desk.frame(2);
     const auto first_bar = [&] {
         desk.all.clear();
@@ -191,7 +191,7 @@ TEST(ChartCard, SelectsTheVehicleOfTheClickedBarInAnyOrder) {
 
 TEST(ChartCard, ShowsTheValueUnderThePointer) {
     ChartDesk desk(1280, 800, true);
-    desk.click("charts.tab.4");
+    desk.click("charts.tab.5");
     desk.frame(2);
     const Rect r = desk.where("charts.picture");
     const auto shapes = [&] {

@@ -137,7 +137,9 @@ TEST(Item, HasATargetOfAtLeast24PixelsOnEveryScreen) {
         }
         desk.panels.card(Card::sensors).folded = false, desk.panels.sensor_channel_open = true;
         desk.panels.sensor_quality_open = true, desk.panels.charts_open = true;
-        for (const Chart chart : {Chart::signals, Chart::all, Chart::population, Chart::energy, Chart::bars}) {
+        desk.panels.strips = {"SL"};
+        for (const Chart chart :
+             {Chart::signals, Chart::all, Chart::chosen, Chart::population, Chart::energy, Chart::bars}) {
             desk.panels.chart = chart;
             look(desk);
         }

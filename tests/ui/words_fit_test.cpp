@@ -235,6 +235,11 @@ std::vector<Screen> screens() {
         {"population", [](Desk& d) { with_chart(d, Chart::population); }},
         {"energy", [](Desk& d) { with_chart(d, Chart::energy); }},
         {"neurons", [](Desk& d) { with_chart(d, Chart::all); }},
+        {"chosen signals",
+         [](Desk& d) {
+             with_chart(d, Chart::chosen), d.panels.strips = {"SL", "MR"};
+         }},
+        {"no chosen signals", [](Desk& d) { with_chart(d, Chart::chosen); }},
         {"everybody's energy", [](Desk& d) { with_chart(d, Chart::bars); }},
         {"driven by hand", [](Desk& d) { d.now.vehicles[0].driver = Driver::manual; }},
         {"on a path", [](Desk& d) { d.now.vehicles[0].driver = Driver::path; }},

@@ -10,6 +10,7 @@
 #include "core/brain/four_neurons.h"
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/signal_drag.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -96,6 +97,7 @@ private:
         if (!which.node) return;
         ImGui::SetCursorScreenPos({which.at.x - size.x / 2, which.at.y - size.y / 2});
         const Item at = item(ui_, which.anchor, size);
+        drag_signal(state_, ui_, at.held, which.name);
         if (at.warmth > 0) warmth_[which.node->id] = at.warmth;
         if (at.hovered) {
             const std::string value = which.node->silenced ? "" : "  " + fixed(ui_, reading(which.node), 2);

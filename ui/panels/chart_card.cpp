@@ -1,5 +1,5 @@
-// The card of the large charts: signals, neurons and learned weights of the selected vehicle, population and mean
-// energy over time, and the energy of each vehicle as bars.
+// The card of the large charts: signals of the selected vehicle (strips: chart_strips.cpp), population and mean energy
+// over time, and the energy of each vehicle as bars.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +10,8 @@
 
 #include "ui/panels/cards.h"
 #include "ui/panels/chart_data.h"
+#include "ui/panels/chart_parts.h"
+#include "ui/panels/chart_strips.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -19,7 +21,6 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
-#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
@@ -27,24 +28,6 @@ namespace {
 
 constexpr std::array chart_roles{Role::predator, Role::prey, Role::none};
 constexpr std::array line_widths{3.6f, 2.0f, 1.2f};  // drawn in this order: lines on top of each other stay visible
-
-// The time axis: at least `least` seconds long, up to the newest sample.
-Axis time_axis(double first, double last, float least) {
-    const float low = static_cast<float>(first), high = std::max(static_cast<float>(last), low + least);
-    return {low, high, " s", 0};
-}
-
-// The sample nearest to a moment.
-template <class Samples>
-const auto& nearest_sample(const Samples& samples, float seconds) {
-    const auto later = std::lower_bound(samples.begin(), samples.end(), static_cast<double>(seconds),
-                                        [](const auto& s, double at) { return s.seconds < at; });
-    if (later == samples.end()) return samples.back();
-    if (later == samples.begin()) return *later;
-    const auto& before = *(later - 1);
-    return static_cast<double>(seconds) - before.seconds < later->seconds - static_cast<double>(seconds) ? before
-                                                                                                         : *later;
-}
 
 // Values beside the pointer, one line each.
 class ReadOut {
@@ -70,11 +53,6 @@ private:
 Rect rest_of_card(Ui& ui, Rect card) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     return {at.x, at.y, card_width(ui), std::max(ui.px(40), card.y + card.h - ui.px(12) - at.y)};
-}
-
-void no_samples(Ui& ui, Rect r) {
-    put_centred(ui, {r.x + r.w / 2, r.y + r.h / 2 - line_height(ui, Face::small)}, ui.strings("charts.nothing"),
-                ui.palette.second_text, Face::small);
 }
 
 // Left and right sensor, or left and right motor. The left line is wide and the right one narrow: both are visible
@@ -121,48 +99,6 @@ void signal_chart(const History& history, const ShownSignals& shown, Ui& ui, Rec
     bare.numbers = false;
     signal_pair(history, shown, ui, {r.x, r.y, r.w, half + 0.4f * line}, bare, 0);  // room for both numbers
     signal_pair(history, shown, ui, {r.x, r.y + half, r.w, half + line}, time, 2);
-}
-
-// One signal: its name, its line, and its value now or under the pointer.
-void signal_strip(const History& history, const Signal& signal, std::string_view name, Ui& ui, Rect r,
-                  const Axis& time) {
-    const float room = ui.px(78), number = ui.px(44);
-    const float y = r.y + (r.h - line_height(ui, Face::small)) / 2;
-    put(ui, {r.x, y}, shortened(ui, name, Face::small, room - ui.px(6)), ui.palette.second_text, Face::small);
-    const Rect plot{r.x + room, r.y + ui.px(2), r.w - room - number, r.h - ui.px(4)};
-    fill_box(ui, plot, ui.palette.ground.with_alpha(0.45f), 3);
-    const SignalRange range = range_of(history, signal);
-    const Axis value{range.low, range.high};
-    plot_line(ui, plot, time, value, history.signals.size(), ui.palette.accent, 1.5f, [&](std::size_t k) {
-        const History::Signals& s = history.signals[k];
-        return ImVec2{static_cast<float>(s.seconds), signal.value(s)};
-    });
-    const auto at = plot_cursor(ui, plot, time);
-    const float shown = signal.value(at ? nearest_sample(history.signals, *at) : history.signals.back());
-    const bool is_signed = signal.of != Signal::Of::sensor;
-    put_right(ui, {r.x + r.w, y}, is_signed ? with_sign(ui, shown, 2) : fixed(ui, shown, 2), ui.palette.text,
-              Face::small);
-    mark(ui, "charts.strip." + signal.name, plot);
-}
-
-// A strip for each sensor, wheel, neuron and learned weight, in two columns. Those without room are counted.
-void signal_strips(const LabView& view, const History& history, Ui& ui, Rect r) {
-    const VehicleView* vehicle = find_vehicle(*view.now, history.vehicle);
-    if (!vehicle || history.signals.size() < 2) return no_samples(ui, r);
-    const Axis time = time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
-    const float row = ui.px(24), space = ui.px(16), width = (r.w - space) / 2;
-    const auto rows = static_cast<std::size_t>(std::max(1.0f, r.h / row));
-    const std::vector<Signal> signals = all_signals(history);
-    const std::size_t count = signals.size();
-    const std::size_t shown = count <= 2 * rows ? count : 2 * rows - 1;
-    for (std::size_t i = 0; i < shown; ++i) {
-        const float x = r.x + (i % 2 == 0 ? 0 : width + space), y = r.y + row * static_cast<float>(i / 2);
-        const std::string name = wiring::short_name(kind_of(*view.now, *vehicle).sensors, signals[i].name);
-        signal_strip(history, signals[i], name, ui, {x, y, width, row}, time);
-    }
-    if (shown < count)
-        put_right(ui, {r.x + r.w, r.y + row * static_cast<float>(shown / 2) + ui.px(4)},
-                  fill(ui.strings("info.more"), {std::to_string(count - shown)}), ui.palette.second_text, Face::small);
 }
 
 std::string_view group_name(const Ui& ui, std::size_t group) {
@@ -290,6 +226,7 @@ void export_csv(const LabView& view, const PanelState& state, Outbox& outbox) {
     switch (state.chart) {
         case Chart::signals:
         case Chart::all:
+        case Chart::chosen:
             outbox.push_back(ExportRequest{"signals", signals_csv(state.history)});
             break;
         case Chart::population:
@@ -307,19 +244,22 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool open = open_card(state, ui, Card::charts, place, buttons);
     if (open) {
         if (buttons[0].pressed) export_csv(view, state, ui.outbox);
-        const std::array words{ui.strings("charts.signals"), ui.strings("charts.all"), ui.strings("charts.population"),
-                               ui.strings("charts.energy"), ui.strings("charts.bars")};
+        const std::array words{ui.strings("charts.signals"), ui.strings("charts.all"),
+                               ui.strings("charts.chosen"),  ui.strings("charts.population"),
+                               ui.strings("charts.energy"),  ui.strings("charts.bars")};
         const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.chart), card_width(ui));
         if (chosen >= 0) state.chart = static_cast<Chart>(chosen);
         const Rect picture = rest_of_card(ui, place);
         if (state.chart == Chart::bars) {
             energy_bars(view, state, ui, place);
+        } else if (state.chart == Chart::all) {
+            all_strips(view, state, ui, picture);
+        } else if (state.chart == Chart::chosen) {
+            chosen_strips(view, state, ui, picture);
         } else {
             const Item area = item(ui, "charts.picture", {picture.w, picture.h}, false);
             if (state.chart == Chart::signals)
                 signal_chart(state.history, shown_signals(state.history, view), ui, area.rect);
-            else if (state.chart == Chart::all)
-                signal_strips(view, state.history, ui, area.rect);
             else
                 population_chart(state.history, ui, area.rect, state.chart == Chart::energy);
         }

@@ -78,6 +78,8 @@ std::vector<Signal> all_signals(const History&);
 // nullopt: there is no signal with this name.
 std::optional<Signal> signal_named(const History&, std::string_view name);
 
+inline constexpr std::size_t most_strips = 32;  // on the tab "Chosen" of the chart card
+
 // From −1 or 0 to 1, or symmetric about 0 and to the largest value where this is more.
 struct SignalRange {
     float low = 0, high = 1;

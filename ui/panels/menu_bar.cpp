@@ -467,7 +467,7 @@ std::string_view why_no_robot(const LabView& view, const PanelState& state) {
 }
 
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
-    const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::all;
+    const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::all || state.chart == Chart::chosen;
     const bool empty = of_vehicle                   ? state.history.signals.empty()
                        : state.chart == Chart::bars ? view.now->vehicles.empty()
                                                     : state.history.population.empty();

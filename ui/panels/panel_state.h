@@ -49,7 +49,7 @@ inline constexpr std::size_t card_count = static_cast<std::size_t>(Card::inspect
 std::array<CardState, card_count> initial_cards();
 
 // The large charts; one is shown at a time.
-enum class Chart { signals, all, population, energy, bars };
+enum class Chart { signals, all, chosen, population, energy, bars };
 
 // The sheet that covers the window; at most one.
 enum class Sheet {
@@ -126,6 +126,13 @@ struct HandInState {
     bool begins = false;  // and gets the focus when it is drawn
 };
 
+// A signal that is dragged to the chart card; see signal_drag.h.
+struct SignalDrag {
+    std::string name;    // empty: none
+    maths::vec2 press;   // window pixels
+    bool moves = false;  // far enough from the press to be no click
+};
+
 struct PanelState {
     CardState& card(Card which) {
         return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
@@ -160,6 +167,8 @@ struct PanelState {
     bool thresholds_open = false;      // the thresholds of the brain card are shown also while all are 0
     bool charts_open = false;
     Chart chart = Chart::signals;
+    std::vector<std::string> strips;  // names of the signals on the tab "Chosen"; kept for every vehicle
+    SignalDrag signal_drag;
     EnergyOrder energy_order;
     std::vector<std::size_t> energy_rows;    // indices into the snapshot's vehicles, in that order
     bool playhead_held = false;              // true while the playhead is dragged; the simulation is paused

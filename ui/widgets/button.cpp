@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets/card.h"
@@ -110,16 +111,45 @@ void beside_or_below(const Ui& ui, float width, float right) {
     if (ImGui::GetItemRectMax().x + space + width <= right + 0.5f) ImGui::SameLine(0, space);
 }
 
+namespace {
+
+struct Segments {
+    std::vector<float> widths;  // window pixels
+    bool equal = true;
+};
+
+// Of equal widths; where a word does not fit into its own, each gets the length of its word and the rest is shared.
+Segments lay_out_segments(const Ui& ui, std::span<const std::string_view> words, float width) {
+    const auto count = static_cast<float>(words.size());
+    const float each = width / count;
+    float rest = width;
+    Segments segments{std::vector<float>(words.size(), each), true};
+    for (const std::string_view word : words) {
+        const float length = text_width(ui, Face::label, word);
+        rest -= length;
+        segments.equal &= length < each - ui.px(12);
+    }
+    if (segments.equal) return segments;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        segments.widths[i] = text_width(ui, Face::label, words[i]) + rest / count;
+    return segments;
+}
+
+}  // namespace
+
 int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
              std::string_view how) {
-    const float each = width / static_cast<float>(words.size());
+    const Segments segments = lay_out_segments(ui, words, width);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const Rect all{start.x, start.y, width, ui.px(30)};
     fill_box(ui, all, ui.palette.ground.with_alpha(0.6f));
     line_box(ui, all, ui.palette.line);
     int clicked = -1;
+    float x = start.x;
     for (int i = 0; i < static_cast<int>(words.size()); ++i) {
-        ImGui::SetCursorScreenPos({start.x + each * static_cast<float>(i), start.y});
+        const float each = segments.widths[static_cast<std::size_t>(i)];
+        ImGui::SetCursorScreenPos({x, start.y});
+        x += each;
         const Item at = item(ui, std::string(id) + "." + std::to_string(i + 1), {each, all.h});
         const float inset = ui.px(3);
         const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
@@ -132,7 +162,7 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
         const auto word = words[static_cast<std::size_t>(i)];
         Face face = Face::label;
         for (const Face larger : {Face::small, Face::text})
-            if (text_width(ui, larger, word) < each - ui.px(12)) face = larger;
+            if (segments.equal && text_width(ui, larger, word) < each - ui.px(12)) face = larger;
         put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, face) / 2}, word, colour, face);
         tooltip(ui, at, how);
         if (at.pressed && !on) clicked = i;

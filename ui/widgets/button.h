@@ -37,8 +37,8 @@ Item small_button(Ui&, const SmallButton&, bool words = true);
 // Puts a widget of this width to the right of the last one, or below it where it would pass `right`; window pixels.
 void beside_or_below(const Ui&, float width, float right);
 
-// A choice of a few words, side by side, `width` window pixels wide. The index clicked, or −1. Anchors: `id`.1, `id`.2
-// …
+// A choice of a few words, side by side, `width` window pixels wide, each part as wide as the others if its word fits.
+// The index clicked, or −1. Anchors: `id`.1, `id`.2 …
 int segments(Ui&, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
              std::string_view how = {});
 

@@ -208,6 +208,10 @@ void execute(CanvasState& state, const CanvasFrame& frame, const MenuRow& row, c
         case MenuCommand::edit_numbers:
             state.edit_numbers = true;
             return;
+        case MenuCommand::chart:
+            for (const NodeId id : state.selection.nodes)
+                if (const Node* node = find_node(frame.graph, id)) state.for_chart.push_back(node->name);
+            return;
         case MenuCommand::join:
             return begin_joining(state, frame);
         case MenuCommand::insert:

@@ -76,9 +76,10 @@ struct CanvasState {
     CanvasCamera camera;
     Positions held;  // of dragged nodes, until the snapshot has their new positions after the release
     CanvasSelection selection;
-    std::set<std::string> probes;   // names of nodes whose last seconds are shown; kept for every brain
-    Hit focus;                      // node or label that arrow keys start from
-    std::optional<NodeId> joining;  // start of a wire that is drawn with keys, to the node in focus
+    std::vector<std::string> for_chart;  // names of nodes that the menu sends to the chart; the panels take them
+    std::set<std::string> probes;        // names of nodes whose last seconds are shown; kept for every brain
+    Hit focus;                           // node or label that arrow keys start from
+    std::optional<NodeId> joining;       // start of a wire that is drawn with keys, to the node in focus
     Drag drag;
     CanvasMenu menu;
     BrainFragment clipboard;

@@ -85,6 +85,7 @@ std::vector<MenuRow> menu_rows(const BrainGraph& graph, const CanvasSelection& s
                                 : "wiring.do.sever",
                     Action::lesion});
     if (nodes > 0) rows.push_back({MenuCommand::probe, "wiring.do.probe", Action::probe});
+    if (nodes > 0) rows.push_back({MenuCommand::chart, "wiring.do.chart"});
     const auto is_neuron = [&](NodeId id) {
         const Node* node = find_node(graph, id);
         return node != nullptr && node->kind == NodeKind::neuron;

@@ -14,7 +14,8 @@ enum class MenuCommand {
     add,  // a neuron of MenuRow::kind
     edit_numbers,
     probe,
-    join,  // begins a wire that is drawn with keys
+    chart,  // shows the nodes' signals on the chart card
+    join,   // begins a wire that is drawn with keys
     insert,
     flip,  // the sign of a weight
     lesion,

@@ -1,0 +1,37 @@
+// Parts that the charts and strips of the chart card share.
+#pragma once
+
+#include <algorithm>
+
+#include "ui/strings.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/plot.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+// The time axis: at least `least` seconds long, up to the newest sample.
+inline Axis time_axis(double first, double last, float least) {
+    const float low = static_cast<float>(first), high = std::max(static_cast<float>(last), low + least);
+    return {low, high, " s", 0};
+}
+
+// The sample nearest to a moment.
+template <class Samples>
+const auto& nearest_sample(const Samples& samples, float seconds) {
+    const auto later = std::lower_bound(samples.begin(), samples.end(), static_cast<double>(seconds),
+                                        [](const auto& s, double at) { return s.seconds < at; });
+    if (later == samples.end()) return samples.back();
+    if (later == samples.begin()) return *later;
+    const auto& before = *(later - 1);
+    return static_cast<double>(seconds) - before.seconds < later->seconds - static_cast<double>(seconds) ? before
+                                                                                                         : *later;
+}
+
+// Instead of a chart without samples.
+inline void no_samples(const Ui& ui, Rect r) {
+    put_centred(ui, {r.x + r.w / 2, r.y + r.h / 2 - line_height(ui, Face::small)}, ui.strings("charts.nothing"),
+                ui.palette.second_text, Face::small);
+}
+
+}  // namespace braitenlab::ui

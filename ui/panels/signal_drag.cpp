@@ -1,0 +1,119 @@
+#include "ui/panels/signal_drag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <imgui.h>
+
+#include "core/brain/brain.h"
+#include "ui/imgui_compat.h"
+#include "ui/panels/chart_strips.h"
+#include "ui/strings.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float signal_drag_begins = 4;  // layout pixels
+
+bool is_pointer_in(Rect r) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return r.w > 0 && r.contains(mouse.x, mouse.y);
+}
+
+// Where the signal can be dropped; empty: nowhere.
+Rect target_of_signal(const SignalDrag& drag, const Ui& ui, Rect card) {
+    const bool is_from_card = card.w > 0 && card.contains(drag.press.x, drag.press.y);
+    const Rect* part = is_from_card ? ui.anchors.find("charts.tab.3")
+                       : card.w > 0 ? &card
+                                    : ui.anchors.find("button.charts");
+    return part ? *part : Rect{};
+}
+
+void show_chosen_strips(PanelState& state) {
+    state.charts_open = true;
+    state.chart = Chart::chosen;
+}
+
+// The name beside the pointer, and the place where it can be dropped.
+void draw_signal_drag(const Ui& ui, std::string_view name, Rect target) {
+    ImDrawList& draw = *ImGui::GetForegroundDrawList();
+    const Palette& p = ui.palette;
+    if (target.w > 0)
+        compat::outline(draw, {target.x, target.y}, {target.x + target.w, target.y + target.h},
+                        paint(p.accent.with_alpha(is_pointer_in(target) ? 1.0f : 0.5f)), ui.px(6), ui.px(2));
+    const ImVec2 mouse = ImGui::GetIO().MousePos, pad{ui.px(8), ui.px(4)};
+    const ImVec2 low{mouse.x + ui.px(14), mouse.y + ui.px(8)};
+    const ImVec2 high{low.x + text_width(ui, Face::small, name) + 2 * pad.x,
+                      low.y + line_height(ui, Face::small) + 2 * pad.y};
+    draw.AddRectFilled(low, high, paint(p.raised), ui.px(5));
+    compat::outline(draw, low, high, paint(p.accent), ui.px(5), ui.px(1));
+    put_on(draw, ui, {low.x + pad.x, low.y + pad.y}, name, p.text, Face::small);
+}
+
+void draw_node_over_chart(const LabView& view, const PanelState& state, const Ui& ui, Rect card) {
+    const wiring::Drag& drag = state.canvas.drag;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (drag.phase != wiring::DragPhase::move_nodes || !is_pointer_in(card) || !vehicle) return;
+    const Node* node = find_node(*brain_of(*view.now, *vehicle), drag.pressed.node);
+    if (node) draw_signal_drag(ui, wiring::short_name(kind_of(*view.now, *vehicle).sensors, node->name), card);
+}
+
+// Those that the menu of the diagram has chosen. The chart is not in the window while the diagram fills it.
+void take_from_menu(const LabView& view, PanelState& state, Outbox& outbox) {
+    const std::vector<std::string> names = std::exchange(state.canvas.for_chart, {});
+    if (names.empty()) return;
+    std::string words;
+    for (const std::string& name : names) {
+        choose_strip(state, name);
+        words += (words.empty() ? "" : ", ") + name;
+    }
+    show_chosen_strips(state);
+    if (view.mode == Mode::wiring) outbox.push_back(NoticeRequest{"notice.on_chart", words, {}});
+}
+
+}  // namespace
+
+void drag_signal(PanelState& state, const Ui& ui, bool held, std::string_view name) {
+    SignalDrag& drag = state.signal_drag;
+    if (!held || !ImGui::GetIO().MouseDown[0]) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (drag.name != name) drag = {std::string(name), {mouse.x, mouse.y}, false};
+    drag.moves |= maths::distance({mouse.x, mouse.y}, drag.press) >= ui.px(signal_drag_begins);
+}
+
+void drop_nodes_on_chart(const LabView& view, PanelState& state, Rect card) {
+    wiring::CanvasState& canvas = state.canvas;
+    if (canvas.drag.phase != wiring::DragPhase::move_nodes || !is_pointer_in(card)) return;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle || ImGui::GetIO().MouseDown[0]) return;
+    for (const NodeId id : canvas.selection.nodes)
+        if (const Node* node = find_node(*brain_of(*view.now, *vehicle), id)) choose_strip(state, node->name);
+    show_chosen_strips(state);
+    canvas.held.clear();
+    canvas.drag = {};
+}
+
+void drop_signals(const LabView& view, PanelState& state, Ui& ui, Rect card) {
+    take_from_menu(view, state, ui.outbox);
+    draw_node_over_chart(view, state, ui, card);
+    SignalDrag& drag = state.signal_drag;
+    if (drag.name.empty()) return;
+    const Rect target = target_of_signal(drag, ui, card);
+    if (!ImGui::GetIO().MouseDown[0]) {
+        if (drag.moves && is_pointer_in(target)) choose_strip(state, drag.name), show_chosen_strips(state);
+        drag = {};
+        return;
+    }
+    if (!drag.moves) return;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    draw_signal_drag(ui, vehicle ? wiring::short_name(kind_of(*view.now, *vehicle).sensors, drag.name) : drag.name,
+                     target);
+}
+
+}  // namespace braitenlab::ui
