@@ -131,10 +131,27 @@ TEST(BrainWindow, ShowsAndHidesTheLargeCharts) {
     LabWindow lab({"predator-prey", "--size", "1024x768", "--play"});
     lab.key("c");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("card.charts"); }));
-    lab.click("charts.tab.5");
+    lab.click("charts.tab.6");
     EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("charts.bars"); }));
     lab.key("c");
     EXPECT_TRUE(wait_for([&] { return !lab.anchors().contains("card.charts"); }));
+}
+
+TEST(BrainWindow, ASignalIsDraggedToTheChartAndRemovedThere) {
+    LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
+    lab.key("c");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("card.charts"); }));
+    EXPECT_EQ(lab.state()["strips"], Json::array());
+    lab.drag(lab.at("lesion.SL"), lab.at("card.charts"));
+    EXPECT_TRUE(wait_for([&] { return lab.state()["strips"] == Json{"SL"}; })) << lab.state()["strips"];
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("charts.strip.SL"); }));
+    EXPECT_EQ(lab.state()["lesions"], 0);
+    lab.click("charts.tab.2");
+    lab.click("charts.add.MR");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["strips"] == Json{"SL", "MR"}; })) << lab.state()["strips"];
+    lab.click("charts.tab.3");
+    lab.click("charts.remove.SL");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["strips"] == Json{"MR"}; })) << lab.state()["strips"];
 }
 
 }  // namespace

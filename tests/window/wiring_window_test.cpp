@@ -176,6 +176,32 @@ TEST_F(WiringWindow, ADraggedNodeIsOneStepOfUndoAndKeepsTheFuture) {
     EXPECT_TRUE(stands_at(after));
 }
 
+TEST_F(WiringWindow, PPlacesAProbeBesideTheNodeAndTheMenuPutsItOnTheChart) {
+    EXPECT_EQ(lab.state()["probes"], Json::array());
+    lab.click("node.SR");
+    lab.key("p");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["probes"] == Json{"SR"}; })) << lab.state()["probes"];
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("probe.SR"); }));
+    const Point node = lab.at("node.SR");
+    lab.move(node), lab.press(3), lab.release(3);
+    lab.click("menu.chart");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["strips"] == Json{"SR"}; })) << lab.state()["strips"];
+    EXPECT_EQ(lab.state()["undo_depth"], 0);
+}
+
+TEST_F(WiringWindow, AWireUnderThePointerShowsThePathWithoutIt) {
+    const auto canvas = lab.anchors()["canvas"].get<std::vector<double>>();
+    const Point beside{static_cast<int>(canvas[0]) + 8, static_cast<int>(canvas[1]) + 8};
+    lab.move(beside);
+    ASSERT_TRUE(wait_for([&] { return lab.state()["prediction"].is_null(); }));
+    lab.move(lab.at("wire.LL"));
+    EXPECT_TRUE(wait_for([&] { return !lab.state()["prediction"].is_null(); }));
+    EXPECT_EQ(lab.state()["prediction"]["before"], true);
+    EXPECT_EQ(lab.state()["mode"], "wiring");
+    lab.move(beside);
+    EXPECT_TRUE(wait_for([&] { return lab.state()["prediction"].is_null(); }));
+}
+
 TEST_F(WiringWindow, SpaceLeavesTheEditorAndPlays) {
     lab.key("space");
     EXPECT_TRUE(wait_for([&] { return lab.state()["mode"] == "playing"; }));
