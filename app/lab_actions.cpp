@@ -220,6 +220,8 @@ void act(Lab& lab, Action action) {
         case Action::cancel:
             if (lab.playback.mode == Mode::wiring)
                 set_mode(lab, Mode::paused);
+            else if (lab.explanation.on)
+                ask_why(lab);
             else if (lab.before_lecture)
                 end_lecture(lab);
             break;

@@ -375,7 +375,8 @@ inline std::vector<bool> hidden_brains(const LabView& view) {
 
 // True if the name of this vehicle's character may not be shown now.
 inline bool hides_character(const LabView& view, const VehicleView& vehicle) {
-    return !view.settings.revealed.character || hides_outcome(view) || is_brain_secret(view, vehicle.kind);
+    const auto& revealed = view.settings.revealed;
+    return !revealed.character || !revealed.brain || hides_outcome(view) || is_brain_secret(view, vehicle.kind);
 }
 
 // The vehicle whose eyes, wires and wheels a lecture shows large below the scene; null in scenes of predators and prey,

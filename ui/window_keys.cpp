@@ -31,9 +31,10 @@ bool key_for_typing(SliderState& sliders, KeyPress press) {
     return true;
 }
 
-// Keys for the count of raised hands that is typed. Page Up and Page Down end typing.
+// Keys for the count of raised hands that is typed. Keys of a clicker end typing.
 bool key_for_hands(PanelState& state, KeyPress press) {
-    if (press.key == key::page_up || press.key == key::page_down) {
+    if (press.key == key::page_up || press.key == key::page_down ||
+        action_for(press, KeyPlace::lecture) == Action::blank) {
         for (TextField& field : state.hands)
             if (std::exchange(field.active, false)) state.keyboard.focus.clear();
         return false;
@@ -83,14 +84,14 @@ bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Out
     if (!view.lecture || !action) return false;
     if (*action == Action::draw_marks)
         state.marks.drawing = !state.marks.drawing;
-    else if (*action == Action::blank && view.pages)
+    else if (*action == Action::blank)
         state.blank = true;
     else if (*action == Action::clear_marks)
         state.marks.lines.clear();
     else if (view.pages || hides_a_part(*action))
         outbox.push_back(*action);
     else
-        return false;
+        return *action == Action::notes;  // without pages: it is not the key of a new population
     return true;
 }
 
@@ -233,6 +234,7 @@ bool key_for_link(PanelState& state, KeyPress press, Outbox& outbox) {
 // Moves the focus to a slider of the brain. Where the exercise offers fewer, to the first one, and says which ones it
 // offers.
 void focus_slider(const LabView& view, PanelState& state, std::size_t number, Outbox& outbox) {
+    if (!view.settings.revealed.brain) return;  // a lecture shows it later
     const std::vector<std::string_view> sliders = numbered_sliders(view);
     if (number >= sliders.size()) {
         std::string offered;

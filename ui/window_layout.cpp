@@ -61,10 +61,11 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
     }
 }
 
-// Whether the question of a page is beside the scene. Once it is answered, an open card or the diagram takes its place.
+// Whether the question of a page is beside the scene. Once it is answered and the brain
+// is shown, an open card or the diagram takes its place.
 bool asks_beside(const LabView& view, OpenCards open) {
     const LectureView& page = *view.pages;
-    const bool is_answered = page.shows(PagePart::answer);
+    const bool is_answered = page.shows(PagePart::answer) && view.settings.revealed.brain;
     return page.shows(PagePart::question) && !page.shows(PagePart::exercise) &&
            !(is_answered && (open.right || view.settings.watching));
 }

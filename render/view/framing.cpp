@@ -13,6 +13,7 @@ namespace {
 
 // All but the time and the border for the walls are for an arena of full scale; see scale_of().
 constexpr float around_vehicle = 0.9f, around_source = 1.0f;  // m
+constexpr float enough_share = 0.6f;                          // of the wanted length of a vehicle on the screen
 constexpr float beside_action = 1.2f;                         // m: an obstacle closer than this may be met
 constexpr float beyond_edge = 0.3f;                           // m, the walls
 constexpr float least_side = 4;                               // m
@@ -105,13 +106,17 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
 }
 
 // Shrinks the box around the vehicle until the vehicle has this length on the screen, px, or until another vehicle is
-// at its edge.
+// at its edge. All sources stay inside where the vehicle has at least `enough_share` of this length then.
 FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, float pixels, const FramingInput& in) {
     const vec2 place{vehicle.x, vehicle.y};
-    const float length = kind_of(now, vehicle).body.length, around = scale_of(now.scene->arena) * around_vehicle;
+    const float scale = scale_of(now.scene->arena), around = scale * around_vehicle;
+    const float length = kind_of(now, vehicle).body.length;
+    const auto share_in = [&](const FloorBox& shown) {
+        const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &shown);
+        return length * pixels_per_metre(seen, place) / pixels;
+    };
     for (int i = 0; i < 4; ++i) {
-        const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
-        const float share = length * pixels_per_metre(seen, place) / pixels;
+        const float share = share_in(box);
         if (share >= 1) break;
         const vec2 half = (box.high - box.low) * (share * 0.5f), middle = (box.low + box.high) / 2.0f;
         const vec2 room{std::max(0.0f, half.x - around), std::max(0.0f, half.y - around)};
@@ -120,7 +125,9 @@ FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle,
         box = {kept - half, kept + half};
     }
     for (const VehicleView& other : now.vehicles) include(box, {other.x, other.y}, around);
-    return box;
+    FloorBox with_sources = box;
+    for (const SourceView& s : now.sources) include(with_sources, {s.x, s.y}, scale * around_source);
+    return share_in(with_sources) >= enough_share ? with_sources : box;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr int slow_needed = 3, fast_needed = 8;  // measurements in a row
+constexpr int slow_needed = 3, fast_needed = 8, fast_needed_if_coarse = 2;  // measurements in a row
 
 Quality beside(Quality level, int step) { return static_cast<Quality>(static_cast<int>(level) + step); }
 
@@ -20,7 +20,7 @@ void QualityChoice::add(double seconds) {
         else
             level_ = highest_ = beside(level_, -1);
         slow_in_a_row_ = fast_in_a_row_ = 0;
-    } else if (fast_in_a_row_ >= fast_needed && (coarse_ || level_ != highest_)) {
+    } else if (fast_in_a_row_ >= (coarse_ ? fast_needed_if_coarse : fast_needed) && (coarse_ || level_ != highest_)) {
         if (!coarse_) level_ = beside(level_, 1);
         coarse_ = false;
         slow_in_a_row_ = fast_in_a_row_ = 0;

@@ -18,7 +18,7 @@ public:
     float resolution() const { return coarse_ ? coarse_resolution : 1; }
 
     // True if this frame's time shall be measured: a measurement waits for the graphics hardware, so few frames are.
-    bool measures(int frame) const { return frame % frames_between == 0; }
+    bool measures(int frame) const { return frame % (coarse_ ? frames_between_if_coarse : frames_between) == 0; }
 
     // The time of drawing a scene at level(), s.
     void add(double seconds);
@@ -27,7 +27,8 @@ public:
     void start_over() { *this = QualityChoice(first_); }
 
     static constexpr int frames_between = 8;
-    static constexpr double slow = 0.030, fast = 0.005;  // s
+    static constexpr int frames_between_if_coarse = 240;  // each measurement stops such a slow machine for a moment
+    static constexpr double slow = 0.030, fast = 0.005;   // s
     // A quarter of the pixels takes a quarter of the time, so the limits are more than a factor of 4 apart.
     static constexpr double very_slow = 0.060, fast_if_coarse = 0.010;  // s
     static constexpr float coarse_resolution = 0.5f;

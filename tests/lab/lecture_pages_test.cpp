@@ -249,7 +249,9 @@ TEST_F(LabLecturePages, CountsHandsForEachPage) {
     EXPECT_EQ(lab.pages->hands[1], (std::vector{0, 12, 0})) << "they are kept when the page is shown again";
 }
 
-TEST_F(LabLecturePages, NIsNotesInALectureFileAndANewPopulationOtherwise) {
+TEST_F(LabLecturePages, NIsNotesInALectureFileAndANewPopulationWithoutALecture) {
+    press({'N'});
+    EXPECT_EQ(lab.document.session.snapshot().generation, 2);
     handle(lab, Action::lecture);
     press({'N'});
     EXPECT_EQ(lab.document.session.snapshot().generation, 2);
@@ -261,6 +263,17 @@ TEST_F(LabLecturePages, NIsNotesInALectureFileAndANewPopulationOtherwise) {
     EXPECT_TRUE(lab.pages->notes) << "they stay shown on the next page";
     press({'N'});
     EXPECT_FALSE(lab.pages->notes);
+}
+
+TEST_F(LabLecturePages, EscClosesAnExplanationBeforeTheLecture) {
+    handle(lab, Action::lecture);
+    handle(lab, Action::why);
+    ASSERT_TRUE(lab.explanation.on);
+    handle(lab, Action::cancel);
+    EXPECT_FALSE(lab.explanation.on);
+    EXPECT_TRUE(lab.before_lecture);
+    handle(lab, Action::cancel);
+    EXPECT_FALSE(lab.before_lecture);
 }
 
 TEST_F(LabLecturePages, ABrokenLectureIsRefusedAndTheSceneStays) {

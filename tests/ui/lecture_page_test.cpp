@@ -273,8 +273,35 @@ TEST_F(LecturePages, AClickerBlanksTheWindowAndTheNextKeyOnlyShowsItAgain) {
     EXPECT_FALSE(desk.anchors.find("lecture.blank"));
     desk.view.pages = nullptr;
     desk.key({'B'});
+    EXPECT_TRUE(desk.panels.blank) << "also without pages";
+    desk.view.lecture = false;
+    desk.frame(2);
     EXPECT_FALSE(desk.panels.blank);
-    EXPECT_EQ(desk.actions(), std::vector{Action::birds_eye}) << "without pages B is the bird's eye";
+    desk.key({'B'});
+    EXPECT_EQ(desk.actions(), std::vector{Action::birds_eye}) << "without a lecture";
+}
+
+TEST_F(LecturePages, TheKeyThatBlanksEndsTheTypingOfHands) {
+    show(1, 0);
+    desk.frame(2);
+    desk.click("lecture.hands.1");
+    desk.key({'.'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("lecture.blank"));
+}
+
+TEST_F(LecturePages, KeysOfSlidersShowNoHiddenBrain) {
+    show(1, 0);
+    desk.view.settings.revealed.brain = false;
+    desk.panels.card(Card::brain).folded = true;
+    desk.frame(2);
+    desk.key({'1'});
+    desk.frame(3);
+    EXPECT_TRUE(desk.panels.card(Card::brain).folded);
+    desk.panels.card(Card::brain).folded = false;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("slider.LL"));
+    EXPECT_TRUE(desk.anchors.find("brain.character"));
 }
 
 TEST_F(LecturePages, TheMenuGoesBackToTheLectureThatWasLeft) {
@@ -385,6 +412,9 @@ TEST_F(LecturePages, PageKeysTurnPagesOnlyWhileALectureFileIsOpen) {
     desk.all.clear();
     desk.view.pages = nullptr;
     desk.key({key::page_down});
+    desk.key({'N'});
+    EXPECT_TRUE(desk.actions().empty()) << "it would end the run that the audience sees";
+    desk.view.lecture = false;
     desk.key({'N'});
     EXPECT_EQ(desk.actions(), std::vector{Action::new_population});
 }

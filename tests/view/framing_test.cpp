@@ -124,6 +124,21 @@ TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
         }
 }
 
+TEST(Framing, KeepsLampsInThePictureWhereTheVehicleStaysLargeEnough) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -3, 0, 0);
+    hand_made::add_source(now, Channel::light, 2, 3);
+    FramingInput in = input();
+    in.free_area = {16, 250, 1248, 300};  // as between the caption and the notes of a lecture
+    in.least_share = 0.08f;
+    const FloorBox box = Framing{}.follow(now, in);
+    const CameraView seen = look({}, now.scene->arena, nullptr, window, in.free_area, &box);
+    const auto lamp = project(seen, {2, 3}, 0.5f), vehicle = project(seen, {-3, 0});
+    EXPECT_TRUE(in.free_area.contains(lamp->x, lamp->y)) << lamp->x << ", " << lamp->y;
+    EXPECT_TRUE(in.free_area.contains(vehicle->x, vehicle->y));
+    EXPECT_GE(pixels_per_metre(seen, {-3, 0}), 0.6f * in.least_share * in.free_area.w);
+}
+
 TEST(Framing, FramesTheLineThatAVehicleFollows) {
     auto scene = hand_made::scene();
     scene->zones.push_back({.name = "line", .x = 6, .y = 5, .length = 2, .width = 0.2f, .surface = Surface::tape});

@@ -349,9 +349,10 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     const bool open = open_card(state, ui, Card::brain, place,
                                 vehicle && !offers_some(view) ? std::span(buttons) : std::span<HeadingButton>{});
     if (open && !vehicle) paragraph(ui, ui.strings("brain.no_vehicle"), ui.palette.second_text);
-    if (open && vehicle && is_brain_secret(view, vehicle->kind)) {
+    const bool unrevealed = !view.settings.revealed.brain;
+    if (open && vehicle && (unrevealed || is_brain_secret(view, vehicle->kind))) {
         title_row(view, state, ui, *vehicle);
-        paragraph(ui, ui.strings("brain.hidden"), ui.palette.second_text);
+        paragraph(ui, ui.strings(unrevealed ? "wiring.hidden" : "brain.hidden"), ui.palette.second_text);
     } else if (open && vehicle) {
         const float between = ui.px(column.h < ui.px(lowest_column) ? 4 : 8);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), between});

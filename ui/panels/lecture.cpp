@@ -174,7 +174,7 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
 }
 
 void blank_window(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    state.blank &= view.pages != nullptr;
+    state.blank &= view.lecture;
     if (!state.blank) return;
     ImGui::SetNextWindowPos({window.x, window.y});
     ImGui::SetNextWindowSize({window.w, window.h});

@@ -72,6 +72,12 @@ std::string main_cause(const Ui& ui, const insight::Why& why, const std::vector<
     return fill(ui.strings("why.mostly"), {bar.words, fixed(ui, why.sensors[largest].reading, 2), value});
 }
 
+// True if the wheels push the vehicle forwards or backwards and it does not move.
+bool is_blocked(const LabView& view, const VehicleView& vehicle, const insight::Why& why) {
+    constexpr float standing = 0.02f, pushing = 0.1f;  // m/s, sum of the wheel commands
+    return view.now->tick > 30 && std::fabs(vehicle.speed) < standing && std::fabs(why.left + why.right) > pushing;
+}
+
 WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
                       float width) {
     const float difference = why.right - why.left;
@@ -83,6 +89,7 @@ WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehi
     if (turns)
         sentence = fill(ui.strings(difference > 0 ? "why.turns_left" : "why.turns_right"),
                         {fixed(ui, std::fabs(difference), 2)});
+    if (turns && is_blocked(view, vehicle, why)) sentence += " " + std::string(ui.strings("why.blocked"));
     callout.lines = lines_of_words(ui, sentence, Face::text, width);
     const std::string cause = turns ? main_cause(ui, why, callout.bars) : std::string();
     for (const std::string& line : lines_of_words(ui, cause, Face::small, width))

@@ -97,12 +97,13 @@ void draw_line(const Paper& paper, const MarkLine& line, ImU32 colour, float wid
     draw.PopClipRect();
 }
 
-void sign_of_pen(Ui& ui, Rect scene) {
+void sign_of_pen(Ui& ui, Rect scene, Rect window) {
     const std::string words = fill(ui.strings("lecture.drawing"), {key_name(Action::draw_marks, ui.strings),
                                                                    key_name(Action::clear_marks, ui.strings)});
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
     const float w = text_width(ui, Face::strong, words) + ui.px(24), h = line_height(ui, Face::strong) + ui.px(12);
-    const Rect sign{scene.x + (scene.w - w) / 2, scene.y + scene.h - h - ui.px(8), w, h};
+    const float x = std::clamp(scene.x + (scene.w - w) / 2, window.x, std::max(window.x, window.x + window.w - w));
+    const Rect sign{x, scene.y + scene.h - h - ui.px(8), w, h};
     draw.AddRectFilled({sign.x, sign.y}, {sign.x + w, sign.y + h}, paint(ui.palette.warning), ui.px(8));
     put_on(draw, ui, {sign.x + ui.px(12), sign.y + ui.px(6)}, words, ui.palette.ground, Face::strong);
     ui.anchors.record("marks.sign", sign);
@@ -120,7 +121,7 @@ void draw_marks(const LabView& view, Marks& marks, Ui& ui, Rect scene, Rect bar,
     for (const MarkLine& line : marks.lines)
         draw_line(paper, line, paint(ui.palette.ground), ui.px(pen_width + 2 * pen_border));
     for (const MarkLine& line : marks.lines) draw_line(paper, line, paint(ui.palette.warning), ui.px(pen_width));
-    if (marks.drawing) sign_of_pen(ui, scene);
+    if (marks.drawing) sign_of_pen(ui, scene, window);
 }
 
 }  // namespace braitenlab::ui
