@@ -70,6 +70,12 @@ BrainMoment moment_of(const Snapshot& now, const VehicleView& vehicle) {
     return {{readings, readings + sensors}, {values, values + vehicle.neuron_count + learning}};
 }
 
+std::optional<std::size_t> main_part(std::span<const float> parts) {
+    const auto largest = std::max_element(parts.begin(), parts.end());
+    if (largest == parts.end() || *largest < least_part) return std::nullopt;
+    return static_cast<std::size_t>(largest - parts.begin());
+}
+
 bool has_hidden_neurons(const BrainGraph& brain) {
     return std::any_of(brain.nodes.begin(), brain.nodes.end(),
                        [](const Node& node) { return node.kind == NodeKind::neuron; });

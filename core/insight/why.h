@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +46,13 @@ struct Why {
 // being that of the snapshot; fewer than two moments: parts through neurons are in the rest.
 // Precondition: the vehicle is in the snapshot.
 Why why(const Snapshot&, const VehicleView&, std::span<const BrainMoment> past = {});
+
+// A part below this is 0.00 with two decimals and is no cause.
+inline constexpr float least_part = 0.005f;
+
+// The cause of a turn: the index of the part that adds most towards it. `parts`: what each one adds to the difference
+// of the wheels, positive towards the turn. Of equal parts the first one; nullopt: none adds at least least_part.
+std::optional<std::size_t> main_part(std::span<const float> parts);
 
 // True if why() needs moments of the past.
 bool has_hidden_neurons(const BrainGraph&);

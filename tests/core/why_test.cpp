@@ -91,6 +91,15 @@ TEST(Why, ThroughANeuronIsWhatIsLostWithoutTheSensor) {
     EXPECT_NEAR(unknown.rest, why.right - why.left, 1e-5f) << "without moments the part is in the rest";
 }
 
+TEST(Why, TheCauseIsTheFirstOfTheLargestPartsThatIsNotShownAsZero) {
+    using Parts = std::vector<float>;
+    EXPECT_EQ(insight::main_part(Parts{}), std::nullopt);
+    EXPECT_EQ(insight::main_part(Parts{0.1f, 0.3f, -0.5f}), 1u) << "a part against the turn is no cause";
+    EXPECT_EQ(insight::main_part(Parts{0.1f, 0.25f, 0.25f}), 1u);
+    EXPECT_EQ(insight::main_part(Parts{-0.2f, 0.004f, 0}), std::nullopt);
+    EXPECT_EQ(insight::main_part(Parts{0, insight::least_part}), 1u);
+}
+
 TEST(Why, SilencedPartsHaveNoEffect) {
     Scene scene = alone({.LR = 0.7f, .RL = 0.9f});
     scene.sources = {{.name = "lamp", .x = 3}};

@@ -1,6 +1,7 @@
 #include "ui/panels/brain_analysis.h"
 
 #include "core/brain/presets.h"
+#include "core/insight/why.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 #include "desk.h"
@@ -247,6 +248,40 @@ TEST(BrainAnalysis, NamesNoSensorThatDrivesBothWheelsAlike) {
         make_graph({.LL = 0.4f, .LR = 0.4f, .RL = 0.4f, .RR = 0.2f, .LM = 0.70f, .RM = 0.66f}));
     now.vehicles[0].motor = {0.88f, 0.75f};
     EXPECT_EQ(cause(motor_sums(now, now.vehicles[0])).name, "SR·LR") << "0.09 more to the left wheel";
+}
+
+// The sentence of the card and the callout in the scene name the same cause, also of equal parts.
+TEST(BrainAnalysis, NamesTheCauseThatTheCalloutNames) {
+    int by_sensor = 0, by_bias = 0;
+    for (int i = 0; i < 256; ++i) {
+        const auto quarter = [&](int digit) { return static_cast<float>((i >> (2 * digit)) % 4 - 1) / 4; };
+        const FourNeurons dials{
+            .LL = quarter(0), .LR = quarter(1), .RL = quarter(2), .RR = quarter(3), .LM = 0.25f, .RM = 0};
+        Snapshot now = snapshot(0);
+        now.brains[0] = std::make_shared<BrainGraph>(make_graph(dials));
+        now.sensed = {1, 0.5f};
+        now.vehicles[0].motor = {dials.LL + dials.LR / 2 + 0.25f, dials.RR / 2 + dials.RL};
+        const insight::Why why = insight::why(now, now.vehicles[0]);
+        const float towards = why.right > why.left ? 1.0f : -1.0f;
+        std::vector<float> parts;
+        for (const insight::SensorPart& part : why.sensors) parts.push_back(part.value * towards);
+        parts.push_back(why.bias * towards);
+        parts.push_back(why.rest * towards);
+        const auto main = insight::main_part(parts);
+        const auto sums = motor_sums(now, now.vehicles[0]);
+        const Cause shown = cause(sums);
+        if (!main) {
+            EXPECT_EQ(shown.by, Cause::By::nothing) << i;
+        } else if (*main < why.sensors.size()) {
+            EXPECT_EQ(shown.name.substr(0, 2), why.sensors[*main].sensor) << i;
+            ++by_sensor;
+        } else {
+            EXPECT_EQ(shown.by, Cause::By::biases) << i;
+            ++by_bias;
+        }
+    }
+    EXPECT_GT(by_sensor, 50);
+    EXPECT_GT(by_bias, 10);
 }
 
 TEST(BrainAnalysis, NamesTheBiasesIfAllOtherTermsAreZero) {

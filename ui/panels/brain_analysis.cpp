@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/brain/four_neurons.h"
+#include "core/insight/why.h"
 #include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
@@ -13,7 +14,6 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float rounding_error = 1e-4f;
-constexpr float least_push = 0.005f;  // smaller contributions are 0.00 on the screen
 
 Product product_of(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, Dial dial) {
     const BrainGraph& brain = *brain_of(now, vehicle);
@@ -144,24 +144,29 @@ Cause cause(const std::array<MotorSum, 2>& both) {
     Cause c;
     c.difference = both[1].total - both[0].total;
     const float towards = c.difference > 0 ? 1.0f : -1.0f;
-    float largest = least_push;
-    const auto claim = [&](Cause::By by, float push) {
-        if (push <= largest) return false;
-        largest = push;
-        c.by = by;
-        return true;
-    };
-    claim(Cause::By::biases, (both[1].bias - both[0].bias) * towards);
-    claim(Cause::By::rest, (both[1].rest - both[0].rest) * towards);
     const std::vector<Contribution> all = contributions(both, towards);
+    std::vector<const Contribution*> sources;  // the largest contribution of each sensor or neuron
+    std::vector<float> parts;                  // of the sources with all of their wires
     for (const Contribution& one : all) {
-        float whole = 0;
-        bool is_largest = true;  // of its source
-        for (const Contribution& other : all)
-            if (other.source == one.source) whole += other.push, is_largest &= other.push <= one.push;
-        if (is_largest && claim(one.by, whole))
-            c.product = one.product, c.name = one.name, c.value = one.value, c.holds_back = one.value < 0;
+        const auto known = std::find_if(sources.begin(), sources.end(),
+                                        [&](const Contribution* source) { return source->source == one.source; });
+        if (known == sources.end()) {
+            sources.push_back(&one), parts.push_back(one.push);
+            continue;
+        }
+        parts[static_cast<std::size_t>(known - sources.begin())] += one.push;
+        if (one.push > (*known)->push) *known = &one;
     }
+    parts.push_back((both[1].bias - both[0].bias) * towards);
+    parts.push_back((both[1].rest - both[0].rest) * towards);
+    const auto main = insight::main_part(parts);
+    if (!main) return c;
+    if (*main >= sources.size()) {
+        c.by = *main == sources.size() ? Cause::By::biases : Cause::By::rest;
+        return c;
+    }
+    const Contribution& one = *sources[*main];
+    c.by = one.by, c.product = one.product, c.name = one.name, c.value = one.value, c.holds_back = one.value < 0;
     return c;
 }
 

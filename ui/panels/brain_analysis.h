@@ -50,7 +50,7 @@ struct MotorSum {
 std::array<MotorSum, 2> motor_sums(const Snapshot&, const VehicleView&, const SensorPair& = {});
 
 // The cause of the difference between the wheels: the sensor or neuron that adds most to it with all of its wires, the
-// biases, or the rest, as in insight::why(). It is named by its largest contribution to either wheel.
+// biases, or the rest, by the rule of insight::main_part(). It is named by its largest contribution to either wheel.
 struct Cause {
     enum class By { nothing, product, term, biases, rest };
     float difference = 0;  // right − left

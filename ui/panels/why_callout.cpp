@@ -24,7 +24,7 @@ namespace {
 // Layout pixels.
 constexpr float narrowest_callout = 190, widest_callout = 250, callout_pad = 10, callout_row = 4, from_vehicle = 54;
 constexpr std::size_t most_why_bars = 4;
-constexpr float shown_as_zero = 0.005f;
+constexpr float shown_as_zero = insight::least_part;
 
 struct WhyBar {
     std::string words;
@@ -61,11 +61,12 @@ std::vector<WhyBar> why_bars(const LabView& view, const Ui& ui, const VehicleVie
 
 // "Mostly …" of the largest part towards the turn; empty if none is shown as more than 0.
 std::string main_cause(const Ui& ui, const insight::Why& why, const std::vector<WhyBar>& bars) {
-    const auto largest = static_cast<std::size_t>(
-        std::max_element(bars.begin(), bars.end(), [](const WhyBar& a, const WhyBar& b) { return a.value < b.value; }) -
-        bars.begin());
+    std::vector<float> parts;
+    for (const WhyBar& bar : bars) parts.push_back(bar.value);
+    const auto main = insight::main_part(parts);
+    if (!main) return {};
+    const std::size_t largest = *main;
     const WhyBar& bar = bars[largest];
-    if (bar.value < shown_as_zero) return {};
     const std::string value = with_sign(ui, bar.value, 2);
     if (largest + 2 == bars.size()) return fill(ui.strings("why.mostly_bias"), {value});
     if (largest + 1 == bars.size()) return fill(ui.strings("why.mostly_rest"), {value});
