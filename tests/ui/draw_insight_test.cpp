@@ -210,6 +210,25 @@ TEST_F(DrawInsight, AWireOfTheWiringEditorIsTriedOutUnlessItIsDragged) {
     EXPECT_TRUE(desk.panels.what_if.empty());
 }
 
+TEST_F(DrawInsight, TheInsetOfTheWiringEditorSaysWhichWireIsTriedOut) {
+    desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
+    desk.view.mode = Mode::wiring;
+    desk.frame(4);
+    EXPECT_FALSE(desk.anchors.find("what_if"));
+    const BrainGraph& brain = *brain_of(desk.now, desk.now.vehicles[0]);
+    const Wire& wire = brain.wires.front();
+    const std::string name = wire_name(brain, {wire.from, wire.to});
+    desk.point("wire." + name);
+    desk.frame(2);
+    EXPECT_TRUE(writes("The path without " + name));
+    const Rect inset = desk.where("viewport"), words = desk.where("what_if");
+    EXPECT_TRUE(inset.contains(words.x, words.y));
+    EXPECT_TRUE(inset.contains(words.x + words.w, words.y + words.h));
+    desk.view.settings.overlays.prediction = 0;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("what_if")) << "no path is shown";
+}
+
 TEST_F(DrawInsight, ThePathWithoutAWireIsShownBesideTheWiringEditor) {
     desk.view.mode = Mode::wiring;
     desk.frame(2);

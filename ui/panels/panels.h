@@ -120,7 +120,8 @@ void lesions(const LabView&, PanelState&, Ui&);
 void draw_probes(const LabView&, const PanelState&, const Ui&, Rect area);
 
 // PanelState::what_if for the wire under the pointer on the selected vehicle's deck or on the canvas: cut, or
-// healed. Notes are within `area`. Call it after what else sets what_if.
+// healed. In the wiring editor words in the scene's inset say so (anchor what_if). Notes are within `area`, the scene.
+// Call it after what else sets what_if.
 void try_without_wire(const LabView&, PanelState&, const Ui&, Rect area);
 
 // Sign and colour of a notice; readable on the panel colour. In hint_bar.cpp.

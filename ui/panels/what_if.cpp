@@ -79,17 +79,33 @@ std::optional<DeckHit> deck_wire(const LabView& view, const PanelState& state, c
     return nearest;
 }
 
+std::string words_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, WireEnds ends, bool is_cut) {
+    const std::string name = wire_name(*brain_of(*view.now, vehicle), ends, shown_pair(view, vehicle));
+    return fill(ui.strings(is_cut ? "what_if.with_wire" : "what_if.without_wire"), {name});
+}
+
 void draw_deck_wire(const LabView& view, const Ui& ui, Rect area, const VehicleView& vehicle, const DeckHit& hit,
                     bool is_cut) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const int count = static_cast<int>(hit.line.size());
     draw.AddPolyline(hit.line.data(), count, paint(ui.palette.panel), 0, ui.px(5));
     draw.AddPolyline(hit.line.data(), count, paint(ui.palette.accent), 0, ui.px(3));
-    const std::string name = wire_name(*brain_of(*view.now, vehicle), hit.ends, shown_pair(view, vehicle));
-    const std::string words = fill(ui.strings(is_cut ? "what_if.with_wire" : "what_if.without_wire"), {name});
+    const std::string words = words_of(view, ui, vehicle, hit.ends, is_cut);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, {}};
     draw_note(frame, ui, words, ui.palette.accent, {mouse.x, mouse.y}, true);
+}
+
+// The words in the upper left corner of the wiring editor's inset, far from the pointer: they say what the path is.
+void name_inset(const Ui& ui, Rect inset, std::string_view words) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float edge = ui.px(6), beside = ui.px(8), height = line_height(ui, Face::small) + ui.px(8);
+    const std::string shown = shortened(ui, words, Face::small, inset.w - 2 * (edge + beside));
+    const Rect box{inset.x + edge, inset.y + edge, text_width(ui, Face::small, shown) + 2 * beside, height};
+    draw.AddRectFilled({box.x, box.y}, {box.x + box.w, box.y + box.h}, paint(ui.palette.panel.with_alpha(0.95f)),
+                       ui.px(6));
+    put_on(draw, ui, {box.x + beside, box.y + ui.px(4)}, shown, ui.palette.text, Face::small);
+    ui.anchors.record("what_if", box);
 }
 
 }  // namespace
@@ -110,6 +126,8 @@ void try_without_wire(const LabView& view, PanelState& state, const Ui& ui, Rect
     Wire* wire = find_wire(brain, ends.from, ends.to);
     if (!wire) return;
     if (on_deck) draw_deck_wire(view, ui, area, *vehicle, *on_deck, wire->cut);
+    if (edits && view.settings.overlays.prediction > 0 && may_show_future(view))
+        name_inset(ui, area, words_of(view, ui, *vehicle, ends, wire->cut));
     wire->cut = !wire->cut;
     state.what_if = {SetBrain{target_of(view, *vehicle), std::move(brain)}};
 }
