@@ -113,6 +113,24 @@ TEST(ChartCard, KeepsTheNumbersOfTwoChartsApart) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_GE(std::abs(numbers[i].y - numbers[j].y), numbers[i].h - 0.5f);
 }
 
+TEST(ChartCard, KeepsTheWordsOfItsTabsApartInANarrowWindow) {
+    for (const Language& language : shipped_languages()) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(language.code);
+        desk.panels.charts_open = true;
+        desk.frame(3);
+        std::vector<Rect> words;
+        for (int tab = 1; tab <= 6; ++tab) {
+            const Rect r = desk.where("charts.tab." + std::to_string(tab));
+            for (const Written& w : desk.written)
+                if (r.contains(w.rect.x + w.rect.w / 2, w.rect.y + w.rect.h / 2)) words.push_back(w.rect);
+        }
+        ASSERT_EQ(words.size(), 6u);
+        for (std::size_t i = 1; i < words.size(); ++i)
+            EXPECT_GE(words[i].x - (words[i - 1].x + words[i - 1].w), 6) << language.code << ", tab " << i + 1;
+    }
+}
+
 TEST(ChartCard, ExportsTheShownValues) {
     ChartDesk desk;
     const char* names[]{"signals", "signals", "signals", "population", "population", "energies"};
