@@ -55,6 +55,13 @@ TEST_F(SignalDrags, FromTheBrainCardToTheChartShowsTheStripThere) {
     EXPECT_TRUE(desk.edits().empty()) << "no lesion";
 }
 
+TEST_F(SignalDrags, FromTheSensorCardShowTheSensor) {
+    desk.panels.card(Card::sensors).folded = false;
+    desk.frame(3);
+    drag("sensor.SR", "card.charts");
+    EXPECT_EQ(desk.panels.strips, Names{"SR"});
+}
+
 TEST_F(SignalDrags, OutsideOfTheChartChooseNothing) {
     drag("lesion.SL", "viewport");
     EXPECT_TRUE(desk.panels.strips.empty());

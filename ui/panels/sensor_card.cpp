@@ -17,6 +17,7 @@
 #include "ui/panels/kind_editor.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sensor_changes.h"
+#include "ui/panels/signal_drag.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -202,6 +203,7 @@ private:
             first = false;
             const Item at = small_button(ui_, look);
             tooltip(ui_, at, senses(sensor));
+            drag_signal(state_, ui_, at.held, sensor.name);
             if (at.pressed) state_.sensor = sensor.name;
         }
         paragraph(ui_,
