@@ -121,7 +121,8 @@ CommandLine read_command_line(int argc, char** argv) {
                    if (level == quality_words[i]) o.quality = static_cast<Quality>(i);
                if (level == "auto-low") o.first_quality = Quality::low;
            },
-           "how much work a picture may be; auto: by measured frame time, auto-low: the same, beginning with low; "
+           "how much work a picture may be; auto: by measured frame time, auto-low: the same, beginning with low "
+           "and half the pixels each way; "
            "default: auto, high with --screenshot and --clip")
         ->type_name("LEVEL")
         ->check(CLI::IsMember({"low", "medium", "high", "auto", "auto-low"}));

@@ -9,7 +9,9 @@ namespace braitenlab {
 // again until start_over().
 class QualityChoice {
 public:
-    explicit QualityChoice(Quality first = Quality::medium) : first_(first), level_(first) {}
+    // Begins with this level; with low also at the lower resolution.
+    explicit QualityChoice(Quality first = Quality::medium)
+        : first_(first), level_(first), coarse_(first == Quality::low) {}
 
     Quality level() const { return level_; }
 
@@ -36,7 +38,7 @@ public:
 private:
     Quality first_, level_, highest_ = Quality::high;
     int slow_in_a_row_ = 0, fast_in_a_row_ = 0;
-    bool coarse_ = false;
+    bool coarse_;
 };
 
 }  // namespace braitenlab

@@ -40,6 +40,16 @@ TEST(QualityChoice, HalvesTheResolutionWhereLowQualityIsVerySlowToo) {
     EXPECT_EQ(choice.resolution(), 1);
 }
 
+TEST(QualityChoice, BeginsWithHalfTheResolutionWhereItBeginsWithLow) {
+    QualityChoice choice(Quality::low);
+    EXPECT_EQ(choice.level(), Quality::low);
+    EXPECT_EQ(choice.resolution(), 0.5f);
+    add(choice, 0.002, 2);
+    EXPECT_EQ(choice.resolution(), 1);
+    add(choice, 0.002, 8);
+    EXPECT_EQ(choice.level(), Quality::medium);
+}
+
 TEST(QualityChoice, StepsUpAfterManyFastFrames) {
     QualityChoice choice;
     add(choice, 0.002, 7);
