@@ -10,13 +10,13 @@ namespace braitenlab::ui {
 
 namespace {
 
-const std::string no_break = "\u00a0";  // a range stays on one line
+const std::string no_break = "\u00a0";  // a number and its unit, and a range, stay on one line
 
 // Units that are words are translated.
 std::string unit_text(const Strings& strings, std::string_view unit) {
     if (unit == "°") return "°";
     if (unit == "correlation") return {};  // a number
-    return unit.empty() ? "" : " " + std::string(strings.find("unit." + std::string(unit), unit));
+    return unit.empty() ? "" : no_break + std::string(strings.find("unit." + std::string(unit), unit));
 }
 
 int decimals(std::string_view unit) {

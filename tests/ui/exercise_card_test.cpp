@@ -267,7 +267,7 @@ TEST(ExerciseCard, AStartsPictureReplaysIt) {
     desk.point("exercise.start.2");
     desk.frame(60);
     EXPECT_TRUE(says(desk, "Start 2 fails: Touch the lamp"));
-    EXPECT_TRUE(says(desk, "now 1.25 m") || says(desk, "best 1.25 m"));
+    EXPECT_TRUE(says(desk, "now 1.25\u00a0m") || says(desk, "best 1.25\u00a0m"));
 }
 
 TEST(ExerciseCard, TheReasonIsFoldedInTheNextExercise) {
@@ -334,12 +334,12 @@ TEST(ExerciseCard, ARangeShowsBothEnds) {
     desk.lesson.verdicts[0] = {false, {{4.2f, 1, "m", false, false, 3.0f}}, true};
     desk.lesson.verdicts[1] = {true, {{2, 1, "m", false, false, 3.0f}}};
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "now 4.20 m, need 1.00\u00a0…\u00a03.00 m"));
-    EXPECT_TRUE(says(desk, "reached 2.00 m (1.00\u00a0…\u00a03.00 m)"));
+    EXPECT_TRUE(says(desk, "now 4.20\u00a0m, need 1.00\u00a0…\u00a03.00\u00a0m"));
+    EXPECT_TRUE(says(desk, "reached 2.00\u00a0m (1.00\u00a0…\u00a03.00\u00a0m)"));
     EXPECT_TRUE(says(desk, "Not possible any more"));
     desk.lesson.verdicts[0] = {false, {{2, 1, "s", false, false, 3.25f}}};
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "now 2.00 s, need 1.00\u00a0…\u00a03.25 s"));
+    EXPECT_TRUE(says(desk, "now 2.00\u00a0s, need 1.00\u00a0…\u00a03.25\u00a0s"));
     desk.lesson.verdicts[0] = {false, {{0.42f, 0.95f, "correlation"}}};
     desk.lesson.verdicts[1] = {false, {{1, 3, ""}}};
     desk.lesson.verdicts[2] = {false, {{0.1f, 0.15f, "m/s", true}}};
@@ -348,8 +348,8 @@ TEST(ExerciseCard, ARangeShowsBothEnds) {
     EXPECT_TRUE(says(desk, "now 1, need ≥\u00a03"));
     desk.lesson.verdicts[1] = {true, {{150 * (1 / 60.0f), 2.5f, "s"}}};
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "reached 2.5 s, needed 2.5 s or more"));
-    EXPECT_TRUE(says(desk, "now 0.10 m/s, need ≤\u00a00.15 m/s"));
+    EXPECT_TRUE(says(desk, "reached 2.5\u00a0s, needed 2.5\u00a0s or more"));
+    EXPECT_TRUE(says(desk, "now 0.10\u00a0m/s, need ≤\u00a00.15\u00a0m/s"));
 }
 
 TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {
@@ -361,8 +361,8 @@ TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {
     desk.lesson.verdicts[2] = {false, {{1.2f, 1.5f, "×"}}};
     desk.frame(3);
     EXPECT_TRUE(says(desk, "best 10.4°, need ≤\u00a010.0°"));
-    EXPECT_TRUE(says(desk, "reached 0.60 m, needed 0.60 m or less"));
-    EXPECT_TRUE(says(desk, "now 1.20 ×, need ≥\u00a01.50 ×")) << "the present value, not the best so far";
+    EXPECT_TRUE(says(desk, "reached 0.60\u00a0m, needed 0.60\u00a0m or less"));
+    EXPECT_TRUE(says(desk, "now 1.20\u00a0×, need ≥\u00a01.50\u00a0×")) << "the present value, not the best so far";
     desk.lesson.verdicts[0] = {true, {{9, 10, "°", true, true}}};
     desk.frame(3);
     EXPECT_TRUE(says(desk, "reached 9°, needed 10° or less"));
@@ -374,8 +374,8 @@ TEST(ExerciseCard, AHeldStepShowsItsPresentValueAndItsTime) {
     desk.lesson.has_run = true;
     desk.lesson.verdicts[0] = {false, {{1.25f, 1, "m", true, false}, {2, 5, "s"}}};
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "now 1.25 m, need ≤\u00a01.00 m"));
-    EXPECT_TRUE(says(desk, "now 2.0 s, need ≥\u00a05.0 s"));
+    EXPECT_TRUE(says(desk, "now 1.25\u00a0m, need ≤\u00a01.00\u00a0m"));
+    EXPECT_TRUE(says(desk, "now 2.0\u00a0s, need ≥\u00a05.0\u00a0s"));
 }
 
 TEST(ExerciseCard, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfTheCard) {
@@ -622,8 +622,8 @@ TEST(ExerciseCard, AReachedDistanceOfZeroIsNotOneToGo) {
     desk.lesson.verdicts[0] = {false, {{0.4f, 0, "m", true}}};
     desk.lesson.verdicts[1] = {true, {{0, 0, "m", true}}};
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "0.40 m to go"));
-    EXPECT_FALSE(says(desk, "≤ 0.00 m")) << "the check mark says it";
+    EXPECT_TRUE(says(desk, "0.40\u00a0m to go"));
+    EXPECT_FALSE(says(desk, "≤\u00a00.00\u00a0m")) << "the check mark says it";
 }
 
 }  // namespace braitenlab::tests::exercise_card_test
