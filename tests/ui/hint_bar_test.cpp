@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <string_view>
+
 #include "desk.h"
 #include "ui/panels/panels.h"
 
@@ -74,6 +77,28 @@ TEST(HintBar, ListsTheKeysOfASliderThatKeysHaveReached) {
     EXPECT_NE(said(desk).find("types a number"), std::string::npos);
     desk.panels.keyboard.shown = false;
     EXPECT_EQ(said(desk).find("types a number"), std::string::npos) << "the mouse is used";
+}
+
+TEST(HintBar, SaysHowToPlayWhileAPausedSliderHasTheFocus) {
+    const auto says = [](Desk& desk, std::string_view words) {
+        desk.frame(2);
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& w) { return w.words.find(words) != w.words.npos; });
+    };
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = desk.lesson.outcome_known = true;
+    desk.lesson.prediction = 0;
+    desk.key({'1'});
+    desk.view.mode = Mode::playing;
+    EXPECT_TRUE(says(desk, "types a number"));
+    EXPECT_FALSE(says(desk, " plays  ·"));
+    desk.view.mode = Mode::paused;
+    EXPECT_TRUE(says(desk, " plays  ·")) << "after Reset the run is paused";
+    EXPECT_TRUE(says(desk, "types a number"));
+    for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
+    desk.lesson.changed_since_done = true;
+    EXPECT_TRUE(says(desk, "The brain was changed")) << "more urgent than the keys";
 }
 
 // The slider that pulses is the prompt's; the hint names the key that focuses this one.

@@ -81,8 +81,9 @@ bool is_slider_focused(const Ui& ui) {
 
 void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
     if (mode_hint(view, ui, x, bar)) return;
-    if (is_slider_focused(ui)) {
-        hint_line(ui, fill(ui.strings("hint.slider_keys"), {ui.strings("key.shift")}), ui.palette.text, x, bar);
+    if (is_slider_focused(ui) && hint != "hint.changed_since") {
+        const std::string_view keys = view.mode == Mode::paused ? "hint.slider_keys_paused" : "hint.slider_keys";
+        hint_line(ui, fill(ui.strings(keys), {ui.strings("key.shift")}), ui.palette.text, x, bar);
         return;
     }
     const bool prompted = !hint.empty();
