@@ -135,7 +135,7 @@ struct PredictionView {
 // The map of behaviour of the selected vehicle, see core/insight/map.h.
 struct MapView {
     const insight::MapCells* cells = nullptr;  // never null; those computed so far
-    insight::MapAxis x{}, y{};                 // dials only
+    insight::MapAxis x{}, y{};                 // path: insight::AxisValue::id
     insight::MapMeasure measure = insight::MapMeasure::behaviour;
     int seeds = 1;
     float progress = 0;                        // 0..1; 1: every cell is known

@@ -250,8 +250,12 @@ struct HandInRequest {  // writes a hand-in file to the folder of documents
 struct LabRecordRequest {  // writes a lab record to the folder of documents
     std::string student;   // may be empty
 };
+struct MapRange {
+    float from = 0, to = 1;
+};
 struct MapRequest {                       // what the map of behaviour shows; nullopt: as before
-    std::optional<std::string> x{}, y{};  // of insight::brain_axes
+    std::optional<std::string> x{}, y{};  // insight::AxisValue::id, with its usual range
+    std::optional<MapRange> x_range{}, y_range{};
     std::optional<insight::MapMeasure> measure{};
     std::optional<int> seeds{};
 };

@@ -1,15 +1,18 @@
 #include "app/insight/behaviour_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/lab.h"
 #include "app/lab_selection.h"
+#include "core/scene/scene_number.h"
 
 namespace braitenlab {
 
 namespace {
 
+using insight::AxisValue;
 using insight::MapAxis;
 using insight::MapBase;
 using insight::MapCell;
@@ -61,12 +64,15 @@ void forget_map(BehaviourMap& map) {
     map.edits = -1;
 }
 
-// Sets the dials of the axes to 0 wherever the target's brain is.
+// Sets the values of the axes to 0, dials wherever the target's brain is.
 void clear_axes(MapSubject& subject, const Snapshot& now, const VehicleView& vehicle) {
     const auto clear = [&](BrainGraph& brain) {
         for (const MapAxis* axis : {&subject.x, &subject.y})
             for (const Dial dial : axis->dials) turn(brain, dial, 0, subject.pair);
     };
+    for (const MapAxis* axis : {&subject.x, &subject.y})
+        for (const std::string& path : axis->values)
+            set_number_at(subject.scene, std::string_view(path).substr(path.front() == '-' ? 1 : 0), 0);
     const std::string& kind = now.scene->kinds[static_cast<std::size_t>(vehicle.kind)].name;
     if (subject.target.vehicle == no_vehicle) clear(subject.scene.kinds[static_cast<std::size_t>(vehicle.kind)].brain);
     for (std::size_t i = 0; i < subject.scene.starts.size(); ++i) {
@@ -82,20 +88,42 @@ void clear_axes(MapSubject& subject, const Snapshot& now, const VehicleView& veh
     }
 }
 
-MapSubject map_subject(const Lab& lab, const LabView& view, const VehicleView& vehicle, const Scene& scene) {
+insight::ValueSubject subject_of(const Lab& lab, const LabView& view, const VehicleView& vehicle) {
+    return {lab.document.session.snapshot(), vehicle, target_of(view, vehicle), shown_pair(view, vehicle)};
+}
+
+MapChoice usual(const AxisValue& value) { return {value.id, value.from, value.to}; }
+
+// Axes whose values this vehicle or this scene does not have are those of a new lab. Another document has its own
+// ranges.
+void keep_axes(BehaviourMap& map, const std::vector<AxisValue>& values, bool is_new_document) {
+    const AxisValue *x = find_value(values, map.x.id), *y = find_value(values, map.y.id);
+    if (!x || !y)
+        map.x = BehaviourMap().x, map.y = BehaviourMap().y;
+    else if (is_new_document)
+        map.x = usual(*x), map.y = usual(*y);
+}
+
+MapSubject map_subject(const Lab& lab, const insight::ValueSubject& values, const std::vector<AxisValue>& offered,
+                       Scene& scene) {
     const BehaviourMap& map = lab.map;
-    const Snapshot& now = lab.document.session.snapshot();
+    const auto axis = [&](const MapChoice& choice) {
+        return insight::axis_of(*find_value(offered, choice.id), choice.from, choice.to);
+    };
+    const bool has_sensors = find_value(offered, map.x.id)->owner == insight::ValueOwner::sensors ||
+                             find_value(offered, map.y.id)->owner == insight::ValueOwner::sensors;
+    if (has_sensors) place_sensors(scene, values);
     MapSubject subject{.scene = scene,
                        .seed = lab.document.session.seed(),
                        .run = lab.document.run_id,
-                       .target = target_of(view, vehicle),
-                       .pair = shown_pair(view, vehicle),
-                       .x = *insight::axis_of(map.x),
-                       .y = *insight::axis_of(map.y),
+                       .target = values.target,
+                       .pair = values.pair,
+                       .x = axis(map.x),
+                       .y = axis(map.y),
                        .seeds = map.seeds};
-    subject.vehicle = id_at_start(scene, subject.seed, now, vehicle);
+    subject.vehicle = id_at_start(scene, subject.seed, values.now, values.vehicle);
     if (subject.target.vehicle != no_vehicle) subject.target.vehicle = subject.vehicle;
-    clear_axes(subject, now, vehicle);
+    clear_axes(subject, values.now, values.vehicle);
     return subject;
 }
 
@@ -120,17 +148,20 @@ void begin_map(BehaviourMap& map, MapSubject subject, const Scene& scene) {
 // Compares the scene only after an edit or another choice.
 void follow_subject(Lab& lab, const LabView& view, const VehicleView& vehicle) {
     BehaviourMap& map = lab.map;
-    const std::string choice = map.x + " " + map.y + " " + std::to_string(map.seeds) + " " +
-                               std::to_string(view.settings.selection.whole_kind) + view.settings.selection.pair;
+    const std::string scope = std::to_string(view.settings.selection.whole_kind) + view.settings.selection.pair;
     if (map.subject && map.edits == lab.document.edits && map.compared_run == lab.document.run_id &&
-        map.compared_vehicle == vehicle.id && map.compared_choice == choice &&
-        map.subject->seed == lab.document.session.seed())
+        map.compared_vehicle == vehicle.id && map.compared_scope == scope && map.compared_x == map.x &&
+        map.compared_y == map.y && map.compared_seeds == map.seeds && map.subject->seed == lab.document.session.seed())
         return;
-    const Scene scene = lab.document.session.edited_scene();
-    MapSubject now = map_subject(lab, view, vehicle, scene);
+    const insight::ValueSubject values = subject_of(lab, view, vehicle);
+    const std::vector<AxisValue> offered = axis_values(values);
+    keep_axes(map, offered, map.compared_run != lab.document.run_id);
+    Scene scene = lab.document.session.edited_scene();
+    MapSubject now = map_subject(lab, values, offered, scene);
     if (!map.subject || *map.subject != now) begin_map(map, std::move(now), scene);
     map.edits = lab.document.edits, map.compared_run = lab.document.run_id;
-    map.compared_vehicle = vehicle.id, map.compared_choice = choice;
+    map.compared_vehicle = vehicle.id, map.compared_scope = scope;
+    map.compared_x = map.x, map.compared_y = map.y, map.compared_seeds = map.seeds;
 }
 
 void take_cells(BehaviourMap& map) {
@@ -171,6 +202,32 @@ void follow_path(BehaviourMap& map, Jobs& jobs) {
             [](std::vector<insight::Path> paths) { return std::move(paths.front()); });
 }
 
+bool have_common_value(const AxisValue& a, const AxisValue& b) {
+    return insight::have_common_value(axis_of(a, 0, 1), axis_of(b, 0, 1));
+}
+
+// The axis shows the value of this id, and the other one that of the axis if it has a part of it.
+void exchange_axes(MapChoice& axis, MapChoice& other, const std::string& id, const std::vector<AxisValue>& values) {
+    const AxisValue* chosen = find_value(values, id);
+    const AxisValue* theirs = find_value(values, other.id);
+    if (!chosen || !theirs) return;
+    const MapChoice before = std::exchange(axis, usual(*chosen));
+    if (!have_common_value(*chosen, *theirs)) return;
+    other = before;
+    for (const AxisValue& each : values)
+        if (const AxisValue* now = find_value(values, other.id); !now || have_common_value(*chosen, *now))
+            other = usual(each);
+}
+
+// Two different ends within the range of the value.
+void set_range(MapChoice& axis, const MapRange& range, const std::vector<AxisValue>& values) {
+    const AxisValue* value = find_value(values, axis.id);
+    if (!value) return;
+    const auto low = static_cast<float>(value->allowed.low), high = static_cast<float>(value->allowed.high);
+    const float from = std::clamp(range.from, low, high), to = std::clamp(range.to, low, high);
+    if (std::isfinite(from) && std::isfinite(to) && from != to) axis.from = from, axis.to = to;
+}
+
 }  // namespace
 
 void update_map(Lab& lab, Jobs& jobs) {
@@ -184,23 +241,17 @@ void update_map(Lab& lab, Jobs& jobs) {
     follow_path(map, jobs);
 }
 
-void choose_map(BehaviourMap& map, const MapRequest& wanted) {
+void choose_map(Lab& lab, const MapRequest& wanted) {
+    BehaviourMap& map = lab.map;
     if (wanted.measure) map.measure = *wanted.measure;
     if (wanted.seeds) map.seeds = std::clamp(*wanted.seeds, 1, insight::limits::map_seeds);
-    const auto exchange = [](std::string& axis, std::string& other, const std::string& path) {
-        const auto now = insight::axis_of(path);
-        if (!now) return;
-        const std::string before = std::exchange(axis, path);
-        if (!insight::have_common_value(*now, *insight::axis_of(other))) return;
-        const auto is_free = [&](const std::string& each) {
-            return !insight::have_common_value(*now, *insight::axis_of(each));
-        };
-        other = before;
-        for (const char* each : insight::brain_axes)
-            if (!is_free(other)) other = each;
-    };
-    if (wanted.x) exchange(map.x, map.y, *wanted.x);
-    if (wanted.y) exchange(map.y, map.x, *wanted.y);
+    const VehicleView* vehicle = selected_vehicle(lab);
+    if (!vehicle) return;
+    const std::vector<AxisValue> values = axis_values(subject_of(lab, view_of(lab), *vehicle));
+    if (wanted.x) exchange_axes(map.x, map.y, *wanted.x, values);
+    if (wanted.y) exchange_axes(map.y, map.x, *wanted.y, values);
+    if (wanted.x_range) set_range(map.x, *wanted.x_range, values);
+    if (wanted.y_range) set_range(map.y, *wanted.y_range, values);
 }
 
 bool is_computing(const BehaviourMap& map) { return !map.jobs.empty() || map.path_job; }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/jobs/jobs.h"
-#include "core/insight/map.h"
+#include "core/insight/axis_value.h"
 
 namespace braitenlab {
 
@@ -30,8 +30,15 @@ struct MapSubject {
     friend bool operator==(const MapSubject&, const MapSubject&) = default;
 };
 
+// What an axis shows.
+struct MapChoice {
+    std::string id;  // insight::AxisValue::id
+    float from = 0, to = 1;
+    friend bool operator==(const MapChoice&, const MapChoice&) = default;
+};
+
 struct BehaviourMap {
-    std::string x = "LL=RR", y = "LR=RL";  // of insight::brain_axes
+    MapChoice x{"LL=RR", -2, 2}, y{"LR=RL", -2, 2};
     insight::MapMeasure measure = insight::MapMeasure::behaviour;
     int seeds = 1;
     std::optional<insight::MapPlace> hovered{};  // set once per frame; nullopt: none
@@ -40,7 +47,9 @@ struct BehaviourMap {
     std::int64_t edits = -1;              // Document::edits, run, selection and choices when the subject was compared
     std::uint64_t compared_run = 0;
     VehicleId compared_vehicle = no_vehicle;
-    std::string compared_choice{};
+    std::string compared_scope{};  // whole kind and pair
+    MapChoice compared_x{}, compared_y{};
+    int compared_seeds = 0;
     std::shared_ptr<const insight::MapBase> base{};  // null: there is no map
     insight::MapCells cells{};
     std::vector<insight::MapPlace> order{};                 // of computation
@@ -56,7 +65,7 @@ struct BehaviourMap {
 void update_map(Lab&, Jobs&);
 
 // Changes what the map shows. A value that the other axis has goes to this one, which then gives its own in exchange.
-void choose_map(BehaviourMap&, const MapRequest&);
+void choose_map(Lab&, const MapRequest&);
 
 bool is_computing(const BehaviourMap&);
 

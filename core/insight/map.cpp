@@ -45,7 +45,12 @@ Error no_dial(const std::string& word) {
 
 std::vector<Setting> settings_of(const MapAxis& axis, float value) {
     std::vector<Setting> settings;
-    for (const std::string& path : axis.values) settings.push_back({path, fmt::format("{:.9g}", value), "the map", 0});
+    for (const std::string& path : axis.values) {
+        const bool is_negative = path.front() == '-';
+        // With all digits of a double, so that an angle is rounded as by set_number() (core/scene/scene_number.h).
+        const auto number = static_cast<double>(is_negative ? -value : value);
+        settings.push_back({path.substr(is_negative ? 1 : 0), fmt::format("{}", number), "the map", 0});
+    }
     return settings;
 }
 
@@ -88,12 +93,14 @@ std::optional<Error> fault_of(const MapQuestion& question) {
 
 Result<MapAxis> axis_of(std::string_view path) {
     MapAxis axis{.path = std::string(path)};
-    const std::size_t dot = path.rfind('.');
-    const std::string table(path.substr(0, dot == std::string_view::npos ? 0 : dot + 1));
-    for (const std::string& key : parts_of(path.substr(table.size()), '=')) {
-        if (key.empty()) return Error{"the path of an axis is empty; write LL=RR or kind.prey.body.mass"};
+    std::string table;  // of the first path
+    for (const std::string& key : parts_of(path, '=')) {
+        const std::size_t dot = key.rfind('.');
+        if (key.empty() || dot == key.size() - 1)
+            return Error{"the path of an axis is empty; write LL=RR or kind.prey.body.mass"};
+        if (axis.dials.empty() && table.empty() && dot != std::string::npos) table = key.substr(0, dot + 1);
         if (!table.empty()) {
-            axis.values.push_back(table + key);
+            axis.values.push_back(dot == std::string::npos ? table + key : key);
             continue;
         }
         const auto dial = dial_named(key);
@@ -128,12 +135,16 @@ Result<MapAxis> parse_axis(const std::string& argument, const std::string& optio
 }
 
 bool have_common_value(const MapAxis& a, const MapAxis& b) {
-    const auto shares = [](const auto& some, const auto& others) {
+    const auto shares = [](const auto& some, const auto& others, auto bare) {
         return std::any_of(some.begin(), some.end(), [&](const auto& each) {
-            return std::find(others.begin(), others.end(), each) != others.end();
+            return std::any_of(others.begin(), others.end(),
+                               [&](const auto& other) { return bare(each) == bare(other); });
         });
     };
-    return shares(a.dials, b.dials) || shares(a.values, b.values);
+    const auto path = [](const std::string& text) {
+        return std::string_view(text).substr(text.front() == '-' ? 1 : 0);
+    };
+    return shares(a.dials, b.dials, [](Dial dial) { return dial; }) || shares(a.values, b.values, path);
 }
 
 float value_at(const MapAxis& axis, int index, int size) {

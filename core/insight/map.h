@@ -26,16 +26,18 @@ inline constexpr int map_seeds = 64;
 
 // The values along one axis.
 struct MapAxis {
-    std::string path;                   // as given
-    std::vector<Dial> dials{};          // of the brain that MapQuestion::target names
-    std::vector<std::string> values{};  // paths of a scene file (core/scene/scene_file.h); used without dials
+    std::string path;           // as given
+    std::vector<Dial> dials{};  // of the brain that MapQuestion::target names
+    // Paths of a scene file (core/scene/scene_file.h), used without dials; with '-' first: gets the negative value.
+    std::vector<std::string> values{};
     float from = -2, to = 2;
     friend bool operator==(const MapAxis&, const MapAxis&) = default;
 };
 
 // "LL=RR": dials joined by '=' as an exercise offers them; "kind.prey.body.mass": the path of a value as --set takes
-// it; "kind.prey.brain.LL=RR": several keys of one table, which get the same value. The range of dials is theirs, of
-// paths 0..1. Fails for an empty part and for dials of different ranges.
+// it; "kind.prey.brain.LL=RR": several keys of one table, which get the same value;
+// "kind.prey.sensor.SL.angle=-kind.prey.sensor.SR.angle": a whole path after '=', the negative value by '-'. The range
+// of dials is theirs, of paths 0..1. Fails for an empty part and for dials of different ranges.
 Result<MapAxis> axis_of(std::string_view path);
 // Axes of the brain that has dials, for a choice: sums of both sides, then single numbers.
 inline constexpr std::array brain_axes{"LL=RR",        "LR=RL",        "LM=RM",       "LL", "LR",

@@ -13,6 +13,7 @@
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
 #include "core/scene/nearest.h"
+#include "core/scene/schema.h"
 #include "tests/core/scenes.h"
 
 namespace braitenlab::tests::scene_file_test {

@@ -114,15 +114,62 @@ TEST_F(LabMap, AClickOnACellIsOneUndoStep) {
 }
 
 TEST_F(LabMap, AxesThatShareAValueExchange) {
-    choose_map(lab.map, {.x = "LR=RL"});
-    EXPECT_EQ(lab.map.x, "LR=RL");
-    EXPECT_EQ(lab.map.y, "LL=RR");
-    choose_map(lab.map, {.y = "LR"});
-    EXPECT_EQ(lab.map.y, "LR");
-    EXPECT_EQ(lab.map.x, "LL=RR");
-    choose_map(lab.map, {.measure = insight::MapMeasure::closest, .seeds = 1000});
+    handle(lab, MapRequest{.x = "LR=RL"});
+    EXPECT_EQ(lab.map.x.id, "LR=RL");
+    EXPECT_EQ(lab.map.y.id, "LL=RR");
+    handle(lab, MapRequest{.y = "LR"});
+    EXPECT_EQ(lab.map.y.id, "LR");
+    EXPECT_EQ(lab.map.x.id, "LL=RR");
+    handle(lab, MapRequest{.measure = insight::MapMeasure::closest, .seeds = 1000});
     EXPECT_EQ(lab.map.measure, insight::MapMeasure::closest);
     EXPECT_EQ(lab.map.seeds, insight::limits::map_seeds);
+}
+
+TEST_F(LabMap, OfSensorAndLampIsWhatAResetThenDrivesAndStaysWhileTheDotIsDragged) {
+    handle(lab, Action::map);
+    turn();
+    handle(lab, MapRequest{.x = "sensor.angle"}), handle(lab, MapRequest{.y = "source.lamp.y"});
+    handle(lab, MapRequest{.x_range = MapRange{5, 75}});
+    finish();
+    ASSERT_TRUE(shown());
+    EXPECT_EQ(shown()->x.path, "sensor.angle");
+    EXPECT_EQ(shown()->x.from, 5);
+    const MapPlace place{9, 21};
+    const auto drag = [&](MapPlace to) {
+        const VehicleView vehicle = lab.document.session.snapshot().vehicles[0];
+        for (const bool is_x : {true, false}) {
+            const insight::MapAxis axis = is_x ? shown()->x : shown()->y;
+            const insight::ValueSubject subject{lab.document.session.snapshot(), vehicle, {no_vehicle, 0}, {}};
+            const auto values = axis_values(subject);
+            for (const Command& command : commands_that_set(subject, *find_value(values, axis.path),
+                                                            insight::value_at(axis, is_x ? to.x : to.y, 32)))
+                handle(lab, EditRequest{command, 9});
+        }
+    };
+    drag({3, 4}), drag(place);
+    EXPECT_EQ(lab.document.session.undo_depth(), 1);
+    update_map(lab, jobs);
+    EXPECT_EQ(known(), 1024u) << "dragging keeps the map";
+    lab.map.hovered = place;
+    turn();
+    ASSERT_TRUE(shown()->path);
+    handle(lab, Action::reset);
+    for (int i = 0; i < 600; ++i) tick(lab);
+    const VehicleView& vehicle = lab.document.session.snapshot().vehicles[0];
+    EXPECT_EQ((*shown()->path)[600], (Pose{vehicle.x, vehicle.y, vehicle.heading}));
+}
+
+TEST_F(LabMap, ShowsTheFirstAxesWhereTheSceneHasNoSuchValue) {
+    handle(lab, Action::map);
+    turn();
+    handle(lab, MapRequest{.x = "source.lamp.x"});
+    turn();
+    EXPECT_EQ(shown()->x.path, "source.lamp.x");
+    handle(lab, EditRequest{RemoveSource{0}});
+    turn();
+    ASSERT_TRUE(shown());
+    EXPECT_EQ(shown()->x.path, "LL=RR");
+    EXPECT_EQ(shown()->y.path, "LR=RL");
 }
 
 TEST_F(LabMap, IsRefusedWhereAnExerciseAsksForTheBrain) {

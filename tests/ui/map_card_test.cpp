@@ -18,6 +18,10 @@ struct MapCard : SceneOnDesk {
     MapCells cells{8};
     MapCard() {
         desk.now = snapshot(0);  // a coward: LL = RR = 1.5, LR = RL = 0
+        Scene scene = *desk.now.scene;
+        scene.sources = {{.name = "lamp", .x = -3, .y = 6}};
+        desk.now.scene = std::make_shared<Scene>(scene);
+        desk.now.sources = {{0, Channel::light, -3, 6, 1}};
         desk.view.settings.map = true;
         for (int y = 0; y < 8; ++y)
             for (int x = 0; x < 8; ++x)
@@ -26,6 +30,11 @@ struct MapCard : SceneOnDesk {
         desk.view.map =
             MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
         desk.frame(4);
+    }
+    void show(const char* x, const char* y, MapRange across, MapRange up) {
+        desk.view.map->x = {.path = x, .from = across.from, .to = across.to};
+        desk.view.map->y = {.path = y, .from = up.from, .to = up.to};
+        desk.frame(2);
     }
     // Points at a share of the field, from its lower left corner.
     void point_at(float x, float y) {
@@ -98,7 +107,7 @@ TEST_F(MapCard, APressThatLeavesTheCellTakesNothing) {
 }
 
 TEST_F(MapCard, NamesTheKindUnderThePointerAndElseThatOfTheBrain) {
-    EXPECT_TRUE(says("This brain:"));
+    EXPECT_TRUE(says("Now:"));
     point_at(0.3f, 0.8f);
     ASSERT_TRUE(desk.panels.map.hovered);
     EXPECT_EQ(*desk.panels.map.hovered, (insight::MapPlace{2, 6}));
@@ -128,6 +137,54 @@ TEST_F(MapCard, OffersAxesAndMeasures) {
     desk.click("map.measure");
     desk.click("map.seeds.5");
     EXPECT_EQ(desk.last<MapRequest>()->seeds, 5);
+}
+
+TEST_F(MapCard, OffersValuesOfBrainBodyAndSceneInGroups) {
+    desk.click("map.x");
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("map.x.LM=RM")) << "the group of the present value";
+    desk.click("map.x.group.2");
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("map.x.LM=RM"));
+    desk.click("map.x.sensor.angle");
+    ASSERT_TRUE(desk.last<MapRequest>());
+    EXPECT_EQ(desk.last<MapRequest>()->x, "sensor.angle");
+    desk.click("map.y");
+    desk.click("map.y.group.3");
+    desk.click("map.y.source.lamp.strength");
+    EXPECT_EQ(desk.last<MapRequest>()->y, "source.lamp.strength");
+}
+
+TEST_F(MapCard, TheDotOfSensorAndLampSetsThemInOneUndoStep) {
+    show("sensor.angle", "source.lamp.x", {0, 90}, {-9, 9});
+    const Rect field = desk.where("map"), dot = desk.where("map.dot");
+    const float eye = maths::degrees(desk.now.scene->kinds[0].sensors[0].angle);
+    EXPECT_NEAR((dot.x + dot.w / 2 - field.x) / field.w, (eye / 90 * 7 + 0.5f) / 8, 0.01f);
+    EXPECT_NEAR(1 - (dot.y + dot.h / 2 - field.y) / field.h, (6.0f / 18 * 7 + 0.5f) / 8, 0.01f);  // the lamp is at −3
+    desk.point("map.dot");
+    desk.frame(2);
+    press(true);
+    point_at(0.9375f, 0.9375f);
+    press(false);
+    const auto sensors = commands<SetSensors>();
+    const auto lamps = commands<EditSource>();
+    ASSERT_FALSE(sensors.empty());
+    ASSERT_FALSE(lamps.empty());
+    EXPECT_FLOAT_EQ(sensors.back().sensors[0].angle, maths::radians(90));
+    EXPECT_FLOAT_EQ(sensors.back().sensors[1].angle, maths::radians(-90)) << "mirrored";
+    EXPECT_EQ(lamps.back().to.x, 9);
+    for (const EditRequest& edit : desk.edits()) EXPECT_EQ(edit.gesture, desk.edits().front().gesture);
+    EXPECT_NE(desk.edits().front().gesture, 0u);
+}
+
+TEST_F(MapCard, TheEndsOfAnAxisCanBeTyped) {
+    show("body.mass", "LR=RL", {2, 20}, {-2, 2});
+    desk.click("map.x");
+    desk.frame(2);
+    desk.type_into("map.x.to", "40");
+    ASSERT_TRUE(desk.last<MapRequest>() && desk.last<MapRequest>()->x_range);
+    EXPECT_EQ(desk.last<MapRequest>()->x_range->from, 2);
+    EXPECT_EQ(desk.last<MapRequest>()->x_range->to, 40);
 }
 
 TEST_F(MapCard, ItsButtonAndKeyAskForTheMap) {

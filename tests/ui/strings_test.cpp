@@ -181,6 +181,15 @@ std::set<std::string> composed() {
     for (const auto& row : insight::behaviour_table) keys.insert("map.kind." + std::string(row.word));
     for (const auto& row : insight::study_measure_table) keys.insert("study.measure." + std::string(row.word));
     for (const auto& row : insight::map_measure_table) keys.insert("map.measure." + std::string(row.word));
+    for (const char* group : {"brain", "body", "scene"}) keys.insert("map.group." + std::string(group));
+    for (const char* value :  // ui/panels/map_choices.cpp
+         {"sensor_angle", "sensor_field",     "sensor_range",       "sensor_half_distance",
+          "sensor_noise", "sensor_latency",   "sensor_gain_spread", "body_top_speed",
+          "body_mass",    "body_motor_force", "body_mismatch",      "body_dead_band",
+          "start_x",      "start_y",          "start_heading",      "source_x",
+          "source_y",     "source_strength",  "arena_ambient",      "arena_friction",
+          "arena_grip"})
+        keys.insert("map.value." + std::string(value));
     return keys;
 }
 

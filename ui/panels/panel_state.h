@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/insight/map.h"
+#include "core/insight/axis_value.h"
 #include "core/world/command.h"
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/chart_data.h"
@@ -107,9 +107,11 @@ struct TakeAwayState {
 // The card of the map of behaviour.
 enum class MapList { none, x, y, measure };
 struct MapState {
-    MapList open = MapList::none;                // the list of axes or measures that is unfolded
-    bool drags = false;                          // the dot is dragged
-    bool folded_scene = false;                   // the scene's card was folded to make room
+    MapList open = MapList::none;                            // the list of axes or measures that is unfolded
+    insight::ValueGroup group = insight::ValueGroup::brain;  // of the values that the list of an axis shows
+    float added_height = 0;     // of an unfolded list and a range below its axis as drawn last, window pixels
+    bool drags = false;         // the dot is dragged
+    bool folded_scene = false;  // the scene's card was folded to make room
     std::optional<insight::MapPlace> pressed{};  // the cell on which the button went down, beside the dot
     std::optional<insight::MapPlace> hovered{};  // under the pointer in this frame
 };

@@ -1,0 +1,213 @@
+// What the map of behaviour shows: the value on each axis with its range, the measure and the number of starts.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/map_parts.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/record_fields.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+using insight::AxisValue;
+using insight::MapAxis;
+using insight::MapMeasure;
+using insight::ValueGroup;
+
+namespace {
+
+constexpr std::array group_words{"brain", "body", "scene"};  // by ValueGroup
+
+// A small button that unfolds a list below its row.
+SmallButton opener_look(const MapFrame& frame, std::string_view id, MapList list, std::string_view words) {
+    const bool open = frame.state.open == list;
+    return {id, open ? icon::unfolded : icon::folded, words, open};
+}
+
+void opener(const MapFrame& frame, const SmallButton& look, MapList list, std::string_view how, ImVec2 at) {
+    MapState& state = frame.state;
+    ImGui::SetCursorScreenPos(at);
+    const Item shown = small_button(frame.ui, look);
+    tooltip(frame.ui, shown, frame.ui.strings(how));
+    if (!shown.pressed) return;
+    state.open = state.open == list ? MapList::none : list;
+    if (state.open == MapList::x) state.group = group_of(frame.x->owner);
+    if (state.open == MapList::y) state.group = group_of(frame.y->owner);
+}
+
+// Small buttons in rows. True when the one is clicked.
+bool choice(const MapFrame& frame, const std::string& id, const std::string& words, bool on, bool is_first,
+            float right) {
+    const SmallButton which{id, {}, words, on};
+    if (!is_first) beside_or_below(frame.ui, small_button_width(frame.ui, which, true), right);
+    return small_button(frame.ui, which).pressed;
+}
+
+// The ends of an axis as two sliders.
+void range_sliders(const MapFrame& frame, bool is_x, float width) {
+    Ui& ui = frame.ui;
+    const MapAxis& now = is_x ? frame.map.x : frame.map.y;
+    const AxisValue& value = is_x ? *frame.x : *frame.y;
+    const std::string unit = (value.unit == "°" ? "" : " ") + std::string(value.unit);
+    MapRange range{now.from, now.to};
+    bool changed = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    for (float* end : {&range.from, &range.to}) {
+        const bool is_from = end == &range.from;
+        SliderLook look = look_of(NumberField{"", value.unit, value.allowed, *end, is_from ? value.from : value.to});
+        look.words = ui.strings(is_from ? "map.from" : "map.to");
+        look.tooltip = ui.strings("map.end_how");
+        look.words_width = 34;
+        if (!value.unit.empty()) look.unit = unit;
+        const std::string id = std::string(is_x ? "map.x." : "map.y.") + (is_from ? "from" : "to");
+        if (const auto edit = slider(ui, frame.sliders, id, *end, width, frame.view.wall_seconds, look))
+            *end = edit->value, changed = true;
+    }
+    ImGui::PopStyleVar();
+    if (!changed || range.from == range.to) return;
+    MapRequest request;
+    (is_x ? request.x_range : request.y_range) = range;
+    ui.outbox.emplace_back(request);
+}
+
+// The list of values: the group, its values, and the range of the present one.
+void axes(const MapFrame& frame, float width) {
+    Ui& ui = frame.ui;
+    MapState& state = frame.state;
+    const bool is_x = state.open == MapList::x;
+    const float right = ImGui::GetCursorScreenPos().x + width;
+    const AxisValue& now = is_x ? *frame.x : *frame.y;
+    const std::string begin = is_x ? "map.x." : "map.y.";
+    std::array<std::string_view, insight::value_group_count> words;
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = ui.strings(std::string("map.group.") + group_words[i]);
+    gap(ui, 2);
+    const int group = segments(ui, begin + "group", words, static_cast<int>(state.group), width);
+    if (group >= 0) state.group = static_cast<ValueGroup>(group);
+    bool is_first = true;
+    for (const AxisValue& value : frame.values) {
+        if (group_of(value.owner) != state.group) continue;
+        if (choice(frame, begin + value.id, axis_words(ui, value), value.id == now.id, is_first, right)) {
+            MapRequest request;
+            (is_x ? request.x : request.y) = value.id;
+            ui.outbox.emplace_back(request);
+            state.open = MapList::none;
+        }
+        is_first = false;
+    }
+    if (group_of(now.owner) == state.group) range_sliders(frame, is_x, width);
+}
+
+void measures(const MapFrame& frame, float right) {
+    Ui& ui = frame.ui;
+    const MapView& map = frame.map;
+    for (const auto& row : insight::map_measure_table)
+        if (choice(frame, "map.measure." + std::string(row.word), measure_words(ui, row.value),
+                   row.value == map.measure, row.value == MapMeasure::behaviour, right)) {
+            ui.outbox.emplace_back(MapRequest{.measure = row.value});
+            frame.state.open = MapList::none;
+        }
+    for (const int seeds : {1, 5})
+        if (choice(frame, "map.seeds." + std::to_string(seeds),
+                   fill(ui.strings(seeds == 1 ? "map.one_start" : "map.starts"), {std::to_string(seeds)}),
+                   seeds == map.seeds, seeds == 1, right))
+            ui.outbox.emplace_back(MapRequest{.seeds = seeds});
+}
+
+// An end of an axis with as few decimals as it needs.
+std::string end_words(const Ui& ui, const AxisValue& value, float end, bool unit) {
+    int decimals = 0;
+    for (float scaled = end; decimals < 3 && std::fabs(scaled - std::round(scaled)) > 1e-3f * std::fabs(scaled);)
+        ++decimals, scaled *= 10;
+    const std::string number = fixed(ui, end, decimals);
+    if (!unit || value.unit.empty()) return number;
+    return number + (value.unit == "°" ? "" : " ") + std::string(value.unit);
+}
+
+}  // namespace
+
+std::string axis_words(const Ui& ui, const AxisValue& value) {
+    constexpr std::string_view of_threshold = "threshold_";
+    constexpr std::array owners{"", "sensor_", "body_", "start_", "source_", "arena_"};  // by ValueOwner
+    if (value.dials.empty())
+        return fill(ui.strings(std::string("map.value.") + owners[static_cast<std::size_t>(value.owner)] + value.key),
+                    {value.source});
+    std::string words;
+    for (const Dial dial : value.dials) {
+        const std::string_view key = name(dial);
+        words += words.empty() ? "" : " = ";
+        words += key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
+    }
+    return words;
+}
+
+std::string value_words(const Ui& ui, const AxisValue& value, const MapAxis& axis, float number) {
+    const float span = std::fabs(axis.to - axis.from);
+    const int decimals = span >= 60 ? 0 : span >= 6 ? 1 : 2;
+    return fixed(ui, number, decimals) +
+           (value.unit.empty() || value.unit == "°" ? std::string(value.unit) : " " + std::string(value.unit));
+}
+
+std::string measure_words(const Ui& ui, MapMeasure measure) {
+    return std::string(ui.strings("map.measure." + std::string(row_of(measure).word)));
+}
+
+void map_upper_row(const MapFrame& frame, float width) {
+    Ui& ui = frame.ui;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    std::string axis = axis_words(ui, *frame.y), measure = measure_words(ui, frame.map.measure);
+    const float gap_between = ui.px(6);
+    const float bare =
+        small_button_width(ui, opener_look(frame, "map.y", MapList::y, axis), true) - text_width(ui, Face::small, axis);
+    const float room = width - gap_between - 2 * bare;  // for the words of both
+    measure = shortened(ui, measure, Face::small, std::max(room / 2, room - text_width(ui, Face::small, axis)));
+    axis = shortened(ui, axis, Face::small, room - text_width(ui, Face::small, measure));
+    const SmallButton shown = opener_look(frame, "map.measure", MapList::measure, measure);
+    const float right = small_button_width(ui, shown, true);
+    const SmallButton y = opener_look(frame, "map.y", MapList::y, axis);
+    const float after = small_button_width(ui, y, true) + gap_between;
+    opener(frame, y, MapList::y, "map.up_how", at);
+    const MapAxis& up = frame.map.y;
+    const std::string range =
+        fill(ui.strings("map.range"), {end_words(ui, *frame.y, up.from, false), end_words(ui, *frame.y, up.to, true)});
+    const bool fits = after + right + text_width(ui, Face::small, range) < width;
+    const float row = ui.px(small_button_height + 4), line = line_height(ui, Face::small) + ui.px(2);
+    put(ui, fits ? ImVec2{at.x + after, at.y + ui.px(4)} : ImVec2{at.x, at.y + row}, range, ui.palette.second_text,
+        Face::small);
+    opener(frame, shown, MapList::measure, "map.shows_how", {at.x + width - right, at.y});
+    ImGui::SetCursorScreenPos({at.x, at.y + row + (fits ? 0 : line)});
+    if (frame.state.open == MapList::y) axes(frame, width);
+    if (frame.state.open == MapList::measure) measures(frame, at.x + width);
+    frame.state.added_height = ImGui::GetCursorScreenPos().y - at.y - row;
+}
+
+void map_lower_row(const MapFrame& frame, float side, float width) {
+    Ui& ui = frame.ui;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string axis = axis_words(ui, *frame.x);
+    const SmallButton x = opener_look(frame, "map.x", MapList::x, axis);
+    const float room = small_button_width(ui, x, true);
+    const std::string low = end_words(ui, *frame.x, frame.map.x.from, false),
+                      high = end_words(ui, *frame.x, frame.map.x.to, true);
+    // Wider than the field where the words need it.
+    const float ends = 2 * (std::max(text_width(ui, Face::small, low), text_width(ui, Face::small, high)) + ui.px(6));
+    const float row = std::max(side, std::min(width, room + ends));
+    put(ui, {at.x, at.y}, low, ui.palette.second_text, Face::small);
+    put_right(ui, {at.x + row, at.y}, high, ui.palette.second_text, Face::small);
+    opener(frame, x, MapList::x, "map.across_how", {at.x + (row - room) / 2, at.y});
+    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(small_button_height + 4)});
+    if (frame.state.open != MapList::x) return;
+    const float top = ImGui::GetCursorScreenPos().y;
+    axes(frame, width);
+    frame.state.added_height += ImGui::GetCursorScreenPos().y - top;
+}
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,131 @@
+// The words below the map of behaviour and the legend of its colours.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/panels/map_parts.h"
+#include "ui/strings.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+using insight::Behaviour;
+using insight::MapAxis;
+using insight::MapCell;
+using insight::MapMeasure;
+using insight::MapPlace;
+
+namespace {
+
+constexpr float legend_sign = 13;  // layout pixels
+
+std::string in_words(const Ui& ui, Behaviour kind) {
+    return std::string(ui.strings("map.kind." + std::string(row_of(kind).word)));
+}
+
+std::string number_words(const Ui& ui, float number, MapMeasure measure) {
+    if (!std::isfinite(number)) return std::string(ui.strings("map.never"));
+    const std::string_view unit = row_of(measure).unit;
+    return fixed(ui, number, unit.empty() ? 0 : 1) + (unit.empty() ? "" : " " + std::string(unit));
+}
+
+// All kinds; in a lecture, where type is large, those of the map.
+std::vector<Behaviour> shown_kinds(const MapFrame& frame) {
+    std::vector<Behaviour> kinds;
+    for (const auto& row : insight::behaviour_table) {
+        const auto& all = frame.map.cells->cells;
+        const bool occurs = std::any_of(all.begin(), all.end(), [&](const std::optional<MapCell>& cell) {
+            return cell && cell->outcome.behaviour == row.value;
+        });
+        if (occurs || !frame.view.lecture) kinds.push_back(row.value);
+    }
+    return kinds;
+}
+
+void legend_of_kinds(const MapFrame& frame, float width) {
+    Ui& ui = frame.ui;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float row = line_height(ui, Face::small) + ui.px(4), sign = ui.px(legend_sign);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const std::vector<Behaviour> kinds = shown_kinds(frame);
+    const int rows = map_legend_rows(frame);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const BehaviourLook& look = look_of(kinds[i]);
+        const int column = static_cast<int>(i) / rows;
+        const float x = at.x + static_cast<float>(column) * width / 2;
+        const float y = at.y + static_cast<float>(static_cast<int>(i) % rows) * row;
+        const Rect box{x, std::floor(y + (row - sign) / 2), sign, sign};
+        draw.AddRectFilled({box.x, box.y}, {box.x + sign, box.y + sign},
+                           paint(Colour{look.colour.r, look.colour.g, look.colour.b, 1}));
+        draw_map_mark(draw, box, look.value, look.colour);
+        put(ui, {x + sign + ui.px(6), y + ui.px(2)},
+            shortened(ui, in_words(ui, look.value), Face::small, width / 2 - sign - ui.px(10)), ui.palette.text,
+            Face::small);
+    }
+    ImGui::Dummy({1, static_cast<float>(rows) * row});
+}
+
+void legend_of_numbers(const MapFrame& frame, float width) {
+    Ui& ui = frame.ui;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const MapScale scale = scale_of(frame.map.cells->cells, frame.map.measure);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    constexpr int steps = 32;
+    const float height = ui.px(legend_sign), w = width / steps;
+    for (int i = 0; i < steps; ++i)
+        draw.AddRectFilled({at.x + w * static_cast<float>(i), at.y},
+                           {at.x + w * static_cast<float>(i + 1), at.y + height},
+                           paint(as_colour(scale_colour(static_cast<float>(i) / (steps - 1)))));
+    const float y = at.y + height + ui.px(2);
+    put(ui, {at.x, y}, number_words(ui, scale.low, frame.map.measure), ui.palette.text, Face::small);
+    put_right(ui, {at.x + width, y}, number_words(ui, scale.high, frame.map.measure), ui.palette.text, Face::small);
+    ImGui::Dummy({1, height + line_height(ui, Face::small) + ui.px(4)});
+}
+
+}  // namespace
+
+int map_legend_rows(const MapFrame& frame) {
+    return frame.map.measure == MapMeasure::behaviour ? static_cast<int>(shown_kinds(frame).size() + 1) / 2 : 2;
+}
+
+void map_words(const MapFrame& frame, float width) {
+    Ui& ui = frame.ui;
+    const MapPlace place = frame.state.hovered ? *frame.state.hovered : frame.cell_of_now();
+    const MapCell* cell = frame.map.cells->shown(place);
+    const ImVec2 at_line = ImGui::GetCursorScreenPos();
+    const float line = frame.view.lecture ? 0 : line_height(ui, Face::small);
+    std::string where(ui.strings("map.now"));
+    if (frame.state.hovered)
+        where = axis_words(ui, *frame.x) + " " +
+                value_words(ui, *frame.x, frame.map.x, insight::value_at(frame.map.x, place.x, frame.size())) + ", " +
+                axis_words(ui, *frame.y) + " " +
+                value_words(ui, *frame.y, frame.map.y, insight::value_at(frame.map.y, place.y, frame.size()));
+    if (!frame.view.lecture)
+        put(ui, at_line, shortened(ui, where, Face::small, width), ui.palette.second_text, Face::small);
+    if (cell) {
+        std::string what = in_words(ui, cell->outcome.behaviour);
+        if (frame.map.measure != MapMeasure::behaviour)
+            what += ", " + measure_words(ui, frame.map.measure) + ": " +
+                    number_words(ui, number_of(cell->outcome, frame.map.measure), frame.map.measure);
+        if (frame.map.seeds > 1)
+            what += " (" +
+                    fill(ui.strings("map.agree"),
+                         {std::to_string(std::lround(cell->agree * static_cast<float>(frame.map.seeds))),
+                          std::to_string(frame.map.seeds)}) +
+                    ")";
+        put(ui, {at_line.x, at_line.y + line}, shortened(ui, what, Face::strong, width), ui.palette.text, Face::strong);
+    }
+    ImGui::Dummy({1, line + line_height(ui, Face::strong) + ui.px(4)});
+}
+
+void map_legend(const MapFrame& frame, float width) {
+    frame.map.measure == MapMeasure::behaviour ? legend_of_kinds(frame, width) : legend_of_numbers(frame, width);
+}
+
+}  // namespace braitenlab::ui
