@@ -93,7 +93,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
                      [&](const SeedRequest& r) { reset(lab, r.seed); },
                      [&](const MapRequest& r) { choose_map(lab, r); },
-                     [&](const StudyRequest& r) { handle_study(lab.study, r); },
+                     [&](const StudyRequest& r) { handle_study(lab, r); },
                      [&](const RobotsRequest& r) { handle_robots(lab, r); },
                      [&](const SeekRequest& r) { seek(lab, r); },
                      [&](const WhyRequest& r) { explain_at(lab, r.tick); },

@@ -149,6 +149,9 @@ struct StudyView {
     std::shared_ptr<const insight::StudyBase> base{};      // null: none is open
     const std::vector<insight::StudyRow>* rows = nullptr;  // complete runs, in order; null with `base`
     bool runs = false;
+    bool is_built = false;         // of the open scene, and not in a file
+    bool has_file = false;         // of the user: its table is beside it once it is saved
+    std::string table{};           // file of its table; empty: it is in memory only
     std::optional<Error> error{};  // why it could not be opened or continued
     int shown = 0;                 // increases with each study that is opened from a file: its sheet is shown then
 };

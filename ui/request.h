@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/insight/behaviour.h"
+#include "core/insight/study_file.h"
 #include "core/world/command.h"
 #include "render/view/palette.h"
 #include "render/view/pick.h"
@@ -269,11 +270,14 @@ struct SlotRequest {
     std::size_t slot = 0;  // 0: A, 1: B
     bool store = false;    // stores the vehicle's brain; else puts the slot's brain into the vehicle
 };
-// open: a file or the name of a shipped study. run: goes on with the runs that are missing. stop: keeps complete runs.
-enum class StudyEdit { open, run, stop };
+// open: a file or the name of a shipped study. build: `study` of the open scene. run: goes on with the runs that are
+// missing. stop: keeps complete runs. save: writes a built study with its scene to the folder of documents, and the
+// table of a study with a file beside it.
+enum class StudyEdit { open, build, run, stop, save };
 struct StudyRequest {
     StudyEdit edit = StudyEdit::open;
     std::string path{};
+    std::shared_ptr<const insight::Study> study{};  // its id, scene and first seed are set by the lab
 };
 struct RobotsRequest {               // of the trial with real robots; nullopt: as before
     std::optional<float> reality{};  // insight::RobotsQuestion

@@ -158,6 +158,16 @@ struct FileCommands {
         say(lab, {NoticeKind::done, "notice.numbers", path.string()});
     }
 
+    // The study of the open scene and the table of a study.
+    void save_results(const fs::path& folder) const {
+        if (!lab.study.base) return;
+        std::error_code none;  // writing reports it
+        fs::create_directories(folder, none);
+        const auto table = save_study(lab.study, folder);
+        if (!table) return fail(table.error());
+        say(lab, {NoticeKind::done, "notice.study", table->string()});
+    }
+
     // Writes the files of an export. The folder above theirs must exist, so that a typing error makes no folders.
     void write_files(const WriteFilesRequest& wanted) const {
         const fs::path into = resolved(wanted.folder, folder(), folders.home);
@@ -254,6 +264,8 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
         if (const auto* students = std::get_if<StudentRequest>(&request);
             students && students->edit == StudentEdit::save)
             commands.save_numbers({"progress", progress_csv(lab.students.all)}, reports_folder(folders.documents));
+        if (const auto* study = std::get_if<StudyRequest>(&request); study && study->edit == StudyEdit::save)
+            commands.save_results(reports_folder(folders.documents));
         if (const auto* browse = std::get_if<BrowseRequest>(&request))
             commands.list(resolved(browse->path, commands.folder(), folders.home));
     }

@@ -54,26 +54,46 @@ fs::path StudyTable::unfinished() const {
 
 std::string StudyTable::name_line() const { return fmt::format("# study {:016x}\n", base_->fingerprint()); }
 
+// Takes the runs of a file that begins with these lines, and returns the part of it that belongs to them.
+std::string StudyTable::take_lines(const fs::path& path, const std::string& first) {
+    rows_.clear();
+    std::string kept = first;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return kept;
+    std::ostringstream all;
+    all << in.rdbuf();
+    const std::string text = all.str();
+    if (!text.starts_with(kept)) return kept;
+    // A run that was cut off while it was written has no complete line.
+    for (std::size_t at = kept.size(), end;
+         rows_.size() < base_->study().runs() && (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
+        const std::string line = text.substr(at, end + 1 - at);
+        auto row = insight::read_study_line(*base_, rows_.size(), line);
+        if (!row) break;
+        rows_.push_back(std::move(*row));
+        kept += line;
+    }
+    return kept;
+}
+
+void StudyTable::read(const std::vector<fs::path>& files_of_study) {
+    std::error_code none;
+    if (fs::exists(unfinished(), none)) {
+        (void)take_lines(unfinished(), name_line() + insight::study_header(base_->study()));
+        return;
+    }
+    const auto written = fs::last_write_time(path_, none);
+    if (none) return;
+    for (const fs::path& file : files_of_study)
+        if (fs::last_write_time(file, none) > written || none) return;
+    (void)take_lines(path_, insight::study_header(base_->study()));
+    if (rows_.size() < base_->study().runs()) rows_.clear();
+}
+
 std::optional<Error> StudyTable::begin() {
     rows_.clear();
     if (path_.empty()) return std::nullopt;
-    std::string kept = name_line() + insight::study_header(base_->study());
-    if (std::ifstream in(unfinished(), std::ios::binary); in) {
-        std::ostringstream all;
-        all << in.rdbuf();
-        const std::string text = all.str();
-        // A run that was cut off while it was written has no complete line.
-        if (text.starts_with(kept))
-            for (std::size_t at = kept.size(), end;
-                 rows_.size() < base_->study().runs() && (end = text.find('\n', at)) != std::string::npos;
-                 at = end + 1) {
-                const std::string line = text.substr(at, end + 1 - at);
-                auto row = insight::read_study_line(*base_, rows_.size(), line);
-                if (!row) break;
-                rows_.push_back(std::move(*row));
-                kept += line;
-            }
-    }
+    const std::string kept = take_lines(unfinished(), name_line() + insight::study_header(base_->study()));
     if (auto error = write_whole(unfinished(), kept)) return error;
     file_.open(unfinished(), std::ios::binary | std::ios::app);
     if (!file_) return Error{"could not be written; check that the folder may be written to", unfinished().string()};
@@ -103,6 +123,34 @@ std::string StudyTable::text() const {
     std::string text = insight::study_header(base_->study());
     for (std::size_t run = 0; run < rows_.size(); ++run) text += insight::study_line(*base_, run, rows_[run]);
     return text;
+}
+
+Result<fs::path> write_study_files(const insight::Study& wanted, const std::string& scene_text,
+                                   const fs::path& folder) {
+    const auto is_free_for = [](const fs::path& path, const std::string& text) {
+        std::error_code none;
+        if (!fs::exists(path, none)) return true;
+        const auto there = read_text(path);
+        return there && *there == text;
+    };
+    insight::Study study = wanted;
+    for (int number = 1;; ++number) {
+        const std::string id = wanted.id + (number > 1 ? fmt::format("-{}", number) : "");
+        study.scene = id + "-scene.toml";
+        const fs::path path = folder / (id + ".toml"), scene = folder / study.scene;
+        const std::string text = insight::write_study(study);
+        if (!is_free_for(path, text) || !is_free_for(scene, scene_text)) continue;
+        std::error_code none;
+        for (const auto& [file, content] : {std::pair(scene, &scene_text), std::pair(path, &text)})
+            if (!fs::exists(file, none))
+                if (const auto error = write_whole(file, *content)) return *error;
+        return path;
+    }
+}
+
+fs::path table_of_study(const fs::path& study_file) {
+    fs::path path = study_file;
+    return path.replace_extension(".csv");
 }
 
 }  // namespace braitenlab

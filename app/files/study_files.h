@@ -29,6 +29,10 @@ public:
     // An empty path: the table is in memory only.
     StudyTable(std::shared_ptr<const insight::StudyBase>, const std::string& path);
 
+    // Takes over the runs of the unfinished table, or of a complete one that is newer than the files of the study.
+    // Writes nothing.
+    void read(const std::vector<std::filesystem::path>& files_of_study);
+
     // Reads the unfinished table; a table of another study is begun anew. Fails if the file cannot be written.
     std::optional<Error> begin();
 
@@ -38,17 +42,28 @@ public:
     // Precondition: all runs are there. Writes the table to the path and removes the unfinished one.
     std::optional<Error> finish();
 
+    bool is_begun() const { return file_.is_open(); }
+    const std::filesystem::path& path() const { return path_; }
     const std::vector<insight::StudyRow>& rows() const { return rows_; }  // complete runs, in order
     std::string text() const;                                             // header and these rows
     std::filesystem::path unfinished() const;                             // empty for a table in memory
 
 private:
     std::string name_line() const;
+    std::string take_lines(const std::filesystem::path&, const std::string& first);
 
     std::shared_ptr<const insight::StudyBase> base_;
     std::filesystem::path path_;
     std::ofstream file_;  // the unfinished table
     std::vector<insight::StudyRow> rows_;
 };
+
+// Writes a study and its scene into a folder under free names: ID.toml and ID-scene.toml, ID-2.toml … Files with the
+// same content are used as they are. Returns the path of the study's file.
+Result<std::filesystem::path> write_study_files(const insight::Study&, const std::string& scene_text,
+                                                const std::filesystem::path& folder);
+
+// The path of the table beside the file of a study.
+std::filesystem::path table_of_study(const std::filesystem::path& study_file);
 
 }  // namespace braitenlab

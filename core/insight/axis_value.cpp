@@ -283,26 +283,44 @@ std::vector<Command> commands_that_set(const ValueSubject& subject, const AxisVa
     return {};
 }
 
-void place_sensors(Scene& scene, const ValueSubject& subject) {
-    const Kind& design = kind_of(subject.now, subject.vehicle);
+namespace {
+
+// Gives the part of the subject's vehicle to all that its target holds. `own`: the part of a start or a member.
+template <class Part, class Own>
+void place_part(Scene& scene, const ValueSubject& subject, const Part& part, Part Kind::*of_kind, Own own) {
+    const std::string& kind = scene.kinds[static_cast<std::size_t>(subject.vehicle.kind)].name;
     if (subject.target.vehicle == no_vehicle) {
         for (Start& start : scene.starts)
-            if (start.kind == design.name) start.sensors.reset();
+            if (start.kind == kind) own(start).reset();
         for (Member& member : scene.members)
-            if (member.kind == design.name) member.sensors.reset();
-        scene.kinds[static_cast<std::size_t>(subject.vehicle.kind)].sensors = design.sensors;
+            if (member.kind == kind) own(member).reset();
+        scene.kinds[static_cast<std::size_t>(subject.vehicle.kind)].*of_kind = part;
         return;
     }
     if (subject.vehicle.start >= 0) {
-        scene.starts[static_cast<std::size_t>(subject.vehicle.start)].sensors = design.sensors;
+        own(scene.starts[static_cast<std::size_t>(subject.vehicle.start)]) = part;
         return;
     }
     const int number = number_in_population(subject.now, subject.vehicle.id);
     auto place = std::find_if(scene.members.begin(), scene.members.end(),
                               [&](const Member& member) { return number_of(member) >= number; });
     if (place == scene.members.end() || number_of(*place) != number)
-        place = scene.members.insert(place, Member{.name = std::to_string(number), .kind = design.name});
-    place->sensors = design.sensors;
+        place = scene.members.insert(place, Member{.name = std::to_string(number), .kind = kind});
+    own(*place) = part;
+}
+
+}  // namespace
+
+void place_sensors(Scene& scene, const ValueSubject& subject) {
+    place_part(
+        scene, subject, kind_of(subject.now, subject.vehicle).sensors, &Kind::sensors,
+        [](auto& holder) -> auto& { return holder.sensors; });
+}
+
+void place_brain(Scene& scene, const ValueSubject& subject) {
+    place_part(
+        scene, subject, *brain_of(subject.now, subject.vehicle), &Kind::brain,
+        [](auto& holder) -> auto& { return holder.brain; });
 }
 
 }  // namespace braitenlab::insight

@@ -59,8 +59,9 @@ MapAxis axis_of(const AxisValue&, float from, float to);
 // the first tick.
 std::vector<Command> commands_that_set(const ValueSubject&, const AxisValue&, float value);
 
-// Prepares a scene for runs with other values of the subject's sensors: the target's sensors are where the paths
-// say. The run does not change, except that a target of a whole kind has the sensors of the subject's vehicle.
+// Prepares a scene for runs with other values of the subject's sensors or brain: those of the target are where the
+// paths say. The run does not change, except that a target of a whole kind has those of the subject's vehicle.
 void place_sensors(Scene&, const ValueSubject&);
+void place_brain(Scene&, const ValueSubject&);
 
 }  // namespace braitenlab::insight

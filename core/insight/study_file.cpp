@@ -11,6 +11,7 @@
 #include "core/scene/format_table.h"
 #include "core/scene/nearest.h"
 #include "core/scene/toml_reader.h"
+#include "core/scene/toml_writer.h"
 
 namespace braitenlab {
 
@@ -109,6 +110,12 @@ Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
     if (!file->error) check_study(top, study);
     if (file->error) return *file->error;
     return study;
+}
+
+std::string write_study(const Study& study) {
+    TomlWriter<Study> writer(study, "");
+    describe(writer, Of<Study>{});
+    return "format = 1\n" + writer.text("", true);
 }
 
 std::vector<std::size_t> levels_of(const Study& study, std::size_t combination) {

@@ -82,6 +82,9 @@ struct Study {
 // limits::study_runs runs.
 Result<Study> parse_study(std::string_view toml, const std::string& file_name);
 
+// The file of a study, without values at their defaults. parse_study(write_study(s)) is s, but for its id.
+std::string write_study(const Study&);
+
 // By ids like "study.prey-eyes.value.1".
 std::vector<TranslatableText> texts_of(const Study&);
 

@@ -24,8 +24,8 @@ std::string quote(std::string_view);
 std::string setting(const Setting&);  // a line: "path" = value
 }  // namespace toml_text
 
-// The visitor of core/scene/schema.h that collects the text of one struct. texts(), choice() and variant() serve the
-// schema of exercises.
+// The visitor of core/scene/schema.h that collects the text of one struct. texts(), numbers(), choice() and variant()
+// serve the schemas of exercises and studies.
 template <class T>
 class TomlWriter {
 public:
@@ -79,6 +79,9 @@ public:
         for (const std::string& each : object_.*member)
             list += fmt::format("{}{}", list.empty() ? "" : ", ", toml_text::quote(each));
         line(key, fmt::format("[{}]", list));
+    }
+    void numbers(const char* key, std::vector<double> T::*member, std::size_t, Range, const char*) {
+        if (differs(member)) line(key, fmt::format("[{}]", fmt::join(object_.*member, ", ")));
     }
     // The text of the chosen option; nothing without options.
     void choice(const char* key, int T::*member, std::vector<std::string> T::*options, const char*) {

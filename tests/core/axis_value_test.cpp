@@ -92,7 +92,7 @@ TEST_F(Values, AreSetByCommands) {
     EXPECT_EQ(now.scene->starts[0].x, 1);
 }
 
-TEST_F(Values, OfOneVehicleAreItsOwnSensors) {
+TEST_F(Values, OfOneVehicleAreItsOwnSensorsAndBrain) {
     scene.starts.push_back(scene.starts[0]);
     scene.starts[1].name = "other", scene.starts[1].x = 9;
     world = make(scene), now = snapshot_of(world);
@@ -102,6 +102,14 @@ TEST_F(Values, OfOneVehicleAreItsOwnSensors) {
     place_sensors(placed, subject(alone));
     ASSERT_TRUE(placed.starts[0].sensors);
     EXPECT_FALSE(placed.starts[1].sensors);
+    place_brain(placed, subject(alone));
+    const std::string path = find_value(values(alone), "LL")->paths.front();
+    EXPECT_EQ(path, "vehicle.it.brain.LL");
+    const auto varied = parse_scene(write_scene(placed), "scene", {{path, "1.5"}});
+    ASSERT_TRUE(varied) << varied.error().text();
+    EXPECT_EQ(read_dials(*varied->starts[0].brain).LL, 1.5f);
+    EXPECT_EQ(read_dials(*varied->starts[0].brain).RR, 0.25f) << "the rest of its kind's brain";
+    EXPECT_FALSE(varied->starts[1].brain);
     set("sensor.angle", 50, alone);
     EXPECT_FLOAT_EQ(kind_of(now, now.vehicles[0]).sensors[0].angle, maths::radians(50));
     EXPECT_FLOAT_EQ(kind_of(now, now.vehicles[1]).sensors[0].angle, maths::radians(35));

@@ -46,6 +46,25 @@ std::string problem(const std::string& toml) {
     return study ? "" : study.error().text();
 }
 
+TEST(StudyFile, ThatIsWrittenReadsAsItWas) {
+    Study study{.title = "Title \"1\"", .story = "Why?", .scene = "here.toml", .vehicle = "it", .seconds = 12.5f};
+    study.seeds = 7, study.first_seed = 42;
+    study.values = {{"a, b", "°", {"kind.x.sensor.SL.angle", "-kind.x.sensor.SR.angle"}, {0.1, 45, -90}},
+                    {"LL = RR", "", {"kind.x.brain.LL"}, {-2, 2}}};
+    study.measure_words = {"touch", "closest"};
+    const std::string text = insight::write_study(study);
+    const auto read = insight::parse_study(text, "study.toml");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(insight::write_study(*read), text);
+    EXPECT_EQ(read->title, study.title);
+    EXPECT_EQ(read->seconds, 12.5f);
+    EXPECT_EQ(read->first_seed, 42u);
+    ASSERT_EQ(read->values.size(), 2u);
+    EXPECT_EQ(read->values[0].paths, study.values[0].paths);
+    EXPECT_EQ(read->values[0].levels, study.values[0].levels);
+    EXPECT_EQ(read->measures, (std::vector{StudyMeasure::time_to_touch, StudyMeasure::closest}));
+}
+
 TEST(Study, RunsAreThoseOfTheSceneWithTheLevelsAndTheSeed) {
     const Scene scene = shipped_scene("2b-aggressor");
     const auto base = base_of(

@@ -91,6 +91,78 @@ TEST_F(StudyDesk, SavesTheTableOfTheCompleteRuns) {
     EXPECT_EQ(desk.last<ExportRequest>()->text, "run,seed,eyes,speed,captures,prey\n1,1,80,3,0,\n2,2,80,3,1,\n");
 }
 
+TEST_F(StudyDesk, AStudyOfTheSceneIsPutTogetherAndRun) {
+    desk.now = snapshot(0);
+    open(0);
+    desk.click("study.new");
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("study.run")) << "the draft takes the place of the study";
+    ASSERT_TRUE(desk.anchors.find("study.build"));
+    desk.click("study.value.2");
+    desk.frame(2);
+    desk.click("study.value.2.group.1");
+    desk.frame(2);
+    desk.click("study.value.2.LL=RR");
+    desk.frame(2);
+    desk.type_into("study.value.2.levels", "2");
+    desk.type_into("study.value.1.from", "20");
+    desk.type_into("study.value.1.to", "60");
+    desk.type_into("study.seeds", "5");
+    desk.click("study.measured.touch");
+    desk.frame(2);
+    EXPECT_TRUE(is_written("30 runs of 20 s"));
+    desk.click("study.build");
+    const insight::Study* made = nullptr;
+    for (const Request& request : desk.all)
+        if (const auto* wanted = std::get_if<StudyRequest>(&request); wanted && wanted->edit == StudyEdit::build)
+            made = wanted->study.get();
+    ASSERT_TRUE(made);
+    EXPECT_EQ(desk.last<StudyRequest>()->edit, StudyEdit::run);
+    ASSERT_EQ(made->values.size(), 2u);
+    EXPECT_EQ(made->values[0].levels, (std::vector<double>{20, 40, 60}));
+    EXPECT_EQ(made->values[0].paths,
+              (std::vector<std::string>{"kind.vehicle.sensor.SL.angle", "-kind.vehicle.sensor.SR.angle"}));
+    EXPECT_EQ(made->values[1].levels, (std::vector<double>{-2, 2}));
+    EXPECT_EQ(made->seeds, 5);
+    EXPECT_EQ(made->measure_words, std::vector<std::string>{"closest"});
+    EXPECT_TRUE(insight::parse_study("format = 1\nscene = \"s\"\n" + insight::write_study(*made).substr(11), "s.toml"));
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("study.run")) << "the study is shown";
+}
+
+TEST_F(StudyDesk, AStudyWithoutAMeasureCannotBeRun) {
+    desk.now = snapshot(0);
+    open(0);
+    desk.click("study.new");
+    desk.frame(2);
+    for (const char* measure : {"study.measured.closest", "study.measured.touch"}) desk.click(measure), desk.frame(2);
+    const auto asks = [&] {
+        const std::size_t before = desk.all.size();
+        desk.click("study.build");
+        return desk.all.size() > before;
+    };
+    EXPECT_FALSE(asks());
+    desk.click("study.measured.closest");
+    desk.frame(2);
+    EXPECT_TRUE(asks());
+}
+
+TEST_F(StudyDesk, SavesAStudyOfItsOwnOnce) {
+    open(2);
+    desk.view.study.is_built = true;
+    desk.frame(2);
+    desk.click("study.save");
+    ASSERT_TRUE(desk.last<StudyRequest>());
+    EXPECT_EQ(desk.last<StudyRequest>()->edit, StudyEdit::save);
+    EXPECT_FALSE(desk.last<ExportRequest>());
+    desk.view.study.is_built = false, desk.view.study.has_file = true, desk.view.study.table = "/home/study.csv";
+    desk.frame(2);
+    EXPECT_TRUE(is_written("/home/study.csv"));
+    const std::size_t before = desk.all.size();
+    desk.click("study.save");
+    EXPECT_EQ(desk.all.size(), before) << "nothing is written twice";
+}
+
 TEST_F(StudyDesk, AFileThatIsOpenedShowsIt) {
     desk.panels.sheet = Sheet::none;
     open(0);

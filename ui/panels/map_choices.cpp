@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "ui/panels/map_parts.h"
+#include "ui/panels/value_choice.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -21,11 +22,8 @@ namespace braitenlab::ui {
 using insight::AxisValue;
 using insight::MapAxis;
 using insight::MapMeasure;
-using insight::ValueGroup;
 
 namespace {
-
-constexpr std::array group_words{"brain", "body", "scene"};  // by ValueGroup
 
 // A small button that unfolds a list below its row.
 SmallButton opener_look(const MapFrame& frame, std::string_view id, MapList list, std::string_view words) {
@@ -42,14 +40,6 @@ void opener(const MapFrame& frame, const SmallButton& look, MapList list, std::s
     state.open = state.open == list ? MapList::none : list;
     if (state.open == MapList::x) state.group = group_of(frame.x->owner);
     if (state.open == MapList::y) state.group = group_of(frame.y->owner);
-}
-
-// Small buttons in rows. True when the one is clicked.
-bool choice(const MapFrame& frame, const std::string& id, const std::string& words, bool on, bool is_first,
-            float right) {
-    const SmallButton which{id, {}, words, on};
-    if (!is_first) beside_or_below(frame.ui, small_button_width(frame.ui, which, true), right);
-    return small_button(frame.ui, which).pressed;
 }
 
 // The ends of an axis as two sliders.
@@ -84,24 +74,13 @@ void axes(const MapFrame& frame, float width) {
     Ui& ui = frame.ui;
     MapState& state = frame.state;
     const bool is_x = state.open == MapList::x;
-    const float right = ImGui::GetCursorScreenPos().x + width;
     const AxisValue& now = is_x ? *frame.x : *frame.y;
-    const std::string begin = is_x ? "map.x." : "map.y.";
-    std::array<std::string_view, insight::value_group_count> words;
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] = ui.strings(std::string("map.group.") + group_words[i]);
-    gap(ui, 2);
-    const int group = segments(ui, begin + "group", words, static_cast<int>(state.group), width);
-    if (group >= 0) state.group = static_cast<ValueGroup>(group);
-    bool is_first = true;
-    for (const AxisValue& value : frame.values) {
-        if (group_of(value.owner) != state.group) continue;
-        if (choice(frame, begin + value.id, axis_words(ui, value), value.id == now.id, is_first, right)) {
-            MapRequest request;
-            (is_x ? request.x : request.y) = value.id;
-            ui.outbox.emplace_back(request);
-            state.open = MapList::none;
-        }
-        is_first = false;
+    const std::string begin = is_x ? "map.x" : "map.y";
+    if (const AxisValue* chosen = value_choice(ui, frame.values, begin, now.id, state.group, width)) {
+        MapRequest request;
+        (is_x ? request.x : request.y) = chosen->id;
+        ui.outbox.emplace_back(request);
+        state.open = MapList::none;
     }
     if (group_of(now.owner) == state.group) range_sliders(frame, is_x, width);
 }
@@ -110,15 +89,15 @@ void measures(const MapFrame& frame, float right) {
     Ui& ui = frame.ui;
     const MapView& map = frame.map;
     for (const auto& row : insight::map_measure_table)
-        if (choice(frame, "map.measure." + std::string(row.word), measure_words(ui, row.value),
-                   row.value == map.measure, row.value == MapMeasure::behaviour, right)) {
+        if (choice_in_row(ui, "map.measure." + std::string(row.word), measure_words(ui, row.value),
+                          row.value == map.measure, row.value == MapMeasure::behaviour, right)) {
             ui.outbox.emplace_back(MapRequest{.measure = row.value});
             frame.state.open = MapList::none;
         }
     for (const int seeds : {1, 5})
-        if (choice(frame, "map.seeds." + std::to_string(seeds),
-                   fill(ui.strings(seeds == 1 ? "map.one_start" : "map.starts"), {std::to_string(seeds)}),
-                   seeds == map.seeds, seeds == 1, right))
+        if (choice_in_row(ui, "map.seeds." + std::to_string(seeds),
+                          fill(ui.strings(seeds == 1 ? "map.one_start" : "map.starts"), {std::to_string(seeds)}),
+                          seeds == map.seeds, seeds == 1, right))
             ui.outbox.emplace_back(MapRequest{.seeds = seeds});
 }
 
@@ -133,21 +112,6 @@ std::string end_words(const Ui& ui, const AxisValue& value, float end, bool unit
 }
 
 }  // namespace
-
-std::string axis_words(const Ui& ui, const AxisValue& value) {
-    constexpr std::string_view of_threshold = "threshold_";
-    constexpr std::array owners{"", "sensor_", "body_", "start_", "source_", "arena_"};  // by ValueOwner
-    if (value.dials.empty())
-        return fill(ui.strings(std::string("map.value.") + owners[static_cast<std::size_t>(value.owner)] + value.key),
-                    {value.source});
-    std::string words;
-    for (const Dial dial : value.dials) {
-        const std::string_view key = name(dial);
-        words += words.empty() ? "" : " = ";
-        words += key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
-    }
-    return words;
-}
 
 std::string value_words(const Ui& ui, const AxisValue& value, const MapAxis& axis, float number) {
     const float span = std::fabs(axis.to - axis.from);

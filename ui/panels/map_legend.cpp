@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "ui/panels/map_parts.h"
+#include "ui/panels/value_choice.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number.h"

@@ -30,8 +30,6 @@ struct MapFrame {
     insight::MapPlace cell_of_now() const;                       // that of the present values
 };
 
-// "LL = RR", "sensor angle", "lamp x".
-std::string axis_words(const Ui&, const insight::AxisValue&);
 // "45°", "3.2 m", with as many decimals as a step of the map needs.
 std::string value_words(const Ui&, const insight::AxisValue&, const insight::MapAxis&, float value);
 std::string measure_words(const Ui&, insight::MapMeasure);

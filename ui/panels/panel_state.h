@@ -17,6 +17,7 @@
 #include "ui/panels/file_lists.h"
 #include "ui/panels/prompts.h"
 #include "ui/panels/robot_state.h"
+#include "ui/panels/study_draft.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
@@ -185,6 +186,7 @@ struct PanelState {
     TakeAwayState take;
     int study_shown = 0;            // StudyView::shown at the last frame
     std::size_t study_measure = 0;  // in Study::measures, shown on the sheet of the study
+    StudyDraft study_draft;
     GlossaryState glossary;
     TextField student_name;  // on the sheet of the students
     bool recovery_asked = false;

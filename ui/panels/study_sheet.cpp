@@ -10,6 +10,7 @@
 
 #include "core/insight/study_table.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/study_draft.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -198,18 +199,29 @@ private:
 };
 
 // The shipped studies, and the one from a file of the user.
-void study_choice(const StudyView& view, Ui& ui, float right) {
+void study_choice(const LabView& lab, StudyDraft& draft, Ui& ui, float right) {
+    const StudyView& view = lab.study;
     const auto choice = [&](const Study& study, bool first) {
-        const bool on = view.base && view.base->study().id == study.id;
+        const bool is_open = view.base && view.base->study().id == study.id, on = is_open && !draft.open;
         const std::string id = "study.open." + study.id;
         const SmallButton which{id, {}, translated(ui, study.title), on};
         if (!first) beside_or_below(ui, small_button_width(ui, which, true), right);
-        if (small_button(ui, which).pressed && !on) ui.outbox.emplace_back(StudyRequest{StudyEdit::open, study.id});
-        return on;
+        if (small_button(ui, which).pressed && !on) {
+            draft.open = false;
+            if (!is_open) ui.outbox.emplace_back(StudyRequest{StudyEdit::open, study.id});
+        }
+        return is_open;
     };
     bool is_shipped = false;
     for (const Study& study : *view.shipped) is_shipped |= choice(study, &study == &view.shipped->front());
     if (view.base && !is_shipped) choice(view.base->study(), false);
+    const std::string_view why = why_no_draft(lab);
+    const SmallButton which{"study.new", {}, ui.strings("study.new"), draft.open};
+    beside_or_below(ui, small_button_width(ui, which, true), right);
+    const Item item = small_button(ui, which);
+    tooltip(ui, item, ui.strings(why.empty() ? "study.new_how" : why));
+    if (item.pressed && why.empty()) draft.open = !draft.open;
+    if (!why.empty()) draft.open = false;
 }
 
 void measure_choice(const Study& study, PanelState& state, Ui& ui, float right) {
@@ -248,6 +260,25 @@ void save_table(const StudyView& view, Ui& ui) {
     ui.outbox.emplace_back(std::move(table));
 }
 
+bool close_button(Ui& ui) {
+    const Item close = button(ui, "study.close", {{}, ui.strings("keys.close")});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    return close.pressed;
+}
+
+// True if the sheet closes.
+bool draft_buttons(StudyDraft& draft, std::optional<Study> study, Ui& ui) {
+    ButtonLook look{icon::play, ui.strings("study.run"), Emphasis::primary};
+    look.enabled = study.has_value();
+    if (button(ui, "study.build", look).pressed && study) {
+        ui.outbox.emplace_back(StudyRequest{StudyEdit::build, {}, std::make_shared<const Study>(std::move(*study))});
+        ui.outbox.emplace_back(StudyRequest{StudyEdit::run, {}});
+        draft.open = false;
+    }
+    ImGui::SameLine();
+    return close_button(ui);
+}
+
 // True if the sheet closes.
 bool study_buttons(const StudyView& view, Ui& ui) {
     const std::size_t done = view.base ? view.rows->size() : 0;
@@ -261,15 +292,15 @@ bool study_buttons(const StudyView& view, Ui& ui) {
         if (run.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::run, {}});
         ImGui::SameLine();
     }
-    ButtonLook look{icon::save, ui.strings("study.save")};
-    look.enabled = done > 0;
+    const bool is_own = view.is_built || view.has_file;  // else a shipped one: its table goes to a new file
+    ButtonLook look{icon::save, ui.strings(view.is_built ? "study.save_study" : "study.save")};
+    look.enabled = is_own ? view.table.empty() : done > 0;
     const Item save = button(ui, "study.save", look);
-    tooltip(ui, save, ui.strings("study.save_how"));
-    if (save.pressed) save_table(view, ui);
+    tooltip(ui, save, ui.strings(view.is_built ? "study.save_study_how" : "study.save_how"));
+    if (save.pressed && is_own) ui.outbox.emplace_back(StudyRequest{StudyEdit::save, {}});
+    if (save.pressed && !is_own) save_table(view, ui);
     ImGui::SameLine();
-    const Item close = button(ui, "study.close", {{}, ui.strings("keys.close")});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    return close.pressed;
+    return close_button(ui);
 }
 
 }  // namespace
@@ -282,14 +313,19 @@ void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
         ui.outbox.emplace_back(StudyRequest{StudyEdit::open, view.shipped->front().id});
     begin_sheet(ui, state.study, "card.study", ui.strings("study.heading"), sheet_width, window);
     const float top = ImGui::GetCursorScreenPos().y, right = ImGui::GetCursorScreenPos().x + card_width(ui);
-    if (view.shipped) study_choice(view, ui, right);
+    if (view.shipped) study_choice(lab, state.study_draft, ui, right);
     gap(ui, 8);
-    if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
-    if (view.base) {
+    std::optional<Study> drafted;
+    const bool drafts = state.study_draft.open;
+    if (drafts) drafted = study_builder(lab, state.study_draft, state.sliders, ui, card_width(ui));
+    if (view.error && !drafts) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
+    if (view.base && !drafts) {
         const Study& study = view.base->study();
         if (state.study_measure >= study.measures.size()) state.study_measure = 0;
         if (!study.story.empty()) paragraph(ui, translated(ui, study.story), ui.palette.text);
         progress(view, ui);
+        if (!view.table.empty())
+            paragraph(ui, fill(ui.strings("study.table"), {view.table}), ui.palette.second_text, Face::small);
         measure_choice(study, state, ui, right);
         gap(ui, 8);
         const float used = ImGui::GetCursorScreenPos().y - top;
@@ -297,7 +333,7 @@ void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
         if (study.combinations() > 1) paragraph(ui, ui.strings("study.how"), ui.palette.second_text, Face::small);
     }
     sheet_buttons(ui, state.study);
-    const bool closed = study_buttons(view, ui);
+    const bool closed = drafts ? draft_buttons(state.study_draft, std::move(drafted), ui) : study_buttons(view, ui);
     if (end_sheet(state.study) || closed) state.sheet = Sheet::none;
 }
 
