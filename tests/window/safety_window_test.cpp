@@ -32,8 +32,8 @@ TEST(LectureWindow, F9TwiceRestoresEverything) {
     lab.key("s");
     EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("lecture.keys"); })) << "pressed keys are shown";
     lab.key("t");
-    lab.key("b");
-    ASSERT_TRUE(wait_for([&] { return lab.state()["camera"] == "birds_eye"; }));
+    lab.key("f");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["camera"] == "overview"; }));
     lab.key("F9");
     ASSERT_TRUE(wait_for([&] { return lab.state()["lecture"] == false && lab.anchors() == before; }))
         << lab.anchors().dump(1);
