@@ -187,6 +187,7 @@ test("A new link in the address asks about unsaved work first", limit, () =>
         const edited = await turnSlider(lab, "slider.LL");
         await lab.page.evaluate(() => (location.hash = "#e1.05-aggressor"));
         await lab.rectangle("leaving.discard");
+        await lab.frames(3);  // the sheet takes its place
         assert.deepEqual((await lab.state()).weights, edited);
         await lab.click("leaving.discard");
         await lab.until((state) => state.exercise?.id === "05-aggressor");
