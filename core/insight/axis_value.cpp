@@ -278,7 +278,7 @@ std::vector<Command> commands_that_set(const ValueSubject& subject, const AxisVa
         }
         case ValueOwner::arena:
             return edit_of(scene.arena, axis.key, value,
-                           [&](Arena arena) { return std::vector<Command>{EditArena{std::move(arena)}}; });
+                           [](const Arena& arena) { return std::vector<Command>{EditArena{arena}}; });
     }
     return {};
 }
