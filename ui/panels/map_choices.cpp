@@ -106,7 +106,7 @@ std::string end_words(const Ui& ui, const AxisValue& value, float end, bool unit
     int decimals = 0;
     for (float scaled = end; decimals < 3 && std::fabs(scaled - std::round(scaled)) > 1e-3f * std::fabs(scaled);)
         ++decimals, scaled *= 10;
-    const std::string number = fixed(ui, end, decimals);
+    std::string number = fixed(ui, end, decimals);
     if (!unit || value.unit.empty()) return number;
     return number + (value.unit == "°" ? "" : " ") + std::string(value.unit);
 }
