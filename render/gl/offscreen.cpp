@@ -17,7 +17,7 @@ int Offscreen::largest() {
     return std::min({side, viewport[0], viewport[1]});
 }
 
-Offscreen::Offscreen(int width, int height) : width_(width), height_(height) {
+Offscreen::Offscreen(int width, int height, int samples) : width_(width), height_(height), samples_(samples) {
     if (std::max(width, height) > largest()) return;
     GLint before = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
@@ -26,21 +26,22 @@ Offscreen::Offscreen(int width, int height) : width_(width), height_(height) {
     glGenRenderbuffers(1, &depths_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glBindRenderbuffer(GL_RENDERBUFFER, colours_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours_);
     glBindRenderbuffer(GL_RENDERBUFFER, depths_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths_);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
     ready_ = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before));
 }
 
-Offscreen::Offscreen(Offscreen&& other) noexcept : width_(0), height_(0) { *this = std::move(other); }
+Offscreen::Offscreen(Offscreen&& other) noexcept : width_(0), height_(0), samples_(0) { *this = std::move(other); }
 
 Offscreen& Offscreen::operator=(Offscreen&& other) noexcept {
     std::swap(width_, other.width_);
     std::swap(height_, other.height_);
+    std::swap(samples_, other.samples_);
     std::swap(framebuffer_, other.framebuffer_);
     std::swap(colours_, other.colours_);
     std::swap(depths_, other.depths_);

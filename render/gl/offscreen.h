@@ -7,9 +7,10 @@ namespace braitenlab::render {
 
 class Offscreen {
 public:
-    // px, at least 1. ready() is false where the driver allows no such size or has no memory for it.
+    // px, at least 1; samples per pixel, 0: one. ready() is false where the driver allows no such size or has no memory
+    // for it.
     // Precondition until destruction: a current GL context.
-    Offscreen(int width, int height);
+    Offscreen(int width, int height, int samples = 0);
     Offscreen(Offscreen&&) noexcept;
     Offscreen& operator=(Offscreen&&) noexcept;
     ~Offscreen();
@@ -17,20 +18,21 @@ public:
     bool ready() const { return ready_; }
     int width() const { return width_; }
     int height() const { return height_; }
+    int samples() const { return samples_; }
     unsigned framebuffer() const { return framebuffer_; }
 
     // Draw calls between bind() and release() draw into it; release() binds what was bound at bind().
     void bind();
     void release();
 
-    // RGB, rows from the top.
+    // RGB, rows from the top. Precondition: without samples.
     std::vector<unsigned char> pixels() const;
 
     // The largest width and height that the driver allows, px.
     static int largest();
 
 private:
-    int width_, height_;
+    int width_, height_, samples_;
     unsigned framebuffer_ = 0, colours_ = 0, depths_ = 0;
     int bound_before_ = 0;
     bool ready_ = false;

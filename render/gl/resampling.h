@@ -1,17 +1,17 @@
 // A framebuffer with more or fewer samples than the window has pixels: for smooth edges, or for slow graphics.
 #pragma once
 
+#include <optional>
+
+#include "render/gl/offscreen.h"
 #include "render/view/camera.h"
 
 namespace braitenlab::render {
 
 class Resampling {
 public:
-    // Creates all GL objects. Precondition: the window's framebuffer is bound; until destruction: a current GL context.
+    // Precondition: the window's framebuffer is bound; until destruction: a current GL context.
     Resampling();
-    Resampling(const Resampling&) = delete;
-    Resampling& operator=(const Resampling&) = delete;
-    ~Resampling();
 
     // Draw calls until end() draw with several samples. `window`: the part that is drawn, px.
     // False, and nothing changes, where the bound framebuffer has samples or the driver allows none or has no memory.
@@ -26,12 +26,10 @@ public:
 private:
     bool begin(int width, int height, int samples);
 
-    unsigned framebuffer_ = 0, colours_ = 0, depths_ = 0;
-    int width_ = 0, height_ = 0, samples_ = 0;  // of the framebuffer; px
+    std::optional<Offscreen> target_;  // kept from frame to frame
     int most_samples_ = 0, samples_of_window_ = 0;
-    int bound_before_ = 0;
     Rect from_, to_;  // copied by end(), px
-    bool active_ = false, no_memory_ = false;
+    bool active_ = false;
 };
 
 }  // namespace braitenlab::render
