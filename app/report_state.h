@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/lab.h"
+#include "render/view/picture.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/anchors.h"
 #include "ui/widgets/drawn_text.h"

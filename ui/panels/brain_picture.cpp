@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "core/scene/sensor_edits.h"
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/signal_drag.h"
