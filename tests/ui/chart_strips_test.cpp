@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "desk.h"
+#include "chart_desk.h"
 
 namespace braitenlab::tests::chart_strips_test {
 
@@ -13,18 +13,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// The tab "All" of a vehicle with neurons and two recorded seconds.
+// The tab "All".
 struct ChartStrips : testing::Test {
-    Desk desk{1280, 800, 1, true};
+    ChartDesk desk{800};
     ChartStrips() {
-        desk.now = shipped_scene("5-logic");
-        desk.view.settings.selection.vehicle = 0;
-        desk.panels.charts_open = true;
         desk.panels.chart = Chart::all;
-        for (std::uint64_t tick = 0; tick <= 120; tick += 3) {
-            desk.now.tick = tick, desk.now.seconds = static_cast<double>(tick) / 60;
-            desk.frame();
-        }
+        desk.frame(2);
     }
     bool writes(std::string_view words) const {
         return std::any_of(desk.written.begin(), desk.written.end(),

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "desk.h"
+#include "chart_desk.h"
 
 namespace braitenlab::tests::signal_drag_test {
 
@@ -13,18 +13,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Open charts below a vehicle with neurons.
 struct SignalDrags : testing::Test {
-    Desk desk{1280, 1000, 1, true};
-    SignalDrags() {
-        desk.now = shipped_scene("5-logic");
-        desk.view.settings.selection.vehicle = 0;
-        desk.panels.charts_open = true;
-        for (std::uint64_t tick = 0; tick <= 120; tick += 3) {
-            desk.now.tick = tick, desk.now.seconds = static_cast<double>(tick) / 60;
-            desk.frame();
-        }
-    }
+    ChartDesk desk{1000};
     void hold(std::string_view from, std::string_view to) {
         const Rect a = desk.where(from), b = desk.where(to);
         desk.point(from);
