@@ -14,4 +14,9 @@ std::string with_sign(float value, int decimals, char decimal_mark = '.');
 // The second factor of a product: "0.40", "(−1.00)".
 std::string as_factor(float value, int decimals, char decimal_mark = '.');
 
+// The unit as it follows a number: " m", "°"; empty for none.
+inline std::string unit_after(std::string_view unit) {
+    return (unit.empty() || unit == "°" ? "" : " ") + std::string(unit);
+}
+
 }  // namespace braitenlab::ui

@@ -64,14 +64,12 @@ public:
         add_dials();
         add_rows(ValueOwner::sensors), add_rows(ValueOwner::body);
         if (subject_.vehicle.start >= 0) {
-            add_place(start(), {ValueOwner::start}, scene_.arena.width, "x");
-            add_place(start(), {ValueOwner::start}, scene_.arena.height, "y");
+            add_place(ValueOwner::start);
             add_rows(ValueOwner::start);
         }
         for (std::size_t i = 0; i < std::min(most_offered_sources, scene_.sources.size()); ++i) {
             source_ = &scene_.sources[i];
-            add_place(*source_, {ValueOwner::source}, scene_.arena.width, "x");
-            add_place(*source_, {ValueOwner::source}, scene_.arena.height, "y");
+            add_place(ValueOwner::source);
             add_rows(ValueOwner::source);
         }
         add_rows(ValueOwner::arena);
@@ -143,11 +141,13 @@ private:
         values_.push_back(std::move(value));
     }
 
-    template <class Record>
-    void add_place(const Record&, ValueRow row, float side, std::string_view key) {
-        row.key = key, row.usual = Usual::fixed;
-        row.to = rounded(share_of_arena * side / 2), row.from = -row.to;
-        add(row);
+    // The position on both axes, of the start or of source_.
+    void add_place(ValueOwner owner) {
+        const auto add_axis = [&](std::string_view key, float side) {
+            const float to = rounded(share_of_arena * side / 2);
+            add({owner, key, Usual::fixed, -to, to});
+        };
+        add_axis("x", scene_.arena.width), add_axis("y", scene_.arena.height);
     }
 
     // Of the pair, or of the only sensor.

@@ -98,6 +98,16 @@ float room_of_names(const LabView& view, const VehicleView& vehicle, const Ui& u
     return std::min(widest + ui.px(8), ui.px(most_name_room));
 }
 
+// In the place of the next strip of two columns: how many signals have no room.
+void count_hidden(const Ui& ui, Rect r, float row, std::size_t shown, std::size_t count) {
+    if (shown == count) return;
+    put_right(ui, {r.x + r.w, r.y + row * static_cast<float>(shown / 2) + ui.px(4)},
+              fill(ui.strings("info.more"), {std::to_string(count - shown)}), ui.palette.second_text, Face::small);
+}
+
+// As many as fit into two columns of so many rows; the last place is for the number of the others.
+std::size_t fitting(std::size_t count, std::size_t rows) { return count <= 2 * rows ? count : 2 * rows - 1; }
+
 Axis axis_of(const History& history) {
     return time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
 }
@@ -120,7 +130,7 @@ void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const std::vector<Signal> signals = all_signals(history);
     const float room = room_of_names(view, *vehicle, ui, signals);
     const std::size_t count = signals.size();
-    const std::size_t shown = count <= 2 * rows ? count : 2 * rows - 1;
+    const std::size_t shown = fitting(count, rows);
     for (std::size_t i = 0; i < shown; ++i) {
         const Signal& signal = signals[i];
         const Rect place{r.x + (i % 2 == 0 ? 0 : width + space), r.y + row * static_cast<float>(i / 2), width, row};
@@ -136,9 +146,7 @@ void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         else
             choose_strip(state, signal.name);
     }
-    if (shown < count)
-        put_right(ui, {r.x + r.w, r.y + row * static_cast<float>(shown / 2) + ui.px(4)},
-                  fill(ui.strings("info.more"), {std::to_string(count - shown)}), ui.palette.second_text, Face::small);
+    count_hidden(ui, r, row, shown, count);
 }
 
 void chosen_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
@@ -163,7 +171,7 @@ void chosen_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const float space = ui.px(column_gap) * static_cast<float>(columns - 1);
     const float width = (r.w - space) / static_cast<float>(columns);
     const float row = std::clamp(r.h / static_cast<float>(rows), ui.px(least_row), ui.px(largest_row));
-    const std::size_t shown = count <= 2 * in_one ? count : 2 * in_one - 1;
+    const std::size_t shown = fitting(count, in_one);
     for (std::size_t i = 0; i < shown; ++i) {
         const Rect place{r.x + (width + space) * static_cast<float>(i % columns),
                          r.y + row * static_cast<float>(i / columns), width, row};
@@ -171,9 +179,7 @@ void chosen_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         const RowButton look{"charts.remove." + signals[i].name, icon::cross, "×", ui.strings("charts.remove_how")};
         if (row_button(ui, place, look)) std::erase(state.strips, signals[i].name);
     }
-    if (shown < count)
-        put_right(ui, {r.x + r.w, r.y + row * static_cast<float>(shown / 2) + ui.px(4)},
-                  fill(ui.strings("info.more"), {std::to_string(count - shown)}), ui.palette.second_text, Face::small);
+    count_hidden(ui, r, row, shown, count);
 }
 
 }  // namespace braitenlab::ui

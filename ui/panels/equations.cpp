@@ -237,8 +237,12 @@ std::string explanation(const Ui& ui, const Explained& given, bool stuck) {
 
 }  // namespace
 
+bool stands_still(const LabView& view, const VehicleView& vehicle) {
+    return view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
+}
+
 bool is_stuck(const LabView& view, const VehicleView& vehicle) {
-    return view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
+    return view.mode == Mode::playing && stands_still(view, vehicle);
 }
 
 void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {

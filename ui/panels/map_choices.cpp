@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "ui/number_text.h"
 #include "ui/panels/map_parts.h"
 #include "ui/panels/value_choice.h"
 #include "ui/strings.h"
@@ -14,7 +15,6 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/record_fields.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -47,17 +47,16 @@ void range_sliders(const MapFrame& frame, bool is_x, float width) {
     Ui& ui = frame.ui;
     const MapAxis& now = is_x ? frame.map.x : frame.map.y;
     const AxisValue& value = is_x ? *frame.x : *frame.y;
-    const std::string unit = (value.unit == "°" ? "" : " ") + std::string(value.unit);
+    const std::string unit = unit_after(value.unit);
     MapRange range{now.from, now.to};
     bool changed = false;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     for (float* end : {&range.from, &range.to}) {
         const bool is_from = end == &range.from;
-        SliderLook look = look_of(NumberField{"", value.unit, value.allowed, *end, is_from ? value.from : value.to});
-        look.words = ui.strings(is_from ? "map.from" : "map.to");
+        SliderLook look = end_look(ui, value, is_from, *end);
         look.tooltip = ui.strings("map.end_how");
         look.words_width = 34;
-        if (!value.unit.empty()) look.unit = unit;
+        look.unit = unit;
         const std::string id = std::string(is_x ? "map.x." : "map.y.") + (is_from ? "from" : "to");
         if (const auto edit = slider(ui, frame.sliders, id, *end, width, frame.view.wall_seconds, look))
             *end = edit->value, changed = true;
@@ -106,9 +105,7 @@ std::string end_words(const Ui& ui, const AxisValue& value, float end, bool unit
     int decimals = 0;
     for (float scaled = end; decimals < 3 && std::fabs(scaled - std::round(scaled)) > 1e-3f * std::fabs(scaled);)
         ++decimals, scaled *= 10;
-    std::string number = fixed(ui, end, decimals);
-    if (!unit || value.unit.empty()) return number;
-    return number + (value.unit == "°" ? "" : " ") + std::string(value.unit);
+    return fixed(ui, end, decimals) + (unit ? unit_after(value.unit) : "");
 }
 
 }  // namespace
@@ -116,8 +113,7 @@ std::string end_words(const Ui& ui, const AxisValue& value, float end, bool unit
 std::string value_words(const Ui& ui, const AxisValue& value, const MapAxis& axis, float number) {
     const float span = std::fabs(axis.to - axis.from);
     const int decimals = span >= 60 ? 0 : span >= 6 ? 1 : 2;
-    return fixed(ui, number, decimals) +
-           (value.unit.empty() || value.unit == "°" ? std::string(value.unit) : " " + std::string(value.unit));
+    return fixed(ui, number, decimals) + unit_after(value.unit);
 }
 
 std::string measure_words(const Ui& ui, MapMeasure measure) {

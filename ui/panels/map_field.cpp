@@ -26,7 +26,6 @@ namespace {
 
 constexpr float dot_radius = 6, dot_grip = 12, least_marked_cell = 6;  // layout pixels
 
-Colour as_colour(MapColour c) { return {c.r, c.g, c.b, 1}; }
 MapColour as_map_colour(Colour c) { return {c.r, c.g, c.b}; }
 float lightness(MapColour c) { return 0.3f * c.r + 0.59f * c.g + 0.11f * c.b; }
 

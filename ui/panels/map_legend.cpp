@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "ui/number_text.h"
 #include "ui/panels/map_parts.h"
 #include "ui/panels/value_choice.h"
 #include "ui/strings.h"
@@ -33,7 +34,7 @@ std::string in_words(const Ui& ui, Behaviour kind) {
 std::string number_words(const Ui& ui, float number, MapMeasure measure) {
     if (!std::isfinite(number)) return std::string(ui.strings("map.never"));
     const std::string_view unit = row_of(measure).unit;
-    return fixed(ui, number, unit.empty() ? 0 : 1) + (unit.empty() ? "" : " " + std::string(unit));
+    return fixed(ui, number, unit.empty() ? 0 : 1) + unit_after(unit);
 }
 
 // All kinds; in a lecture, where type is large, those of the map.
@@ -62,8 +63,7 @@ void legend_of_kinds(const MapFrame& frame, float width) {
         const float x = at.x + static_cast<float>(column) * width / 2;
         const float y = at.y + static_cast<float>(static_cast<int>(i) % rows) * row;
         const Rect box{x, std::floor(y + (row - sign) / 2), sign, sign};
-        draw.AddRectFilled({box.x, box.y}, {box.x + sign, box.y + sign},
-                           paint(Colour{look.colour.r, look.colour.g, look.colour.b, 1}));
+        draw.AddRectFilled({box.x, box.y}, {box.x + sign, box.y + sign}, paint(as_colour(look.colour)));
         draw_map_mark(draw, box, look.value, look.colour);
         put(ui, {x + sign + ui.px(6), y + ui.px(2)},
             shortened(ui, in_words(ui, look.value), Face::small, width / 2 - sign - ui.px(10)), ui.palette.text,

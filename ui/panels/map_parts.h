@@ -39,6 +39,8 @@ std::string measure_words(const Ui&, insight::MapMeasure);
 void map_upper_row(const MapFrame&, float width);
 void map_lower_row(const MapFrame&, float side, float width);
 
+inline Colour as_colour(MapColour c) { return {c.r, c.g, c.b, 1}; }
+
 // map_field.cpp. Draws it at the cursor and sets MapState::hovered. Anchors: map, map.dot.
 void map_field(const MapFrame&, float side);
 void draw_map_mark(ImDrawList&, Rect, insight::Behaviour, MapColour on);

@@ -103,6 +103,8 @@ std::vector<std::string_view> numbered_sliders(const LabView&);
 std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
 std::string words_of(const Offer&);  // of its slider: "LL = RR"
 void equations(const LabView&, Ui&, const VehicleView&);
+// True if the vehicle does not move. Not known in the first half second.
+bool stands_still(const LabView&, const VehicleView&);
 // True while it is played and does not move. Where its brain drives the wheels, something is then in the way. Not known
 // in the first half second.
 bool is_stuck(const LabView&, const VehicleView&);

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include "ui/number_text.h"
 #include "ui/panels/study_draft.h"
 #include "ui/panels/value_choice.h"
 #include "ui/strings.h"
@@ -11,7 +12,6 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/record_fields.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -33,6 +33,9 @@ std::vector<AxisValue> values_with_paths(const insight::ValueSubject& subject) {
     std::erase_if(values, [](const AxisValue& value) { return value.paths.empty(); });
     return values;
 }
+
+// Some units are words that explain the number.
+bool has_short_unit(const AxisValue& value) { return value.unit.size() <= 8; }
 
 void choose_value(DraftValue& value, const AxisValue& chosen) {
     value.id = chosen.id, value.from = chosen.from, value.to = chosen.to;
@@ -86,13 +89,12 @@ void value_row(const LabView& view, StudyDraft& draft, SliderState& sliders, Ui&
     const float space = ui.px(column_gap_of_draft);
     const float each = (width - ui.px(name_width) - number_columns * space) / number_columns;
     if (of) {
-        const std::string unit = (of->unit == "°" ? "" : " ") + std::string(of->unit);
+        const std::string unit = unit_after(of->unit);
         float x = at.x + ui.px(name_width);
         for (float* end : {&value.from, &value.to}) {
             const bool is_from = end == &value.from;
-            SliderLook look = look_of(NumberField{"", of->unit, of->allowed, *end, is_from ? of->from : of->to});
-            look.words = ui.strings(is_from ? "map.from" : "map.to");
-            if (!of->unit.empty() && of->unit.size() <= 8) look.unit = unit;
+            SliderLook look = end_look(ui, *of, is_from, *end);
+            if (has_short_unit(*of)) look.unit = unit;
             ImGui::SetCursorScreenPos({x, at.y - ui.px(2)});
             if (const auto edit =
                     draft_number(ui, sliders, begin + (is_from ? ".from" : ".to"), look, *end, each, view.wall_seconds))
@@ -167,7 +169,7 @@ std::optional<Study> study_of(const StudyDraft& draft, const Ui& ui, const LabVi
     for (const DraftValue& value : draft.values)
         if (const AxisValue* of = find_value(values, value.id); of && value.from != value.to)
             study.values.push_back(
-                {axis_words(ui, *of), of->unit.size() <= 8 ? std::string(of->unit) : "", of->paths, levels_of(value)});
+                {axis_words(ui, *of), has_short_unit(*of) ? std::string(of->unit) : "", of->paths, levels_of(value)});
     for (const StudyMeasure measure : draft.measures) study.measure_words.emplace_back(row_of(measure).word);
     study.measures = draft.measures;
     if (study.values.empty() || study.measures.empty()) return std::nullopt;

@@ -7,6 +7,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/record_fields.h"
 
 namespace braitenlab::ui {
 
@@ -26,6 +27,12 @@ std::string axis_words(const Ui& ui, const AxisValue& value) {
         words += key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
     }
     return words;
+}
+
+SliderLook end_look(const Ui& ui, const AxisValue& value, bool is_from, float now) {
+    SliderLook look = look_of(NumberField{"", value.unit, value.allowed, now, is_from ? value.from : value.to});
+    look.words = ui.strings(is_from ? "map.from" : "map.to");
+    return look;
 }
 
 bool choice_in_row(Ui& ui, const std::string& id, const std::string& words, bool on, bool is_first, float right) {

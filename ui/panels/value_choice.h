@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/insight/axis_value.h"
+#include "ui/widgets/slider.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
@@ -17,6 +18,9 @@ std::string axis_words(const Ui&, const insight::AxisValue&);
 // Anchors: BEGIN.group.1 …, BEGIN.ID.
 const insight::AxisValue* value_choice(Ui&, const std::vector<insight::AxisValue>&, const std::string& begin,
                                        std::string_view now, insight::ValueGroup&, float width);
+
+// The slider of an end of the value's range, without a unit.
+SliderLook end_look(const Ui&, const insight::AxisValue&, bool is_from, float now);
 
 // A small button in a row of such buttons, at a new line where it would pass `right`. True when clicked.
 bool choice_in_row(Ui&, const std::string& id, const std::string& words, bool on, bool is_first, float right);

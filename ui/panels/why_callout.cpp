@@ -75,8 +75,8 @@ std::string main_cause(const Ui& ui, const insight::Why& why, const std::vector<
 
 // True if the wheels push the vehicle forwards or backwards and it does not move.
 bool is_blocked(const LabView& view, const VehicleView& vehicle, const insight::Why& why) {
-    constexpr float standing = 0.02f, pushing = 0.1f;  // m/s, sum of the wheel commands
-    return view.now->tick > 30 && std::fabs(vehicle.speed) < standing && std::fabs(why.left + why.right) > pushing;
+    constexpr float pushing = 0.1f;  // sum of the wheel commands
+    return stands_still(view, vehicle) && std::fabs(why.left + why.right) > pushing;
 }
 
 WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "ui/number_text.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -100,7 +101,7 @@ SliderLook look_of(const NumberField& field) {
 std::optional<SliderEdit> FieldRows::number(const NumberField& field) const {
     SliderLook look = look_of(field);
     const std::string key = words + field.key;
-    const std::string unit = (field.unit == "°" ? "" : " ") + std::string(field.unit);
+    const std::string unit = unit_after(field.unit);
     std::string how(ui.strings(key + "_how"));
     look.words = ui.strings(key);
     look.words_width = words_width;
