@@ -91,13 +91,16 @@ void select_objects(Lab& lab, const std::vector<SceneObject>& objects) {
 }
 
 void select_neighbour(Lab& lab, int step) {
-    const auto& vehicles = lab.document.session.snapshot().vehicles;
-    if (vehicles.empty()) return;
+    const LabView view = view_of(lab);
     const VehicleId selected = lab.view.selection.vehicle;
-    const auto here = std::find_if(vehicles.begin(), vehicles.end(), [&](const auto& v) { return v.id == selected; });
-    const auto count = static_cast<int>(vehicles.size());
-    const int index = here == vehicles.end() ? 0 : static_cast<int>(here - vehicles.begin()) + step + count;
-    select(lab, vehicle_object(vehicles[static_cast<std::size_t>(index % count)].id));
+    std::vector<VehicleId> order;
+    for (const VehicleView& vehicle : lab.document.session.snapshot().vehicles)
+        if (vehicle.id == selected || is_in_tab_order(view, vehicle)) order.push_back(vehicle.id);
+    if (order.empty()) return;
+    const auto here = std::find(order.begin(), order.end(), selected);
+    const auto count = static_cast<int>(order.size());
+    const int index = here == order.end() ? 0 : static_cast<int>(here - order.begin()) + step + count;
+    select(lab, vehicle_object(order[static_cast<std::size_t>(index % count)]));
 }
 
 void select_next_object(Lab& lab, int step) {
@@ -130,9 +133,19 @@ void reselect_after_death(Lab& lab, const VehicleView& selected) {
               next ? std::to_string(next->id + 1) : ""});
 }
 
+void tell_fall(Lab& lab, const VehicleView& before, std::int64_t falls) {
+    constexpr float most = 0.3f;  // m in a tick that a vehicle drives; a respawned one is further away
+    const Snapshot& now = lab.document.session.snapshot();
+    if (now.events.falls == falls) return;
+    const VehicleView* after = find_vehicle(now, before.id);
+    if (!after || std::hypot(after->x - before.x, after->y - before.y) <= most) return;
+    if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
+    say(lab, {NoticeKind::notice, "notice.fell", std::to_string(before.id + 1)});
+}
+
 void forget_death_notice(Lab& lab) {
     const std::string& key = lab.notice.key;
-    if (key.starts_with("notice.starved") || key.starts_with("notice.eaten")) lab.notice = {};
+    if (key.starts_with("notice.starved") || key.starts_with("notice.eaten") || key == "notice.fell") lab.notice = {};
 }
 
 VehicleId id_at_start(const Scene& scene, std::uint64_t seed, const Snapshot& now, const VehicleView& vehicle) {

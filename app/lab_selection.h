@@ -30,7 +30,12 @@ void keep_selection(Lab&);
 // if there is none of its kind, or during a drag, which then ends. `selected` is the vehicle one tick ago.
 void reselect_after_death(Lab&, const VehicleView& selected);
 
-// Removes the notice of reselect_after_death(): another vehicle is selected, or the run is at another tick.
+// Says that the selected vehicle has fallen over an open edge in this tick and starts again. `before`: the vehicle one
+// tick ago, `falls`: how many vehicles had fallen until then.
+void tell_fall(Lab&, const VehicleView& before, std::int64_t falls);
+
+// Removes the notice of reselect_after_death() and of tell_fall(): another vehicle is selected, or the run is at
+// another tick.
 void forget_death_notice(Lab&);
 
 // The vehicle with the same start or the same number in the population as this one of `now`, in a world that begins

@@ -330,6 +330,11 @@ inline bool is_brain_secret(const LabView& view, int kind) {
     return std::find(secret.begin(), secret.end(), name) != secret.end();
 }
 
+// True if Tab selects this vehicle: an exercise that hides a brain is about the other vehicles.
+inline bool is_in_tab_order(const LabView& view, const VehicleView& vehicle) {
+    return !view.lesson || !is_brain_secret(view, vehicle.kind);
+}
+
 // True if the brains of this kind may not be shown now: they are secret, or their wires would tell the outcome.
 inline bool hides_brain(const LabView& view, int kind) {
     if (!view.settings.revealed.brain) return true;

@@ -254,8 +254,9 @@ bool selects_vehicle(Action action) { return action == Action::next_vehicle || a
 
 // True if Tab has a vehicle to select. Without one it moves the focus into the cards, as it does in other programs.
 bool has_other_vehicle(const LabView& view) {
-    return std::any_of(view.now->vehicles.begin(), view.now->vehicles.end(),
-                       [&](const VehicleView& vehicle) { return vehicle.id != view.settings.selection.vehicle; });
+    return std::any_of(view.now->vehicles.begin(), view.now->vehicles.end(), [&](const VehicleView& vehicle) {
+        return vehicle.id != view.settings.selection.vehicle && is_in_tab_order(view, vehicle);
+    });
 }
 
 // Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.

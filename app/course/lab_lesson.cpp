@@ -153,10 +153,6 @@ void update_shipped_grade(Lesson& lesson, Jobs& jobs) {
         lesson.view.shipped_grade = std::move(**result);
 }
 
-}  // namespace
-
-namespace {
-
 // True if the grade has the start of the present run as failed: then the brain was changed during the run.
 bool fails_here(const Lesson& lesson, std::uint64_t seed) {
     if (!lesson.view.grade) return false;
@@ -224,6 +220,7 @@ void reset(Lab& lab, std::uint64_t seed) {
     if (lab.document.lesson) lab.document.lesson->states.clear();
     lab.playback.previous.clear();
     lab.playback.debt = 0;
+    forget_death_notice(lab);
     if (lab.document.lesson && !(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good))
         lab.document.lesson->view.grade.reset(), lab.document.lesson->graded.reset();
     if (lab.document.lesson && lab.document.lesson->grading) lab.document.lesson->grading->run_was_reset = true;
@@ -243,10 +240,6 @@ void give_to_kind(Lab& lab, std::size_t kind, const Kind& given, std::uint64_t g
     if (now.scene->kinds[kind].body != given.body) apply(lab, EditKind{index, given}, gesture);
     if (!is_as_shipped(now, kind, given.brain)) apply(lab, SetBrain{{.kind = index}, given.brain}, gesture);
 }
-
-}  // namespace
-
-namespace {
 
 // Gives every kind what it has in the exercise's file, in one step of undo. True if that has changed something.
 bool take_changes_back(Lab& lab) {

@@ -34,13 +34,14 @@ using ReferencePath = std::vector<Pose>;
 namespace goals {
 
 struct Traits {
-    std::string_view word;     // in files
-    std::string_view unit;     // of the measured and the needed value
-    bool at_most = false;      // met when the measured value is at most the needed one; otherwise at least
-    float unmeasured = 0;      // value shown before the first measurement
-    std::string_view meaning;  // for the documentation: when the goal is met
-    bool is_total = false;     // the measured value is one of the run so far, not of the present tick
-    bool is_of_scene = false;  // about the scene, not about one vehicle: it is judged without the vehicle, too
+    std::string_view word;           // in files
+    std::string_view unit;           // of the measured and the needed value
+    bool at_most = false;            // met when the measured value is at most the needed one; otherwise at least
+    float unmeasured = 0;            // value shown before the first measurement
+    std::string_view meaning;        // for the documentation: when the goal is met
+    bool is_total = false;           // the measured value is one of the run so far, not of the present tick
+    bool is_of_scene = false;        // about the scene, not about one vehicle: it is judged without the vehicle, too
+    std::string_view quantity = {};  // see Measure::quantity
 };
 
 // One tick of a run and the vehicle that the goal is about.

@@ -160,11 +160,11 @@ void add_measures(const Check& check, const CheckState& state, bool together, bo
                     add_measures(goal.checks[i], states[i], together, negated != std::is_same_v<G, goals::NoneOf>, all);
             } else {
                 add({state.value, goal.needed(), G::traits.unit, G::traits.at_most, shows_best<G>(together),
-                     needed_most(goal)});
+                     needed_most(goal), G::traits.quantity});
             }
         },
         check.goal);
-    if (check.hold > 0) add({static_cast<float>(state.held) * tick_seconds, check.hold, "s", false, false});
+    if (check.hold > 0) add({static_cast<float>(state.held) * tick_seconds, check.hold, "s", false, false, {}, "hold"});
 }
 
 }  // namespace

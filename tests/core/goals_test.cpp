@@ -91,11 +91,12 @@ TEST(Goals, AHeldGoalShowsItsPresentValueAndItsTime) {
     const Exercise exercise = with({near_lamp, "", 0.5f});
     Referee referee(exercise);
     for (std::uint64_t tick = 0; tick < 13; ++tick) referee.watch(at(exercise, tick, 0.25f));
-    EXPECT_EQ(referee.verdicts()[0].measures,
-              (std::vector<Measure>{{0.25f, 1, "m", true, false}, {12 * tick_seconds, 0.5f, "s", false, false}}));
+    EXPECT_EQ(
+        referee.verdicts()[0].measures,
+        (std::vector<Measure>{{0.25f, 1, "m", true, false}, {12 * tick_seconds, 0.5f, "s", false, false, {}, "hold"}}));
     referee.watch(at(exercise, 13, 2));
     EXPECT_EQ(referee.verdicts()[0].measures,
-              (std::vector<Measure>{{2, 1, "m", true, false}, {0, 0.5f, "s", false, false}}));
+              (std::vector<Measure>{{2, 1, "m", true, false}, {0, 0.5f, "s", false, false, {}, "hold"}}));
 }
 
 TEST(Goals, AllOfRequiresItsChecksAtTheSameTick) {

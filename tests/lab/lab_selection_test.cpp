@@ -166,6 +166,31 @@ TEST(LabSelection, MovesToTheNextOfTheKindIfItsVehicleDies) {
     EXPECT_EQ(lab.notice.kind, NoticeKind::notice);
 }
 
+TEST(LabSelection, TabPassesOverVehiclesWhoseBrainAnExerciseHides) {
+    Lab lab = opened_lab("19-mystery");
+    const VehicleId own = lab.view.selection.vehicle, hidden = 1 - own;
+    handle(lab, Action::next_vehicle);
+    EXPECT_EQ(lab.view.selection.vehicle, own);
+    handle(lab, SelectRequest{hidden});
+    ASSERT_EQ(lab.view.selection.vehicle, hidden) << "a click selects it";
+    handle(lab, Action::previous_vehicle);
+    EXPECT_EQ(lab.view.selection.vehicle, own);
+}
+
+TEST(LabSelection, SaysThatTheSelectedVehicleFellOverTheEdge) {
+    Lab lab = opened_lab("20-selection");
+    const auto falls = [&] { return lab.document.session.snapshot().events.falls; };
+    while (falls() == 0 && lab.document.session.snapshot().seconds < 20) {
+        EXPECT_NE(lab.notice.key, "notice.fell");
+        tick(lab);
+    }
+    ASSERT_EQ(falls(), 1);
+    EXPECT_EQ(lab.notice.key, "notice.fell");
+    EXPECT_EQ(lab.notice.words, "1");
+    reset(lab);
+    EXPECT_NE(lab.notice.key, "notice.fell") << "the run is at another tick";
+}
+
 std::vector<VehicleId> all_of(const Lab& lab, Role role) {
     std::vector<VehicleId> ids;
     for (const VehicleView& v : lab.document.session.snapshot().vehicles)

@@ -378,6 +378,24 @@ TEST(ExerciseCard, AHeldStepShowsItsPresentValueAndItsTime) {
     EXPECT_TRUE(says(desk, "now 2.0\u00a0s, need ≥\u00a05.0\u00a0s"));
 }
 
+TEST(ExerciseCard, NamesTimesAndDistancesThatTheUnitDoesNotTellApart) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    const auto shown_of = [](const Check& check) { return measures(check, initial_state(check)); };
+    Check runs{goals::Runs{60}}, rests{goals::KeepsMoving{0.1f, 5}}, matches{goals::Matches{0.55f, 20}};
+    runs.hold = 2;
+    desk.lesson.verdicts[0] = {false, shown_of(runs)};
+    desk.lesson.verdicts[1] = {false, shown_of(rests)};
+    desk.lesson.verdicts[2] = {false, shown_of(matches)};
+    desk.lesson.verdicts[2].measures[0].value = 2;  // not measured yet
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Time now 0.0\u00a0s, need ≥\u00a060.0\u00a0s"));
+    EXPECT_TRUE(says(desk, "Time held now 0.0\u00a0s, need ≥\u00a02.0\u00a0s"));
+    EXPECT_TRUE(says(desk, "Longest rest now 0.0\u00a0s, need ≤\u00a05.0\u00a0s"));
+    EXPECT_TRUE(says(desk, "Distance of the paths now 2.00\u00a0m, need ≤\u00a00.55\u00a0m"));
+}
+
 TEST(ExerciseCard, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfTheCard) {
     for (const bool passed : {false, true}) {
         Desk desk(1024, 768, 1, true);

@@ -283,6 +283,21 @@ TEST(Window, SelectsTheNextVehicleWithTabInTheScene) {
     EXPECT_EQ(desk.actions(), std::vector{Action::next_vehicle});
 }
 
+TEST(Window, MovesTheFocusIntoTheCardsWithTabIfTheExerciseHidesTheBrainsOfAllOtherVehicles) {
+    Desk desk;
+    desk.open_exercise();
+    desk.now = snapshot(1);
+    desk.frame(3);
+    desk.key({key::tab});
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_vehicle}) << "it hides none";
+    desk.all.clear();
+    desk.opened.hides = {"prey"};
+    desk.key({key::tab});
+    desk.frame();
+    EXPECT_TRUE(desk.actions().empty());
+    EXPECT_FALSE(desk.panels.keyboard.focus.empty());
+}
+
 TEST(Window, MovesTheFocusIntoTheCardsWithTabIfThereIsNoOtherVehicle) {
     Desk desk;
     desk.now = snapshot(0);

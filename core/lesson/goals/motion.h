@@ -65,12 +65,9 @@ struct KeepsSpeed {
 
 // Combine it with `runs`: it is met as long as no rest was too long. The value is the longest rest so far.
 struct KeepsMoving {
-    static constexpr Traits traits{"keeps_moving",
-                                   "s",
-                                   true,
-                                   0,
-                                   "the vehicle has never moved slower than `speed` for longer than `seconds`",
-                                   true};
+    static constexpr Traits traits{
+        "keeps_moving", "s",   true,  0, "the vehicle has never moved slower than `speed` for longer than `seconds`",
+        true,           false, "rest"};
     struct State {
         float slow_since = -1;  // s; −1: it moves
         float longest = 0;      // s

@@ -62,7 +62,9 @@ struct Matches {
                                    INFINITY,
                                    "after `seconds`, the mean distance between the first vehicle and one with the "
                                    "solution's brain that started alike is at most `metres`",
-                                   true};
+                                   true,
+                                   false,
+                                   "path"};
     struct State {
         float count = 0, mean = 0;  // ticks, m
     };

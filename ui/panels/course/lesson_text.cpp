@@ -6,8 +6,12 @@ namespace braitenlab::ui {
 
 namespace {
 
-// The key of what a unit measures; empty where the unit says it: rounds, contacts.
-std::string_view quantity(std::string_view unit) {
+// The key of what is measured; empty where the unit says it: rounds, contacts.
+std::string_view quantity(const Measure& measure) {
+    const std::string_view unit = measure.unit;
+    if (measure.quantity == "rest") return "exercise.longest_rest";
+    if (measure.quantity == "hold") return "exercise.time_held";
+    if (measure.quantity == "path") return "exercise.distance_of_paths";
     if (unit == "m") return "exercise.distance";
     if (unit == "s") return "exercise.time";
     if (unit == "m/s") return "exercise.speed";
@@ -19,7 +23,7 @@ std::string_view quantity(std::string_view unit) {
 
 std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
     std::string words = measure_text(ui.strings, measure, done);
-    const std::string_view what = quantity(measure.unit);
+    const std::string_view what = quantity(measure);
     const bool is_rest_of_way = measure.at_most && measure.needed == 0;  // "1.44 m to go"
     if (done || what.empty() || words.empty() || is_rest_of_way) return words;
     return std::string(ui.strings(what)) + " " + words;
