@@ -202,6 +202,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     Prompt prompt = view.lecture ? Prompt{} : next_prompt(state.prompts, view);
     if (is_play_held(view, state)) prompt = {"exercise.predict", "hint.predict_first"};
     ui.highlight = prompt.anchor;
+    if (state.highlighted != prompt.anchor) state.highlighted = prompt.anchor, state.reveals_highlight = true;
+    ui.reveals = &state.reveals_highlight;
     pass_keys_to_rows(state);
     begin_keyboard(state.keyboard);
     // A click into the scene removes the focus from the cards.

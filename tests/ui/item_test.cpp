@@ -1,10 +1,12 @@
 // Every widget has a tooltip for a resting pointer.
 #include "ui/widgets/item.h"
 
+#include <algorithm>
 #include <set>
 
 #include "desk.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::item_test {
 
@@ -243,6 +245,29 @@ TEST(Item, KeepsItsTooltipInsideTheWindow) {
                     EXPECT_LE(w.rect.y + w.rect.h, height - 6) << card.x << " " << across << " " << down;
                 }
             }
+}
+
+TEST(Item, WhatAHintPointsAtHasALightBulbAndTheKeyboardFocusHasNone) {
+    const auto has_bulb = [](Desk& desk) {
+        const Rect slider = desk.where("slider.LL");
+        return std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+            return w.words == icon::hint && w.rect.x > slider.x + slider.w - 1 && w.rect.y < slider.y &&
+                   w.rect.y > slider.y - 24;
+        });
+    };
+    Desk desk(1280, 800, 1, true);
+    desk.key({'1'});
+    desk.frame(3);
+    ASSERT_EQ(desk.panels.keyboard.focus, "slider.LL");
+    EXPECT_FALSE(has_bulb(desk));
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.prediction = 0;
+    desk.view.mode = Mode::playing;
+    desk.opened.hints = {{"Lower it.", "slider.LL"}};
+    desk.lesson.hints_shown = 1;
+    desk.frame(3);
+    EXPECT_TRUE(has_bulb(desk));
 }
 
 }  // namespace braitenlab::tests::item_test

@@ -335,6 +335,56 @@ TEST_F(LessonPrompts, AHintThatNamesAHiddenWidgetSaysNotThatItPulses) {
     EXPECT_FALSE(says("Try what pulses"));
 }
 
+TEST_F(LessonPrompts, PointToNoButtonThatWouldUndoWhatTheHintAsksFor) {
+    const auto with = [&](const char* button) {
+        desk.opened.hints = {{"Open it.", button}};
+        desk.lesson.hints_shown = 1;
+        return next();
+    };
+    at(5);
+    EXPECT_EQ(with("button.watch").anchor, "button.watch");
+    desk.view.settings.watching = true;
+    EXPECT_EQ(with("button.watch").anchor, "") << "it would close the diagram";
+    EXPECT_EQ(with("button.watch").hint, "hint.after_hint");
+    EXPECT_EQ(with("button.wiring").anchor, "button.wiring");
+    EXPECT_EQ(with("button.play").anchor, "") << "it plays";
+    at(5, Mode::paused);
+    EXPECT_EQ(with("button.play").anchor, "button.play");
+    EXPECT_EQ(with("exercise.compare").anchor, "exercise.compare");
+    desk.lesson.compares = true;
+    EXPECT_EQ(with("exercise.compare").anchor, "");
+    at(5, Mode::wiring);
+    EXPECT_EQ(with("button.wiring").anchor, "");
+}
+
+TEST_F(LessonPrompts, PointAtPartsOfTheDiagramInTheWiringEditor) {
+    desk.opened.hints = {{"Click it.", "wire.LR"}};
+    desk.lesson.hints_shown = 1;
+    at(5, Mode::wiring);
+    EXPECT_EQ(anchor(), "wire.LR");
+    EXPECT_TRUE(next().hint.empty()) << "the words of the mode stay";
+    desk.view.undo_depth = 1;
+    EXPECT_EQ(anchor(), "") << "an edit followed it";
+}
+
+TEST(PromptsInALowWindow, ACardScrollsOnceToTheWidgetOfAHint) {
+    Desk low(1024, 330, 1, true);  // the brain card has room for some of its sliders
+    low.open_exercise();
+    low.lesson.has_run = low.lesson.outcome_known = true;
+    low.lesson.prediction = 0;
+    low.view.mode = Mode::playing;
+    low.opened.hints = {{"Raise it.", "bias.RM"}};
+    low.frame(4);
+    ASSERT_FALSE(low.anchors.find("bias.RM")) << "below the fold";
+    low.lesson.hints_shown = 1;
+    low.frame(4);
+    EXPECT_TRUE(low.anchors.find("bias.RM"));
+    low.point("bias.RM");
+    ImGui::GetIO().MouseWheel = 20;
+    low.frame(4);
+    EXPECT_FALSE(low.anchors.find("bias.RM")) << "the student scrolls back";
+}
+
 TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
     const std::vector<std::pair<std::vector<std::string>, std::string_view>> cases{
         {{"LM", "RM"}, "slider"}, {{"curves"}, "slider"},   {{"wiring"}, "wire"},

@@ -62,6 +62,25 @@ TEST(WiringInspectorWidth, GivesSlidersOneColumnWhereTwoWouldBeShort) {
         }
 }
 
+TEST(WiringInspectorWidth, AllNumbersOfAWireAreInSight) {
+    for (const char* language : {"en", "de", "es"})
+        for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}, {2400.0f, 800.0f}}) {
+            Desk desk(width, height, 1, true);
+            desk.strings = speaking(language);
+            desk.open_exercise();
+            desk.view.mode = Mode::wiring;
+            desk.frame(4);
+            desk.panels.canvas.selection = {{}, {{SR, ML}}};
+            desk.frame(3);
+            for (const char* id :
+                 {"inspector.weight", "inspector.threshold", "inspector.learning", "inspector.decay"}) {
+                const Rect* slider = desk.anchors.find(id);
+                ASSERT_TRUE(slider) << id << ", " << language << width;
+                EXPECT_GE(slider->h, 28) << id << " is cut, " << language << width;
+            }
+        }
+}
+
 TEST(WiringInspectorWidth, TheGoalOfTheExerciseIsAboveTheDiagramWhereItsCardHasNoRoom) {
     for (const float width : {1024.0f, 1280.0f}) {
         Desk desk(width, 768, 1, true);

@@ -151,6 +151,8 @@ struct PanelState {
     Recognised recognised;
     History history;
     PromptMemory prompts;
+    std::string highlighted;           // anchor that pulsed in the last frame
+    bool reveals_highlight = false;    // its card has not yet scrolled to it
     std::string lesion_under_pointer;  // anchor of the part that a click or L would lesion or heal; empty: none
     std::string lesion_requested;      // the same, requested by key and not yet carried out
     // What the preset or the part of the brain picture under the pointer would change; empty: none is.

@@ -10,6 +10,7 @@
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
+#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -134,6 +135,14 @@ Prompt way_out(const PromptMemory& memory, const LabView& view) {
 
 // ── The exercise ──
 
+// True if what the button opens or starts is so already: pressing it would undo what the hint asks for.
+bool is_pressed_already(const LabView& view, std::string_view button) {
+    if (button == "button.watch") return view.settings.watching || view.mode == Mode::wiring;
+    if (button == "button.wiring" || button == "button.open_wiring") return view.mode == Mode::wiring;
+    if (button == "button.play") return view.mode == Mode::playing;
+    return button == "exercise.compare" && view.lesson->compares;
+}
+
 // Anchor of the newest hint, until the next edit.
 std::string_view hinted(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
@@ -142,6 +151,15 @@ std::string_view hinted(PromptMemory& memory, const LabView& view) {
     const int newest = std::min(lesson.hints_shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
     if (newest < 0 || edit_count(view) != memory.edits_before_hint) return {};
     return lesson.exercise->hints[static_cast<std::size_t>(newest)].anchor;
+}
+
+// What the newest hint points at. Nothing pulses while its button is pressed already, but the words still ask to follow
+// the hint.
+Prompt of_hint(PromptMemory& memory, const LabView& view) {
+    const std::string_view anchor = hinted(memory, view);
+    if (anchor.empty()) return {};
+    if (is_pressed_already(view, anchor)) return {{}, "hint.after_hint"};
+    return {anchor, "hint.follow_hint"};
 }
 
 bool may_ask_for_a_hint(const LabView& view) {
@@ -186,7 +204,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
     if (all_steps_done(lesson) && lesson.changed_since_done) return {"button.reset", "hint.changed_since"};
     if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
-    if (const auto anchor = hinted(memory, view); !anchor.empty()) return {anchor, "hint.follow_hint"};
+    if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
     if (at_start) return {"button.play", "hint.press_play"};
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
     if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view)) return out;
@@ -209,9 +227,11 @@ bool lamp_was_moved(const LabView& view) {
     return !view.file || now.empty() || view.file->sources != now;
 }
 
-// The output pin of the sensor SL, if the brain has one, until the first edit.
+// In an exercise what the newest hint points at; else the output pin of the sensor SL, if the brain has one, until the
+// first edit.
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
-    if (view.lesson) return {};  // its task is not to draw a first wire
+    // The task of an exercise is not to draw a first wire. The usual words of the mode stay.
+    if (view.lesson) return {of_hint(memory, view).anchor, {}};
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edit_count(view);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle || edit_count(view) != memory.edits_before_wiring) return {};
@@ -286,6 +306,7 @@ void point_to_lamp(const LabView& view, Ui& ui) {
     const float radius = ui.px(18 + 4 * ui.pulse);
     ImGui::GetBackgroundDrawList()->AddCircle(
         {at->x, at->y}, radius, paint(ui.palette.accent.with_alpha(0.4f + 0.6f * ui.pulse)), 48, ui.px(2.5f));
+    hint_badge(ui, *ImGui::GetBackgroundDrawList(), {at->x + 0.7f * radius, at->y - 0.7f * radius});
     ui.anchors.record(lamp_anchor, {at->x - radius, at->y - radius, 2 * radius, 2 * radius});
 }
 

@@ -97,6 +97,10 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
         if (ui.keyboard->revealed) reveal(ui, result.rect.y, result.bottom());
         if (ui.keyboard->shown) ring(ui, result.rect, ui.palette.accent, 3, 1.5f);
     }
+    if (ui.reveals && *ui.reveals && id == ui.highlight) {
+        *ui.reveals = false;
+        reveal(ui, result.rect.y, result.bottom());
+    }
     result.warmth = eased(ui, id, enabled && (result.hovered || result.held) ? 1.0f : 0.0f);
     mark(ui, id, result.rect);
     return result;
@@ -126,6 +130,19 @@ void point_out(const Ui& ui, Rect rect) {
     fill_box(ui, {rect.x - grow, rect.y - grow, rect.w + 2 * grow, rect.h + 2 * grow},
              colour.with_alpha(0.10f + 0.14f * ui.pulse));
     ring(ui, rect, colour.with_alpha(0.9f - 0.4f * ui.pulse), 2 + 3 * ui.pulse, 2);
+    hint_badge(ui, *ImGui::GetWindowDrawList(), {rect.x + rect.w, rect.y});
+}
+
+void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 corner) {
+    if (!has_icons(ui)) return;
+    const float radius = ui.px(9), away = 0.75f * radius, reach = ui.px(24);
+    const ImVec2 middle{corner.x + away, corner.y - away};
+    const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
+    draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
+    draw.AddCircleFilled(middle, radius, paint(ui.palette.accent), 24);
+    const ImVec2 size{text_width(ui, Face::small, icon::hint), line_height(ui, Face::small)};
+    put_on(draw, ui, {middle.x - size.x / 2, middle.y - size.y / 2}, icon::hint, ui.palette.panel, Face::small);
+    draw.PopClipRect();
 }
 
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {

@@ -33,9 +33,12 @@ Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true);
 // Records the anchor of a part that is not a widget, and highlights it. The anchor is clipped to the card.
 void mark(Ui&, std::string_view id, Rect);
 
-// What a hint is about: a wash over the rectangle and a ring that widens with Ui::pulse. The keyboard focus is a thin
-// ring without a wash.
+// What a hint is about: a wash over the rectangle, a ring that widens with Ui::pulse, and the light bulb of the hint
+// bar beyond its upper right corner. The keyboard focus is a thin ring without a wash and a bulb.
 void point_out(const Ui&, Rect);
+
+// That light bulb, at this corner of what is pointed out; it may extend beyond the card's clip rectangle.
+void hint_badge(const Ui&, ImDrawList&, ImVec2 corner);
 
 // Scrolls the window being drawn by no more than it takes to show all between these two heights, window pixels, with
 // room for a focus ring; a part that is too high is shown from its top.

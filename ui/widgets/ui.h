@@ -68,6 +68,7 @@ struct Ui {
     float least_type = 0;                     // set by draw_window; least height of letters in diagrams, window pixels
     char decimal_mark = '.';                  // set by draw_window; of the language
     std::vector<Written>* written = nullptr;  // null: not recorded
+    bool* reveals = nullptr;                  // true until the card has scrolled to `highlight`; null: it does not
     int* shortened = nullptr;                 // null: not counted; texts that were cut with an ellipsis
     std::vector<Shown>* shown = nullptr;      // null: not recorded
     Tooltips* tooltips = nullptr;             // set by draw_window; null: each waits for itself

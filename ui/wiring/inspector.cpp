@@ -168,7 +168,7 @@ void show(Inspected& in) {
 }  // namespace
 
 Rect inspector_rect(const Ui& ui, const CanvasState& state, Rect canvas) {
-    const float open = std::min(ui.px(sheet_height()), canvas.h * 0.4f);
+    const float open = std::min(sheet_height(ui, canvas.w - ui.px(32)), canvas.h * 0.4f);
     const float height = state.inspector.folded ? folded_height(ui) : open;
     return {canvas.x, canvas.y + canvas.h - height, canvas.w, height};
 }

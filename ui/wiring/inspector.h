@@ -77,17 +77,17 @@ public:
 private:
     void plot(const Curve&, float input);
     void choose_curve(Curve&, const SheetHead&);
-    float room_for_sliders() const;
 
     Inspected& in_;
     std::uint64_t gesture_ = 0;
     bool plots_, in_one_column_ = false;
-    float start_, words_width_, slider_width_ = 0;
+    float words_width_, slider_width_ = 0;
     int sliders_ = 0;
 };
 
-// The height of a card with a sheet: heading, rows of curves, lesion button. Layout pixels.
-float sheet_height();
+// The height of a card with a sheet whose content is `width` wide: all numbers of a straight wire are in sight. Window
+// pixels.
+float sheet_height(const ui::Ui&, float width);
 
 // The button that lesions or heals the selection.
 void lesion_button(Inspected&, bool lesioned, std::string_view lesion_words);

@@ -118,6 +118,7 @@ namespace {
 
 constexpr float least_track = 110;  // layout pixels, with the space of the knob at both ends
 constexpr float plot_side = 104, kind_width = 44, kind_height = 30, column_space = 16;  // layout pixels
+constexpr float numbers_of_a_wire = 4;  // weight, threshold, learning, forgetting
 constexpr std::size_t curve_columns = 3;
 constexpr float curves_width = static_cast<float>(curve_columns) * kind_width + 8, room_for_plot = 680;
 
@@ -158,16 +159,27 @@ PeakWords peak_words(Response response, bool has_threshold) {
     return {"inspector.peak", "inspector.peak_how"};
 }
 
+// Widths below are in window pixels; `width` is that of the card's content.
+bool has_room_for_plot(const Ui& ui, float width) { return width > ui.px(room_for_plot); }
+
+float room_for_sliders(const Ui& ui, float width) {
+    const float plot = has_room_for_plot(ui, width) ? plot_side + column_space : 0;
+    return width - ui.px(plot + curves_width + column_space + 12);
+}
+
+float half_of(const Ui& ui, float room) { return (room - ui.px(column_space)) / 2; }
+
+bool is_one_column(const Ui& ui, float room) {
+    return half_of(ui, room) < ui.px(widest_words(ui) + SliderLook{}.number_width + least_track);
+}
+
 }  // namespace
 
 NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
-    : in_(in),
-      plots_(ImGui::GetContentRegionAvail().x > in.ui.px(room_for_plot)),
-      start_(ImGui::GetCursorPosX()),
-      words_width_(widest_words(in.ui)) {
-    const float room = room_for_sliders(), half = (room - in.ui.px(column_space)) / 2;
-    in_one_column_ = half - in.ui.px(words_width_ + SliderLook{}.number_width) < in.ui.px(least_track);
-    slider_width_ = in_one_column_ ? room : half;
+    : in_(in), plots_(has_room_for_plot(in.ui, ImGui::GetContentRegionAvail().x)), words_width_(widest_words(in.ui)) {
+    const float room = room_for_sliders(in.ui, ImGui::GetContentRegionAvail().x);
+    in_one_column_ = is_one_column(in.ui, room);
+    slider_width_ = in_one_column_ ? room : half_of(in.ui, room);
     if (plots_) plot(curve, head.input);
     choose_curve(curve, head);
     ImGui::BeginGroup();
@@ -176,11 +188,6 @@ NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
 NumberSheet::~NumberSheet() {
     if (sliders_ == 0) ImGui::Dummy({1, 1});
     ImGui::EndGroup();
-}
-
-float NumberSheet::room_for_sliders() const {
-    const float taken = (plots_ ? plot_side + column_space : 0) + curves_width + column_space;
-    return ImGui::GetContentRegionAvail().x + ImGui::GetCursorPosX() - start_ - in_.ui.px(taken + 12);
 }
 
 void NumberSheet::plot(const Curve& curve, float input) {
@@ -231,9 +238,12 @@ void NumberSheet::curve_numbers(Curve& curve, bool has_threshold) {
         number({"inspector.width", "inspector.width", "inspector.width_how", 0.01f, 2, 10}, curve.width);
 }
 
-float sheet_height() {
+float sheet_height(const Ui& ui, float width) {
+    constexpr float around = 48, between = 8;  // of the card, layout pixels
     constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
-    return 92 + rows * (kind_height + 4);
+    const float curves = 44 + rows * (kind_height + 4);
+    const float numbers = is_one_column(ui, room_for_sliders(ui, width)) ? numbers_of_a_wire : 2.0f;
+    return ui.px(around + std::max(curves, numbers * (slider_height + between) - between));
 }
 
 void lesion_button(Inspected& in, bool lesioned, std::string_view lesion_words) {
