@@ -251,7 +251,7 @@ TEST(Item, WhatAHintPointsAtHasALightBulbAndTheKeyboardFocusHasNone) {
     const auto has_bulb = [](Desk& desk) {
         const Rect slider = desk.where("slider.LL");
         return std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& w) {
-            return w.words == icon::hint && w.rect.x > slider.x + slider.w - 1 && w.rect.y < slider.y &&
+            return w.words == icon::hint && w.rect.x > slider.x + slider.w - 12 && w.rect.y < slider.y &&
                    w.rect.y > slider.y - 24;
         });
     };

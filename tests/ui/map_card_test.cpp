@@ -1,8 +1,11 @@
 // The card of the map of behaviour: the dot, a click on a cell, the choices and the legend.
+#include <algorithm>
 #include <set>
 
 #include "scene_on_desk.h"
 #include "ui/map_look.h"
+#include "ui/panels/value_choice.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::map_card_test {
 
@@ -185,6 +188,40 @@ TEST_F(MapCard, TheEndsOfAnAxisCanBeTyped) {
     ASSERT_TRUE(desk.last<MapRequest>() && desk.last<MapRequest>()->x_range);
     EXPECT_EQ(desk.last<MapRequest>()->x_range->from, 2);
     EXPECT_EQ(desk.last<MapRequest>()->x_range->to, 40);
+}
+
+TEST(MapCardInANarrowWindow, TheEndsOfAnAxisNeverOverlapTheButtonOfTheMeasure) {
+    Desk narrow(1024, 768, 1, true);
+    MapCells cells{8};
+    narrow.now = snapshot(0);
+    narrow.view.settings.map = true;
+    narrow.view.map =
+        MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
+    for (const char* language : {"en", "de", "es"}) {
+        narrow.strings = speaking(language);
+        narrow.frame(4);
+        const std::string ends = fill(narrow.strings("map.range"), {"\u22122", "2"});
+        const auto range =
+            std::find_if(narrow.written.begin(), narrow.written.end(), [&](const auto& w) { return w.words == ends; });
+        ASSERT_NE(range, narrow.written.end()) << language;
+        const Rect measure = narrow.where("map.measure");
+        const bool below = range->rect.y >= measure.y + measure.h - 1;
+        EXPECT_TRUE(below || range->rect.x + range->rect.w + 4 <= measure.x) << language;
+    }
+}
+
+TEST(MapCardInANarrowWindow, TheSlidersOfAnAxisHaveRoomForTheirWords) {
+    const Desk narrow(1024, 768, 1, true);
+    Anchors anchors;
+    for (const char* language : {"en", "de", "es"}) {
+        const Strings strings = speaking(language);
+        Outbox asked;
+        Ui ui{strings, palette(Theme::dark), test_fonts(1).loaded.fonts, 1, anchors, asked, {}, 1};
+        for (const bool is_from : {true, false}) {
+            const SliderLook look = end_look(ui, insight::AxisValue{}, is_from, 0);
+            EXPECT_GT(look.words_width, text_width(ui, Face::text, look.words) + 6) << look.words;
+        }
+    }
 }
 
 TEST_F(MapCard, ItsButtonAndKeyAskForTheMap) {

@@ -55,7 +55,6 @@ void range_sliders(const MapFrame& frame, bool is_x, float width) {
         const bool is_from = end == &range.from;
         SliderLook look = end_look(ui, value, is_from, *end);
         look.tooltip = ui.strings("map.end_how");
-        look.words_width = 34;
         look.unit = unit;
         const std::string id = std::string(is_x ? "map.x." : "map.y.") + (is_from ? "from" : "to");
         if (const auto edit = slider(ui, frame.sliders, id, *end, width, frame.view.wall_seconds, look))
@@ -138,7 +137,7 @@ void map_upper_row(const MapFrame& frame, float width) {
     const MapAxis& up = frame.map.y;
     const std::string range =
         fill(ui.strings("map.range"), {end_words(ui, *frame.y, up.from, false), end_words(ui, *frame.y, up.to, true)});
-    const bool fits = after + right + text_width(ui, Face::small, range) < width;
+    const bool fits = after + text_width(ui, Face::small, range) + gap_between + right <= width;
     const float row = ui.px(small_button_height + 4), line = line_height(ui, Face::small) + ui.px(2);
     put(ui, fits ? ImVec2{at.x + after, at.y + ui.px(4)} : ImVec2{at.x, at.y + row}, range, ui.palette.second_text,
         Face::small);

@@ -1,5 +1,6 @@
 #include "ui/panels/value_choice.h"
 
+#include <algorithm>
 #include <array>
 
 #include <imgui.h>
@@ -7,6 +8,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
 
 namespace braitenlab::ui {
@@ -31,7 +33,10 @@ std::string axis_words(const Ui& ui, const AxisValue& value) {
 
 SliderLook end_look(const Ui& ui, const AxisValue& value, bool is_from, float now) {
     SliderLook look = look_of(NumberField{"", value.unit, value.allowed, now, is_from ? value.from : value.to});
-    look.words = ui.strings(is_from ? "map.from" : "map.to");
+    const std::string_view from = ui.strings("map.from"), to = ui.strings("map.to");
+    look.words = is_from ? from : to;
+    const float room = std::max(text_width(ui, Face::text, from), text_width(ui, Face::text, to));
+    look.words_width = room / ui.px(1) + 12;
     return look;
 }
 

@@ -135,7 +135,7 @@ void point_out(const Ui& ui, Rect rect) {
 
 void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 corner) {
     if (!has_icons(ui)) return;
-    const float radius = ui.px(9), away = 0.75f * radius, reach = ui.px(24);
+    const float radius = ui.px(9), away = 0.25f * radius, reach = ui.px(24);
     const ImVec2 middle{corner.x + away, corner.y - away};
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
     draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
