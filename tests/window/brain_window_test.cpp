@@ -12,9 +12,10 @@ void type_into(const LabWindow& lab, const std::string& slider, const std::strin
     lab.press();
     lab.release();
     lab.xdotool("keyup ctrl");
-    lab.draw_frames();
+    ASSERT_TRUE(wait_for([&] { return lab.state()["typed"] != ""; }));
     if (!number.empty()) lab.xdotool("type --delay 60 -- " + number);
     lab.key("Return");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["typed"] == ""; }));
 }
 
 TEST(PairWindow, SetsTheWiresOfTheChosenPair) {
