@@ -320,6 +320,8 @@ test("Text is copied out of the page", limit, () =>
         await lab.page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
         await lab.page.keyboard.press("Control+s");
         await lab.until((state) => state.focus === "files.path");
+        // "ë" has no key: the page types it once its invisible field has the focus, a few frames after the lab's field.
+        await lab.page.waitForFunction(() => document.activeElement.id === "typing");
         await lab.page.keyboard.press("Control+a");
         await lab.page.keyboard.type("coward of Zoë");
         await lab.until((state) => state.typed === "coward of Zoë");
