@@ -46,16 +46,25 @@ TEST_F(WiringInspector, ShowsTheParametersOfASingleSelection) {
     EXPECT_TRUE(shows("inspector.column"));
 }
 
+namespace {
+
+// The wiring editor of an exercise in this language, with a selected wire.
+void show_wire(Desk& desk, const char* language) {
+    desk.strings = speaking(language);
+    desk.open_exercise();
+    desk.view.mode = Mode::wiring;
+    desk.frame(4);
+    desk.panels.canvas.selection = {{}, {{SR, ML}}};
+    desk.frame(3);
+}
+
+}  // namespace
+
 TEST(WiringInspectorWidth, GivesSlidersOneColumnWhereTwoWouldBeShort) {
     for (const char* language : {"en", "de", "es"})
         for (const float width : {1024.0f, 1280.0f, 2400.0f}) {
             Desk desk(width, 800, 1, true);
-            desk.strings = speaking(language);
-            desk.open_exercise();
-            desk.view.mode = Mode::wiring;
-            desk.frame(4);
-            desk.panels.canvas.selection = {{}, {{SR, ML}}};
-            desk.frame(3);
+            show_wire(desk, language);
             const Rect weight = desk.where("inspector.weight"), threshold = desk.where("inspector.threshold");
             EXPECT_GT(weight.w, 220) << language << width << ": words, a track and a number";
             EXPECT_EQ(weight.y == threshold.y, width > 2000) << language << width;
@@ -66,12 +75,7 @@ TEST(WiringInspectorWidth, AllNumbersOfAWireAreInSight) {
     for (const char* language : {"en", "de", "es"})
         for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}, {2400.0f, 800.0f}}) {
             Desk desk(width, height, 1, true);
-            desk.strings = speaking(language);
-            desk.open_exercise();
-            desk.view.mode = Mode::wiring;
-            desk.frame(4);
-            desk.panels.canvas.selection = {{}, {{SR, ML}}};
-            desk.frame(3);
+            show_wire(desk, language);
             for (const char* id :
                  {"inspector.weight", "inspector.threshold", "inspector.learning", "inspector.decay"}) {
                 const Rect* slider = desk.anchors.find(id);
