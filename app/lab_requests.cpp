@@ -75,7 +75,7 @@ void handle(Lab& lab, const Request& request) {
     std::visit(Match{[&](Action action) { act(lab, action); },
                      [&](const EditRequest& r) { edit(lab, r); },
                      [&](const SelectRequest& r) {
-                         forget_death_notice(lab);
+                         forget_vehicle_notice(lab);
                          select(lab, vehicle_object(r.vehicle)), keep_selection(lab);
                      },
                      [&](const NoticeRequest& r) {

@@ -143,7 +143,7 @@ void tell_fall(Lab& lab, const VehicleView& before, std::int64_t falls) {
     say(lab, {NoticeKind::notice, "notice.fell", std::to_string(before.id + 1)});
 }
 
-void forget_death_notice(Lab& lab) {
+void forget_vehicle_notice(Lab& lab) {
     const std::string& key = lab.notice.key;
     if (key.starts_with("notice.starved") || key.starts_with("notice.eaten") || key == "notice.fell") lab.notice = {};
 }

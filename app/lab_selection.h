@@ -36,7 +36,7 @@ void tell_fall(Lab&, const VehicleView& before, std::int64_t falls);
 
 // Removes the notice of reselect_after_death() and of tell_fall(): another vehicle is selected, or the run is at
 // another tick.
-void forget_death_notice(Lab&);
+void forget_vehicle_notice(Lab&);
 
 // The vehicle with the same start or the same number in the population as this one of `now`, in a world that begins
 // with the scene. no_vehicle: there is none.

@@ -119,7 +119,7 @@ constexpr std::size_t most_for_exact_drag = 300;  // vehicles; above, a dragged 
 void arrive(Lab& lab) {
     lab.playback.previous.clear();
     lab.playback.debt = 0;
-    forget_death_notice(lab);
+    forget_vehicle_notice(lab);
     keep_selection(lab);
     watch(lab);
 }

@@ -220,7 +220,7 @@ void reset(Lab& lab, std::uint64_t seed) {
     if (lab.document.lesson) lab.document.lesson->states.clear();
     lab.playback.previous.clear();
     lab.playback.debt = 0;
-    forget_death_notice(lab);
+    forget_vehicle_notice(lab);
     if (lab.document.lesson && !(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good))
         lab.document.lesson->view.grade.reset(), lab.document.lesson->graded.reset();
     if (lab.document.lesson && lab.document.lesson->grading) lab.document.lesson->grading->run_was_reset = true;
