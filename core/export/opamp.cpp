@@ -226,7 +226,7 @@ simulations of every shipped brain).
 |---|---|
 | `brain.cir` | netlist for ngspice and LTspice with the E24 values |
 | `brain-exact.cir` | with the exact values |
-| `brain.net` | netlist for KiCad's board editor (File › Import › Netlist) with the E24 values; not yet opened in KiCad |
+| `brain.net` | netlist for KiCad's board editor (File › Import › Netlist) with the E24 values |
 | `parts.csv` | the resistors |
 )";
     return filled(text, {{"TITLE", comment_text(plan.title)},
