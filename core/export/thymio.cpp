@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/export/text.h"
+#include "core/export/thymio_places.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
@@ -25,43 +26,15 @@ constexpr float slowest_error = 0.002f;  // at which a slow memory stops short o
 
 // ---- Sensors ----
 
-struct Place {
-    std::string_view expression;  // raw value
-    bool is_ground = false;
-};
-
-// By the last letter of the name: L left, R right, else the middle.
-std::optional<Place> place_of(const Input& input) {
-    const char side = input.name.empty() ? ' ' : input.name.back();
-    const std::size_t index = side == 'L' ? 0 : side == 'R' ? 1 : 2;
+// Reads the raw value into the variable `raw`.
+std::string_view expression_of(Place place) {
     constexpr std::string_view front[] = {"math.max(raw, prox.horizontal[0], prox.horizontal[1])",
                                           "math.max(raw, prox.horizontal[4], prox.horizontal[3])",
                                           "math.max(raw, prox.horizontal[2], prox.horizontal[2])"};
     constexpr std::string_view ground[] = {"math.max(raw, prox.ground.reflected[0], prox.ground.reflected[0])",
                                            "math.max(raw, prox.ground.reflected[1], prox.ground.reflected[1])",
                                            "math.max(raw, prox.ground.reflected[0], prox.ground.reflected[1])"};
-    switch (input.channel.value_or(Channel::light)) {
-        case Channel::light:
-        case Channel::obstacle:
-            return Place{front[index], false};
-        case Channel::floor:
-            return Place{ground[index], true};
-        default:
-            return std::nullopt;
-    }
-}
-
-std::optional<Error> sensor_refusal(const Plan& plan) {
-    std::vector<std::pair<std::string_view, std::string>> used;
-    for (const Input& input : plan.inputs) {
-        const auto place = place_of(input);
-        if (!place) return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
-        for (const auto& [expression, name] : used)
-            if (expression == place->expression)
-                return error_of(message_of("thymio_same_sensor", in_quotes(name), in_quotes(input.name)));
-        used.emplace_back(place->expression, input.name);
-    }
-    return std::nullopt;
+    return (place.is_ground ? ground : front)[static_cast<std::size_t>(place.side)];
 }
 
 // ---- Ranges ----
@@ -222,7 +195,7 @@ struct Writer {
         return fmt::format(
             "call {0}\ncall math.muldiv({1}, {2})\n"
             "if {1} < 0 then {1} = 0 end\nif {1} > {3} then {1} = {3} end\n",
-            place.expression, input.id, scale, one);
+            expression_of(place), input.id, scale, one);
     }
 
     std::string motor(std::string_view side, const PlanUnit& unit) const {
