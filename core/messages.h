@@ -254,8 +254,8 @@ inline constexpr auto message_table = std::to_array<MessageText>({
      "the sensor {} has no pin: the brain uses {} sensors, and the {} has {} analog inputs; cut the wires of some"},
     {"program_neurons", "{} neurons do not fit into the memory of the {}, which holds {}; remove some"},
     {"program_wires", "{} wires do not fit into the memory of the {}, which holds {}; cut some"},
-    {"program_bytes", "the program has {} bytes, and a micro:bit compiles {}; cut wires or remove neurons"},
-    {"thymio_same_sensor", "the sensors {} and {} would both be the same sensor of a Thymio II; cut the wires of one"},
+    {"program_bytes", "the program has {} bytes, {} of them for {}, and a {} takes {}; cut wires or remove neurons"},
+    {"thymio_same_sensor", "the sensors {} and {} would both be the same sensor of a Thymio; cut the wires of one"},
     {"thymio_learns", "a wire into {} learns, which the program of a Thymio cannot do; set its learning rate to 0"},
     {"thymio_numbers",
      "numbers of {} can reach {}, and the program of a Thymio holds 32 at most; take smaller weights, or a curve that "

@@ -8,6 +8,7 @@
 #include "core/export/micropython.h"
 #include "core/export/opamp.h"
 #include "core/export/thymio.h"
+#include "core/export/thymio3.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
@@ -27,10 +28,9 @@ std::size_t wires_of(const Plan& plan) {
 }
 
 Refusal check_robot(Target target, const Robot& robot) {
-    if (row_of(target).robot == robot.name) return std::nullopt;
-    return refused(fmt::format("the target {} is for the robot {}, not for {}; choose --to for this robot",
-                               word(target), in_quotes(std::string(row_of(target).robot)),
-                               in_quotes(std::string(robot.name))));
+    if (robot.target == target) return std::nullopt;
+    return refused(fmt::format("the target {} is not for the robot {}; its target is {}", word(target),
+                               in_quotes(std::string(robot.name)), word(robot.target)));
 }
 
 Refusal check_arduino(const Plan& plan) {
@@ -56,6 +56,17 @@ std::vector<ExportedFile> arduino_files(const Plan& plan) {
             {"wiring.svg", arduino::wiring_svg(plan)}};
 }
 
+Result<std::vector<ExportedFile>> micropython_files(const Plan& plan, const Robot& robot) {
+    if (robot.name == "thymio3") {
+        if (const auto refusal = thymio3::refusal(plan)) return *refusal;
+        return std::vector<ExportedFile>{{"brain.py", thymio3::program(plan)}, {"README.md", thymio3::readme(plan)}};
+    }
+    if (const auto refusal = micropython::refusal(plan)) return *refusal;
+    return std::vector<ExportedFile>{{"brain.py", micropython::brain_py(plan)},
+                                     {"main.py", micropython::main_py(plan)},
+                                     {"README.md", micropython::readme(plan)}};
+}
+
 }  // namespace
 
 Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Target target, const Robot& robot) {
@@ -72,10 +83,7 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
             if (const auto refusal = thymio::refusal(*plan)) return *refusal;
             return std::vector<ExportedFile>{{"brain.aesl", thymio::program(*plan)}};
         case Target::micropython:
-            if (const auto refusal = micropython::refusal(*plan)) return *refusal;
-            return std::vector<ExportedFile>{{"brain.py", micropython::brain_py(*plan)},
-                                             {"main.py", micropython::main_py(*plan)},
-                                             {"README.md", micropython::readme(*plan)}};
+            return micropython_files(*plan, robot);
         case Target::opamp:
             if (const auto refusal = opamp::refusal(*plan)) return *refusal;
             return std::vector<ExportedFile>{{"brain.cir", opamp::netlist(*plan, false)},

@@ -172,17 +172,23 @@ std::optional<Error> refusal(const Plan& plan) {
         return error_of(
             message_of("no_pin", in_quotes(plan.inputs[inputs].name), plan.inputs.size(), "micro:bit", inputs));
     const std::size_t bytes = brain_py(plan).size();
-    if (bytes > static_cast<std::size_t>(largest_brain))
-        return error_of(message_of("program_bytes", bytes, largest_brain));
+    if (bytes > static_cast<std::size_t>(largest_brain)) return too_large(plan, bytes, "micro:bit", largest_brain);
     return std::nullopt;
 }
 
-std::string brain_py(const Plan& plan) {
-    std::string text =
-        fmt::format("# The brain \"{}\", exported from Braitenlab. Call think() {:g} times per second.\n",
-                    comment_text(plan.title), plan.rate_hz);
-    if (uses(plan, Response::sigmoid) || uses(plan, Response::hump)) text += "from math import exp\n\n";
-    text += fmt::format("RATE_HZ = {:g}\n", plan.rate_hz);
+Error too_large(const Plan& plan, std::size_t bytes, std::string_view robot, int largest) {
+    std::size_t most = 0;
+    const PlanUnit* longest = &plan.units.front();
+    for (std::size_t u = 0; u < plan.units.size(); ++u)
+        if (const std::size_t part = lines_of(plan, plan.units[u], u >= plan.hidden()).size(); part > most)
+            most = part, longest = &plan.units[u];
+    return error_of(message_of("program_bytes", bytes, most, in_quotes(longest->name), robot, largest));
+}
+
+bool needs_exp(const Plan& plan) { return uses(plan, Response::sigmoid) || uses(plan, Response::hump); }
+
+std::string think_py(const Plan& plan) {
+    std::string text = fmt::format("RATE_HZ = {:g}\n", plan.rate_hz);
     std::string kept, stored;
     const auto keep = [&](const std::string& id) {
         text += id + " = 0.0\n";
@@ -210,6 +216,12 @@ std::string brain_py(const Plan& plan) {
     text += learning(plan) + stored;
     return text + fmt::format("    return max(-1, min(1, new_{})), max(-1, min(1, new_{}))\n",
                               plan.units[plan.hidden()].id, plan.units[plan.hidden() + 1].id);
+}
+
+std::string brain_py(const Plan& plan) {
+    return fmt::format("# The brain \"{}\", exported from Braitenlab. Call think() {:g} times per second.\n{}{}",
+                       comment_text(plan.title), plan.rate_hz, needs_exp(plan) ? "from math import exp\n\n" : "",
+                       think_py(plan));
 }
 
 std::string main_py(const Plan& plan) {

@@ -1,8 +1,10 @@
 // A brain as MicroPython for a BBC micro:bit with a motor driver.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/export/plan.h"
 #include "core/result.h"
@@ -15,6 +17,15 @@ inline constexpr int largest_brain = 2500;  // bytes of brain.py; tests run one 
 // The first part that the robot cannot hold, with its name: a sensor without a part or without a pin, a brain too
 // large.
 std::optional<Error> refusal(const Plan&);
+
+// The refusal of a program of this many bytes: it names the neuron or motor with the longest part of it.
+Error too_large(const Plan&, std::size_t bytes, std::string_view robot, int largest);
+
+// True when think_py() needs exp() of the module math.
+bool needs_exp(const Plan&);
+
+// The constant RATE_HZ, kept values, curves and the function think(). Its parameters are Input::id, in order.
+std::string think_py(const Plan&);
 
 // brain.py: the function think(), also valid in CPython 3. Needs the module math only, for sigmoids and humps.
 std::string brain_py(const Plan&);

@@ -35,17 +35,16 @@ struct RobotSheet : ::testing::Test {
     }
 };
 
-TEST_F(RobotSheet, RequestsTheFilesOfTheChosenTarget) {
+TEST_F(RobotSheet, RequestsTheFilesForTheChosenRobot) {
     ASSERT_TRUE(desk.anchors.find("card.robot"));
     EXPECT_TRUE(says("wiring.svg")) << "the Arduino is chosen at first";
     EXPECT_FALSE(desk.last<WriteFilesRequest>());
-    for (const auto& target : robots::target_table) {
-        desk.click("robot.target." + std::string(target.word));
+    for (const robots::Robot& robot : robots::robots()) {
+        desk.click("robot.target." + std::string(robot.word()));
         desk.click("robot.export");
         const auto* request = desk.last<WriteFilesRequest>();
-        ASSERT_TRUE(request) << target.word;
-        const auto made = robots::export_brain(brain_to_export(desk.view, desk.now.vehicles[0]), target.value,
-                                               *robots::find_robot(target.robot));
+        ASSERT_TRUE(request) << robot.name;
+        const auto made = robots::export_brain(brain_to_export(desk.view, desk.now.vehicles[0]), robot.target, robot);
         ASSERT_TRUE(made);
         ASSERT_EQ(request->files->size(), made->size());
         for (std::size_t i = 0; i < made->size(); ++i) {
@@ -53,7 +52,7 @@ TEST_F(RobotSheet, RequestsTheFilesOfTheChosenTarget) {
             EXPECT_EQ((*request->files)[i].text, (*made)[i].text);
             EXPECT_TRUE(says((*made)[i].name)) << (*made)[i].name;
         }
-        EXPECT_EQ(request->folder, "mine-" + std::string(target.word));
+        EXPECT_EQ(request->folder, "mine-" + std::string(robot.word()));
         EXPECT_FALSE(request->replace);
     }
 }
@@ -108,7 +107,7 @@ TEST_F(RobotSheet, SaysWhereTheFilesAreAndWhatToDoNext) {
     EXPECT_EQ(desk.panels.sheet, Sheet::none);
     open();
     EXPECT_TRUE(desk.anchors.find("robot.export")) << "it begins anew";
-    EXPECT_EQ(desk.panels.robot.target, robots::Target::thymio) << "with the target of the last time";
+    EXPECT_EQ(desk.panels.robot.robot, robots::find_robot("thymio2")) << "with the robot of the last time";
 }
 
 TEST_F(RobotSheet, NeedsAVehicleWhoseBrainIsShown) {

@@ -168,9 +168,9 @@ std::set<std::string> composed() {
          {"kind.name", "kind.count", "sensors.noise", "sensors.latency"})  // ui/panels/kind_editor.cpp
         for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
     for (const char* unit : {"rounds", "laps", "contacts", "captures", "vehicles", "times"})
-        keys.insert("unit." + std::string(unit));    // ui/panels/course/lesson_text.cpp
-    for (const auto& target : robots::target_table)  // ui/panels/robot_sheet.cpp
-        for (const char* stem : {"robot.to_", "robot.next_"}) keys.insert(stem + std::string(target.word));
+        keys.insert("unit." + std::string(unit));        // ui/panels/course/lesson_text.cpp
+    for (const robots::Robot& robot : robots::robots())  // ui/panels/robot_sheet.cpp
+        for (const char* stem : {"robot.to_", "robot.next_"}) keys.insert(stem + std::string(robot.word()));
     for (const char* role : {"predator", "prey"}) keys.insert("scene.goal_" + std::string(role));
     for (int chapter = 1; chapter <= 5; ++chapter) keys.insert("chapter." + std::to_string(chapter));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("hidden"));

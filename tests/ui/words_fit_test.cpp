@@ -86,7 +86,7 @@ void with_chart(Desk& desk, Chart chart) {
 
 // The sheet that saves the scene as an exercise.
 void with_author(Desk& desk, AuthorPage page);
-void with_robot(Desk& desk, robots::Target target);
+void with_robot(Desk& desk, const char* robot);
 
 const RecoveryOffer offer{
     "Predator and prey",
@@ -292,8 +292,8 @@ std::vector<Screen> screens() {
         {"author, steps", [](Desk& d) { with_author(d, AuthorPage::steps); }},
         {"author, goals", [](Desk& d) { with_author(d, AuthorPage::steps), d.panels.author.goals_open = true; }},
         {"author, prediction", [](Desk& d) { with_author(d, AuthorPage::prediction); }},
-        {"robot", [](Desk& d) { with_robot(d, robots::Target::arduino); }},
-        {"robot, refused", [](Desk& d) { with_robot(d, robots::Target::opamp); }},
+        {"robot", [](Desk& d) { with_robot(d, "tt2wd-ldr"); }},
+        {"robot, refused", [](Desk& d) { with_robot(d, "lm324"); }},
         {"unsaved, leaving", [](Desk& d) { with_files(d), files.leaving = Leaving{"Vehicle 2a: Coward"}; }},
     };
 }
@@ -306,10 +306,10 @@ void with_author(Desk& desk, AuthorPage page) {
     desk.panels.sheet = Sheet::author;
 }
 
-void with_robot(Desk& desk, robots::Target target) {
+void with_robot(Desk& desk, const char* robot) {
     with_files(desk);
     desk.now = shipped_scene("4b-decision");
-    desk.panels.robot.target = target;
+    desk.panels.robot.robot = robots::find_robot(robot);
     desk.panels.sheet = Sheet::robot;
 }
 

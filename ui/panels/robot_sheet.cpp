@@ -1,6 +1,5 @@
-// The sheet that exports the selected vehicle's brain to a robot: target, files or the reason against them, folder.
+// The sheet that exports the selected vehicle's brain to a robot: which one, files or the reason against them, folder.
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 
@@ -21,11 +20,6 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float robot_width = 620, robot_height = 440;  // layout pixels; height of the body
-// The C header is for those who know what to do with it, so it is last.
-constexpr std::array robot_targets{robots::Target::arduino, robots::Target::thymio, robots::Target::micropython,
-                                   robots::Target::opamp, robots::Target::c};
-static_assert(robot_targets.size() == robots::target_table.size());
-
 struct RobotSheet {
     const LabView& view;
     PanelState& panels;
@@ -34,32 +28,34 @@ struct RobotSheet {
 
     std::string_view words(std::string_view key) const { return ui.strings(key); }
     std::string_view words_of(std::string_view stem) const {
-        return words(std::string(stem) + std::string(row_of(state.target).word));
+        return words(std::string(stem) + std::string(state.robot->word()));
     }
     bool is_written() const { return state.asked && view.files->done > state.done; }
     Colour warning() const { return legible(ui.palette.warning, ui.palette.panel, ui.palette.text); }
 
     void make_files(const VehicleView& vehicle) const {
         const auto& brain = brain_of(*view.now, vehicle);
-        if (state.made && state.brain == brain && state.target_of_made == state.target) return;
-        state.brain = brain, state.target_of_made = state.target;
-        const robots::Robot* robot = robots::find_robot(row_of(state.target).robot);
+        if (state.made && state.brain == brain && state.robot_of_made == state.robot) return;
+        state.brain = brain, state.robot_of_made = state.robot;
         state.made = std::make_shared<const Result<std::vector<robots::ExportedFile>>>(
-            robots::export_brain(brain_to_export(view, vehicle), state.target, *robot));
+            robots::export_brain(brain_to_export(view, vehicle), state.robot->target, *state.robot));
+    }
+
+    void choice(const robots::Robot& robot) const {
+        const std::string name(robot.word());
+        if (!radio_row(ui, "robot.target." + name, words("robot.to_" + name), state.robot == &robot, true,
+                       words("robot.target_how")))
+            return;
+        state.robot = &robot;
+        state.asked = false;
+        state.replacing.clear();
     }
 
     void targets() const {
         subheading(ui, words("robot.target"));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(4)});
-        for (const robots::Target target : robot_targets) {
-            const std::string name(row_of(target).word);
-            if (!radio_row(ui, "robot.target." + name, words("robot.to_" + name), state.target == target, true,
-                           words("robot.target_how")))
-                continue;
-            state.target = target;
-            state.asked = false;
-            state.replacing.clear();
-        }
+        for (const robots::Robot& robot : robots::robots().subspan(1)) choice(robot);
+        choice(robots::robots().front());  // the C header is for those who know what to do with it
         ImGui::PopStyleVar();
         gap(ui, 8);
     }
@@ -87,7 +83,7 @@ struct RobotSheet {
     void folder() const {
         gap(ui, 8);
         subheading(ui, words("robot.folder"));
-        text_field(ui, state.folder, "robot.folder", card_width(ui), suggested_folder(view, state.target),
+        text_field(ui, state.folder, "robot.folder", card_width(ui), suggested_folder(view, *state.robot),
                    words("robot.folder_how"));
         paragraph(ui, view.uploads ? words("robot.downloads") : view.files->listing.folder, ui.palette.second_text,
                   Face::small);
@@ -102,7 +98,7 @@ struct RobotSheet {
     }
 
     std::string wanted_folder() const {
-        return state.folder.text.empty() ? suggested_folder(view, state.target) : state.folder.text;
+        return state.folder.text.empty() ? suggested_folder(view, *state.robot) : state.folder.text;
     }
     // The last request was refused because files of it exist, and the next one replaces them.
     bool replaces() const { return state.asked && view.files->refused && state.replacing == wanted_folder(); }
@@ -150,9 +146,9 @@ robots::BrainToExport brain_to_export(const LabView& view, const VehicleView& ve
     return {view.now->scene->title + ", " + kind.name, *brain_of(*view.now, vehicle), kind.sensors};
 }
 
-std::string suggested_folder(const LabView& view, robots::Target target) {
+std::string suggested_folder(const LabView& view, const robots::Robot& robot) {
     const std::string& name = view.files ? view.files->suggested : view.opened;
-    return (name.empty() ? "robot" : name) + "-" + std::string(row_of(target).word);
+    return (name.empty() ? "robot" : name) + "-" + std::string(robot.word());
 }
 
 void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
@@ -175,7 +171,7 @@ void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     sheet_buttons(ui, state.sheet);
     sheet.buttons();
     if (!state.begun && ui.keyboard)
-        ui.keyboard->focus = "robot.target." + std::string(row_of(state.target).word), ui.keyboard->revealed = true;
+        ui.keyboard->focus = "robot.target." + std::string(state.robot->word()), ui.keyboard->revealed = true;
     state.begun = true;
     if (end_sheet(state.sheet)) panels.sheet = Sheet::none;
 }

@@ -15,16 +15,16 @@ namespace braitenlab::ui {
 
 struct RobotState {
     SheetState sheet;
-    robots::Target target = robots::Target::arduino;  // stays for the next time
-    TextField folder;                                 // empty: suggested_folder()
-    // Of the brain and the target; null until the sheet is drawn.
+    const robots::Robot* robot = robots::find_robot("tt2wd-ldr");  // stays for the next time
+    TextField folder;                                              // empty: suggested_folder()
+    // Of the brain and the robot; null until the sheet is drawn.
     std::shared_ptr<const Result<std::vector<robots::ExportedFile>>> made;
-    bool begun = false;                                 // drawn at least once since it was opened
-    bool asked = false;                                 // a request is in progress, or was refused
-    int done = 0;                                       // FilesView::done at the request; larger: it is written
-    std::string replacing;                              // folder with existing files, until the user confirms
-    std::shared_ptr<const BrainGraph> brain;            // that `made` is about
-    robots::Target target_of_made = robots::Target::c;  // that `made` is about
+    bool begun = false;                            // drawn at least once since it was opened
+    bool asked = false;                            // a request is in progress, or was refused
+    int done = 0;                                  // FilesView::done at the request; larger: it is written
+    std::string replacing;                         // folder with existing files, until the user confirms
+    std::shared_ptr<const BrainGraph> brain;       // that `made` is about
+    const robots::Robot* robot_of_made = nullptr;  // that `made` is about
 };
 
 // Prepares the sheet for the selected vehicle.
@@ -34,6 +34,6 @@ void begin_robot(RobotState&);
 robots::BrainToExport brain_to_export(const LabView&, const VehicleView&);
 
 // "2a-coward-arduino": the folder taken without a name.
-std::string suggested_folder(const LabView&, robots::Target);
+std::string suggested_folder(const LabView&, const robots::Robot&);
 
 }  // namespace braitenlab::ui

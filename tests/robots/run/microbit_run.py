@@ -88,4 +88,5 @@ def main():
         microbit.process.kill()
 
 
-main()
+if __name__ == "__main__":
+    main()
