@@ -106,7 +106,8 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
 }
 
 // Shrinks the box around the vehicle until the vehicle has this length on the screen, px, or until another vehicle is
-// at its edge. All sources stay inside where the vehicle has at least `enough_share` of this length then.
+// at its edge. All sources stay inside where the vehicle has at least `enough_share` of this length then, and so does a
+// whole arena: the walls of a table and the numbers beside them are not cut off for a slightly larger robot.
 FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, float pixels, const FramingInput& in) {
     const vec2 place{vehicle.x, vehicle.y};
     const float scale = scale_of(now.scene->arena), around = scale * around_vehicle;
@@ -115,6 +116,7 @@ FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle,
         const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &shown);
         return length * pixels_per_metre(seen, place) / pixels;
     };
+    if (contains(box, whole(now.scene->arena)) && share_in(box) >= enough_share) return box;
     for (int i = 0; i < 4; ++i) {
         const float share = share_in(box);
         if (share >= 1) break;

@@ -69,6 +69,24 @@ TEST(Framing, FillsTheFreeAreaWithATableAsWithALargeArena) {
     }
 }
 
+TEST(Framing, ShowsAllOfATableOnWhichTheRobotIsLargeEnough) {
+    auto scene = hand_made::scene();
+    scene->arena.width = scene->arena.height = 2;
+    const auto box_for = [&](float length) {
+        scene->kinds[0].body = resized(scene->kinds[0].body, length, length);
+        Snapshot now = hand_made::empty(scene);
+        hand_made::add(now, 0, -0.5f, 0, 0);
+        Framing framing;
+        return framing.follow(now, input());
+    };
+    const FloorBox large = box_for(0.09f), small = box_for(0.04f);
+    EXPECT_LE(large.low.x, -1);
+    EXPECT_LE(large.low.y, -1);
+    EXPECT_GE(large.high.x, 1);
+    EXPECT_GE(large.high.y, 1);
+    EXPECT_LT(small.high.x - small.low.x, 1.9f) << "a smaller robot is shown larger than the table allows";
+}
+
 TEST(Framing, RidesASmallRobotFromAsFarAsItIsLong) {
     auto scene = hand_made::scene();
     scene->kinds[0].body = resized(scene->kinds[0].body, 0.1f, 0.07f);
