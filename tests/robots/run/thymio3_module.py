@@ -1,18 +1,14 @@
-"""Stands for the module `thymio` of a Thymio 3: readings are lines of the file `rows`, speeds of motors are printed. Valid
-in MicroPython and in Python. A line: 7 proximity sensors, 2 ground sensors, 5 buttons."""
+# Stands for the module `thymio` of a Thymio 3: readings are lines of the file `rows`, speeds of motors are printed. Valid
+# in MicroPython and in Python. A line: 7 proximity sensors, 2 ground sensors, 5 buttons. EOFError ends the program.
 rows = open("rows")
 row = []
-
-
-class End(Exception):  # of the lines
-    pass
 
 
 class BUTTONS:
     def get_status(self):
         row[:] = [int(word) for word in rows.readline().split()]
         if not row:
-            raise End()
+            raise EOFError
         return row[9:]
 
 

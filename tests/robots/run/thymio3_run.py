@@ -14,11 +14,11 @@ import types
 import microbit_run
 
 MODULE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "thymio3_module.py")
+# The program is compiled before the stand-in is: a micro:bit has little memory.
 DRIVER = """
-import thymio
 try:
     import brain
-except thymio.End:
+except EOFError:
     pass
 """
 
