@@ -5,6 +5,7 @@
 
 #include "core/export/arduino.h"
 #include "core/export/text.h"
+#include "core/export/wiring_svg.h"
 #include "core/scene/enums.h"
 
 namespace braitenlab::robots::arduino {
@@ -124,6 +125,26 @@ std::string parts_csv(const Plan& plan) {
     for (const Input& input : plan.inputs)
         text += fmt::format("1,\"{}\",\"for sensor {}\"\n", part_of(input).part, cell(input.name).c_str());
     return text + "1,set of jumper wires and a half breadboard,\n";
+}
+
+std::string wiring_svg(const Plan& plan) {
+    Wiring wiring{.board = "Arduino Uno",
+                  .driver = "TB6612 (L298N)",
+                  .volts = "5 V",
+                  .button = std::to_string(button_pin),
+                  .left_outputs = "AO1, AO2 (OUT1, OUT2)",
+                  .right_outputs = "BO1, BO2 (OUT3, OUT4)",
+                  .motor_supply = "VM (12V)",
+                  .board_supply = "VIN",
+                  .notes = {"Each resistive sensor: from 5 V through the sensor to the input, from the input through "
+                            "its resistor to GND. Modules: 5 V, GND, output to the input.",
+                            "TB6612: VCC to 5 V of the Arduino. L298N: remove the jumpers of ENA and ENB."}};
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) wiring.inputs.push_back(pin_of_input(i));
+    for (const MotorPin& pin : motor_pins)
+        wiring.pins.push_back({std::to_string(pin.pin), pin.l298n.empty()
+                                                            ? std::string(pin.tb6612)
+                                                            : fmt::format("{} ({})", pin.tb6612, pin.l298n)});
+    return robots::wiring_svg(plan, wiring);
 }
 
 }  // namespace braitenlab::robots::arduino

@@ -64,7 +64,9 @@ Result<std::vector<ExportedFile>> micropython_files(const Plan& plan, const Robo
     if (const auto refusal = micropython::refusal(plan)) return *refusal;
     return std::vector<ExportedFile>{{"brain.py", micropython::brain_py(plan)},
                                      {"main.py", micropython::main_py(plan)},
-                                     {"README.md", micropython::readme(plan)}};
+                                     {"README.md", micropython::readme(plan)},
+                                     {"parts.csv", micropython::parts_csv(plan)},
+                                     {"wiring.svg", micropython::wiring_svg(plan)}};
 }
 
 }  // namespace

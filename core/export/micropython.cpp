@@ -144,6 +144,8 @@ eyes (`main.py`) have not been tried on a real robot**; please report what you f
 |---|---|
 | `brain.py` | the brain, one function that you can read: @BYTES@ bytes |
 | `main.py` | pins, calibration values, the loop |
+| `wiring.svg` | the wiring picture |
+| `parts.csv` | the shopping list |
 
 Copy both files to the micro:bit, for example with the editor Mu.
 

@@ -34,5 +34,7 @@ std::string brain_py(const Plan&);
 std::string main_py(const Plan&);
 
 std::string readme(const Plan&);
+std::string parts_csv(const Plan&);
+std::string wiring_svg(const Plan&);
 
 }  // namespace braitenlab::robots::micropython

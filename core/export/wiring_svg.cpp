@@ -1,4 +1,5 @@
-// The wiring picture of the Arduino export: sensors on the left, the Uno in the middle, driver and motors on the right.
+#include "core/export/wiring_svg.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -6,12 +7,13 @@
 #include "core/export/arduino.h"
 #include "core/export/text.h"
 
-namespace braitenlab::robots::arduino {
+namespace braitenlab::robots {
 
 namespace {
 
 constexpr int row_height = 34, sensor_height = 62, board_x = 330, board_width = 200, driver_x = 650, driver_width = 150,
               top = 90;
+constexpr std::string_view small = " class=\"small\"";
 
 std::string label(int x, int y, std::string_view anchor, const std::string& text, std::string_view style = "") {
     return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style, xml_text(text));
@@ -23,19 +25,21 @@ std::string box(int x, int y, int width, int height, const std::string& title) {
            label(x + width / 2, y - 10, "middle", title, " class=\"title\"");
 }
 
-// A divider: 5 V, the sensor, the input, and a resistor to ground where the part has one. A module: its three pins.
-std::string sensor_row(const Plan& plan, std::size_t i) {
+// A divider: the supply, the sensor, the input, and a resistor to ground where the part has one. A module: its three
+// pins.
+std::string sensor_row(const Plan& plan, const Wiring& wiring, std::size_t i) {
     const int y = top + 40 + static_cast<int>(i) * sensor_height;
-    const std::string part(part_of(plan.inputs[i]).part);
+    const std::string part(arduino::part_of(plan.inputs[i]).part);
     const std::size_t comma = part.find(" to 5 V, ");
     const bool divider = comma != std::string::npos && part.ends_with(" to ground");
     const std::string module = part.substr(0, part.find_first_of(",("));
-    std::string text = label(20, y + 5, "start", plan.inputs[i].name, " class=\"title\"") +
-                       label(100, y - 14, "start", divider ? part.substr(0, comma) : module, " class=\"small\"") +
-                       fmt::format("<rect x=\"100\" y=\"{}\" width=\"56\" height=\"20\" class=\"part\"/>\n", y - 10) +
-                       label(94, y + 4, "end", divider ? "5 V" : "5 V, GND", " class=\"small\"") +
-                       fmt::format("<path d=\"M156 {}H{}\" stroke=\"#0072b2\"/>\n", y, board_x) +
-                       label(board_x + 8, y + 5, "start", pin_of_input(i));
+    std::string text =
+        label(20, y + 5, "start", plan.inputs[i].name, " class=\"title\"") +
+        label(100, y - 14, "start", divider ? part.substr(0, comma) : module, " class=\"small\"") +
+        fmt::format("<rect x=\"100\" y=\"{}\" width=\"56\" height=\"20\" class=\"part\"/>\n", y - 10) +
+        label(94, y + 4, "end", std::string(wiring.volts) + (divider ? "" : ", GND"), " class=\"small\"") +
+        fmt::format("<path d=\"M156 {}H{}\" stroke=\"#0072b2\"/>\n", y, board_x) +
+        label(board_x + 8, y + 5, "start", wiring.inputs[i]);
     if (!divider) return text;
     const std::string resistor =
         part.substr(comma + 9, part.size() - comma - 9 - std::string_view(" to ground").size());
@@ -46,19 +50,35 @@ std::string sensor_row(const Plan& plan, std::size_t i) {
            label(232, y + 35, "middle", resistor, " class=\"small\"");
 }
 
-std::string motor(int y, const char* name, const char* outputs) {
+std::string motor(int y, const char* name, std::string_view outputs) {
     const int x = driver_x + driver_width;
     return fmt::format("<path d=\"M{} {}H{}M{} {}H{}\" stroke=\"#555\"/>\n", x, y - 6, x + 70, x, y + 6, x + 70) +
            fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"26\" class=\"part\"/>\n", x + 90, y) +
            label(x + 90, y + 5, "middle", "M") + label(x + 90, y + 46, "middle", name) +
-           label(x + 90, y + 62, "middle", outputs, " class=\"small\"");
+           label(x + 90, y + 62, "middle", std::string(outputs), " class=\"small\"");
+}
+
+// Battery to the driver and, where it supplies the board, to that; all grounds together.
+std::string supply(const Wiring& wiring, int bottom) {
+    const int red = bottom + 30, black = bottom + 60;
+    const bool both = !wiring.board_supply.empty();
+    const std::string to_board = both ? fmt::format("M{} {}V{}", board_x + 60, red, bottom) : "";
+    std::string text =
+        fmt::format("<path d=\"M40 {0}H{1}V{2}{3}\" stroke=\"#c00\"/>\n", red, driver_x + 50, bottom, to_board) +
+        fmt::format("<path d=\"M40 {0}H{1}V{2}M{3} {0}V{2}\" stroke=\"#000\"/>\n", black, driver_x + 100, bottom,
+                    board_x + 120) +
+        label(40, red - 8, "start", "battery +") + label(40, black - 8, "start", "battery −");
+    if (both) text += label(board_x + 54, bottom - 8, "middle", std::string(wiring.board_supply), small);
+    return text + label(board_x + 120, bottom - 8, "middle", "GND", small) +
+           label(driver_x + 46, bottom - 8, "middle", std::string(wiring.motor_supply), small) +
+           label(driver_x + 108, bottom - 8, "middle", "GND", small);
 }
 
 }  // namespace
 
-std::string wiring_svg(const Plan& plan) {
+std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
     const int height = std::max(static_cast<int>(plan.inputs.size()) * sensor_height,
-                                (static_cast<int>(motor_pins.size()) + 1) * row_height) +
+                                (static_cast<int>(wiring.pins.size()) + 1) * row_height) +
                        50;
     const int bottom = top + height;
     std::string text = fmt::format(
@@ -68,47 +88,27 @@ std::string wiring_svg(const Plan& plan) {
         "<rect width=\"980\" height=\"{0}\" fill=\"#fff\"/>\n",
         bottom + 130);
     text += label(20, 34, "start", "Wiring: " + plan.title, " class=\"title\"");
-    text += box(board_x, top, board_width, height, "Arduino Uno");
-    text += box(driver_x, top, driver_width, height, "TB6612 (L298N)");
+    text += box(board_x, top, board_width, height, std::string(wiring.board));
+    text += box(driver_x, top, driver_width, height, std::string(wiring.driver));
     if (!plan.inputs.empty()) text += label(20, top - 10, "start", "Sensors", " class=\"title\"");
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i) text += sensor_row(plan, i);
-    for (std::size_t i = 0; i < motor_pins.size(); ++i) {
-        const MotorPin& pin = motor_pins[i];
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) text += sensor_row(plan, wiring, i);
+    for (std::size_t i = 0; i < wiring.pins.size(); ++i) {
         const int y = top + 40 + static_cast<int>(i) * row_height;
-        const std::string driver =
-            pin.l298n.empty() ? std::string(pin.tb6612) : fmt::format("{} ({})", pin.tb6612, pin.l298n);
         text += fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\"/>\n", board_x + board_width, y, driver_x,
                             i < 3   ? "#d55e00"
                             : i < 6 ? "#009e73"
                                     : "#555");
-        text += label(board_x + board_width - 8, y + 5, "end", std::to_string(pin.pin)) +
-                label(driver_x + 8, y + 5, "start", driver);
+        text += label(board_x + board_width - 8, y + 5, "end", wiring.pins[i].board) +
+                label(driver_x + 8, y + 5, "start", wiring.pins[i].driver);
     }
-    const int button_y = top + 40 + static_cast<int>(motor_pins.size()) * row_height;
-    text += label(board_x + board_width - 8, button_y + 5, "end", std::to_string(button_pin)) +
-            fmt::format("<path d=\"M{} {}h20\" stroke=\"#555\"/>\n", board_x + board_width, button_y) +
-            label(board_x + board_width + 26, button_y + 5, "start", "button to GND", " class=\"small\"");
-    text += motor(top + 70, "left motor", "AO1, AO2 (OUT1, OUT2)") +
-            motor(top + 210, "right motor", "BO1, BO2 (OUT3, OUT4)");
-    // Supply: battery to the driver and to VIN; all grounds together.
-    const int red = bottom + 30, black = bottom + 60;
-    text += fmt::format("<path d=\"M40 {0}H{1}V{2}M{3} {0}V{2}\" stroke=\"#c00\"/>\n", red, driver_x + 50, bottom,
-                        board_x + 60) +
-            fmt::format("<path d=\"M40 {0}H{1}V{2}M{3} {0}V{2}\" stroke=\"#000\"/>\n", black, driver_x + 100, bottom,
-                        board_x + 120);
-    text += label(40, red - 8, "start", "battery +") + label(40, black - 8, "start", "battery −") +
-            label(board_x + 54, bottom - 8, "middle", "VIN", " class=\"small\"") +
-            label(board_x + 120, bottom - 8, "middle", "GND", " class=\"small\"") +
-            label(driver_x + 46, bottom - 8, "middle", "VM (12V)", " class=\"small\"") +
-            label(driver_x + 108, bottom - 8, "middle", "GND", " class=\"small\"");
-    text += label(
-        40, bottom + 92, "start",
-        "Each resistive sensor: from 5 V through the sensor to the input, from the input through its resistor to GND. "
-        "Modules: 5 V, GND, output to the input.",
-        " class=\"small\"");
-    text += label(40, bottom + 110, "start",
-                  "TB6612: VCC to 5 V of the Arduino. L298N: remove the jumpers of ENA and ENB.", " class=\"small\"");
-    return text + "</svg>\n";
+    const int button_y = top + 40 + static_cast<int>(wiring.pins.size()) * row_height;
+    if (!wiring.button.empty())
+        text += label(board_x + board_width - 8, button_y + 5, "end", wiring.button) +
+                fmt::format("<path d=\"M{} {}h20\" stroke=\"#555\"/>\n", board_x + board_width, button_y) +
+                label(board_x + board_width + 26, button_y + 5, "start", "button to GND", " class=\"small\"");
+    text += motor(top + 70, "left motor", wiring.left_outputs) + motor(top + 210, "right motor", wiring.right_outputs);
+    return text + supply(wiring, bottom) + label(40, bottom + 92, "start", std::string(wiring.notes[0]), small) +
+           label(40, bottom + 110, "start", std::string(wiring.notes[1]), small) + "</svg>\n";
 }
 
-}  // namespace braitenlab::robots::arduino
+}  // namespace braitenlab::robots

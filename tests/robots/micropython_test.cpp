@@ -108,6 +108,24 @@ TEST(Micropython, WritesAMainProgramThatPythonReads) {
         }
 }
 
+TEST(Micropython, WritesTheWiringOfItsPinsAndTheParts) {
+    const auto files = exported({"2a-coward", find_preset("2a-coward")->brain, {}});
+    ASSERT_TRUE(files);
+    const auto text = [&](std::string_view name) {
+        for (const auto& file : *files)
+            if (file.name == name) return file.text;
+        return std::string{};
+    };
+    const std::string svg = text("wiring.svg"), main = text("main.py");
+    for (const int pin : {0, 1, 8, 12, 13, 14, 15, 16}) {
+        EXPECT_NE(svg.find(fmt::format(">P{}<", pin)), std::string::npos) << pin;
+        EXPECT_NE(main.find(fmt::format("pin{}", pin)), std::string::npos) << pin;
+    }
+    EXPECT_EQ(svg.find(">P2<"), std::string::npos) << "the brain has two sensors";
+    EXPECT_EQ(svg.find("VIN"), std::string::npos) << "the micro:bit has its own battery";
+    EXPECT_NE(text("parts.csv").find("for sensor SR"), std::string::npos);
+}
+
 TEST(MicropythonOnMicrobit, ComputesWhatTheLabComputesForEveryShippedBrainThatItHolds) {
     if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     const Folder folder;

@@ -1,0 +1,49 @@
+// Wiring picture and shopping list of a micro:bit.
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "core/export/arduino.h"
+#include "core/export/micropython.h"
+#include "core/export/text.h"
+#include "core/export/wiring_svg.h"
+
+namespace braitenlab::robots::micropython {
+
+std::string parts_csv(const Plan& plan) {
+    std::string text =
+        "number,part,note\n"
+        "1,BBC micro:bit,version 1 or 2\n"
+        "1,edge connector with a breakout board,for the pins besides P0 to P2\n"
+        "1,TB6612 board,\n"
+        "1,chassis with two TT motors 1:48 and wheels of 65 mm,with a castor\n"
+        "1,battery holder for four AA cells,for the motors; with a switch\n"
+        "1,battery holder for two AAA cells,for the micro:bit\n";
+    for (const Input& input : plan.inputs)
+        text += fmt::format("1,\"{}\",\"for sensor {}; with 3 V instead of 5 V\"\n", arduino::part_of(input).part,
+                            comment_text(input.name));
+    return text + "1,set of jumper wires and a half breadboard,\n";
+}
+
+std::string wiring_svg(const Plan& plan) {
+    Wiring wiring{.board = "BBC micro:bit",
+                  .driver = "TB6612",
+                  .volts = "3 V",
+                  .pins = {{"P8", "PWMA"},
+                           {"P12", "AIN1"},
+                           {"P13", "AIN2"},
+                           {"P16", "PWMB"},
+                           {"P14", "BIN1"},
+                           {"P15", "BIN2"},
+                           {"3V", "VCC, STBY"}},
+                  .left_outputs = "AO1, AO2",
+                  .right_outputs = "BO1, BO2",
+                  .motor_supply = "VM",
+                  .notes = {"Each resistive sensor: from 3 V through the sensor to the input, from the input through "
+                            "its resistor to GND. Modules: 3 V, GND, output to the input.",
+                            "The micro:bit has its own battery. Its GND is connected to that of the motors' battery."}};
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) wiring.inputs.push_back(fmt::format("P{}", i));
+    return robots::wiring_svg(plan, wiring);
+}
+
+}  // namespace braitenlab::robots::micropython

@@ -1,0 +1,30 @@
+// A wiring picture: sensors on the left, a board in the middle, a motor driver and two motors on the right.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/export/plan.h"
+
+namespace braitenlab::robots {
+
+struct WiredPin {
+    std::string board, driver;  // names printed on both
+};
+
+struct Wiring {
+    std::string_view board, driver;   // titles of the two boxes
+    std::string_view volts;           // of the board's sensors: "5 V"
+    std::vector<std::string> inputs;  // pin of each sensor of the plan
+    std::vector<WiredPin> pins;       // three of the left motor, three of the right one, others
+    std::string button;               // pin of a button to ground; empty: none
+    std::string_view left_outputs, right_outputs, motor_supply;  // of the driver
+    std::string_view board_supply;  // pin that the motors' battery supplies; empty: the board has its own supply
+    std::string_view notes[2];
+};
+
+// As SVG. Each sensor is the part of arduino.h for its channel.
+std::string wiring_svg(const Plan&, const Wiring&);
+
+}  // namespace braitenlab::robots
