@@ -23,7 +23,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float most_name_room = 78, number_room = 44, sign_room = 26;  // layout pixels
-constexpr float least_row = 24, largest_row = 56, column_gap = 16;
+constexpr float least_row = 24, largest_row = 56, column_gap = spacing::large;
 
 // A button of one sign at the right end of a row.
 struct RowButton {

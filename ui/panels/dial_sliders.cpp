@@ -51,7 +51,7 @@ std::string shown_name(Dial dial) {
     return key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
 }
 
-constexpr float threshold_width = 104, between_sliders = 14;  // layout pixels
+constexpr float threshold_width = 104, between_sliders = spacing::medium;  // layout pixels
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 

@@ -105,7 +105,7 @@ void search_row(const FilesState& files, Ui& ui) {
     const Rect box{at.x, at.y, card_width(ui), ui.px(28)};
     const bool empty = files.search.empty();
     line_box(ui, box, empty ? ui.palette.line : ui.palette.accent);
-    put(ui, {box.x + ui.px(10), box.y + (box.h - line_height(ui, Face::text)) / 2},
+    put(ui, {box.x + ui.px(spacing::small), box.y + (box.h - line_height(ui, Face::text)) / 2},
         empty ? std::string(ui.strings("files.search_how")) : files.search,
         empty ? ui.palette.second_text : ui.palette.text);
     mark(ui, "files.search", box);

@@ -22,7 +22,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::string_view gallery_stem = "gallery.";
-constexpr float least_card = 150, card_inset = 8, between_cards = 10;  // layout pixels
+constexpr float least_card = 150, card_inset = spacing::small, between_cards = spacing::medium;  // layout pixels
 
 // A disc with a check mark; a ring while the exercise was passed only by the solution that was shown.
 void passed_mark(const Ui& ui, ImVec2 c, bool alone) {

@@ -16,6 +16,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/sheet.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
@@ -27,8 +28,8 @@ struct KeyRow {
     std::vector<std::string_view> lines{}, key_lines{};  // of the words and of the key, as they fit their columns
 };
 
-constexpr float beside_key = 14, line_gap = 4;  // layout pixels
-constexpr float key_words_share = 0.58f;        // of the width; the keys begin behind it
+constexpr float beside_key = spacing::medium, line_gap = spacing::tight;  // layout pixels
+constexpr float key_words_share = 0.58f;                                  // of the width; the keys begin behind it
 
 // String keys of a mouse gesture and its effect.
 constexpr std::array<std::array<std::string_view, 2>, 17> gestures_of_mouse{{

@@ -27,7 +27,7 @@ using insight::MysteryScore;
 using insight::MysteryStart;
 
 // Layout pixels.
-constexpr float mystery_width = 860, between_starts = 8, most_start = 150;
+constexpr float mystery_width = 860, between_starts = spacing::small, most_start = 150;
 constexpr std::size_t starts_per_row = 5;
 
 std::vector<maths::vec2> places(const insight::Path& path) {

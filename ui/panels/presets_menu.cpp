@@ -14,12 +14,13 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float preset_width = 396, preset_padding = 12;  // layout pixels
+constexpr float preset_width = 396, preset_padding = spacing::medium;  // layout pixels
 
 // Draws a preset; pressed: the user has chosen it. A bar marks the current brain of the vehicle.
 Item preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
@@ -31,7 +32,7 @@ Item preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
     fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
     if (current)
         fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent, 2);
-    const float x = row.rect.x + ui.px(10);
+    const float x = row.rect.x + ui.px(spacing::medium);
     put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
     put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)}, ui.strings.find("preset_story." + key, ""),
         ui.palette.second_text, Face::small);
@@ -82,7 +83,7 @@ std::string names_by_channel(const Ui& ui, const std::vector<Sensor>& sensors) {
 void ask_for_sensors(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, const Preset& preset) {
     const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({start.x + ui.px(10), start.y + ui.px(4)});
+    ImGui::SetCursorScreenPos({start.x + ui.px(spacing::medium), start.y + ui.px(4)});
     ImGui::BeginGroup();
     const std::string key(preset.name);
     paragraph(ui, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong, ui.px(preset_width));
@@ -117,8 +118,8 @@ void kept_sensors(Ui& ui, const BrainGraph& brain) {
         names += (names.empty() ? "" : ", ") + name;
     if (names.empty()) return;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    put(ui, {at.x + ui.px(10), at.y + ui.px(4)}, fill(ui.strings("own_brain.stays"), {names}), ui.palette.second_text,
-        Face::small);
+    put(ui, {at.x + ui.px(spacing::medium), at.y + ui.px(4)}, fill(ui.strings("own_brain.stays"), {names}),
+        ui.palette.second_text, Face::small);
     ImGui::Dummy({1, line_height(ui, Face::small) + ui.px(8)});
 }
 
@@ -130,7 +131,8 @@ void own_brains(PanelState& state, Ui& ui) {
         if (at.pressed) ImGui::CloseCurrentPopup(), state.sheet = Sheet::files;
         return at.pressed;
     };
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + ui.px(10), ImGui::GetCursorScreenPos().y + ui.px(6)});
+    ImGui::SetCursorScreenPos(
+        {ImGui::GetCursorScreenPos().x + ui.px(spacing::medium), ImGui::GetCursorScreenPos().y + ui.px(6)});
     if (wanted({"preset.load", icon::load, ui.strings("own_brain.load")}, ui.strings("own_brain.load_how"))) {
         begin_files(state.files, false);
         state.files.place = FilesPlace::folder;

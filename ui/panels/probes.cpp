@@ -18,7 +18,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float least_probe = 84, largest_probe = 150, probe_gap = 6, probe_pad = 5;  // layout pixels
+constexpr float least_probe = 84, largest_probe = 150, probe_gap = spacing::small,
+                probe_pad = spacing::tight;                 // layout pixels
 constexpr float probe_share = 1.15f, probe_height = 0.32f;  // width: of the node's width; height: of the probe's width
 
 bool covers_one(const Rect& r, const std::vector<Rect>& others) {

@@ -22,7 +22,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float scene_menu_width = 312, scene_menu_pad = 6, scene_row_height = 28, rule_height = 9;  // layout pixels
+constexpr float scene_menu_width = 312, scene_menu_pad = spacing::small, scene_row_height = 28,
+                rule_height = 9;  // layout pixels
 
 // A row of the menu: words, requests, and the page it leads to.
 struct SceneMenuRow {
@@ -177,14 +178,14 @@ float menu_height(const Ui& ui, const std::vector<SceneMenuRow>& rows) {
 void draw_menu_row(const Ui& ui, const SceneMenuRow& row, const Item& at, bool indented) {
     const Palette& p = ui.palette;
     fill_box(ui, at.rect, p.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
-    float x = at.rect.x + ui.px(10);
+    float x = at.rect.x + ui.px(spacing::medium);
     const ImVec2 sign{x + ui.px(6), at.middle_y()};
     if (row.role) put_role(ui, sign, ui.px(12), *row.role);
     if (row.channel) ImGui::GetWindowDrawList()->AddCircleFilled(sign, ui.px(6), paint(colour_of(p, *row.channel)), 20);
     if (indented) x += ui.px(22);
     const float y = at.middle_y() - line_height(ui, Face::text) / 2;
     put(ui, {x, y}, row.words, p.text);
-    const float right = at.right() - ui.px(10);
+    const float right = at.right() - ui.px(spacing::medium);
     if (row.leads_to) put_icon(ui, {right - ui.px(3), at.middle_y()}, icon::folded, p.second_text);
     put_right(ui, {right, at.middle_y() - line_height(ui, Face::small) / 2}, row.keys, p.second_text, Face::small);
 }
@@ -200,8 +201,9 @@ Item menu_row(Ui& ui, const SceneMenuRow& row, bool indented) {
     }
     if (row.heading) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
-        put(ui, {from.x + ui.px(10), from.y + (ui.px(scene_row_height) - line_height(ui, Face::small)) / 2}, row.words,
-            ui.palette.second_text, Face::small);
+        put(ui,
+            {from.x + ui.px(spacing::medium), from.y + (ui.px(scene_row_height) - line_height(ui, Face::small)) / 2},
+            row.words, ui.palette.second_text, Face::small);
         ImGui::Dummy({width, ui.px(scene_row_height)});
         return {};
     }

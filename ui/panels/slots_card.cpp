@@ -16,6 +16,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
@@ -27,7 +28,7 @@ using insight::CompareNumbers;
 constexpr std::array<std::string_view, 2> letters{"A", "B"};
 constexpr std::array<std::string_view, 2> slot_anchors{"slot.a", "slot.b"};
 constexpr std::array<std::string_view, 2> store_anchors{"slot.a.store", "slot.b.store"};
-constexpr float column_space = 8, row_gap = 3;  // layout pixels
+constexpr float column_space = spacing::small, row_gap = spacing::tight;  // layout pixels
 
 // "aggressor", "empty".
 std::string content_of(const LabView& view, const Ui& ui, const SlotView& slot) {

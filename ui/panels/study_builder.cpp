@@ -23,7 +23,7 @@ using insight::StudyMeasure;
 namespace {
 
 // Layout pixels.
-constexpr float name_width = 190, column_gap_of_draft = 18, number_columns = 3;
+constexpr float name_width = 190, column_gap_of_draft = spacing::large, number_columns = 3;
 constexpr int most_levels = 9, most_seeds = 100;
 static_assert(most_levels * most_levels * most_seeds <= static_cast<int>(insight::limits::study_runs));
 

@@ -32,7 +32,7 @@ using insight::StudyRow;
 using insight::StudySummary;
 
 // Layout pixels.
-constexpr float sheet_width = 940, least_row = 20, most_row = 44, column_gap = 14, dot_radius = 2.2f;
+constexpr float sheet_width = 940, least_row = 20, most_row = 44, column_gap = spacing::medium, dot_radius = 2.2f;
 
 std::string measure_words(const Ui& ui, const StudyMeasureTraits& measure) {
     std::string words(ui.strings("study.measure." + std::string(measure.word)));

@@ -19,7 +19,8 @@ namespace {
 
 constexpr int compact_step = 1, first_words_go = 2, narrowest_step = first_words_go + 2;  // steps of narrowness
 constexpr int never = 99;
-constexpr float toolbar_margin = 12, between_buttons = 4, toolbar_group_gap = 17;  // layout pixels
+constexpr float toolbar_margin = spacing::medium, between_buttons = spacing::tight,
+                toolbar_group_gap = 2 * spacing::small + 1;  // with the line in it
 constexpr float speed_width = 52, status_width = 224,
                 compact_status = 220;  // the pill, and the clock with the pace below
 

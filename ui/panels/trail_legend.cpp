@@ -11,13 +11,14 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
 // Layout pixels.
-constexpr float narrowest_scale = 180, scale_height = 8, pad = 8, from_edge = 10;
+constexpr float narrowest_scale = 180, scale_height = 8, pad = spacing::small, from_edge = spacing::medium;
 
 std::vector<TrailColour> choices(const LabView& view) {
     std::vector<TrailColour> all{{}, {TrailValue::wheels}, {TrailValue::speed}};

@@ -14,8 +14,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float side_padding = 16, card_heading = 36, bottom_padding = 12;  // layout pixels
-constexpr float above_footer = 8;
+constexpr float side_padding = spacing::large, bottom_padding = spacing::medium, above_footer = spacing::small;
+constexpr float card_heading = 36;         // layout pixels
 constexpr float card_scrollbar_inset = 3;  // from the card's edge
 constexpr ImGuiWindowFlags plain_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |

@@ -154,7 +154,7 @@ void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view 
     const bool pressed_meanwhile = ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] < static_cast<double>(hovered);
     if (!is_due(ui, hovered) || hovered > hide_after || pressed_meanwhile) return;
     if (ui.tooltips) ui.tooltips->shown_at = ImGui::GetTime();
-    const ImVec2 padding{ui.px(10), ui.px(6)};
+    const ImVec2 padding{ui.px(spacing::medium), ui.px(spacing::small)};
     const float space = ui.px(2);
     const float widest = std::max(text_width(ui, Face::small, words), text_width(ui, Face::small, shortcut));
     const float width = std::min(ui.px(280), widest) + 1;

@@ -18,7 +18,8 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels.
-constexpr float menu_pad = 5, title_pad = 10, entry_pad = 10, menu_sign_room = 22, before_keys = 28, menu_rule = 7;
+constexpr float menu_pad = spacing::tight, title_pad = spacing::medium, entry_pad = spacing::medium,
+                menu_sign_room = 22, before_keys = 28, menu_rule = 7;
 constexpr float tallest_entry = 26, lowest_entry = 18, menu_margin = 6;
 
 std::string title_anchor(const MenuTitle& title) { return "menu." + std::string(title.name); }

@@ -13,12 +13,13 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float sheet_pad = 16, sheet_scrollbar_inset = 3, least_margin = 12;  // layout pixels
+constexpr float sheet_pad = spacing::large, least_margin = spacing::medium, sheet_scrollbar_inset = 3;  // layout pixels
 
 float sheet_heading(const Ui& ui) { return line_height(ui, Face::title) + ui.px(sheet_pad); }
 float sheet_row(const Ui& ui) { return ui.px(button_height + sheet_pad); }

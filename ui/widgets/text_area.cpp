@@ -10,6 +10,7 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/text_field.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
@@ -66,7 +67,7 @@ void input_area(Ui& ui, TextField& field, std::string_view id, ImVec2 size, ImVe
 
 void text_area(Ui& ui, TextField& field, std::string_view id, float width, int rows, std::string_view what,
                std::string_view how) {
-    const ImVec2 pad{ui.px(10), ui.px(7)}, at = ImGui::GetCursorScreenPos();
+    const ImVec2 pad{ui.px(spacing::small), ui.px(spacing::small)}, at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, width, line_height(ui, Face::text) * static_cast<float>(rows) + 2 * pad.y};
     const bool focused = stop_here(ui.keyboard, id);
     compat::push_font(font(ui, Face::text));

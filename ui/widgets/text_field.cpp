@@ -9,6 +9,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
@@ -30,7 +31,8 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     const Rect box{at.x, at.y, width, height};
     const bool focused = stop_here(ui.keyboard, id);
     compat::push_font(font(ui, Face::text));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), (height - line_height(ui, Face::text)) / 2});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ui.px(spacing::small), (height - line_height(ui, Face::text)) / 2});
     ImGui::SetNextItemWidth(width);
     // Not while a mouse button is down: the widget under the pointer would lose the press.
     if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) ImGui::SetKeyboardFocusHere();
@@ -46,7 +48,7 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     ImGui::PopStyleVar();
     ImGui::PopFont();
     if (field.text.empty())
-        put(ui, {box.x + ui.px(10), box.y + (height - line_height(ui, Face::text)) / 2},
+        put(ui, {box.x + ui.px(spacing::small), box.y + (height - line_height(ui, Face::text)) / 2},
             shortened(ui, what, Face::text, width - ui.px(20)), ui.palette.second_text);
     line_box(ui, box, focused ? ui.palette.accent : ui.palette.line, 6, focused ? 1.5f : 1.0f);
     mark(ui, id, box);

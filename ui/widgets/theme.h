@@ -23,6 +23,11 @@ Colour legible(Colour wanted, Colour ground, Colour text);
 // Ascent plus descent of Noto Sans, in em. Dear ImGui calls it the size of a font.
 inline constexpr float line_height_em = 1.362f;
 
+// The spacing grid, layout pixels: paddings and gaps of cards, bars and sheets are one of these.
+namespace spacing {
+inline constexpr float hair = 2, tight = 4, small = 8, medium = 12, large = 16, wide = 24;
+}
+
 // Sets Dear ImGui's style. Call again when the theme or the scale changes, between frames.
 void apply_theme(Theme, float scale);
 

@@ -24,7 +24,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr int per_row = 3;
-constexpr float between_children = 8, most_picture = 280, least_picture = 64;  // layout pixels
+constexpr float between_children = spacing::small, most_picture = 280, least_picture = 64;  // layout pixels
 
 bool has_choices_left(const LessonView& lesson) {
     return lesson.selection->generation < lesson.exercise->selection.generations;

@@ -18,8 +18,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr std::size_t few_starts = 10;  // up to this number the pictures are large
-constexpr float between_pictures = 6;   // layout pixels
+constexpr std::size_t few_starts = 10;              // up to this number the pictures are large
+constexpr float between_pictures = spacing::small;  // layout pixels
 
 // The same part of the floor for all pictures: that of the scene, and of the paths inside the arena.
 FloorArea pictured_area(const Exercise& exercise, const Grade& grade) {
