@@ -132,6 +132,16 @@ TEST_F(DrawInsight, TheCauseOfTheTurnHasABarForEachSensorAndAddsUp) {
     EXPECT_TRUE(writes("Mostly the bias"));
 }
 
+TEST_F(DrawInsight, TheCauseOfTheTurnShowsWholeNamesOfSensors) {
+    insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
+    why.sensors = {{"a sensor with a long name", 0.56f, -0.28f}, {"SL", 0.2f, 0.03f}};
+    desk.view.why = &why;
+    desk.frame(2);
+    ASSERT_TRUE(desk.anchors.find("why"));
+    EXPECT_TRUE(writes("a sensor with a long name"));
+    EXPECT_EQ(desk.shortened, 0);
+}
+
 TEST_F(DrawInsight, APresetUnderThePointerIsTriedOut) {
     desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
     desk.frame(2);

@@ -129,6 +129,28 @@ TEST_F(MapCard, HasALegendOfEveryKindOrOfTheNumbers) {
     EXPECT_TRUE(says("3.5 m"));
 }
 
+TEST(MapLegend, ShowsWholeWordsInEveryLanguageAndInALecture) {
+    for (const char* language : {"en", "de", "es"})
+        for (const bool lecture : {false, true}) {
+            Desk desk(1024, 768, lecture ? 1.4f : 1.0f, true);
+            desk.strings = speaking(language);
+            MapCells cells{8};
+            int i = 0;
+            for (const auto& row : insight::behaviour_table) cells.at({i++ % 8, 0}) = MapCell{{.behaviour = row.value}};
+            desk.now = snapshot(0);
+            desk.view.lecture = lecture, desk.view.settings.map = true;
+            desk.view.map = MapView{
+                .cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
+            desk.frame(5);
+            std::string all;
+            for (const Written& written : desk.written) all += written.words + "\n";
+            for (const auto& row : insight::behaviour_table) {
+                const std::string words(desk.strings("map.kind." + std::string(row.word)));
+                EXPECT_NE(all.find(words), std::string::npos) << language << ": " << words;
+            }
+        }
+}
+
 TEST_F(MapCard, OffersAxesAndMeasures) {
     desk.click("map.x");
     desk.click("map.x.LM=RM");

@@ -50,6 +50,14 @@ std::vector<Behaviour> shown_kinds(const MapFrame& frame) {
     return kinds;
 }
 
+// One column where the words of some kind are wider than half of the card.
+int legend_columns(const MapFrame& frame) {
+    const Ui& ui = frame.ui;
+    for (const Behaviour kind : shown_kinds(frame))
+        if (text_width(ui, Face::small, in_words(ui, kind)) > card_width(ui) / 2 - ui.px(legend_sign + 10)) return 1;
+    return 2;
+}
+
 void legend_of_kinds(const MapFrame& frame, float width) {
     Ui& ui = frame.ui;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -57,6 +65,7 @@ void legend_of_kinds(const MapFrame& frame, float width) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const std::vector<Behaviour> kinds = shown_kinds(frame);
     const int rows = map_legend_rows(frame);
+    const auto columns = static_cast<float>(legend_columns(frame));
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const BehaviourLook& look = look_of(kinds[i]);
         const int column = static_cast<int>(i) / rows;
@@ -66,7 +75,7 @@ void legend_of_kinds(const MapFrame& frame, float width) {
         draw.AddRectFilled({box.x, box.y}, {box.x + sign, box.y + sign}, paint(as_colour(look.colour)));
         draw_map_mark(draw, box, look.value, look.colour);
         put(ui, {x + sign + ui.px(6), y + ui.px(2)},
-            shortened(ui, in_words(ui, look.value), Face::small, width / 2 - sign - ui.px(10)), ui.palette.text,
+            shortened(ui, in_words(ui, look.value), Face::small, width / columns - sign - ui.px(10)), ui.palette.text,
             Face::small);
     }
     ImGui::Dummy({1, static_cast<float>(rows) * row});
@@ -92,7 +101,9 @@ void legend_of_numbers(const MapFrame& frame, float width) {
 }  // namespace
 
 int map_legend_rows(const MapFrame& frame) {
-    return frame.map.measure == MapMeasure::behaviour ? static_cast<int>(shown_kinds(frame).size() + 1) / 2 : 2;
+    if (frame.map.measure != MapMeasure::behaviour) return 2;
+    const int columns = legend_columns(frame);
+    return (static_cast<int>(shown_kinds(frame).size()) + columns - 1) / columns;
 }
 
 void map_words(const MapFrame& frame, float width) {

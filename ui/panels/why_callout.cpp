@@ -16,13 +16,15 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
 // Layout pixels.
-constexpr float narrowest_callout = 190, widest_callout = 250, callout_pad = 10, callout_row = 4, from_vehicle = 54;
+constexpr float narrowest_callout = 190, widest_callout = 250, callout_pad = spacing::medium,
+                between_parts = spacing::small, callout_row = spacing::tight, least_bar = 28, from_vehicle = 54;
 constexpr std::size_t most_why_bars = 4;
 constexpr float shown_as_zero = insight::least_part;
 
@@ -118,6 +120,20 @@ float callout_height(const Ui& ui, const WhyCallout& callout) {
                row;
 }
 
+// The widest words beside a bar.
+float words_width(const Ui& ui, const WhyCallout& callout) {
+    float width = text_width(ui, Face::small, ui.strings("why.total"));
+    for (const WhyBar& bar : callout.bars) width = std::max(width, text_width(ui, Face::small, bar.words));
+    return width;
+}
+
+// The width of the callout without its border in which the words beside the bars are whole.
+float bars_width(const Ui& ui, const WhyCallout& callout) {
+    if (callout.bars.empty()) return 0;
+    return words_width(ui, callout) + text_width(ui, Face::small, with_sign(ui, -1, 2)) + ui.px(least_bar) +
+           2 * ui.px(between_parts);
+}
+
 // A bar from the middle of `room` and its number, right of it. The longest bar fills half of the room.
 void draw_why_bar(const Ui& ui, Rect room, const WhyBar& bar, float longest) {
     const Palette& p = ui.palette;
@@ -140,9 +156,12 @@ void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float widt
     float longest = 0, sum = 0;
     for (const WhyBar& bar : callout.bars) longest = std::max(longest, std::fabs(bar.value)), sum += bar.value;
     const float height = line_height(ui, Face::small), number = text_width(ui, Face::small, with_sign(ui, -1, 2));
-    const float room = 0.24f * width, bars = at.x + width - number - room - ui.px(8);
+    const float room = std::max(ui.px(least_bar), std::min(0.24f * width, width - number - words_width(ui, callout) -
+                                                                              2 * ui.px(between_parts)));
+    const float bars = at.x + width - number - room - ui.px(between_parts);
     const auto row = [&](const WhyBar& bar, Colour colour) {
-        put(ui, {at.x, y}, shortened(ui, bar.words, Face::small, bars - at.x - ui.px(6)), colour, Face::small);
+        put(ui, {at.x, y}, shortened(ui, bar.words, Face::small, bars - at.x - ui.px(between_parts)), colour,
+            Face::small);
         put_right(ui, {at.x + width, y}, with_sign(ui, bar.value, 2), colour, Face::small);
     };
     for (const WhyBar& bar : callout.bars) {
@@ -193,8 +212,13 @@ void why_callout(const LabView& view, const Ui& ui, Rect area) {
     const auto middle = project(*view.camera_view, {vehicle->x, vehicle->y}, render::deck_height);
     if (!middle) return;
     constexpr float share = 0.45f;  // of the area, so that there is room beside the vehicle
-    const float w = std::clamp(share * area.w, ui.px(narrowest_callout), ui.px(widest_callout));
-    const WhyCallout callout = callout_of(view, ui, *vehicle, *view.why, w - ui.px(2 * callout_pad));
+    const float border = ui.px(2 * callout_pad);
+    float w = std::clamp(share * area.w, ui.px(narrowest_callout), ui.px(widest_callout));
+    WhyCallout callout = callout_of(view, ui, *vehicle, *view.why, w - border);
+    if (const float wanted = bars_width(ui, callout) + border; wanted > w) {
+        w = std::max(w, std::min(wanted, 0.9f * area.w));
+        callout = callout_of(view, ui, *vehicle, *view.why, w - border);
+    }
     const float h = callout_height(ui, callout), away = ui.px(from_vehicle);
     const auto ahead =
         project(*view.camera_view, maths::vec2{vehicle->x, vehicle->y} + maths::direction(vehicle->heading));
