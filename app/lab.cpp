@@ -49,10 +49,11 @@ Preferences own_preferences(const Lab& lab) {
     return p;
 }
 
-void say(Lab& lab, Notice notice) {
+void say(Lab& lab, Notice notice, double least_seconds) {
     constexpr double letters_a_second = 15;  // reading speed, with time to notice the message
     const double least = notice.kind == NoticeKind::failure ? 10 : notice.kind == NoticeKind::notice ? 8 : 6;
-    const double seconds = std::max(least, static_cast<double>(notice.words.size()) / letters_a_second);
+    const double seconds =
+        std::max({least_seconds, least, static_cast<double>(notice.words.size()) / letters_a_second});
     std::string& words = notice.words;
     if (notice.key.empty() && !words.empty() && words[0] >= 'a' && words[0] <= 'z')
         words[0] = static_cast<char>(words[0] - 'a' + 'A');

@@ -102,9 +102,9 @@ Preferences own_preferences(const Lab&);
 // What the scene shows: the run of the document, or the graded starts at once.
 const Snapshot& shown_snapshot(const Lab&);
 
-// Shows a notice at the bottom of the window. Its duration depends on the length of the text; failures are shown
-// longest.
-void say(Lab&, Notice);
+// Shows a notice at the bottom of the window, at least so long. Its duration depends on the length of the text;
+// failures are shown longest.
+void say(Lab&, Notice, double least_seconds = 0);
 void say(Lab&, const Error&);
 
 // The view of the lab for the panels. Points into the lab: valid until the lab changes.

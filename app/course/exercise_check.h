@@ -1,5 +1,5 @@
 // The check of the open exercise for its author, in the background: how many starts pass as shipped, with the solution
-// and with each wrong answer. The result is a notice. `braitenctl check` says more.
+// and with each wrong answer. The result is a notice that stays for a minute. `braitenctl check` says more.
 #pragma once
 
 #include <memory>

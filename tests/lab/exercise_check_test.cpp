@@ -73,6 +73,7 @@ TEST_F(ExerciseCheckLab, ASavedExerciseIsOpenedAndItsResultShown) {
     EXPECT_EQ(lab.notice.words, "0/10");
     EXPECT_EQ(lab.notice.more, "10/10");
     EXPECT_EQ(lab.notice.kind, NoticeKind::done);
+    EXPECT_GE(lab.notice_until, lab.wall_seconds + 60) << "the author may look elsewhere";
 }
 
 TEST_F(ExerciseCheckLab, SaysThatAnExerciseIsNotReady) {
