@@ -126,7 +126,7 @@ void App::frame(float passed) {
     const Rect area = window_.area();
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
-    aim(viewport_, shown_lab(), area, arena, passed);
+    aim(viewport_, shown_lab(), area, arena, passed, title_ ? SlotsView{} : view.slots);
     view.camera_view = &viewport_.camera_view;
     outbox_.clear();
     bool arrows_are_free = true;

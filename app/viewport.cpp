@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include <imgui.h>
 
@@ -28,6 +29,13 @@ bool is_home(const ViewportState& state, const Lab& lab) {
     return lab.view.camera == Camera{} && !(state.last == Camera{});
 }
 
+// The place of the vehicle of slot B; nullopt while it is not drawn.
+std::optional<FloorBox> around_b(const SlotsView& slots) {
+    if (!slots.b) return std::nullopt;
+    const vec2 at{slots.b->pose.x, slots.b->pose.y}, border{slots.b->length, slots.b->length};
+    return FloorBox{at - border, at + border};
+}
+
 bool jumped(const ViewportState& state, const Lab& lab) {
     return lab.view.camera.mode != state.last.mode || lab.view.selection.vehicle != state.last_followed ||
            is_home(state, lab);
@@ -35,7 +43,7 @@ bool jumped(const ViewportState& state, const Lab& lab) {
 
 }  // namespace
 
-void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds) {
+void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds, const SlotsView& slots) {
     const Snapshot& now = shown_snapshot(lab);
     const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
     if (is_home(state, lab)) state.framing.start_over();
@@ -47,6 +55,7 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .window = window,
                                    .free_area = free_area,
                                    .least_share = lab.before_lecture ? least_share_in_lecture : least_share,
+                                   .other_run = around_b(slots),
                                    .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
                                    .held = held});
     const CameraView wanted =

@@ -27,8 +27,8 @@ struct CameraKeys {
 };
 
 // Computes the camera view of this frame. A change of mode or vehicle, and Home, are shown as short glides, unless
-// motion is reduced. Other changes apply at once.
-void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds);
+// motion is reduced. Other changes apply at once. While both slots run, the vehicle of B stays in the picture, too.
+void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds, const SlotsView& = {});
 
 // Turns the camera by the slow orbit, if ViewSettings::orbits; motion must not be reduced.
 void orbit_slowly(Camera&, float seconds);

@@ -105,9 +105,10 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
     return box;
 }
 
-// Shrinks the box around the vehicle until the vehicle has this length on the screen, px, or until another vehicle is
-// at its edge. All sources stay inside where the vehicle has at least `enough_share` of this length then, and so does a
-// whole arena: the walls of a table and the numbers beside them are not cut off for a slightly larger robot.
+// Shrinks the box around the vehicle until the vehicle has this length on the screen, px, or until another vehicle or
+// the other run is at its edge. All sources stay inside where the vehicle has at least `enough_share` of this length
+// then, and so does a whole arena: the walls of a table and the numbers beside them are not cut off for a slightly
+// larger robot.
 FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, float pixels, const FramingInput& in) {
     const vec2 place{vehicle.x, vehicle.y};
     const float scale = scale_of(now.scene->arena), around = scale * around_vehicle;
@@ -127,6 +128,7 @@ FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle,
         box = {kept - half, kept + half};
     }
     for (const VehicleView& other : now.vehicles) include(box, {other.x, other.y}, around);
+    if (in.other_run) box = both(box, *in.other_run);
     FloorBox with_sources = box;
     for (const SourceView& s : now.sources) include(with_sources, {s.x, s.y}, scale * around_source);
     return share_in(with_sources) >= enough_share ? with_sources : box;
@@ -153,8 +155,9 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     const bool moved = in.camera.zoom != 1 || !(in.camera.pan == vec2{});
     if (shown_ && (in.held || moved)) return *shown_;
 
-    const FloorBox action = action_of(now);
     const Arena arena = now.scene ? now.scene->arena : Arena{};
+    FloorBox action = action_of(now);
+    if (in.other_run) action = within(both(action, *in.other_run), arena);
     if (!grown_)
         grown_ = action;
     else if (!contains(*grown_, action))

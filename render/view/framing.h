@@ -19,8 +19,9 @@ struct FramingInput {
     VehicleId selected = no_vehicle;
     Rect window, free_area;
     float least_share = 0.05f;  // of the free area's width: least length of the selected vehicle, with few vehicles
-    float seconds = 0;          // since the last frame; 0: no glide, the box changes at once
-    bool held = false;          // the user holds something: the box stays
+    std::optional<FloorBox> other_run{};  // where a run is that is drawn beside this one
+    float seconds = 0;                    // since the last frame; 0: no glide, the box changes at once
+    bool held = false;                    // the user holds something: the box stays
 };
 
 // Follows the action of a run: the box grows with it and does not shrink. While the user has zoomed or moved the

@@ -157,6 +157,21 @@ TEST(Framing, KeepsLampsInThePictureWhereTheVehicleStaysLargeEnough) {
     EXPECT_GE(pixels_per_metre(seen, {-3, 0}), 0.6f * in.least_share * in.free_area.w);
 }
 
+TEST(Framing, KeepsTheVehicleOfTheOtherRunInThePicture) {
+    auto scene = hand_made::scene();
+    scene->arena.width = scene->arena.height = 40;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, -3, 0, 0);
+    hand_made::add_source(now, Channel::light, 2, 3);
+    FramingInput in = input();
+    in.least_share = 0.08f;
+    EXPECT_FALSE(holds(Framing{}.follow(now, in), {15, -12}));
+    in.other_run = FloorBox{{14, -13}, {16, -11}};
+    const FloorBox box = Framing{}.follow(now, in);
+    EXPECT_TRUE(holds(box, {15, -12}));
+    EXPECT_TRUE(holds(box, {-3, 0}));
+}
+
 TEST(Framing, FramesTheLineThatAVehicleFollows) {
     auto scene = hand_made::scene();
     scene->zones.push_back({.name = "line", .x = 6, .y = 5, .length = 2, .width = 0.2f, .surface = Surface::tape});
