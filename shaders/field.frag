@@ -1,5 +1,5 @@
 in vec2 v_own;
-in vec2 v_place;
+in vec2 v_part;  // 1: at the edge of the arena, along x and y
 flat in vec4 v_shape;  // from sector_edges()
 flat in vec4 v_base, v_line;
 
@@ -22,7 +22,8 @@ void main() {
         alpha = max(alpha * step(0.0, far), v_line.x * edge);
     }
     // The field ends at the walls.
-    alpha *= step(from_edge(v_place), counts.z);
+    float out_there = form.x < 0.5 ? max(abs(v_part.x), abs(v_part.y)) : dot(v_part, v_part);
+    alpha *= step(out_there, 1.0 + counts.z);
     // On a dark floor the colours of overlapping fields are added, because blended colours become grey.
     // In the light theme faint and warm, like light on paper.
     alpha *= mix(0.85, 0.55, counts.y);

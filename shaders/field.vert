@@ -7,15 +7,16 @@ layout(location = 6) in vec4 base;    // w: strength of the fill
 layout(location = 7) in vec4 line;    // x: strength of the outline; y: radius of the arc, or minus the chord's distance
 
 out vec2 v_own;    // metres, the sensor's axis along x
-out vec2 v_place;  // the world's plane
+out vec2 v_part;  // of the arena's half sides
 flat out vec4 v_shape, v_base, v_line;
 
 void main() {
     int i = int(corner.x + 0.5);
     v_own = sector_corner(i < sector_corner_count(shape.y) ? i : 0, shape);
-    v_place = place.xy + turn(v_own, place.zw);
+    vec2 at = place.xy + turn(v_own, place.zw);
+    v_part = at / arena.xy;
     v_shape = sector_edges(shape);
     v_base = base;
     v_line = line;
-    gl_Position = view_projection * vec4(to_gl(vec3(v_place, sector_height)), 1.0);
+    gl_Position = view_projection * vec4(to_gl(vec3(at, sector_height)), 1.0);
 }
