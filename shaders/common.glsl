@@ -17,7 +17,7 @@ layout(std140) uniform Frame {
     vec4 shadow_colour;
     vec4 window;  // width, height of the picture, pixels; its lower left corner in the framebuffer
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels per layout pixel
-    vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far sensor fields reach beyond the arena, m; w: boundary
+    vec4 counts;  // x: lamps; y: 1 in the light theme; z: share of fields beyond the arena; w: boundary
     vec4 form;    // x: 1 if the arena is an ellipse; y: scale of a small arena; z: m between the lines of the grid
     vec4 law;     // 1/half distance^2, 1/range^2 of light; lamps that light the floor; quality 0 low, 1 medium, 2 high
     Lamp lamps[8];
@@ -62,8 +62,9 @@ float lamp_law(float squared) {
 vec3 lamp_on_floor(int i, vec2 place) {
     vec2 towards = vec2(lamps[i].place.x, -lamps[i].place.z) - place;
     // Deeper than the lamp's own colour on a dark floor, paler on a light one.
-    vec3 tint = lamps[i].colour.rgb, deep = tint * tint * tint * tint;
-    return mix(deep * 0.37, tint * 0.42, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    vec3 tint = lamps[i].colour.rgb, deep = tint * tint;
+    deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
+    return mix(deep * 0.49, tint * 0.26, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the

@@ -6,6 +6,7 @@ out vec4 colour;
 void main() {
     float d = dot(v_own, v_own), t = max(0.0, 1.0 - d);
     float glow = v_base.a * t * t * (0.35 + 0.65 * exp(-9.0 * d));
-        // In the light theme a pale glow, because nothing is brighter than the floor.
-    colour = vec4(mix(v_base.rgb, mix(v_base.rgb, vec3(1.0), 0.55), counts.y) * glow, glow * mix(0.25, 1.0, counts.y));
+    // In the light theme as bright as a screen shows the hue.
+    vec3 bright = mix(v_base.rgb / max(max(v_base.r, v_base.g), max(v_base.b, 1e-3)), vec3(1.0), 0.65);
+    colour = vec4(mix(v_base.rgb, bright, counts.y) * glow, glow * mix(0.25, 1.0, counts.y));
 }

@@ -92,7 +92,7 @@ struct LecturePage {
     std::string caption, notes;
     float minutes = 1;
     PageCamera camera = PageCamera::framed;
-    float azimuth = -1.5707963f, elevation = 1.1f;  // rad; as Camera in render/view/camera.h
+    float azimuth = -1.5707963f, elevation = 1.0f;  // rad; as Camera in render/view/camera.h
     float zoom = 1;
     float x = 0, y = 0;  // m, shift of the point that the camera looks at
     std::string select;  // name of the selected vehicle; empty: the scene's first

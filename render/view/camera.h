@@ -48,7 +48,7 @@ struct Rect {
 struct Camera {
     CameraMode mode = CameraMode::overview;
     float azimuth = -1.5707963f;  // rad, direction from the arena's centre to the camera; −pi/2: +x is to the right
-    float elevation = 1.1f;       // rad above the floor, 0.15..1.5
+    float elevation = 1.0f;       // rad above the floor, 0.15..1.5
     float zoom = 1;               // 0.25..8; 1 fits the framed part of the floor into the free part of the window
     maths::vec2
         pan{};  // m, shift of the point that overview and bird's eye look at, from the middle of the framed part

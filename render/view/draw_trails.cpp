@@ -56,8 +56,8 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
         return share ? colour_of_share(wanted.value, *share, drawing.picture.theme) : role;
     };
     // A coloured trail fades less, so that its colours can be compared with the legend.
-    const float newest = s.selected ? (plain ? 0.85f : 1) : (plain ? 0.5f : 0.8f),
-                oldest = (plain ? 0.35f : 0.8f) * newest;
+    const float newest = s.selected ? (plain ? 0.95f : 1) : (plain ? 0.75f : 0.8f),
+                oldest = (plain ? 0.45f : 0.8f) * newest;
     const bool ends = drawing.now.vehicles.size() > 64;  // the recent part only: it fades out
     const auto opacity = [&](std::size_t i) {
         const float age = static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(count, 24));

@@ -35,7 +35,8 @@ bool in_sight(const Drawing& drawing, vec2 place, float radius) {
 
 namespace {
 
-constexpr float sign_below = 18;  // layout pixels: a smaller vehicle is drawn as a flat sign
+// Layout pixels: a smaller vehicle is drawn as a flat sign.
+float sign_below(Quality quality) { return quality == Quality::high ? 11.0f : 18.0f; }
 
 // Detail by length on the screen; small parts of a small vehicle fade out.
 float detail_of(float pixels) {
@@ -112,21 +113,33 @@ float eye_radius(const Kind& kind, std::size_t i, float largest = 0.095f) {
     return std::max(radius, 0.05f);
 }
 
-// Balls with a lid above the places of the sensors.
+// Radius of an eye as a factor of that on the standard vehicle: larger where the vehicle is small on the screen, so
+// that an overview shows where it looks.
+float eye_scale(float pixels) {
+    constexpr float small = 28, large = 80, most = 1.4f;  // small, large: layout pixels
+    return most + (1 - most) * std::clamp((pixels - small) / (large - small), 0.0f, 1.0f);
+}
+
+// Balls with a lid above the places of the sensors; of a small vehicle one a side, which shows the strongest reading.
 void add_eyeballs(Drawing& drawing, const Subject& s) {
-    constexpr float largest = 0.125f, above_deck = 0.02f;  // m
+    constexpr float above_deck = 0.02f;   // m
+    constexpr float each_eye_above = 54;  // layout pixels
+    const float largest = 0.125f * eye_scale(s.pixels);
     const Colour lid = body_colour(drawing, s);
+    const bool one_a_side = s.pixels < each_eye_above && !s.selected;
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
+        const auto strongest = one_a_side ? strongest_beside(drawing, s, i) : std::optional(i);
+        if (!strongest) continue;
         const Sensor& sensor = s.kind.sensors[i];
         const vec2 at = s.to_world({sensor.x, sensor.y});
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
-        const float radius = eye_radius(s.kind, i, largest);
-        drawing.list.eyeballs.push_back(
-            {{at.x, at.y, towards.x, towards.y},
-             {radius * s.height_scale, (deck_height + radius + above_deck) * s.height_scale,
-              std::sqrt(sensed(drawing, s, i)), 0},
-             rgb_with(colour_of(drawing.colours, sensor.channel), is_covered(s, i) ? 0.0f : 1.0f),
-             rgb_with(lid, 0)});
+        const float radius = one_a_side ? largest : eye_radius(s.kind, i, largest);
+        drawing.list.eyeballs.push_back({{at.x, at.y, towards.x, towards.y},
+                                         {radius * s.height_scale, (deck_height + radius + above_deck) * s.height_scale,
+                                          std::sqrt(sensed(drawing, s, *strongest)), 0},
+                                         rgb_with(colour_of(drawing.colours, s.kind.sensors[*strongest].channel),
+                                                  is_covered(s, *strongest) ? 0.0f : 1.0f),
+                                         rgb_with(lid, 0)});
     }
 }
 
@@ -195,8 +208,8 @@ void add_event(Drawing& drawing, vec2 place, float radius, float growth, float a
 // True if a vehicle of this length on the screen has rounded meshes. The selected one has them also where it is small.
 bool is_fine(Quality quality, float pixels, bool selected) {
     constexpr float medium_above = 34;  // layout pixels
-    if (quality == Quality::low) return selected && pixels >= sign_below;
-    return pixels >= (selected || quality == Quality::high ? sign_below : medium_above);
+    if (quality == Quality::low) return selected;
+    return selected || quality == Quality::high || pixels >= medium_above;
 }
 
 // A vehicle that has just struck something moves to and fro along its heading for a moment; m.
@@ -221,7 +234,8 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     const float pixels = scale > 0 ? its_kind.body.length * scale / drawing.picture.pixel_scale : 1e3f;
     const bool selected = view.id == drawing.picture.settings.selection.vehicle;
     const float judged = drawing.common_pixels > 0 && !selected ? drawing.common_pixels : pixels;
-    const bool fine = pixels >= sign_below && is_fine(drawing.picture.quality, judged, selected);
+    const bool sign = judged < sign_below(drawing.picture.quality);
+    const bool fine = !sign && is_fine(drawing.picture.quality, judged, selected);
     return {view,
             its_kind,
             brain < drawing.now.brains.size() ? drawing.now.brains[brain].get() : nullptr,
@@ -230,6 +244,7 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
             height_scale_of(its_kind.body),
             pixels,
             fine ? 1.0f : detail_of(pixels),
+            sign,
             fine,
             selected,
             view.id == drawing.picture.hovered,
@@ -243,7 +258,7 @@ bool is_brain_hidden(const Drawing& drawing, const Subject& s) {
 }
 
 void add_body(Drawing& drawing, const Subject& s) {
-    if (s.pixels < sign_below) return add_sign(drawing, s);
+    if (s.sign) return add_sign(drawing, s);
     add_hull(drawing, s);
     add_wheels(drawing, s);
     add_eyes(drawing, s);

@@ -36,6 +36,7 @@ struct Subject {
     float height_scale;
     float pixels;  // length on the screen, layout pixels
     float detail;  // 0 small on the screen .. 1 all parts
+    bool sign;     // drawn as a flat sign
     bool fine;     // drawn with rounded meshes
     bool selected, hovered, driven;
     const DeckPlan* plan = nullptr;  // of its brain; null unless the brain drives it

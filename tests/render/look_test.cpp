@@ -66,6 +66,19 @@ TEST_F(LookTest, KeepsTheHueOfTheFloorBesideALamp) {
     }
 }
 
+TEST_F(LookTest, ShowsALampAsTheBrightestThingInBothThemes) {
+    look_down(4);
+    const Snapshot bare = hand_made::empty(hand_made::scene());
+    Snapshot now = bare;
+    hand_made::add_source(now, Channel::light, 0, 0);
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        picture.theme = theme;
+        const Colour bulb = seen(now, {0, 0}, 0.5f), floor = seen(now, {2.5f, 0.5f});
+        EXPECT_GT(brightness(bulb), brightness(floor) + 0.01f) << word(theme);
+        EXPECT_GT(bulb.r, bulb.b + 0.02f) << "warm";
+    }
+}
+
 TEST_F(LookTest, DarkensTheFloorBehindAVehicleButNotBeforeIt) {
     look_down(2);
     Snapshot bare = hand_made::empty(hand_made::scene());

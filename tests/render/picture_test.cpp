@@ -86,10 +86,10 @@ TEST_F(PictureTest, DrawsLabelsInTheColourOfTheThemeOverEverything) {
     EXPECT_EQ(stage.complaints(), "");
 }
 
-// A boolean eye that points along +x, on a vehicle at x.
+// An eye that points along +x and answers nearly alike over several metres.
 void look_east(Scene& scene, int kind, Channel channel) {
     Sensor eye = scene.kinds[static_cast<std::size_t>(kind)].sensors[0];
-    eye.x = eye.y = eye.angle = 0, eye.range = 6, eye.channel = channel, eye.response = SensorResponse::boolean;
+    eye.x = eye.y = eye.angle = 0, eye.range = 12, eye.half_distance = 50, eye.channel = channel;
     scene.kinds[static_cast<std::size_t>(kind)].sensors = {eye};
 }
 

@@ -477,7 +477,7 @@ TEST_F(SceneInput, KeepsAddedAndDuplicatedObjectsOffTheWallsAndOtherObjects) {
     desk.click("menu.add.vehicle.1");
     ASSERT_EQ(commands<AddVehicle>().size(), 1u);
     EXPECT_LT(commands<AddVehicle>()[0].at->x, rim - 0.5f);
-    click({-6.0f, 0.9f}, 1);  // beside a vehicle, on the floor
+    click({-6.0f, -0.9f}, 1);  // before a vehicle, on the floor
     desk.click("menu.add.vehicle.1");
     ASSERT_EQ(commands<AddVehicle>().size(), 2u);
     const auto clear = [&](vec2 at) {

@@ -8,7 +8,7 @@
 
 namespace braitenlab::tests {
 
-inline constexpr float a_pixel = 0.05f;  // m: Dear ImGui rounds the mouse to whole pixels
+inline constexpr float a_pixel = 0.055f;  // m, into the picture: Dear ImGui rounds the mouse to whole pixels
 
 // A desk with a scene for the mouse: four predators in the middle, a lamp and a box to the north.
 struct SceneOnDesk : testing::Test {

@@ -232,6 +232,49 @@ TEST(DrawList, GivesVehiclesOfSimilarSizeTheSameMeshes) {
     EXPECT_GT(rounded, 3);
 }
 
+TEST(DrawList, DrawsSignsOfAllVehiclesOfSimilarSizeOrOfNone) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (const float y : {-9.0f, 9.0f}) hand_made::add(now, 0, 0, y, 0);  // the near one is larger
+    for (const Quality quality : {Quality::medium, Quality::high}) {
+        int signs = 0, solid = 0;
+        for (float zoom = 0.2f; zoom < 1.0f; zoom *= 1.03f) {
+            Picture picture = seen_at_zoom(zoom);
+            picture.quality = quality;
+            const std::size_t count = drawn(now, picture).signs[0].size();
+            EXPECT_NE(count, 1U) << zoom;
+            (count == 0 ? solid : signs) += 1;
+        }
+        EXPECT_GT(signs, 3);
+        EXPECT_GT(solid, 3);
+    }
+}
+
+TEST(DrawList, GivesASmallRoundedVehicleOneLargeEyeASideUnlessItIsSelected) {
+    auto scene = hand_made::scene();
+    const std::size_t pair = scene->kinds[0].sensors.size();
+    ASSERT_EQ(pair, 2U);
+    for (std::size_t i = 0; i < pair; ++i) {
+        Sensor beside = scene->kinds[0].sensors[i];
+        beside.name += "2", beside.channel = Channel::heat, beside.x -= 0.1f;
+        scene->kinds[0].sensors.push_back(beside);
+    }
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 0, 0, 0);
+    now.sensed = {0, 0, 0.64f, 0};
+    const auto eyes = [&](float zoom, VehicleId selected = no_vehicle) {
+        Picture picture = seen_at_zoom(zoom);
+        picture.quality = Quality::high, picture.settings.selection.vehicle = selected;
+        return drawn(now, picture).eyeballs;
+    };
+    const auto small = eyes(0.8f), large = eyes(4), selected = eyes(0.8f, 0);
+    ASSERT_EQ(small.size(), 2U);
+    EXPECT_EQ(large.size(), 4U);
+    EXPECT_EQ(selected.size(), 4U);
+    EXPECT_GT(small[0].size.x, 1.5f * large[0].size.x);
+    EXPECT_NEAR(small[0].size.z, 0.8f, 1e-5) << "the strongest reading of the side";
+    EXPECT_EQ(small[0].colour.x, colour_of(palette(Theme::dark), Channel::heat).r);
+}
+
 TEST(DrawList, CastsShadowsAwayFromLampsInRange) {
     auto scene = hand_made::scene();
     scene->obstacles.push_back({.name = "box", .x = 3, .length = 2, .width = 1});
