@@ -259,16 +259,25 @@ bool has_other_vehicle(const LabView& view) {
     });
 }
 
+// Actions for what a lecture does not show. The key of a hint works where its page shows the exercise.
+bool is_left_out(const LabView& view, const PanelState& state, Action action) {
+    if (!view.lecture) return false;
+    return action == Action::charts || action == Action::menu_bar || action == Action::view ||
+           (action == Action::hint && (!view.lesson || state.cards[static_cast<std::size_t>(Card::exercise)].folded));
+}
+
 // Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
 bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press, Outbox& outbox) {
-    if (const auto number = slider_number(action))
+    if (is_left_out(view, state, action))
+        outbox.push_back(NoticeRequest{"unavailable.in_lecture", {}, {}});
+    else if (const auto number = slider_number(action))
         focus_slider(view, state, *number, outbox);
     else if (action == Action::next_card)
         state.keyboard.presses.push_back(press);
     else if (action == Action::keys)
         state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
     else if (action == Action::menu_bar || action == Action::view)
-        toggle_menu(state, view.lecture ? "" : action == Action::view ? "view" : "file");
+        toggle_menu(state, action == Action::view ? "view" : "file");
     else if (action == Action::export_csv)
         export_csv(view, state, outbox);
     else if (action == Action::settings)

@@ -11,7 +11,8 @@ namespace {
 
 // Layout pixels.
 constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 50, above_timeline = 8;
-constexpr float lecture_bar_height = 56, figures_height = 92, live_height = 136, lecture_inset_aspect = 1.6f;
+constexpr float lecture_bar_height = 56, figures_height = 92, counts_height = 60, live_height = 136,
+                lecture_inset_aspect = 1.6f;
 constexpr float caption_height = 84, question_share = 0.45f;       // of the width
 constexpr float lecture_canvas_share = 0.52f;                      // at least: its weights are legible
 constexpr float largest_notes = 0.36f;                             // of the height
@@ -133,8 +134,9 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.menu_bar = {};
         l.toolbar = {0, 0, width, lecture_bar_height * scale};
         // The diagram beside the scene needs the height; it shows the wires larger.
-        const bool is_large = vehicle_of_live_picture(view) && !view.settings.watching;
-        const float figures = (is_large ? live_height : figures_height) * scale;
+        const bool is_large = !view.settings.watching;
+        const bool is_picture = vehicle_of_live_picture(view) != nullptr;
+        const float figures = (!is_picture ? counts_height : is_large ? live_height : figures_height) * scale;
         l.hint_bar = {0, height - figures, width, figures};
     }
     const float margin = c.margin * scale;
@@ -169,9 +171,9 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         // There is no left column in a narrow window and without an exercise.
         if (!view.lesson || width / scale < narrow_window) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
-        const float inset = std::min(inset_height * scale, column * 0.36f);
-        // In a lecture the canvas also covers the area of the timeline, and the inset is narrower. An open card covers
-        // the canvas.
+        const float inset = std::min(inset_height * scale, column * (view.lecture ? 0.33f : 0.36f));
+        // In a lecture the canvas also covers the area of the timeline, and the inset is narrower. An open card has
+        // a column of its own.
         const float inset_width = view.lecture ? std::min(l.right.w, inset * lecture_inset_aspect) : l.right.w;
         l.scene = {width - margin - inset_width, bottom - inset, inset_width, inset};
         l.canvas = {from, top, l.scene.x - margin - from, column};
@@ -181,6 +183,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
             l.canvas.y += l.goal.h, l.canvas.h -= l.goal.h;
         }
         l.right.h = column - inset - margin;
+        if (view.lecture && open.right) l.canvas.w = std::min(l.canvas.w, l.right.x - margin - l.canvas.x);
     } else if (!view.lecture) {
         l.timeline = take_timeline(l.scene, scale);
     }

@@ -50,6 +50,56 @@ TEST(Lecture, LeavesTheSpaceOfFoldedCardsToTheScene) {
     EXPECT_LE(desk.layout.scene.x + desk.layout.scene.w, desk.where("card.brain").x) << "and covers nothing of it";
 }
 
+TEST(Lecture, AClickOnALampLeavesTheSceneAsItIs) {
+    Desk desk(1280, 800, 1.4f, true);
+    desk.frame(3);
+    desk.view.lecture = true;
+    desk.frame(3);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->sources.resize(1);
+    desk.now.scene = scene, desk.now.sources.resize(1);
+    const Rect before = desk.layout.scene;
+    desk.view.settings.selection.object = {SceneObjectKind::source, 0};
+    desk.frame(4);
+    EXPECT_EQ(desk.layout.scene, before);
+    ASSERT_TRUE(desk.anchors.find("card.thing"));
+    desk.click("card.thing.fold");
+    desk.frame(3);
+    EXPECT_LT(desk.layout.scene.w, before.w) << "its card opens on request";
+}
+
+TEST(Lecture, SaysThatKeysOfOtherPartsDoNothing) {
+    Desk desk;
+    desk.open_exercise();
+    desk.view.lecture = true;
+    desk.frame(3);
+    for (const KeyPress press : {KeyPress{'C'}, KeyPress{'H', false, true}, KeyPress{'E'}, KeyPress{key::f10}}) {
+        desk.all.clear();
+        desk.key(press);
+        const auto* notice = desk.last<NoticeRequest>();
+        ASSERT_TRUE(notice) << press.key;
+        EXPECT_EQ(notice->key, "unavailable.in_lecture");
+        EXPECT_FALSE(desk.panels.charts_open);
+    }
+    desk.panels.card(Card::exercise).folded = false;
+    desk.all.clear();
+    desk.key({'H', false, true});
+    EXPECT_EQ(desk.actions(), std::vector{Action::hint}) << "the card of the exercise shows it";
+}
+
+TEST(Lecture, TheOpenBrainLeavesTheButtonsOfTheDiagramFree) {
+    Desk desk(1280, 800, 1.4f, true);
+    desk.view.mode = Mode::wiring;
+    desk.view.lecture = true;
+    desk.frame(3);
+    for (const bool folded : {true, false}) {
+        desk.panels.card(Card::brain).folded = folded;
+        desk.frame(4);
+        for (const char* button : {"canvas.fit", "canvas.arrange"})
+            EXPECT_FALSE(overlap(desk.where(button), desk.where("card.brain"))) << button << ", folded " << folded;
+    }
+}
+
 TEST(Lecture, ExtendsTheDiagramOverTheCardBelowIt) {
     Desk desk(1280, 800, 1.4f, true);
     desk.view.mode = Mode::wiring;

@@ -5,12 +5,13 @@
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float between_cards = 12, title_width = 150;  // layout pixels
+constexpr float between_cards = spacing::medium, title_width = 150;  // layout pixels
 
 constexpr CardTraits card_traits[]{
     {.card = Card::exercise,
@@ -76,6 +77,7 @@ constexpr CardTraits card_traits[]{
     {.card = Card::object,
      .anchor = "card.thing",
      .column = Column::right,
+     .in_lecture = InLecture::folded,
      .shown =
          [](const LabView& view) {
              const Selection& selection = view.settings.selection;

@@ -40,11 +40,11 @@ std::vector<LectureFigure> lecture_counts(const LabView& view, const Ui& ui) {
 }
 
 void draw_figure(Ui& ui, const LectureFigure& f, Rect r) {
-    const float x = r.x + ui.px(16);
-    put(ui, {x, r.y + ui.px(8)}, ui.strings(f.caption), ui.palette.second_text, Face::small);
-    const float y = r.y + ui.px(8) + line_height(ui, Face::small);
-    const Face face = text_width(ui, Face::caption, f.words) <= r.w - ui.px(24) ? Face::caption : Face::title;
-    put(ui, {x, y}, f.words, legible(f.colour, ui.palette.panel, ui.palette.text), face);
+    const auto middle = [&](Face face) { return r.y + (r.h - line_height(ui, face)) / 2; };
+    float x = r.x + ui.px(16);
+    x += put(ui, {x, middle(Face::small)}, ui.strings(f.caption), ui.palette.second_text, Face::small) + ui.px(12);
+    const Face face = x + text_width(ui, Face::caption, f.words) <= r.x + r.w - ui.px(8) ? Face::caption : Face::title;
+    put(ui, {x, middle(face)}, f.words, legible(f.colour, ui.palette.panel, ui.palette.text), face);
     mark(ui, f.anchor, r);
 }
 
