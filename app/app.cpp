@@ -11,6 +11,7 @@
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
+#include "app/course/notes_page.h"
 #include "app/files/file_commands.h"
 #include "app/files/reports.h"
 #include "app/files/study_files.h"
@@ -112,6 +113,7 @@ bool App::turn() {
     facts_.frame_ms = seconds_since(turn_began) * 1000;
     if (!repeatable()) window_.show();
     write_reports();
+    follow_notes_page(lab_, words_.strings, words_.language, is_on_page() ? std::filesystem::path() : folders_.state);
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
     if (!lab_.to_copy.empty()) ImGui::SetClipboardText(std::exchange(lab_.to_copy, {}).c_str());

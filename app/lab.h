@@ -57,11 +57,12 @@ struct Lab {
     std::optional<Together> together{};                                  // set while the graded starts run at once
     std::optional<LectureView> pages{};                                  // the open lecture; only in lecture mode
     std::optional<LectureView> left_pages{};                             // the lecture that was left last
-    std::uint64_t left_run = 0;  // Document::run_id when it was left; F9 then goes back to it
-    double lecture_began = 0;    // wall seconds
-    Predictions predictions{};   // of the selected vehicle's path
-    LastRun last_run{};          // of the open document, before the last reset
-    Explanation explanation{};   // of the selected vehicle's turn
+    std::uint64_t left_run = 0;   // Document::run_id when it was left; F9 then goes back to it
+    double lecture_began = 0;     // wall seconds
+    std::string notes_written{};  // the page of notes as written last; empty: none is open. See app/course/notes_page.h
+    Predictions predictions{};    // of the selected vehicle's path
+    LastRun last_run{};           // of the open document, before the last reset
+    Explanation explanation{};    // of the selected vehicle's turn
     Slots slots{};
     MysteryRuns mystery{};
     BehaviourMap map{};   // of the selected vehicle's brains
@@ -79,6 +80,7 @@ struct Lab {
     std::optional<TakeAway> take_away{};  // a picture or a clip
     bool cancels_clip = false;
     bool begins = false;                         // leaves the title page
+    bool opens_notes = false;                    // the notes of the lecture, in a browser
     bool uploads = false;                        // the user chooses files of the computer
     std::vector<Request> files{};                // to open, to save, to export, to list a folder
     std::vector<Request> reports{};              // hand-ins and lab records to write

@@ -311,6 +311,9 @@ void act(Lab& lab, Action action) {
         case Action::notes:
             if (lab.pages) lab.pages->notes = !lab.pages->notes;
             break;
+        case Action::notes_page:
+            lab.opens_notes = lab.pages.has_value();
+            break;
         case Action::larger:
             change_type_size(lab, +type_step);
             break;

@@ -96,6 +96,7 @@ enum class Action {
     next_page,   // of a lecture: shows the next part of the page, or goes to the next page
     previous_page,
     notes,           // shows or hides the lecturer's notes
+    notes_page,      // opens them in the browser, for a screen that the audience does not see
     hide_title,      // in a lecture, hides or reveals the title of the scene,
     hide_character,  // the recognised character,
     hide_brain,      // the wires of the brain

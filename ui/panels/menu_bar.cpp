@@ -131,6 +131,7 @@ constexpr MenuPlace menu_places[]{
     {"lecture", Action::next_page},
     {"lecture", Action::previous_page},
     {"lecture", Action::notes},
+    {"lecture", Action::notes_page},
     {"lecture", Action::hide_title, true},
     {"lecture", Action::hide_character},
     {"lecture", Action::hide_brain},
@@ -568,6 +569,7 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::next_page:
         case Action::previous_page:
         case Action::notes:
+        case Action::notes_page:
         case Action::blank:
             return view.pages ? "" : "unavailable.no_lecture";
         case Action::slow_orbit:

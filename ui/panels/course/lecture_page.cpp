@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "ui/panels/cards.h"
+#include "ui/panels/course/lecture_time.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -19,9 +20,9 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float caption_side = 20, caption_above = 5, page_padding = 12;  // layout pixels
-constexpr float hands_field = 56, hands_button = 32, bar_thickness = 12, between_options = 14, between_answers = 8,
-                count_width = 36;
+constexpr float caption_side = 20, caption_above = spacing::tight, page_padding = spacing::medium;  // layout pixels
+constexpr float hands_field = 56, hands_button = 32, bar_thickness = 12, between_options = spacing::medium,
+                between_answers = spacing::small, count_width = 36;
 
 std::string option_id(const char* stem, std::size_t option) { return stem + std::to_string(option + 1); }
 
@@ -118,6 +119,12 @@ float minutes_until(const LectureView& page) {
 
 }  // namespace
 
+std::string time_words(const LectureView& page, const Strings& strings) {
+    return fill(strings("lecture.time"),
+                {clock_text(page.seconds), clock_text(60.0 * static_cast<double>(minutes_until(page))),
+                 clock_text(60.0 * static_cast<double>(page.lecture->minutes))});
+}
+
 void lecture_caption(const LabView& view, Ui& ui, Rect r) {
     begin_bar(ui, "lecture caption", r);
     const std::string_view words = translated(ui, view.pages->current().caption);
@@ -159,10 +166,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
 void lecture_notes(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureView& page = *view.pages;
     const float width = r.w - 2 * ui.px(page_padding);
-    const std::string time =
-        fill(ui.strings("lecture.time"),
-             {clock_text(page.seconds), clock_text(60.0 * static_cast<double>(minutes_until(page))),
-              clock_text(60.0 * static_cast<double>(page.lecture->minutes))});
+    const std::string time = time_words(page, ui.strings);
     const auto lines = lines_of_words(ui, page.current().notes, Face::small, width);
     const float line = line_height(ui, Face::small), strong = line_height(ui, Face::strong);
     const float heading = strong + ui.px(4);

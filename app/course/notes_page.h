@@ -1,0 +1,25 @@
+// The lecturer's notes as a page for a browser: for a screen that the audience does not see.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/platform/platform.h"
+#include "ui/lab_view.h"
+#include "ui/strings.h"
+
+namespace braitenlab {
+
+struct Lab;
+
+// The page of the present moment: time, caption, notes, and the caption of the next page. It loads itself anew each
+// second.
+std::string notes_page(const LectureView&, const Strings&, const std::string& language);
+
+// Call once per turn. After Lab::opens_notes: writes the page into the folder and opens it with the system's browser,
+// or shows a notice with its path; without a folder, as in a browser, with the reason (see open_with_system()). From
+// then on writes it whenever it has changed, while a lecture is open.
+void follow_notes_page(Lab&, const Strings&, const std::string& language, const std::filesystem::path& folder,
+                       bool (*open)(const std::filesystem::path&) = open_with_system);
+
+}  // namespace braitenlab

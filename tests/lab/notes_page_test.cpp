@@ -1,0 +1,61 @@
+// The lecturer's notes as a page for a browser.
+#include "app/course/notes_page.h"
+
+#include <gtest/gtest.h>
+
+#include "app/course/lab_lecture.h"
+#include "app/files/data.h"
+#include "app/files/disk.h"
+#include "app/lab_actions.h"
+#include "opened_lab.h"
+#include "tests/folder.h"
+#include "tests/well_formed.h"
+
+namespace braitenlab::tests::notes_page_test {
+namespace {
+
+struct NotesPage : testing::Test {
+    Folder folder;
+    fs::path file = folder / "state" / "notes.html";
+    Lab lab = opened_lab("2a-coward");
+    Strings strings = *load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", "en");
+
+    NotesPage() {
+        auto lecture = read_whole_lecture(*find_shipped("four-numbers"));
+        open_lecture(lab, std::make_shared<const Lecture>(std::move(*lecture)));
+    }
+    void turn() {
+        follow_notes_page(lab, strings, "en", folder / "state", [](const fs::path&) { return true; });
+    }
+    std::string caption(std::size_t page) const { return lab.pages->lecture->pages[page].caption; }
+};
+
+TEST_F(NotesPage, HasTheNotesTheTimeAndTheNextCaption) {
+    lab.pages->seconds = 125;
+    const std::string page = notes_page(*lab.pages, strings, "en");
+    EXPECT_EQ(xml_fault(page), "");
+    for (const std::string& shown : {std::string("2:05"), caption(0), "Next: " + caption(1)})
+        EXPECT_NE(page.find(shown), std::string::npos) << shown;
+    EXPECT_NE(page.find(lab.pages->current().notes.substr(0, 12)), std::string::npos);
+    EXPECT_NE(page.find("reload"), std::string::npos);
+}
+
+TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {
+    turn();
+    EXPECT_FALSE(fs::exists(file)) << "nobody has asked";
+    handle(lab, Action::notes_page);
+    turn();
+    ASSERT_TRUE(fs::exists(file));
+    EXPECT_FALSE(lab.pages->notes) << "the audience does not see them";
+    EXPECT_EQ(lab.notice.key, "notice.notes_page");
+    show_page(lab, 1);
+    turn();
+    EXPECT_NE(read_text(file)->find("<h1>" + caption(1)), std::string::npos);
+    end_lecture(lab);
+    turn();
+    handle(lab, Action::notes_page);
+    EXPECT_FALSE(lab.opens_notes) << "there is no lecture";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::notes_page_test
