@@ -106,7 +106,7 @@ private:
     void follow_shaders();
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
-    void draw_scene(std::vector<bool> hidden_brains);  // by kind
+    void draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout&);  // by kind
     // The lab whose scene is shown: behind the title page another one.
     const Lab& shown_lab() const { return title_ ? *title_ : lab_; }
     // Makes one picture of the file browser while it is open.
@@ -119,6 +119,7 @@ private:
     float resolution() const;
     // What the scene shows, without a camera view.
     Picture scene_picture(std::vector<bool> hidden_brains) const;
+    std::vector<Rect> covered_parts(const ui::WindowLayout&) const;  // of the window, display pixels
 
     // ── Pictures and clips, app_pictures.cpp ──
     std::optional<Error> write_picture(const std::filesystem::path&);

@@ -16,6 +16,7 @@
 #include "app/platform/platform.h"
 #include "app/title.h"
 #include "render/view/between.h"
+#include "ui/panels/cards.h"
 #include "ui/panels/prompts.h"
 #include "ui/window_keys.h"
 
@@ -162,7 +163,7 @@ void App::frame(float passed) {
     if (repeatable() && !picture_is_due(0))
         renderer_.remember(shown_snapshot(shown_lab()));  // no frame is shown before the picture is taken
     else
-        draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view));
+        draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view), layout);
     const ImGuiIO& io = ImGui::GetIO();
     got_input_ = has_input(keys, io) || held;
     ++facts_.frames;
@@ -238,12 +239,24 @@ Picture App::scene_picture(std::vector<bool> hidden_brains) const {
     return picture;
 }
 
-void App::draw_scene(std::vector<bool> hidden_brains) {
+std::vector<Rect> App::covered_parts(const ui::WindowLayout& layout) const {
+    std::vector<Rect> parts;
+    const auto add = [&](const Rect& r) {
+        if (r.w > 0) parts.push_back({r.x * density(), r.y * density(), r.w * density(), r.h * density()});
+    };
+    for (const ui::CardTraits& row : ui::cards())
+        if (const Rect* card = anchors_.find(row.anchor)) add(*card);
+    for (const Rect& bar : {layout.menu_bar, layout.toolbar, layout.hint_bar, layout.timeline}) add(bar);
+    return parts;
+}
+
+void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& layout) {
     const Lab& lab = shown_lab();
     Picture picture = scene_picture(std::move(hidden_brains));
     picture.camera_view = viewport_.camera_view;
     picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height())};
+    if (!title_) picture.covered = covered_parts(layout);
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.resolution = resolution();
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;

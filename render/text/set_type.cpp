@@ -20,7 +20,7 @@ void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& la
     std::vector<const Label*> in_order;
     for (const Label& label : labels) in_order.push_back(&label);
     std::stable_sort(in_order.begin(), in_order.end(), [](auto* a, auto* b) { return a->rank < b->rank; });
-    std::vector<Rect> taken;
+    std::vector<Rect> taken = picture.covered;
     const Rect& window = picture.camera_view.window;
     for (const Label* label : in_order) {
         const auto at = project(picture.camera_view, label->place, label->height);

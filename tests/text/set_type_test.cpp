@@ -47,6 +47,13 @@ TEST_F(SetType, CentresALabelOnItsPosition) {
     }
 }
 
+TEST_F(SetType, WritesNoLabelUnderACard) {
+    const maths::vec2 at = *project(picture.camera_view, {2, 3});
+    picture.covered = {{at.x - 60, at.y - 20, 45, 40}};
+    EXPECT_EQ(set({{{2, 3}, 0, {}, "H", {}, 0}}).size(), 1u) << "beside the card";
+    EXPECT_TRUE(set({{{2, 3}, 0, {}, "MMMMMM", {}, 0}}).empty()) << "partly under it";
+}
+
 TEST_F(SetType, PutsCharactersOnWholePixelsAtAnyZoom) {
     for (const float zoom : {0.5f, 1.0f, 1.37f, 4.0f}) {
         Camera camera;
