@@ -7,6 +7,9 @@
 
 #include <imgui.h>
 
+#include "app/insight/predictions.h"
+#include "ui/lab_view.h"
+
 namespace braitenlab {
 
 using maths::vec2;
@@ -19,6 +22,7 @@ constexpr float turn_rate = 1.2f, raise_rate = 0.8f;              // rad/s, arro
 constexpr float zoom_rate = 1.5f;                                 // log2 of the zoom per second
 constexpr float pan_rate = 0.5f;                                  // of the width of the free area per second
 constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad per pixel
+constexpr float around_paths = 0.9f;                              // m, in an arena of full scale
 constexpr float notch = 0.2f;                                     // log2 of the zoom per notch of the wheel
 
 // Of the free area's width: least length of the selected vehicle in scenes of few vehicles.
@@ -41,6 +45,22 @@ bool jumped(const ViewportState& state, const Lab& lab) {
            is_home(state, lab);
 }
 
+// In the wiring editor, whose scene is small: the paths with and without the change under the pointer.
+std::optional<FloorBox> paths_of_change(const Lab& lab) {
+    if (lab.playback.mode != Mode::wiring) return std::nullopt;
+    const auto prediction = prediction_of(lab);
+    if (!prediction) return std::nullopt;
+    const float around = scale_of(shown_snapshot(lab).scene->arena) * around_paths;
+    FloorBox box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
+    for (const insight::Path* path : {prediction->path, prediction->before})
+        for (std::size_t i = 0; path && i < path->size(); ++i) {
+            const Pose& pose = (*path)[i];
+            box.low = {std::min(box.low.x, pose.x - around), std::min(box.low.y, pose.y - around)};
+            box.high = {std::max(box.high.x, pose.x + around), std::max(box.high.y, pose.y + around)};
+        }
+    return box;
+}
+
 }  // namespace
 
 void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds, const SlotsView& slots) {
@@ -57,7 +77,8 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .least_share = lab.before_lecture ? least_share_in_lecture : least_share,
                                    .other_run = around_b(slots),
                                    .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
-                                   .held = held});
+                                   .held = held,
+                                   .close_up = paths_of_change(lab)});
     const CameraView wanted =
         look(lab.view.camera, now.scene->arena, followed, window, free_area, &state.framed, ride_scale(now, followed));
     state.age = jumped(state, lab) ? 0 : state.age + seconds;

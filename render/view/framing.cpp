@@ -162,9 +162,9 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
         grown_ = action;
     else if (!contains(*grown_, action))
         grown_ = both(both(*grown_, action), within(beyond(*grown_, action, scale_of(arena)), arena));
-    FloorBox wanted = widened(*grown_, in, arena);
+    FloorBox wanted = widened(in.close_up ? within(*in.close_up, arena) : *grown_, in, arena);
     const VehicleView* vehicle = find_vehicle(now, in.selected);
-    if (vehicle && now.scene && now.vehicles.size() <= few_vehicles)
+    if (!in.close_up && vehicle && now.scene && now.vehicles.size() <= few_vehicles)
         wanted = enlarged(wanted, now, *vehicle, in.least_share * in.free_area.w, in);
     if (!shown_ || in.seconds <= 0) return *(shown_ = wanted);
     const float t = 1 - std::exp(-in.seconds / time_constant);

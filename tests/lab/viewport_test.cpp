@@ -28,6 +28,26 @@ struct SlowOrbit : testing::Test {
     ViewportState state;
 };
 
+TEST_F(SlowOrbit, TheWiringEditorFramesThePathsOfTheWireUnderThePointer) {
+    const Rect window{0, 0, 1280, 800}, inset{900, 500, 320, 240};
+    const auto width = [&] {
+        aim(state, lab, window, inset, 10);
+        return state.framed.high.x - state.framed.low.x;
+    };
+    const VehicleView vehicle = lab.document.session.snapshot().vehicles[0];
+    const Pose here{vehicle.x, vehicle.y, vehicle.heading}, there{vehicle.x + 1, vehicle.y, vehicle.heading};
+    const float action = width();
+    lab.predictions.shown =
+        PredictedPaths{{.run = lab.document.run_id, .vehicle = vehicle.id}, insight::Path{here, there}};
+    EXPECT_EQ(width(), action) << "only in the editor";
+    lab.playback.mode = Mode::wiring;
+    EXPECT_LT(width(), 0.8f * action);
+    EXPECT_LE(state.framed.low.x, here.x);
+    EXPECT_GE(state.framed.high.x, there.x);
+    lab.predictions.shown.reset();
+    EXPECT_NEAR(width(), action, 0.01f);
+}
+
 TEST_F(SlowOrbit, TurnsTheCameraSlowlyUntilItIsStopped) {
     EXPECT_EQ(turn(), 0);
     handle(lab, Action::slow_orbit);

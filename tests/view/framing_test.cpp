@@ -42,6 +42,20 @@ TEST(Framing, FramesVehiclesSourcesAndTheObstaclesNearThem) {
     EXPECT_EQ(action_of(now), (FloorBox{{-10, -10}, {10, 10}})) << "without sources the floor is the aim";
 }
 
+TEST(Framing, FramesACloseUpInPlaceOfTheActionAndReturns) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -4, 0, 0);
+    Framing framing;
+    const FloorBox action = framing.follow(now, input());
+    FramingInput close = input();
+    close.close_up = FloorBox{{-5, -1}, {-1, 2}};
+    const FloorBox shown = framing.follow(now, close);
+    EXPECT_TRUE(holds(shown, {-4.9f, -0.9f}));
+    EXPECT_TRUE(holds(shown, {-1.1f, 1.9f}));
+    EXPECT_LT(shown.high.x - shown.low.x, 0.6f * (action.high.x - action.low.x));
+    EXPECT_EQ(framing.follow(now, input()), action);
+}
+
 // The share of the free area's width and height that the box's picture takes.
 vec2 share_of(const FloorBox& box, const Arena& arena, const FramingInput& in) {
     const CameraView seen = look(in.camera, arena, nullptr, in.window, in.free_area, &box);
