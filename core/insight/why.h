@@ -50,6 +50,12 @@ Why why(const Snapshot&, const VehicleView&, std::span<const BrainMoment> past =
 // A part below this is 0.00 with two decimals and is no cause.
 inline constexpr float least_part = 0.005f;
 
+// Wheel commands that differ by less are alike: the vehicle drives straight on.
+inline bool are_alike(float left, float right) {
+    const float difference = right - left;
+    return -least_part < difference && difference < least_part;
+}
+
 // The cause of a turn: the index of the part that adds most towards it. `parts`: what each one adds to the difference
 // of the wheels, positive towards the turn. Of equal parts the first one; nullopt: none adds at least least_part.
 std::optional<std::size_t> main_part(std::span<const float> parts);

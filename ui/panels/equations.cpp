@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "core/insight/why.h"
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
@@ -25,9 +26,6 @@ namespace {
 
 // Between two parts of an equation, layout pixels. With factors, signs are between the numbers.
 constexpr float least_space = 4, least_factor_space = 2;
-
-// Two wheel commands are alike if they are shown as the same number.
-bool are_alike(float left, float right) { return std::lround(left * 100) == std::lround(right * 100); }
 
 std::string numbers_of(const Ui& ui, const Product& p) {
     const std::string input = fixed(ui, p.input, 2) + "·";
@@ -225,8 +223,10 @@ std::string explanation(const Ui& ui, const Explained& given, bool stuck) {
     if (both[0].stopped && both[1].stopped) return std::string(ui.strings("sums.both_stopped"));
     if (both[0].stopped || both[1].stopped)
         return std::string(ui.strings(both[0].stopped ? "sums.left_stopped" : "sums.right_stopped"));
-    if (are_alike(both[0].total, 0) && are_alike(both[1].total, 0)) return std::string(ui.strings("sums.still"));
-    if (are_alike(both[0].total, both[1].total)) return std::string(ui.strings(stuck ? "sums.stuck" : "sums.straight"));
+    if (insight::are_alike(both[0].total, 0) && insight::are_alike(both[1].total, 0))
+        return std::string(ui.strings("sums.still"));
+    if (insight::are_alike(both[0].total, both[1].total))
+        return std::string(ui.strings(stuck ? "sums.stuck" : "sums.straight"));
     const std::string_view wheel = ui.strings(why.difference > 0 ? "sums.right_faster" : "sums.left_faster");
     if (why.by == Cause::By::product || why.by == Cause::By::term)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
@@ -255,7 +255,7 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const Cause why = cause(both);
     const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(4);
     const bool stopped = both[0].stopped || both[1].stopped;
-    const Cause* shown = stopped || are_alike(both[0].total, both[1].total) ? nullptr : &why;
+    const Cause* shown = stopped || insight::are_alike(both[0].total, both[1].total) ? nullptr : &why;
     Equation(ui, both[0], x, at, shown).draw();
     Equation(ui, both[1], x, {at.x, at.y + row}, shown).draw();
     const Item area = item(ui, "equations", {card_width(ui), 2 * row}, false);

@@ -84,7 +84,7 @@ bool is_blocked(const LabView& view, const VehicleView& vehicle, const insight::
 WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
                       float width) {
     const float difference = why.right - why.left;
-    const bool turns = std::fabs(difference) >= shown_as_zero;
+    const bool turns = !insight::are_alike(why.left, why.right);
     WhyCallout callout;
     callout.bars = why_bars(view, ui, vehicle, why, turns && difference < 0 ? -1.0f : 1.0f);
     const bool rests = std::fabs(why.left) < shown_as_zero && std::fabs(why.right) < shown_as_zero;
