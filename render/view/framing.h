@@ -20,9 +20,9 @@ struct FramingInput {
     Rect window, free_area;
     float least_share = 0.05f;  // of the free area's width: least length of the selected vehicle, with few vehicles
     std::optional<FloorBox> other_run{};  // where a run is that is drawn beside this one
-    std::optional<FloorBox> close_up{};   // framed in place of the action
     float seconds = 0;                    // since the last frame; 0: no glide, the box changes at once
     bool held = false;                    // the user holds something: the box stays
+    std::optional<FloorBox> close_up{};   // framed in place of the action
 };
 
 // Follows the action of a run: the box grows with it and does not shrink. While the user has zoomed or moved the

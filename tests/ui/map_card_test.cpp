@@ -62,6 +62,29 @@ TEST_F(MapCard, HasTheDotOfThePresentBrain) {
     EXPECT_NEAR(1 - (dot.y + dot.h / 2 - field.y) / field.h, 0.5f, 0.01f);
 }
 
+TEST_F(MapCard, SaysThatTheKindOfACoarseCellMayChange) {
+    EXPECT_FALSE(says("coarse"));
+    MapCells coarse{8};
+    const auto levels = insight::map_levels(8);
+    for (const insight::MapPlace place : levels.front()) coarse.at(place) = cells.at(place);
+    desk.view.map->cells = &coarse;
+    ASSERT_TRUE(coarse.shown({6, 4})) << "the cell of the dot";
+    ASSERT_FALSE(coarse.at({6, 4}));
+    desk.frame(2);
+    EXPECT_TRUE(says("coarse"));
+}
+
+TEST_F(MapCard, InALectureTheLegendIsBesideTheField) {
+    desk.view.lecture = true;
+    desk.frame(4);
+    const Rect field = desk.where("map");
+    const auto legend = std::find_if(desk.written.begin(), desk.written.end(), [&](const Written& written) {
+        return written.words == "flees" && written.rect.x > field.x + field.w;
+    });
+    ASSERT_NE(legend, desk.written.end());
+    EXPECT_LT(legend->rect.y, field.y + field.h);
+}
+
 TEST_F(MapCard, DraggingTheDotTurnsTheDialsOfBothAxesInOneUndoStep) {
     desk.point("map.dot");
     desk.frame(2);

@@ -58,24 +58,24 @@ int legend_columns(const MapFrame& frame) {
     return 2;
 }
 
-void legend_of_kinds(const MapFrame& frame, float width) {
+// Draws it at the cursor; each column has this width.
+void legend_of_kinds(const MapFrame& frame, float column_width, int columns) {
     Ui& ui = frame.ui;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float row = line_height(ui, Face::small) + ui.px(4), sign = ui.px(legend_sign);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const std::vector<Behaviour> kinds = shown_kinds(frame);
-    const int rows = map_legend_rows(frame);
-    const auto columns = static_cast<float>(legend_columns(frame));
+    const int rows = (static_cast<int>(kinds.size()) + columns - 1) / columns;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const BehaviourLook& look = look_of(kinds[i]);
         const int column = static_cast<int>(i) / rows;
-        const float x = at.x + static_cast<float>(column) * width / 2;
+        const float x = at.x + static_cast<float>(column) * column_width;
         const float y = at.y + static_cast<float>(static_cast<int>(i) % rows) * row;
         const Rect box{x, std::floor(y + (row - sign) / 2), sign, sign};
         draw.AddRectFilled({box.x, box.y}, {box.x + sign, box.y + sign}, paint(as_colour(look.colour)));
         draw_map_mark(draw, box, look.value, look.colour);
         put(ui, {x + sign + ui.px(6), y + ui.px(2)},
-            shortened(ui, in_words(ui, look.value), Face::small, width / columns - sign - ui.px(10)), ui.palette.text,
+            shortened(ui, in_words(ui, look.value), Face::small, column_width - sign - ui.px(10)), ui.palette.text,
             Face::small);
     }
     ImGui::Dummy({1, static_cast<float>(rows) * row});
@@ -131,13 +131,29 @@ void map_words(const MapFrame& frame, float width) {
                          {std::to_string(std::lround(cell->agree * static_cast<float>(frame.map.seeds))),
                           std::to_string(frame.map.seeds)}) +
                     ")";
+        // A coarse cell's middle, which may be of another kind.
+        if (!frame.map.cells->at(place)) what = fill(ui.strings("map.coarse"), {what});
         put(ui, {at_line.x, at_line.y + line}, shortened(ui, what, Face::strong, width), ui.palette.text, Face::strong);
     }
     ImGui::Dummy({1, line + line_height(ui, Face::strong) + ui.px(4)});
 }
 
 void map_legend(const MapFrame& frame, float width) {
-    frame.map.measure == MapMeasure::behaviour ? legend_of_kinds(frame, width) : legend_of_numbers(frame, width);
+    frame.map.measure == MapMeasure::behaviour ? legend_of_kinds(frame, width / static_cast<float>(legend_columns(frame)), legend_columns(frame)) : legend_of_numbers(frame, width);
+}
+
+float map_legend_width(const MapFrame& frame) {
+    float widest = 0;
+    for (const Behaviour kind : shown_kinds(frame))
+        widest = std::max(widest, text_width(frame.ui, Face::small, in_words(frame.ui, kind)));
+    return widest + frame.ui.px(legend_sign + 11);
+}
+
+void map_legend_beside(const MapFrame& frame, Rect field) {
+    const ImVec2 below = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({field.x + field.w + frame.ui.px(beside_field), field.y});
+    legend_of_kinds(frame, map_legend_width(frame), 1);
+    ImGui::SetCursorScreenPos(below);
 }
 
 }  // namespace braitenlab::ui

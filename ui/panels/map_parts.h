@@ -50,4 +50,9 @@ void map_words(const MapFrame&, float width);
 void map_legend(const MapFrame&, float width);
 int map_legend_rows(const MapFrame&);
 
+// The kinds in one column beside the field, for a lecture, where the height is short. The width without the gap.
+inline constexpr float beside_field = 12;  // layout pixels
+float map_legend_width(const MapFrame&);
+void map_legend_beside(const MapFrame&, Rect field);
+
 }  // namespace braitenlab::ui
