@@ -11,6 +11,7 @@
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/signal_drag.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/wiring/input.h"
 
@@ -364,6 +365,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (state.sheet == Sheet::author && for_author_text(state.author, press)) return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return key_for_sheet(state, press);
     if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;
+    if (press.key == key::escape && give_up_drag(state)) return true;
     if (state.presets_open && press.key == key::escape) {
         state.close_presets = true;
         return true;

@@ -52,6 +52,32 @@ TEST_F(SignalDrags, FromTheSensorCardShowTheSensor) {
     EXPECT_EQ(desk.panels.strips, Names{"SR"});
 }
 
+TEST_F(SignalDrags, AreGivenUpByEsc) {
+    hold("lesion.SL", "card.charts");
+    desk.key({key::escape});
+    desk.frame(2);
+    const Rect card = desk.where("card.charts");
+    desk.point(card.x + 40, card.y + 60);
+    desk.frame(2);
+    let_go();
+    EXPECT_TRUE(desk.panels.strips.empty());
+    EXPECT_TRUE(desk.panels.charts_open) << "Esc did nothing else";
+    drag("lesion.SL", "card.charts");
+    EXPECT_EQ(desk.panels.strips, Names{"SL"}) << "the next drag";
+}
+
+TEST_F(SignalDrags, OfAChosenStripGiveItThePlaceOfAnother) {
+    desk.panels.strips = {"SL", "SR", "ML", "MR"};
+    desk.panels.chart = Chart::chosen;
+    desk.frame(3);
+    drag("charts.name.SL", "charts.strip.ML");
+    EXPECT_EQ(desk.panels.strips, (Names{"SR", "ML", "SL", "MR"}));
+    drag("charts.name.MR", "charts.strip.SR");
+    EXPECT_EQ(desk.panels.strips, (Names{"MR", "SR", "ML", "SL"}));
+    drag("charts.name.MR", "viewport");
+    EXPECT_EQ(desk.panels.strips, (Names{"MR", "SR", "ML", "SL"})) << "outside of the chart";
+}
+
 TEST_F(SignalDrags, OutsideOfTheChartChooseNothing) {
     drag("lesion.SL", "viewport");
     EXPECT_TRUE(desk.panels.strips.empty());

@@ -78,12 +78,12 @@ void signal_strip(const History& history, const Signal& signal, Ui& ui, const St
 }
 
 // The name of a strip as a part that can be dragged.
-void name_to_drag(PanelState& state, Ui& ui, const Signal& signal, Rect row, float width) {
+void name_to_drag(PanelState& state, Ui& ui, const Signal& signal, Rect row, float width, std::string_view how) {
     ImGui::SetCursorScreenPos({row.x, row.y});
     const Item at = item(ui, "charts.name." + signal.name, {width, row.h}, false);
     if (at.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     drag_signal(state, ui, ImGui::IsItemActive(), signal.name);
-    if (wants_tooltip(ui, at)) tooltip(ui, at, fill(ui.strings("charts.drag_how"), {signal.name}));
+    if (wants_tooltip(ui, at)) tooltip(ui, at, fill(ui.strings(how), {signal.name}));
 }
 
 std::string shown_name(const LabView& view, const VehicleView& vehicle, const Signal& signal) {
@@ -119,6 +119,13 @@ void choose_strip(PanelState& state, std::string_view name) {
     if (!is_there && state.strips.size() < most_strips) state.strips.emplace_back(name);
 }
 
+void move_strip(PanelState& state, std::string_view name, std::string_view onto) {
+    std::vector<std::string>& strips = state.strips;
+    const auto from = std::find(strips.begin(), strips.end(), name), to = std::find(strips.begin(), strips.end(), onto);
+    if (from == strips.end() || to == strips.end()) return;
+    from < to ? std::rotate(from, from + 1, to + 1) : std::rotate(to, from, from + 1);
+}
+
 void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     mark(ui, "charts.picture", r);
     const History& history = state.history;
@@ -135,7 +142,7 @@ void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         const Signal& signal = signals[i];
         const Rect place{r.x + (i % 2 == 0 ? 0 : width + space), r.y + row * static_cast<float>(i / 2), width, row};
         signal_strip(history, signal, ui, {place, time, room, shown_name(view, *vehicle, signal)});
-        name_to_drag(state, ui, signal, place, room);
+        name_to_drag(state, ui, signal, place, room, "charts.drag_how");
         const auto chosen = std::find(state.strips.begin(), state.strips.end(), signal.name);
         const bool is_chosen = chosen != state.strips.end();
         const RowButton look{"charts.add." + signal.name, is_chosen ? icon::check : icon::add, is_chosen ? "–" : "+",
@@ -150,6 +157,7 @@ void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
 }
 
 void chosen_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
+    state.signal_drag.onto.clear();
     mark(ui, "charts.picture", r);
     const History& history = state.history;
     std::vector<Signal> signals;
@@ -176,6 +184,10 @@ void chosen_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         const Rect place{r.x + (width + space) * static_cast<float>(i % columns),
                          r.y + row * static_cast<float>(i / columns), width, row};
         signal_strip(history, signals[i], ui, {place, time, room, shown_name(view, *vehicle, signals[i])});
+        if (count > 1) name_to_drag(state, ui, signals[i], place, room, "charts.order_how");
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        if (place.contains(mouse.x, mouse.y))
+            state.signal_drag.onto = signals[i].name, state.signal_drag.onto_row = place;
         const RowButton look{"charts.remove." + signals[i].name, icon::cross, "×", ui.strings("charts.remove_how")};
         if (row_button(ui, place, look)) std::erase(state.strips, signals[i].name);
     }

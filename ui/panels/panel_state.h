@@ -131,9 +131,12 @@ struct HandInState {
 
 // A signal that is dragged to the chart card; see signal_drag.h.
 struct SignalDrag {
-    std::string name;    // empty: none
-    maths::vec2 press;   // window pixels
-    bool moves = false;  // far enough from the press to be no click
+    std::string name;       // empty: none
+    maths::vec2 press;      // window pixels
+    bool moves = false;     // far enough from the press to be no click
+    bool given_up = false;  // by Esc; the button is still down
+    std::string onto;       // chosen strip under the pointer; empty: none
+    Rect onto_row;          // its row, window pixels
 };
 
 struct PanelState {

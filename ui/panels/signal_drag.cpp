@@ -26,9 +26,12 @@ bool is_pointer_in(Rect r) {
     return r.w > 0 && r.contains(mouse.x, mouse.y);
 }
 
+bool is_from(const SignalDrag& drag, Rect card) { return card.w > 0 && card.contains(drag.press.x, drag.press.y); }
+
 // Where the signal can be dropped; empty: nowhere.
 Rect target_of_signal(const SignalDrag& drag, const Ui& ui, Rect card) {
-    const bool is_from_card = card.w > 0 && card.contains(drag.press.x, drag.press.y);
+    const bool is_from_card = is_from(drag, card);
+    if (is_from_card && !drag.onto.empty()) return drag.onto_row;
     const Rect* part = is_from_card ? ui.anchors.find("charts.tab.3")
                        : card.w > 0 ? &card
                                     : ui.anchors.find("button.charts");
@@ -38,6 +41,14 @@ Rect target_of_signal(const SignalDrag& drag, const Ui& ui, Rect card) {
 void show_chosen_strips(PanelState& state) {
     state.charts_open = true;
     state.chart = Chart::chosen;
+}
+
+// A strip of the tab takes the place of the one that it is dropped on.
+void drop_signal(PanelState& state, Rect card) {
+    const SignalDrag& drag = state.signal_drag;
+    if (is_from(drag, card) && !drag.onto.empty()) return move_strip(state, drag.name, drag.onto);
+    choose_strip(state, drag.name);
+    show_chosen_strips(state);
 }
 
 // The name beside the pointer, and the place where it can be dropped.
@@ -83,8 +94,13 @@ void drag_signal(PanelState& state, const Ui& ui, bool held, std::string_view na
     SignalDrag& drag = state.signal_drag;
     if (!held || !ImGui::GetIO().MouseDown[0]) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (drag.name != name) drag = {std::string(name), {mouse.x, mouse.y}, false};
+    if (drag.name != name) drag = {.name = std::string(name), .press = {mouse.x, mouse.y}};
     drag.moves |= maths::distance({mouse.x, mouse.y}, drag.press) >= ui.px(signal_drag_begins);
+}
+
+bool give_up_drag(PanelState& state) {
+    SignalDrag& drag = state.signal_drag;
+    return drag.moves && !std::exchange(drag.given_up, true);
 }
 
 void drop_nodes_on_chart(const LabView& view, PanelState& state, Rect card) {
@@ -106,11 +122,11 @@ void drop_signals(const LabView& view, PanelState& state, Ui& ui, Rect card) {
     if (drag.name.empty()) return;
     const Rect target = target_of_signal(drag, ui, card);
     if (!ImGui::GetIO().MouseDown[0]) {
-        if (drag.moves && is_pointer_in(target)) choose_strip(state, drag.name), show_chosen_strips(state);
+        if (drag.moves && !drag.given_up && is_pointer_in(target)) drop_signal(state, card);
         drag = {};
         return;
     }
-    if (!drag.moves) return;
+    if (!drag.moves || drag.given_up) return;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     draw_signal_drag(ui, vehicle ? wiring::short_name(kind_of(*view.now, *vehicle).sensors, drag.name) : drag.name,
                      target);
