@@ -150,6 +150,27 @@ TEST_F(StudyDesk, AStudyWithoutAMeasureCannotBeRun) {
 TEST_F(StudyDesk, SavesAStudyOfItsOwnOnce) {
     open(2);
     desk.view.study.is_built = true;
+TEST_F(StudyDesk, MeasuresThatTheSceneCannotHaveAreNotOffered) {
+    desk.now = snapshot(0);
+    ASSERT_EQ(desk.now.predators + desk.now.prey, 0);
+    open(0);
+    desk.click("study.new");
+    const auto show = [&](Boundary edge) {
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->ecology.drain = 0;
+        scene->arena.edge = edge;
+        desk.now.scene = scene;
+        desk.frame(2);
+    };
+    show(Boundary::wall);
+    EXPECT_TRUE(desk.anchors.find("study.measured.contacts"));
+    for (const char* measure : {"captures", "deaths", "births", "falls", "predators", "prey"})
+        EXPECT_FALSE(desk.anchors.find(std::string("study.measured.") + measure)) << measure;
+    show(Boundary::open);
+    EXPECT_TRUE(desk.anchors.find("study.measured.falls"));
+    EXPECT_TRUE(desk.anchors.find("study.measured.deaths"));
+}
+
     desk.frame(2);
     desk.click("study.save");
     ASSERT_TRUE(desk.last<StudyRequest>());

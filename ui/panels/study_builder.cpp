@@ -118,11 +118,30 @@ void value_row(const LabView& view, StudyDraft& draft, SliderState& sliders, Ui&
     draft.unfolded = -1;
 }
 
-void measure_row(StudyDraft& draft, Ui& ui, bool has_vehicle, float right) {
+// False for a measure that is 0 in every run of the scene.
+bool can_differ(StudyMeasure measure, const Snapshot& now) {
+    const Scene& scene = *now.scene;
+    const bool has_roles = now.predators + now.prey > 0, has_edge = scene.arena.edge == Boundary::open;
+    switch (measure) {
+        case StudyMeasure::captures:
+        case StudyMeasure::predators:
+        case StudyMeasure::prey:
+            return has_roles;
+        case StudyMeasure::deaths:
+        case StudyMeasure::births:
+            return has_roles || has_edge || scene.ecology.drain > 0;
+        case StudyMeasure::falls:
+            return has_edge;
+        default:
+            return true;
+    }
+}
+
+void measure_row(const Snapshot& now, StudyDraft& draft, Ui& ui, bool has_vehicle, float right) {
     bool is_first = true;
     std::vector<StudyMeasure>& chosen = draft.measures;
     for (const insight::StudyMeasureTraits& row : insight::study_measure_table) {
-        if (row.of_vehicle && !has_vehicle) {
+        if ((row.of_vehicle && !has_vehicle) || !can_differ(row.value, now)) {
             std::erase(chosen, row.value);
             continue;
         }
@@ -191,7 +210,7 @@ std::optional<Study> study_builder(const LabView& view, StudyDraft& draft, Slide
     for (std::size_t i = 0; i < draft.values.size(); ++i) value_row(view, draft, sliders, ui, values, i, width);
     gap(ui, 6);
     subheading(ui, ui.strings("study.measured"));
-    measure_row(draft, ui, can_be_measured(view, vehicle), ImGui::GetCursorScreenPos().x + width);
+    measure_row(*view.now, draft, ui, can_be_measured(view, vehicle), ImGui::GetCursorScreenPos().x + width);
     gap(ui, 6);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float each = width / 2 - ui.px(column_gap_of_draft);
