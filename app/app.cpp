@@ -70,6 +70,8 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
     if (!theme_.warning().empty()) std::cerr << "braitenlab: " << theme_.warning() << "\n";
+    if (!options_.only_draws() && !folders_.state.empty())
+        begin_studies(lab_.study, folders_.state / "studies", settings_.state.study);
     const std::vector<Error> errors = student_files_.read(lab_.students, settings_.state.student);
     settings_.errors.insert(settings_.errors.begin(), errors.begin(), errors.end());
     refresh(files_, lab_);
@@ -227,6 +229,7 @@ void App::save_settings(bool now) {
     if (written.failed) show_error(*written.failed);
     if (written.merged) lab_.progress_of.reset();  // the notes are read again
     settings_.state.student = student_files_.current_file(lab_.students);
+    settings_.state.study = lab_.study.last;
     settings_.state.view = view_to_store(lab_, panels_);
     if (const auto place = window_.windowed_place()) settings_.state.place = WindowPlace{place->first, place->second};
     if (const auto error = save(settings_, own_preferences(lab_), window_.windowed_size())) show_error(*error);

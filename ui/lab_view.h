@@ -154,6 +154,7 @@ struct StudyView {
     std::string table{};           // file of its table; empty: it is in memory only
     std::optional<Error> error{};  // why it could not be opened or continued
     int shown = 0;                 // increases with each study that is opened from a file: its sheet is shown then
+    std::string last{};            // name or path of the one opened last, also by an earlier start; empty: none
 };
 
 // A hidden brain, the vehicle whose brain is to drive alike, and the score.

@@ -168,6 +168,7 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     reader->read("last_opened", r.last_opened, "text_in_quotes");
     reader->read("folder", r.folder, "text_in_quotes");
     reader->read("student", r.student, "text_in_quotes");
+    reader->read("study", r.study, "text_in_quotes");
     read_view(*reader, r.view);
     read_place(*reader, r.place);
     if (reader->error) return *reader->error;
@@ -195,6 +196,7 @@ std::string write_state(const StoredState& r) {
                       {"trail_colour", word(r.view.settings.overlays.trail_colour.value)}};
     visit_flags(r.view, [&](const char* key, bool value) { table.insert(key, value); });
     if (!r.student.empty()) table.insert("student", r.student);
+    if (!r.study.empty()) table.insert("study", r.study);
     if (r.place) table.insert("x", r.place->x), table.insert("y", r.place->y);
     if (!r.view.strips.empty()) {
         toml::array strips;

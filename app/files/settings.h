@@ -47,6 +47,7 @@ struct StoredState {
     StoredView view{};
     std::optional<WindowPlace> place{};  // of the window; nullopt: unknown
     std::string student{};               // file of the student who worked last, see StudentFiles; empty: the first
+    std::string study{};                 // StudyRuns::last
     friend bool operator==(const StoredState&, const StoredState&) = default;
 };
 

@@ -34,6 +34,15 @@ void stop(StudyRuns& study) {
     study.begun = study.rows.size();
 }
 
+// Takes over the runs of a table that has more of them.
+void take_rows(StudyRuns& study, const StudyTable& table) {
+    if (table.rows().size() <= study.rows.size()) return;
+    const bool runs = study.runs && table.rows().size() < study.base->study().runs();
+    study.rows = table.rows();
+    stop(study);
+    study.runs = runs;
+}
+
 // Runs that are in files beside the study are taken over.
 void take_table(StudyRuns& study) {
     StudyTable table(study.base, table_of_study(study.file).string());
@@ -41,17 +50,39 @@ void take_table(StudyRuns& study) {
     if (const auto scene = scene_of_study(study.base->study(), study.file)) files.push_back(*scene);
     table.read(files);
     if (table.rows().empty()) return;
-    if (table.rows().size() > study.rows.size()) {
-        const bool runs = study.runs && table.rows().size() < study.base->study().runs();
-        study.rows = table.rows();
-        stop(study);
-        study.runs = runs;
-    }
+    take_rows(study, table);
     study.table.emplace(std::move(table));
 }
 
+// A built study that is not saved is alone in a folder of its own.
+std::filesystem::path built_in(const StudyRuns& study) { return study.kept_in / "built"; }
+
+// Without a table beside its file, the runs of a study are kept for the next start, and those of the last start are
+// taken over.
+void keep_runs(StudyRuns& study) {
+    if (study.table || study.kept_in.empty()) return;
+    study.kept.emplace(study.base, (study.kept_in / (study.base->study().id + ".csv")).string());
+    study.kept->read({});
+    take_rows(study, *study.kept);
+}
+
+// Keeps the study for the next start of the lab. Without a folder, or where it cannot be written, there is no such
+// file.
+void keep_built_study(StudyRuns& study) {
+    if (study.kept_in.empty()) return;
+    std::error_code none;
+    std::filesystem::remove_all(built_in(study), none);
+    std::filesystem::create_directories(built_in(study), none);
+    if (const auto file = write_study_files(study.base->study(), study.scene_text, built_in(study)))
+        study.last = file->string();
+}
+
+void forget_study(StudyRuns& study) {
+    study = {.shown = study.shown, .last = std::move(study.last), .kept_in = std::move(study.kept_in)};
+}
+
 void open_study(StudyRuns& study, const std::string& path_or_name) {
-    study = {.shown = study.shown};
+    forget_study(study);
     const auto path = find_shipped(path_or_name);
     auto base = path ? load_study(*path) : path.error();
     if (!base) {
@@ -59,9 +90,17 @@ void open_study(StudyRuns& study, const std::string& path_or_name) {
         return;
     }
     study.base = std::move(*base);
-    if (ships(*path)) return;
-    study.file = *path;
-    take_table(study);
+    study.last = ships(*path) ? study.base->study().id : std::filesystem::absolute(*path).string();
+    const bool is_built = !study.kept_in.empty() && path->parent_path() == built_in(study);
+    if (is_built) {
+        const auto scene = scene_of_study(study.base->study(), *path);
+        const auto text = scene ? read_text(*scene) : scene.error();
+        if (text) study.scene_text = *text;
+    } else if (!ships(*path)) {
+        study.file = *path;
+        take_table(study);
+    }
+    keep_runs(study);
 }
 
 bool has_path_with(const insight::Study& study, std::string_view part) {
@@ -74,7 +113,7 @@ bool has_path_with(const insight::Study& study, std::string_view part) {
 // A study of the open scene. It is read from the text that save_study() writes, so that its checks are those of a file.
 void build_study(Lab& lab, insight::Study wanted) {
     StudyRuns& study = lab.study;
-    study = {.shown = study.shown};
+    forget_study(study);
     const VehicleView* vehicle = selected_vehicle(lab);
     const LabView view = view_of(lab);
     Scene scene = lab.document.session.edited_scene();
@@ -89,27 +128,43 @@ void build_study(Lab& lab, insight::Study wanted) {
     auto read = insight::parse_study(insight::write_study(wanted), wanted.id + ".toml");
     std::string text = write_scene(scene);
     auto base = read ? insight::StudyBase::create(std::move(*read), text, wanted.scene) : read.error();
-    if (base)
-        study.base = std::move(*base), study.scene_text = std::move(text);
-    else
+    if (!base) {
         study.error = base.error();
+        return;
+    }
+    study.base = std::move(*base), study.scene_text = std::move(text);
+    keep_built_study(study);
+    keep_runs(study);
+}
+
+// What is in the file already is not written twice.
+std::optional<Error> add_missing(StudyTable& table, const std::vector<insight::StudyRow>& rows) {
+    if (!table.is_begun())
+        if (auto error = table.begin()) return error;
+    if (table.rows().size() > rows.size()) return std::nullopt;
+    return table.add({rows.begin() + static_cast<std::ptrdiff_t>(table.rows().size()), rows.end()});
 }
 
 // The next complete runs, also for the file of the table.
 std::optional<Error> add_rows(StudyRuns& study, const std::vector<insight::StudyRow>& rows) {
     study.rows.insert(study.rows.end(), rows.begin(), rows.end());
-    if (!study.table) return std::nullopt;
-    if (!study.table->is_begun())
-        if (auto error = study.table->begin()) return error;
-    // What is in the file already is not written twice.
-    if (study.table->rows().size() > study.rows.size()) return std::nullopt;
-    const std::vector<insight::StudyRow> missing(
-        study.rows.begin() + static_cast<std::ptrdiff_t>(study.table->rows().size()), study.rows.end());
-    if (auto error = study.table->add(missing)) return error;
+    if (!study.table) {
+        if (study.kept && add_missing(*study.kept, study.rows)) study.kept.reset();  // the study runs without it
+        return std::nullopt;
+    }
+    if (auto error = add_missing(*study.table, study.rows)) return error;
     return study.rows.size() == study.base->study().runs() ? study.table->finish() : std::nullopt;
 }
 
 }  // namespace
+
+void begin_studies(StudyRuns& study, std::filesystem::path kept_in, const std::string& last) {
+    study.kept_in = std::move(kept_in);
+    std::error_code none;
+    if (!study.kept_in.empty()) std::filesystem::create_directories(study.kept_in, none);
+    if (study.base) return keep_runs(study);  // of the command line
+    if (!last.empty() && find_shipped(last)) study.last = last;
+}
 
 void handle_study(Lab& lab, const StudyRequest& wanted) {
     StudyRuns& study = lab.study;
@@ -135,11 +190,15 @@ Result<std::filesystem::path> save_study(StudyRuns& study, const std::filesystem
         auto path = write_study_files(study.base->study(), study.scene_text, folder);
         if (!path) return path.error();
         study.file = std::move(*path), study.scene_text.clear();
+        study.last = study.file.string();
     }
     if (!study.table) take_table(study);
     if (!study.table) study.table.emplace(study.base, table_of_study(study.file).string());
     if (study.table->rows().size() < study.base->study().runs())
         if (auto error = add_rows(study, {})) return *error;
+    study.kept.reset();
+    std::error_code none;
+    if (!study.kept_in.empty()) std::filesystem::remove_all(built_in(study), none);
     return study.table->path();
 }
 
@@ -181,7 +240,8 @@ StudyView study_of(const StudyRuns& study) {
             .has_file = !study.file.empty(),
             .table = study.table ? study.table->path().string() : "",
             .error = study.error,
-            .shown = study.shown};
+            .shown = study.shown,
+            .last = study.last};
 }
 
 }  // namespace braitenlab

@@ -1,4 +1,5 @@
-// The study on its sheet: its runs are computed in the background while it runs, and it can be stopped and continued.
+// The study on its sheet: its runs are computed in the background while it runs, and it can be stopped and continued,
+// also by the next start of the lab.
 #pragma once
 
 #include <deque>
@@ -23,13 +24,19 @@ struct StudyRuns {
     std::optional<Error> error{};                      // why the last one could not be opened
     std::vector<insight::StudyRow> rows{};             // complete runs, in order
     bool runs = false;
-    int shown = 0;                                           // increases with each file that is opened and shown
-    std::filesystem::path file{};                            // of the study; empty: shipped, or built and not saved
-    std::string scene_text{};                                // of a study that is built and not saved
-    std::optional<StudyTable> table{};                       // nullopt: in memory only
-    std::size_t begun = 0;                                   // runs
+    int shown = 0;                      // increases with each file that is opened and shown
+    std::string last{};                 // name or path of the study opened or built last; empty: none
+    std::filesystem::path kept_in{};    // folder for studies without a file or a table; empty: none
+    std::filesystem::path file{};       // of the study; empty: shipped, or built and not saved
+    std::string scene_text{};           // of a study that is built and not saved
+    std::optional<StudyTable> table{};  // beside the study's file; nullopt: not saved
+    std::optional<StudyTable> kept{};   // without `table`, in `kept_in`; nullopt: in memory only
+    std::size_t begun = 0;              // runs
     std::deque<Job<std::vector<insight::StudyRow>>> jobs{};  // in the order of the runs
 };
+
+// Sets the folder, and what an earlier start of the lab had as `last`. A study that is gone is forgotten.
+void begin_studies(StudyRuns&, std::filesystem::path kept_in, const std::string& last);
 
 // Executes a request. StudyEdit::save is put into Lab::files.
 void handle_study(Lab&, const StudyRequest&);

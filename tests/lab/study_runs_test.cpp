@@ -48,6 +48,16 @@ struct LabStudy : testing::Test {
         StoredState stored;
         execute_file_requests(lab, files, stored, {.documents = folder.path});
     }
+    // The lab as the next start has it.
+    void start_again() {
+        const std::string last = lab.study.last;
+        lab = opened_lab("2b-aggressor");
+        begin_studies(lab.study, folder / "state", last);
+    }
+    void run_a_part() {
+        handle(lab, StudyRequest{StudyEdit::run});
+        turn();
+    }
     std::filesystem::path saved(const char* name) const { return folder / "Braitenlab" / name; }
     static std::string lines(const insight::StudyBase& base, const std::vector<insight::StudyRow>& rows) {
         std::string text;
@@ -165,6 +175,69 @@ TEST_F(LabStudy, WhoseSceneHasChangedDoesNotTakeOverItsTable) {
     std::filesystem::last_write_time(scene, written + std::chrono::seconds(5));
     handle(lab, StudyRequest{StudyEdit::open, (saved("2b-aggressor-study.toml")).string()});
     EXPECT_TRUE(view().rows->empty());
+}
+
+TEST_F(LabStudy, ThatShipsGoesOnAtTheNextStart) {
+    begin_studies(lab.study, folder / "state", "");
+    handle(lab, StudyRequest{StudyEdit::open, "weight-and-mismatch"});
+    run_a_part();
+    const auto rows = *view().rows;
+    ASSERT_FALSE(rows.empty());
+    start_again();
+    EXPECT_EQ(view().last, "weight-and-mismatch");
+    EXPECT_FALSE(view().base) << "its sheet opens it";
+    handle(lab, StudyRequest{StudyEdit::open, view().last});
+    EXPECT_EQ(lines(*view().base, *view().rows), lines(*view().base, rows)) << "as in the table";
+    EXPECT_TRUE(view().table.empty()) << "the user has saved none";
+    run_a_part();
+    ASSERT_GT(view().rows->size(), rows.size());
+    EXPECT_EQ(view().rows->back(), insight::run_of(view().base, view().rows->size() - 1));
+}
+
+TEST_F(LabStudy, OfTheOpenSceneGoesOnAtTheNextStartWithoutAFile) {
+    begin_studies(lab.study, folder / "state", "");
+    handle(lab, EditRequest{MoveSource{0, 5, 2}});
+    build(20);
+    run_a_part();
+    const auto rows = *view().rows;
+    ASSERT_FALSE(rows.empty());
+    start_again();
+    handle(lab, StudyRequest{StudyEdit::open, view().last});
+    ASSERT_TRUE(view().base);
+    EXPECT_EQ(lines(*view().base, *view().rows), lines(*view().base, rows)) << "as in the table";
+    EXPECT_TRUE(view().is_built) << "it can still be saved";
+    save();
+    EXPECT_EQ(view().last, saved("2b-aggressor-study.toml").string());
+    EXPECT_FALSE(std::filesystem::exists(folder / "state" / "built")) << "its copy is not needed any more";
+    EXPECT_TRUE(std::filesystem::exists(saved("2b-aggressor-study.csv.part")));
+    const auto written = load_study(saved("2b-aggressor-study.toml"));
+    ASSERT_TRUE(written);
+    EXPECT_EQ(snapshot_of(*(*written)->world(0)).scene->sources[0].x, 5);
+}
+
+TEST_F(LabStudy, OfAnotherBuildBeginsAnew) {
+    begin_studies(lab.study, folder / "state", "");
+    build(20);
+    run_a_part();
+    ASSERT_FALSE(view().rows->empty());
+    handle(lab, EditRequest{MoveSource{0, 5, 2}});
+    build(20);
+    EXPECT_TRUE(view().rows->empty());
+}
+
+TEST_F(LabStudy, ThatIsGoneAtTheNextStartIsForgotten) {
+    begin_studies(lab.study, folder / "state", (folder / "gone.toml").string());
+    EXPECT_EQ(view().last, "");
+}
+
+TEST_F(LabStudy, RunsWhereNothingCanBeKept) {
+    put_text(folder / "state", "no folder");
+    begin_studies(lab.study, folder / "state", "");
+    build();
+    handle(lab, StudyRequest{StudyEdit::run});
+    finish();
+    EXPECT_EQ(view().rows->size(), 8u);
+    EXPECT_FALSE(view().error);
 }
 
 TEST_F(LabStudy, ShowsWhyItCannotBeOpened) {

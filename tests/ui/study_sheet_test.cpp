@@ -56,6 +56,13 @@ TEST_F(StudyDesk, TheMenuOpensItAndTheFirstStudyIsOpened) {
     EXPECT_EQ(desk.last<StudyRequest>()->path, "prey-eyes");
 }
 
+TEST_F(StudyDesk, OpensTheStudyOfTheLastStart) {
+    desk.view.study.last = "/home/mine.toml";
+    desk.frame(2);
+    ASSERT_TRUE(desk.last<StudyRequest>());
+    EXPECT_EQ(desk.last<StudyRequest>()->path, "/home/mine.toml");
+}
+
 TEST_F(StudyDesk, RunStopAndAnotherStudyAreRequests) {
     open(0);
     desk.click("study.run");
@@ -69,6 +76,19 @@ TEST_F(StudyDesk, RunStopAndAnotherStudyAreRequests) {
     desk.click("study.open.weight-and-mismatch");
     EXPECT_EQ(desk.last<StudyRequest>()->edit, StudyEdit::open);
     EXPECT_EQ(desk.last<StudyRequest>()->path, "weight-and-mismatch");
+}
+
+TEST_F(StudyDesk, OtherButtonsStayInPlaceWhenTheLastRunEnds) {
+    open(239);
+    desk.view.study.runs = true;
+    desk.frame(2);
+    const Rect stop = desk.where("study.stop"), close = desk.where("study.close");
+    open(240);
+    desk.view.study.runs = false;
+    desk.frame(2);
+    EXPECT_EQ(desk.where("study.complete").x, stop.x);
+    EXPECT_GT(desk.where("study.save").x, stop.x + 0.5f * stop.w) << "not under a pointer on Stop";
+    EXPECT_GT(desk.where("study.close").x, close.x - stop.w);
 }
 
 TEST_F(StudyDesk, ShowsMediansAndTheComparisonWithTheFirstRow) {
@@ -130,26 +150,6 @@ TEST_F(StudyDesk, AStudyOfTheSceneIsPutTogetherAndRun) {
     EXPECT_TRUE(desk.anchors.find("study.run")) << "the study is shown";
 }
 
-TEST_F(StudyDesk, AStudyWithoutAMeasureCannotBeRun) {
-    desk.now = snapshot(0);
-    open(0);
-    desk.click("study.new");
-    desk.frame(2);
-    for (const char* measure : {"study.measured.closest", "study.measured.touch"}) desk.click(measure), desk.frame(2);
-    const auto asks = [&] {
-        const std::size_t before = desk.all.size();
-        desk.click("study.build");
-        return desk.all.size() > before;
-    };
-    EXPECT_FALSE(asks());
-    desk.click("study.measured.closest");
-    desk.frame(2);
-    EXPECT_TRUE(asks());
-}
-
-TEST_F(StudyDesk, SavesAStudyOfItsOwnOnce) {
-    open(2);
-    desk.view.study.is_built = true;
 TEST_F(StudyDesk, MeasuresThatTheSceneCannotHaveAreNotOffered) {
     desk.now = snapshot(0);
     ASSERT_EQ(desk.now.predators + desk.now.prey, 0);
@@ -171,6 +171,26 @@ TEST_F(StudyDesk, MeasuresThatTheSceneCannotHaveAreNotOffered) {
     EXPECT_TRUE(desk.anchors.find("study.measured.deaths"));
 }
 
+TEST_F(StudyDesk, AStudyWithoutAMeasureCannotBeRun) {
+    desk.now = snapshot(0);
+    open(0);
+    desk.click("study.new");
+    desk.frame(2);
+    for (const char* measure : {"study.measured.closest", "study.measured.touch"}) desk.click(measure), desk.frame(2);
+    const auto asks = [&] {
+        const std::size_t before = desk.all.size();
+        desk.click("study.build");
+        return desk.all.size() > before;
+    };
+    EXPECT_FALSE(asks());
+    desk.click("study.measured.closest");
+    desk.frame(2);
+    EXPECT_TRUE(asks());
+}
+
+TEST_F(StudyDesk, SavesAStudyOfItsOwnOnce) {
+    open(2);
+    desk.view.study.is_built = true;
     desk.frame(2);
     desk.click("study.save");
     ASSERT_TRUE(desk.last<StudyRequest>());

@@ -284,12 +284,18 @@ bool study_buttons(const StudyView& view, Ui& ui) {
     const std::size_t done = view.base ? view.rows->size() : 0;
     if (view.base && view.runs) {
         const Item stop = button(ui, "study.stop", {icon::pause, ui.strings("study.stop"), Emphasis::primary});
+        tooltip(ui, stop, ui.strings("study.stop_how"));
         if (stop.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::stop, {}});
         ImGui::SameLine();
     } else if (view.base && done < view.base->study().runs()) {
         const Item run = button(ui, "study.run",
                                 {icon::play, ui.strings(done > 0 ? "study.go_on" : "study.run"), Emphasis::primary});
         if (run.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::run, {}});
+        ImGui::SameLine();
+    } else if (view.base) {  // keeps the place, so that a click on Stop as the last run ends is no click on Save
+        ButtonLook complete{icon::check, ui.strings("study.complete"), Emphasis::primary};
+        complete.enabled = false;
+        button(ui, "study.complete", complete);
         ImGui::SameLine();
     }
     const bool is_own = view.is_built || view.has_file;  // else a shipped one: its table goes to a new file
@@ -310,7 +316,7 @@ void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
     if (std::exchange(state.study_shown, view.shown) != view.shown) state.sheet = Sheet::study;
     if (state.sheet != Sheet::study) return;
     if (!view.base && !view.error && view.shipped && !view.shipped->empty())
-        ui.outbox.emplace_back(StudyRequest{StudyEdit::open, view.shipped->front().id});
+        ui.outbox.emplace_back(StudyRequest{StudyEdit::open, view.last.empty() ? view.shipped->front().id : view.last});
     begin_sheet(ui, state.study, "card.study", ui.strings("study.heading"), sheet_width, window);
     const float top = ImGui::GetCursorScreenPos().y, right = ImGui::GetCursorScreenPos().x + card_width(ui);
     if (view.shipped) study_choice(lab, state.study_draft, ui, right);
