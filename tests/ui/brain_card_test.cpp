@@ -200,7 +200,7 @@ TEST(BrainCard, ShowsTheNameOfTheVehicleIfAPersonGaveOne) {
     EXPECT_TRUE(writes(desk, "Predator 1 · predator-xy"));
 }
 
-TEST(BrainCard, CallsTheWheelsAlikeOnlyIfTheirNumbersAreEqual) {
+TEST(BrainCard, CallsTheWheelsAlikeByTheRuleOfTheCallout) {
     Desk desk(1280, 900, 1, true);
     desk.now = snapshot(0);
     const auto said = [&](std::string_view words) {
@@ -212,7 +212,9 @@ TEST(BrainCard, CallsTheWheelsAlikeOnlyIfTheirNumbersAreEqual) {
     desk.now.vehicles[0].motor = {0.21f, 0.19f};
     EXPECT_FALSE(said("Both wheels alike"));
     EXPECT_TRUE(said("Left wheel faster"));
-    desk.now.vehicles[0].motor = {0.2001f, 0.1999f};
+    desk.now.vehicles[0].motor = {0.1949f, 0.1851f};  // 0.19 and 0.19, and faster by 0.01
+    EXPECT_TRUE(said("Left wheel faster"));
+    desk.now.vehicles[0].motor = {0.1949f, 0.1951f};  // 0.19 and 0.20, and faster by 0.00
     EXPECT_TRUE(said("Both wheels alike"));
 }
 
