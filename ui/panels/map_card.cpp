@@ -25,17 +25,17 @@ void draw_map(const MapFrame& frame, float room) {
     const float width = card_width(ui);
     constexpr float heading_and_gaps = 108, rows = 2 * (small_button_height + 4);  // layout pixels
     const bool has_kinds = frame.map.measure == insight::MapMeasure::behaviour;
-    const float beside = in_lecture && has_kinds ? map_legend_width(frame) + ui.px(beside_field) : 0;
-    const bool is_beside = beside > 0 && beside <= width / 2;
+    const bool is_beside = in_lecture && has_kinds;  // large type, and little height
+    const float legend = std::min(map_legend_width(frame), width / 2 - ui.px(beside_field));
     const auto lines = static_cast<float>((is_beside ? 0 : map_legend_rows(frame)) + (in_lecture ? 0 : 1));
     const float words_and_legend = line_height(ui, Face::strong) + lines * (line_height(ui, Face::small) + ui.px(4));
     const float left = room - ui.px(heading_and_gaps + rows) - words_and_legend - frame.state.added_height;
-    const float most = is_beside ? width - beside : width;
+    const float most = is_beside ? width - legend - ui.px(beside_field) : width;
     const float side = std::clamp(left, std::min(ui.px(in_lecture ? least_field_in_lecture : least_field), most), most);
     map_upper_row(frame, width);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     map_field(frame, side);
-    if (is_beside) map_legend_beside(frame, {at.x, at.y, side, side});
+    if (is_beside) map_legend_beside(frame, {at.x, at.y, side, side}, legend);
     map_lower_row(frame, side, width);
     map_words(frame, width);
     if (!is_beside) map_legend(frame, width);

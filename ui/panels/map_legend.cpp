@@ -149,10 +149,10 @@ float map_legend_width(const MapFrame& frame) {
     return widest + frame.ui.px(legend_sign + 11);
 }
 
-void map_legend_beside(const MapFrame& frame, Rect field) {
+void map_legend_beside(const MapFrame& frame, Rect field, float width) {
     const ImVec2 below = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({field.x + field.w + frame.ui.px(beside_field), field.y});
-    legend_of_kinds(frame, map_legend_width(frame), 1);
+    legend_of_kinds(frame, width, 1);
     ImGui::SetCursorScreenPos(below);
 }
 

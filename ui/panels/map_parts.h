@@ -50,9 +50,10 @@ void map_words(const MapFrame&, float width);
 void map_legend(const MapFrame&, float width);
 int map_legend_rows(const MapFrame&);
 
-// The kinds in one column beside the field, for a lecture, where the height is short. The width without the gap.
+// The kinds in one column beside the field, for a lecture, where the height is short. Words are shortened where the
+// width is below map_legend_width().
 inline constexpr float beside_field = 12;  // layout pixels
 float map_legend_width(const MapFrame&);
-void map_legend_beside(const MapFrame&, Rect field);
+void map_legend_beside(const MapFrame&, Rect field, float width);
 
 }  // namespace braitenlab::ui
