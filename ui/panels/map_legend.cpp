@@ -50,7 +50,7 @@ std::vector<Behaviour> shown_kinds(const MapFrame& frame) {
     return kinds;
 }
 
-// One column where the words of some kind are wider than half of the card.
+// Of the legend below the map: one column where the words of some kind are wider than half of the card.
 int legend_columns(const MapFrame& frame) {
     const Ui& ui = frame.ui;
     for (const Behaviour kind : shown_kinds(frame))
@@ -139,7 +139,9 @@ void map_words(const MapFrame& frame, float width) {
 }
 
 void map_legend(const MapFrame& frame, float width) {
-    frame.map.measure == MapMeasure::behaviour ? legend_of_kinds(frame, width / static_cast<float>(legend_columns(frame)), legend_columns(frame)) : legend_of_numbers(frame, width);
+    if (frame.map.measure != MapMeasure::behaviour) return legend_of_numbers(frame, width);
+    const int columns = legend_columns(frame);
+    legend_of_kinds(frame, width / static_cast<float>(columns), columns);
 }
 
 float map_legend_width(const MapFrame& frame) {
