@@ -67,8 +67,10 @@ MysteryScore computed(const std::shared_ptr<const MysteryBase>& base, int thread
 double rounded(float number) { return std::round(static_cast<double>(number) * 1e5) / 1e5; }
 
 std::string mystery_json(const MysteryScore& score) {
-    nlohmann::ordered_json json{
-        {"score", score.score}, {"gap_m", rounded(score.gap)}, {"random_gap_m", rounded(score.random_gap)}};
+    nlohmann::ordered_json json{{"score", score.score},
+                                {"gap_m", rounded(score.gap)},
+                                {"random_gap_m", rounded(score.random_gap)},
+                                {"still_gap_m", rounded(score.still_gap)}};
     json["starts"] = nlohmann::ordered_json::array();
     for (const MysteryStart& start : score.starts) {
         const Pose& at = start.hidden.front();
@@ -76,7 +78,8 @@ std::string mystery_json(const MysteryScore& score) {
                                   {"y", rounded(at.y)},
                                   {"heading", rounded(at.heading)},
                                   {"gap_m", rounded(start.gap)},
-                                  {"random_gap_m", rounded(start.random_gap)}});
+                                  {"random_gap_m", rounded(start.random_gap)},
+                                  {"still_gap_m", rounded(start.still_gap)}});
     }
     return json.dump() + "\n";
 }
@@ -92,8 +95,9 @@ int mystery(const MysteryOptions& options) {
     if (options.json)
         std::cout << mystery_json(score);
     else
-        std::cout << fmt::format("{} of 100: mean distance {:.2f} m from {} starts, of random brains {:.2f} m\n",
-                                 score.score, score.gap, score.starts.size(), score.random_gap);
+        std::cout << fmt::format(
+            "{} of 100: mean distance {:.2f} m from {} starts, of random brains {:.2f} m, standing still {:.2f} m\n",
+            score.score, score.gap, score.starts.size(), score.random_gap, score.still_gap);
     return exit_code::done;
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 // Streams of random numbers that nothing else uses.
 constexpr std::uint64_t start_stream = 0x6d797374, brain_stream = 0x6d797375;
+constexpr std::size_t runs_beside_random = 3;  // from each start
 
 Pose start_pose(const Snapshot& now, std::uint64_t seed, std::size_t start) {
     constexpr float share = 0.8f;  // of the arena
@@ -107,8 +108,9 @@ void MysteryRun::begin_run() {
     if (number_ < 2) {
         run_.emplace(base_->run(start_, number_ == 0 ? q.hidden : q.rebuilt));
     } else {
-        const Design random{random_brain(q.hidden.sensors, q.seed, number_ - 2), q.hidden.sensors};
-        run_.emplace(base_->run(start_, random));
+        const BrainGraph brain =
+            number_ == 2 ? BrainGraph{} : random_brain(q.hidden.sensors, q.seed, number_ - runs_beside_random);
+        run_.emplace(base_->run(start_, Design{brain, q.hidden.sensors}));
     }
 }
 
@@ -119,10 +121,12 @@ void MysteryRun::end_run(Path path) {
         result_.hidden = std::move(path);
     else if (number_ == 1)
         result_.gap = path_gap(result_.hidden, path, arena), result_.rebuilt = std::move(path);
+    else if (number_ == 2)
+        result_.still_gap = path_gap(result_.hidden, path, arena);
     else
         result_.random_gap += path_gap(result_.hidden, path, arena) / static_cast<float>(q.random_brains);
     run_.reset();
-    if (++number_ < 2 + q.random_brains) begin_run();
+    if (++number_ < runs_beside_random + q.random_brains) begin_run();
 }
 
 bool MysteryRun::advance(std::size_t ticks) {
@@ -131,7 +135,7 @@ bool MysteryRun::advance(std::size_t ticks) {
 }
 
 float MysteryRun::progress() const {
-    const auto runs = static_cast<float>(2 + base_->question().random_brains);
+    const auto runs = static_cast<float>(runs_beside_random + base_->question().random_brains);
     return run_ ? (static_cast<float>(number_) + run_->progress()) / runs : 1;
 }
 
@@ -139,11 +143,13 @@ MysteryScore score_of(std::vector<MysteryStart> starts) {
     MysteryScore score{.starts = std::move(starts)};
     const auto count = static_cast<float>(std::max<std::size_t>(score.starts.size(), 1));
     for (const MysteryStart& start : score.starts)
-        score.gap += start.gap / count, score.random_gap += start.random_gap / count;
+        score.gap += start.gap / count, score.random_gap += start.random_gap / count,
+            score.still_gap += start.still_gap / count;
+    const float chance = std::min(score.random_gap, score.still_gap);
     if (score.gap <= 0)
         score.score = 100;
-    else if (score.random_gap > 0)
-        score.score = static_cast<int>(std::floor(100 * std::max(0.0f, 1 - score.gap / score.random_gap)));
+    else if (chance > 0)
+        score.score = static_cast<int>(std::floor(100 * std::max(0.0f, 1 - score.gap / chance)));
     return score;
 }
 

@@ -3,9 +3,10 @@
 //
 //     score = 100 · max(0, 1 − d / r)
 //
-// d is the mean over the starts of path_gap() between the runs of the hidden and the rebuilt brain, r the mean over the
-// starts and over random brains of path_gap() between the runs of the hidden and a random brain. A brain that drives as
-// the hidden one has 100, one that is no better than chance has 0.
+// d is the mean over the starts of path_gap() between the runs of the hidden and the rebuilt brain. r is the smaller of
+// two means: of path_gap() between the runs of the hidden and of random brains, and of that between the runs of the
+// hidden brain and of one without wires. A brain that drives as the hidden one has 100; one that is no better than
+// chance, or than to stand still, has 0.
 #pragma once
 
 #include <cstddef>
@@ -45,11 +46,12 @@ struct MysteryStart {
     Path hidden, rebuilt;
     float gap = 0;         // m, between both
     float random_gap = 0;  // m, between the hidden and the random brains, mean
+    float still_gap = 0;   // m, between the hidden brain and one without wires
 };
 
 struct MysteryScore {
     int score = 0;  // 0..100, rounded down: 100 is a perfect match only
-    float gap = 0, random_gap = 0;
+    float gap = 0, random_gap = 0, still_gap = 0;
     std::vector<MysteryStart> starts;
 };
 
@@ -85,7 +87,7 @@ private:
     void end_run(Path);
 
     std::shared_ptr<const MysteryBase> base_;
-    std::size_t start_, number_ = 0;  // of the run: 0 hidden, 1 rebuilt, then random brains
+    std::size_t start_, number_ = 0;  // of the run: 0 hidden, 1 rebuilt, 2 without wires, then random brains
     std::optional<Prediction> run_;   // nullopt: complete
     MysteryStart result_;
 };

@@ -1,5 +1,6 @@
 #include "core/io/run_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -8,6 +9,7 @@
 #include "core/io/state_json.h"
 #include "core/messages.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/sealed.h"
 
 namespace braitenlab {
 
@@ -47,6 +49,10 @@ std::optional<Error> check_log(const Checkpoint& log, const std::string& file) {
     return std::nullopt;
 }
 
+bool has_hidden_kind(const Scene& scene) {
+    return std::any_of(scene.kinds.begin(), scene.kinds.end(), [](const Kind& kind) { return kind.hidden; });
+}
+
 Result<SavedRun> from(const Json& json, const std::string& file) {
     if (!json.is_object() || !json.contains("braitenlab_run")) return refused(message_of("run_other_file"), file);
     if (json.at("braitenlab_run") != version)
@@ -72,7 +78,8 @@ std::string write_run(const SavedRun& run) {
                     {"keyframe", state_json(*run.checkpoint.keyframe)},
                     {"commands", run.checkpoint.commands},
                     {"tick", run.checkpoint.tick}};
-    return json.dump() + "\n";
+    if (!has_hidden_kind(run.opened) && !has_hidden_kind(*run.checkpoint.keyframe->scene)) return json.dump() + "\n";
+    return Json{{"braitenlab_run", version}, {"sealed", seal_text(json.dump())}}.dump() + "\n";
 }
 
 Result<SavedRun> read_run(std::string_view text, std::string file) {
@@ -81,7 +88,12 @@ Result<SavedRun> read_run(std::string_view text, std::string file) {
     try {
         const Json json = Json::parse(text, std::ref(guard));
         if (!guard.objection.text.empty()) return refused(guard.objection, file);
-        return from(json, file);
+        if (!json.is_object() || !json.contains("sealed")) return from(json, file);
+        const auto unsealed_text = unseal_text(json.at("sealed").get<std::string>());
+        if (!unsealed_text) return refused(message_of("sealed_damaged"), file);
+        const Json unsealed = Json::parse(*unsealed_text, std::ref(guard));
+        if (!guard.objection.text.empty()) return refused(guard.objection, file);
+        return from(unsealed, file);
     } catch (const Json::exception& problem) {
         return refused(Message(problem.what()), file);
     }

@@ -1,7 +1,7 @@
 // Run files: store a run and continue it later, identical to the uninterrupted run.
 //
 // The file is JSON with the extension `.run`. It contains the scene without edits, the last keyframe, and the commands
-// and the number of ticks since.
+// and the number of ticks since. Where the brain of a kind is hidden, all of it is sealed (core/scene/sealed.h).
 #pragma once
 
 #include <filesystem>

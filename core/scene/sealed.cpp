@@ -27,11 +27,11 @@ std::string checksum(std::string_view text) {
 
 }  // namespace
 
-std::string seal(const BrainGraph& brain) {
-    const std::string text = write_brain(brain);
-    std::string bytes = checksum(text) + text;
+std::string seal_text(std::string_view text) {
+    std::string bytes = checksum(text) + std::string(text);
     mix(bytes);
     std::string letters;
+    letters.reserve(2 * bytes.size());
     for (const char each : bytes) {
         const auto byte = static_cast<unsigned char>(each);
         letters += static_cast<char>('a' + (byte >> 4U));
@@ -40,8 +40,9 @@ std::string seal(const BrainGraph& brain) {
     return letters;
 }
 
-std::optional<BrainGraph> unseal(std::string_view letters) {
+std::optional<std::string> unseal_text(std::string_view letters) {
     std::string bytes;
+    bytes.reserve(letters.size() / 2);
     for (std::size_t i = 0; i + 1 < letters.size(); i += 2) {
         const char high = letters[i], low = letters[i + 1];
         if (high < 'a' || high > 'p' || low < 'a' || low > 'p') return std::nullopt;
@@ -49,9 +50,17 @@ std::optional<BrainGraph> unseal(std::string_view letters) {
     }
     if (letters.size() % 2 != 0 || bytes.size() < checksum_bytes) return std::nullopt;
     mix(bytes);
-    const std::string text = bytes.substr(checksum_bytes);
+    std::string text = bytes.substr(checksum_bytes);
     if (checksum(text) != bytes.substr(0, checksum_bytes)) return std::nullopt;
-    auto brain = parse_brain(text, "");
+    return text;
+}
+
+std::string seal(const BrainGraph& brain) { return seal_text(write_brain(brain)); }
+
+std::optional<BrainGraph> unseal(std::string_view letters) {
+    const auto text = unseal_text(letters);
+    if (!text) return std::nullopt;
+    auto brain = parse_brain(*text, "");
     return brain ? std::optional(std::move(*brain)) : std::nullopt;
 }
 

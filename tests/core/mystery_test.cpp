@@ -69,6 +69,15 @@ TEST(Mystery, RandomBrainsHaveFewPointsInTheMean) {
     EXPECT_LT(sum / brains, 40);
 }
 
+TEST(Mystery, ABrainThatDoesNothingHasNoPoints) {
+    MysteryQuestion asked = question({});
+    asked.hidden.brain = make_graph({.LM = 0.2f, .RM = 0.25f});
+    const MysteryScore nothing = score(asked);
+    EXPECT_EQ(nothing.score, 0);
+    EXPECT_EQ(nothing.gap, nothing.still_gap);
+    EXPECT_LT(nothing.still_gap, nothing.random_gap) << "random brains alone would give it points";
+}
+
 TEST(Mystery, IsTheSameEachTimeAndInPieces) {
     const MysteryQuestion asked = question({.LR = 1, .RL = 1});
     const MysteryScore once = score(asked), again = score(asked);

@@ -127,6 +127,24 @@ TEST(RunFile, ReadsAPopulationThatWasSetBeforeItsSizeWasRecorded) {
     EXPECT_EQ(session.snapshot().scene->ecology.population, 6);
 }
 
+TEST(RunFile, ASceneWithAHiddenBrainIsSealedAndComesBack) {
+    Scene scene = tests::alone({.LL = 1.2345f});
+    scene.kinds[0].hidden = true;
+    Session session = std::move(*Session::open(scene, 3));
+    for (int i = 0; i < 400; ++i) session.step();
+    std::string text = io::write_run(session.save());
+    EXPECT_EQ(text.find("1.2345"), std::string::npos);
+    EXPECT_EQ(text.find("wires"), std::string::npos);
+    const auto read = io::read_run(text, "a.run");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(Session::resume(*read).hash(), session.hash());
+    const std::size_t letter = text.find("sealed") + 40;
+    text[letter] = text[letter] == 'a' ? 'b' : 'a';
+    const auto damaged = io::read_run(text, "a.run");
+    ASSERT_FALSE(damaged);
+    EXPECT_NE(damaged.error().what.find("damaged"), std::string::npos);
+}
+
 TEST(RunFile, RefusesAFileOfAnotherKind) {
     for (const char* text :
          {"", "format = 1", "{}", "[]", "{\"braitenlab_run\": 2}", "{\"braitenlab_run\": 1}", "\xff"}) {

@@ -94,6 +94,20 @@ TEST_F(AutosaveTest, DistinguishesAProperEndFromACrash) {
     EXPECT_EQ(dials(*next.recover()).LR, 1.0f);
 }
 
+TEST_F(AutosaveTest, DoesNotShowAHiddenBrain) {
+    lab = open("19-mystery");
+    Autosave dying(folder.path, complaints);
+    edit(lab, 1.2345f);
+    EXPECT_FALSE(dying.keep(lab, 0, Autosave::Occasion::now));
+    const auto files = files_in(folder.path);
+    ASSERT_EQ(files.size(), 1u);
+    const std::string text = text_of(files[0]);
+    EXPECT_EQ(text.find("wires"), std::string::npos);
+    const auto kept = open_autosave(text, "a");
+    ASSERT_TRUE(kept) << kept.error().text();
+    EXPECT_EQ(kept->document.session.hash(), lab.document.session.hash());
+}
+
 TEST_F(AutosaveTest, WritesWithoutADelayWhenTheModeChanges) {
     Autosave autosave(folder.path, complaints);
     edit(lab, 1);

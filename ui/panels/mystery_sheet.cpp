@@ -89,7 +89,9 @@ void score_of_mystery(const MysteryScore& score, Ui& ui) {
     put(ui, at, words, ui.palette.text, Face::display);
     mark(ui, "mystery.score", {at.x, at.y, width, height});
     ImGui::Dummy({width, height});
-    paragraph(ui, fill(ui.strings("mystery.made_of"), {fixed(ui, score.gap, 2), fixed(ui, score.random_gap, 2)}),
+    paragraph(ui,
+              fill(ui.strings("mystery.made_of"),
+                   {fixed(ui, score.gap, 2), fixed(ui, score.random_gap, 2), fixed(ui, score.still_gap, 2)}),
               ui.palette.second_text, Face::small);
 }
 
