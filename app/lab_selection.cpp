@@ -133,14 +133,11 @@ void reselect_after_death(Lab& lab, const VehicleView& selected) {
               next ? std::to_string(next->id + 1) : ""});
 }
 
-void tell_fall(Lab& lab, const VehicleView& before, std::int64_t falls) {
-    constexpr float most = 0.3f;  // m in a tick that a vehicle drives; a respawned one is further away
-    const Snapshot& now = lab.document.session.snapshot();
-    if (now.events.falls == falls) return;
-    const VehicleView* after = find_vehicle(now, before.id);
-    if (!after || std::hypot(after->x - before.x, after->y - before.y) <= most) return;
+void tell_fall(Lab& lab, VehicleId selected) {
+    const std::vector<VehicleId>& fallen = lab.document.session.snapshot().fallen;
+    if (!std::binary_search(fallen.begin(), fallen.end(), selected)) return;
     if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
-    say(lab, {NoticeKind::notice, "notice.fell", std::to_string(before.id + 1)});
+    say(lab, {NoticeKind::notice, "notice.fell", std::to_string(selected + 1)});
 }
 
 void forget_vehicle_notice(Lab& lab) {

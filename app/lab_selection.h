@@ -30,9 +30,8 @@ void keep_selection(Lab&);
 // if there is none of its kind, or during a drag, which then ends. `selected` is the vehicle one tick ago.
 void reselect_after_death(Lab&, const VehicleView& selected);
 
-// Says that the selected vehicle has fallen over an open edge in this tick and starts again. `before`: the vehicle one
-// tick ago, `falls`: how many vehicles had fallen until then.
-void tell_fall(Lab&, const VehicleView& before, std::int64_t falls);
+// Says so if the vehicle, the selected one, has fallen over an open edge in this tick and starts again.
+void tell_fall(Lab&, VehicleId);
 
 // Removes the notice of reselect_after_death() and of tell_fall(): another vehicle is selected, or the run is at
 // another tick.

@@ -67,11 +67,10 @@ void tick(Lab& lab) {
     lab.playback.previous = session.snapshot().vehicles;
     const VehicleView* selected = selected_vehicle(lab);
     const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
-    const std::int64_t falls = session.snapshot().events.falls;
     add_to_path(lab.document);
     record_paths(lab);
     step_session(lab.document);
-    if (before) reselect_after_death(lab, *before), tell_fall(lab, *before, falls);
+    if (before) reselect_after_death(lab, *before), tell_fall(lab, before->id);
     keep_selection(lab);
     if (auto& lesson = lab.document.lesson) {
         lesson->view.has_run = true;

@@ -34,6 +34,12 @@ maths::vec2 position_of_subject(const Snapshot& now) {
     return {};
 }
 
+bool subject_fell(const Snapshot& now) {
+    return std::any_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& vehicle) {
+        return vehicle.start == 0 && std::binary_search(now.fallen.begin(), now.fallen.end(), vehicle.id);
+    });
+}
+
 }  // namespace
 
 // A path ends at the last position before a fall: after it the vehicle stands at another place.
@@ -41,11 +47,10 @@ std::optional<StartResult> Trial::run(int ticks) {
     const auto decided = [&] { return ticks_left_ == 0 || referee_.passed() || referee_.lost(); };
     for (; ticks > 0 && !decided(); --ticks, --ticks_left_) {
         const maths::vec2 before = position_of_subject(snapshot_);
-        const std::int64_t falls = snapshot_.events.falls;
         world_->step();
         world_->capture(snapshot_);
         referee_.watch(snapshot_);
-        if (snapshot_.events.falls > falls)
+        if (subject_fell(snapshot_))
             result_.path.push_back(before);
         else
             add_to_path();

@@ -89,6 +89,7 @@ void capture(const WorldData& s, Snapshot& out) {
     for (const Strike& strike : s.strikes)
         out.strikes.push_back({strike.vehicle, strike.at.x, strike.at.y,
                                static_cast<float>(s.tick - strike.tick) * tick_seconds, strike.other});
+    out.fallen = s.fallen;
     out.scene = s.scene;
 }
 

@@ -75,10 +75,12 @@ void spend_energy(WorldData& s) {
 
 // Respawns each vehicle that is beyond an open edge. It keeps its id, so that a selection in the window stays valid.
 void fall(WorldData& s) {
+    s.fallen.clear();
     if (s.scene->arena.edge != Boundary::open) return;
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
         if (!is_outside(s.scene->arena, s.vehicles.motion[row].position)) continue;
         ++s.events.falls, ++s.events.deaths, ++s.events.births;
+        s.fallen.push_back(s.vehicles.id[row]);
         respawn(s, row);
     }
 }

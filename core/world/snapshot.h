@@ -109,6 +109,7 @@ struct Snapshot {
     std::vector<MarkView> marks;         // by owner, then oldest first
     std::vector<BiteView> bites;         // of the last second, by pair
     std::vector<StrikeView> strikes;     // of the last second, by pair
+    std::vector<VehicleId> fallen;       // over an open edge in the last tick, ascending; they are at a start again
     std::shared_ptr<const Scene> scene;  // with all edits except those of brains, see kind_brains
 };
 

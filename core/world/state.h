@@ -134,6 +134,7 @@ struct State {
     EventCounts events;
     std::vector<Bite> bites;         // of the last second, sorted by pair
     std::vector<Strike> strikes;     // of the last second, by ascending pair; not hashed
+    std::vector<VehicleId> fallen;   // over an open edge in the last tick, ascending; not hashed, not in files
     std::vector<Mark> marks;         // by owner, then oldest first
     std::vector<VehicleLook> looks;  // of vehicles of the population, by vehicle; display only
     Vehicles vehicles;

@@ -59,6 +59,9 @@ TEST(World, AnOpenEdgeLetsAVehicleFallAndReturnsItToItsStartWithItsId) {
     EXPECT_EQ(now.vehicles[0].x, 4);
     EXPECT_EQ(now.vehicles[0].y, 0.5f);
     EXPECT_EQ(now.vehicles[0].speed, 0);
+    EXPECT_EQ(now.fallen, std::vector<VehicleId>{id});
+    EXPECT_EQ(look(World::restore(world.checkpoint())).fallen, now.fallen);
+    EXPECT_TRUE(after(world, 1.0 / 60).fallen.empty()) << "of the last tick only";
 }
 
 TEST(World, AnOpenEdgeReplacesFallenVehiclesOfThePopulation) {
