@@ -66,4 +66,8 @@ Result<Brain> compile(const BrainGraph&, std::span<const std::string> sensor_nam
 // −1..1.
 void think(const Brain&, std::span<const float> sensed, std::span<float> state, std::span<float, 2> motors);
 
+// Gives hidden neurons the values that they have once these readings have lasted, without computing a tick: those that
+// have no memory (no time constant) and are in no cycle. The others keep theirs. `state`: as of think().
+void settle_forward(const Brain&, std::span<const float> sensed, std::span<float> state);
+
 }  // namespace braitenlab

@@ -1,5 +1,6 @@
 // One tick of a brain, over flat arrays.
 #include <algorithm>
+#include <vector>
 
 #include "core/brain/brain.h"
 
@@ -92,6 +93,29 @@ void think(const Brain& brain, std::span<const float> sensed, std::span<float> s
     std::copy(settled, settled + count, state.begin());
     motors[0] = std::clamp(settled[hidden], -1.0f, 1.0f);
     motors[1] = std::clamp(settled[hidden + 1], -1.0f, 1.0f);
+}
+
+void settle_forward(const Brain& brain, std::span<const float> sensed, std::span<float> state) {
+    const std::size_t hidden = brain.units.size() - 2, sensors = brain.sensors.size();
+    const float* learned = state.data() + brain.units.size();
+    const TickValues t{brain, sensed, state.data(), learned, nullptr};
+    std::vector<char> is_settled(brain.units.size(), 0);
+    const auto is_known = [&](const Brain::Tap& tap) {
+        const auto source = static_cast<std::size_t>(tap.source);
+        return source < sensors || is_settled[source - sensors] != 0;
+    };
+    for (bool any = true; any;) {
+        any = false;
+        for (std::size_t u = 0; u < hidden; ++u) {
+            const Brain::Unit& unit = brain.units[u];
+            if (is_settled[u] != 0 || unit.follow != 1) continue;
+            if (!std::all_of(brain.taps.begin() + unit.first_tap, brain.taps.begin() + unit.end_tap, is_known))
+                continue;
+            state[u] = settle<true>(t, u, [&](std::size_t source) { return t.before(source); });
+            is_settled[u] = 1;
+            any = true;
+        }
+    }
 }
 
 }  // namespace braitenlab

@@ -68,6 +68,17 @@ void think_with_brain(const WorldData& s, std::size_t row, const std::vector<flo
           {neurons.data() + v.first_neuron[row], static_cast<std::size_t>(brain.state_size())}, motor);
 }
 
+// A neuron that reads other neurons is a tick behind them. While no tick comes, its value agrees with theirs.
+void settle_neurons(const WorldData& s, const std::vector<float>& sensed, std::vector<float>& neurons) {
+    const Vehicles& v = s.vehicles;
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        const Brain& brain = v.brain[row]->flat;
+        if (v.driver[row] != Driver::brain || brain.neuron_count() <= 2) continue;
+        settle_forward(brain, {sensed.data() + v.first_sensed[row], s.compiled(row).sensors.size()},
+                       {neurons.data() + v.first_neuron[row], static_cast<std::size_t>(brain.state_size())});
+    }
+}
+
 // All drivers. `sensed`, `neurons`, `motor` and `waypoint` are arrays of all vehicles.
 void run_drivers(const WorldData& s, const std::vector<float>& sensed, std::vector<float>& neurons,
                  std::vector<Wheels>& motor, std::vector<std::int32_t>& waypoint) {
@@ -103,6 +114,7 @@ void think(WorldData& s) {
 Preview preview(const WorldData& s) {
     Preview next{sense_preview(s), s.vehicles.neurons, s.vehicles.motor};
     std::vector<std::int32_t> waypoint = s.vehicles.waypoint;
+    settle_neurons(s, next.sensed, next.neurons);
     run_drivers(s, next.sensed, next.neurons, next.motor, waypoint);
     return next;
 }

@@ -37,6 +37,27 @@ World run(const Scene& scene, int ticks) {
     return std::move(*world);
 }
 
+TEST(Snapshot, ShowsAgreeingValuesOfNeuronsInARowAfterAnEdit) {
+    Scene scene = tests::alone({});
+    BrainGraph brain = scene.kinds[0].brain;
+    const Curve step{.response = Response::step, .peak = 0.5f};
+    brain.nodes.push_back({.id = 20, .kind = NodeKind::neuron, .name = "N", .curve = step});
+    brain.nodes.push_back({.id = 21, .kind = NodeKind::neuron, .name = "NOT", .curve = step, .bias = 1});
+    brain.wires.push_back({.from = 20, .to = 21, .weight = -1});
+    World world = run(scene, 10);
+    ASSERT_FALSE(world.apply(SetBrain{{.kind = 0}, brain}));
+    const auto value = [&](NodeId id) {
+        const Snapshot now = captured(world);
+        return node_value(now, now.vehicles.front(), id);
+    };
+    EXPECT_EQ(value(20), 0);
+    EXPECT_EQ(value(21), 1);
+    find_node(brain, "N")->bias = 1;
+    ASSERT_FALSE(world.apply(SetBrain{{.kind = 0}, brain}));
+    EXPECT_EQ(value(20), 1);
+    EXPECT_EQ(value(21), 0) << "not a tick behind";
+}
+
 TEST(Snapshot, ShowsTheLearnedPartOfAWire) {
     Scene dark = learner();
     dark.sources.clear();

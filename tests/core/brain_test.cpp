@@ -311,5 +311,28 @@ TEST(Brain, AHebbianWireKeepsItsLearnedPartWhileItIsCut) {
     EXPECT_EQ(hurt.learned(), whole.learned());
 }
 
+TEST(Brain, SettlesNeuronsWithoutMemoryThatReadEachOtherAndNoOthers) {
+    BrainGraph graph = make_graph({});
+    add_unit(graph, "FIRST", 0.5f);
+    add_unit(graph, "SECOND", 0.5f);
+    add_unit(graph, "THIRD", 0.5f);
+    add_unit(graph, "LATCH", 0.5f);
+    add_unit(graph, "SLOW", 0.5f);
+    find_node(graph, "SLOW")->time_constant = 1;
+    feed(graph, "SL", "FIRST", 1), feed(graph, "FIRST", "SECOND", 1), feed(graph, "SECOND", "THIRD", 1);
+    feed(graph, "LATCH", "LATCH", 1), feed(graph, "SL", "LATCH", 1), feed(graph, "SL", "SLOW", 1);
+    const auto brain = compile(graph, eyes);
+    ASSERT_TRUE(brain);
+    std::vector<float> state(static_cast<std::size_t>(brain->state_size()));
+    settle_forward(*brain, std::array{1.0f, 0.0f}, state);
+    const auto value = [&](const char* name) {
+        const auto& ids = brain->unit_ids;
+        return state[static_cast<std::size_t>(std::find(ids.begin(), ids.end(), find_node(graph, name)->id) -
+                                              ids.begin())];
+    };
+    for (const char* name : {"FIRST", "SECOND", "THIRD"}) EXPECT_EQ(value(name), 1) << name;
+    for (const char* name : {"LATCH", "SLOW"}) EXPECT_EQ(value(name), 0) << name << " keeps its memory";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::brain_test

@@ -201,6 +201,7 @@ TEST(BrainAnalysis, ShowsTheOutputOfThresholdAndCurve) {
     EXPECT_FLOAT_EQ(sums[0].products[0].value, 0.6f * 1.5f);
     EXPECT_EQ(sums[1].products[0].input, 0);
     EXPECT_TRUE(sums[1].products[0].masked);
+    EXPECT_FLOAT_EQ(sums[1].products[0].reading, 0.2f);
     EXPECT_FALSE(sums[0].products[0].masked || sums[0].products[1].masked || sums[1].products[1].masked);
     EXPECT_FALSE(sums[0].more_wires) << "a wire with a curve is not a further wire";
 }
@@ -292,6 +293,20 @@ TEST(BrainAnalysis, NamesTheBiasesIfAllOtherTermsAreZero) {
     now.vehicles[0].motor = {0, 0.3f};
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_EQ(cause(sums).by, Cause::By::biases);
+}
+
+TEST(BrainAnalysis, TwoEyesForDifferentColoursHaveNoCharacterInAnyBrain) {
+    Snapshot now = snapshot(0);
+    Scene scene = *now.scene;
+    scene.kinds[0].sensors[0].channel = Channel::red, scene.kinds[0].sensors[1].channel = Channel::green;
+    now.scene = std::make_shared<Scene>(scene);
+    Recognised known;
+    recognised(known, now, now.vehicles[0], 0);
+    EXPECT_FALSE(shown_character(known, now, now.vehicles[0], {}));
+    scene.kinds[0].sensors.pop_back();
+    now.scene = std::make_shared<Scene>(scene);
+    recognised(known, now, now.vehicles[0], 1);
+    EXPECT_TRUE(shown_character(known, now, now.vehicles[0], {})) << "one eye has one";
 }
 
 }  // namespace braitenlab::tests::motor_sum_test

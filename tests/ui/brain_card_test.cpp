@@ -1,4 +1,5 @@
 // The brain card except its sliders: edits of both sides, lesions, and manual driving.
+#include <algorithm>
 #include <cmath>
 
 #include "core/brain/four_neurons.h"
@@ -216,6 +217,20 @@ TEST(BrainCard, CallsTheWheelsAlikeByTheRuleOfTheCallout) {
     EXPECT_TRUE(said("Left wheel faster"));
     desk.now.vehicles[0].motor = {0.1949f, 0.1951f};  // 0.19 and 0.20, and faster by 0.00
     EXPECT_TRUE(said("Both wheels alike"));
+}
+
+TEST(BrainCard, ShowsTheReadingOfAMaskedEyeAsItsPictureDoes) {
+    Desk desk(1280, 1000);
+    BrainGraph brain = make_graph({.LR = 1, .RL = 1});
+    find_wire(brain, 0, 3)->threshold = 0.9f;
+    desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+    desk.frame(3);
+    const auto is_written = [&](std::string_view words) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& w) { return w.words == words; });
+    };
+    EXPECT_TRUE(is_written("0.40 < θ"));
+    EXPECT_TRUE(is_written("0.20·1.00"));
 }
 
 TEST(BrainCard, ExplainsTheSensorThatDecides) {

@@ -38,10 +38,10 @@ TEST(WiringNodeText, SumHasSignsBetweenItsTerms) {
     EXPECT_EQ(sum_text(make_graph(four), MR, seen), "−0.42·1.00 − 0.27·0.50 − 0.10 → 0.44");
 }
 
-TEST(WiringNodeText, SumHasTheInputAfterTheThreshold) {
+TEST(WiringNodeText, SumTellsTheInputThatAThresholdMasks) {
     FourNeurons four;
     four.LL = 1, four.threshold_LL = 0.9f;
-    EXPECT_EQ(sum_text(make_graph(four), ML, seen), "0.00·1.00 → 0.44");
+    EXPECT_EQ(sum_text(make_graph(four), ML, seen), "(0.42 < θ)·1.00 → 0.44");
 }
 
 TEST(WiringNodeText, SumIsZeroWithoutWiresAndEmptyForASensor) {

@@ -23,7 +23,7 @@ Product product_of(const Snapshot& now, const VehicleView& vehicle, const Sensor
     const auto ends = direct_ends(brain, dial, pair);
     if (!ends) return p;
     const float reading = node_value(now, vehicle, ends->from);
-    p.input = reading;
+    p.reading = p.input = reading;
     p.weight = at(read_dials(brain, pair), dial);
     if (const Wire* wire = find_wire(brain, ends->from, ends->to)) {
         p.input = let_through(*wire, reading);
@@ -193,7 +193,7 @@ const Recognised& recognised(Recognised& known, const Snapshot& now, const Vehic
     known.pairs = characters_of(*brain, kind_of(now, vehicle), readings);
     known.single.reset();
     const auto& sensors = kind_of(now, vehicle).sensors;
-    if (known.pairs.empty() && std::any_of(sensors.begin(), sensors.end(), is_eye))
+    if (known.pairs.empty() && std::count_if(sensors.begin(), sensors.end(), is_eye) == 1)
         known.single = recognise(*brain, {}, readings);
     known.brain = brain;
     known.vehicle = vehicle.id;

@@ -17,6 +17,7 @@ namespace braitenlab::ui {
 struct Product {
     std::string letters;  // "SL·LL"
     std::string label;    // the same with wiring::short_name() of the sensor
+    float reading = 0;    // of the sensor
     float input = 0;      // reading after threshold and curve of the wire; 0 for a silenced sensor
     float weight = 0;     // includes what a Hebbian wire has learned
     float value = 0;      // contribution to the motor's sum

@@ -27,7 +27,9 @@ namespace {
 // Between two parts of an equation, layout pixels. With factors, signs are between the numbers.
 constexpr float least_space = 4, least_factor_space = 2;
 
+// "0.42·1.50"; "0.20 < θ" for a reading that the threshold masks, as the picture of the brain shows the reading.
 std::string numbers_of(const Ui& ui, const Product& p) {
+    if (p.masked && !p.cut) return fixed(ui, p.reading, 2) + " < θ";
     const std::string input = fixed(ui, p.input, 2) + "·";
     return input + (p.cut ? std::string(ui.strings("sums.cut")) : as_factor(ui, p.weight, 2));
 }
@@ -64,9 +66,12 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(ui, 1, 2));
     const auto product = [&](std::size_t i) {
         float widest = 0;
-        for (const MotorSum& sum : both)
-            widest = std::max(widest, !factors ? std::max(number, text_width(ui, Face::label, sum.products[i].label))
-                                               : text_width(ui, Face::small, numbers_of(ui, sum.products[i])));
+        for (const MotorSum& sum : both) {
+            Product unmasked = sum.products[i];  // as wide, so that a reading that passes θ moves nothing
+            unmasked.masked = false;
+            widest = std::max(widest, !factors ? std::max(number, text_width(ui, Face::label, unmasked.label))
+                                               : text_width(ui, Face::small, numbers_of(ui, unmasked)));
+        }
         return widest;
     };
     const auto term = [&](std::size_t i) {

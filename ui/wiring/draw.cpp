@@ -167,7 +167,7 @@ void Pen::dot(ImVec2 middle, float radius, ImU32 colour) const {
 
 Detail detail_of(const Pen& pen) {
     const float zoom = pen.view.scale / pen.ui.scale;
-    return zoom < map_zoom ? Detail::map : zoom < 0.62f ? Detail::sketch : Detail::full;
+    return zoom < map_zoom ? Detail::map : zoom < 0.75f ? Detail::sketch : Detail::full;
 }
 
 void draw_ground(const Pen& pen, Rect area) {

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
@@ -51,19 +53,26 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     put_on(pen.list, ui, {at.x + pad, at.y + 0.7f * pad}, words, p.text, Face::text);
 }
 
-// Below the card or above it, where the note covers fewer cards.
+// Below the card, above it or beside it, where the note covers fewer cards; its own card counts most.
 ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note, Rect area) {
+    constexpr std::ptrdiff_t own = 1000;  // more than all others
     const auto covered = [&](ImVec2 wanted) {
         const ImVec2 at = kept_inside(pen.ui, wanted, note, area);
-        return std::count_if(layout.nodes.begin(), layout.nodes.end(), [&](const NodeShape& other) {
+        std::ptrdiff_t count = 0;
+        for (const NodeShape& other : layout.nodes) {
             const ImVec2 low = pen.at(other.centre - other.size / 2), high = pen.at(other.centre + other.size / 2);
-            return low.x < at.x + note.x && high.x > at.x && low.y < at.y + note.y && high.y > at.y;
-        });
+            if (low.x < at.x + note.x && high.x > at.x && low.y < at.y + note.y && high.y > at.y)
+                count += other.id == shape.id ? own : 1;
+        }
+        return count;
     };
-    const ImVec2 below = pen.at(shape.centre + vec2{-shape.size.x / 2, shape.size.y / 2 + 14});
-    ImVec2 above = pen.at(shape.centre - vec2{shape.size.x / 2, shape.size.y / 2 + 14});
-    above.y -= note.y;
-    return covered(above) < covered(below) ? above : below;
+    constexpr float space = 14;
+    const ImVec2 low = pen.at(shape.centre - shape.size / 2 - vec2{space, space});
+    const ImVec2 high = pen.at(shape.centre + shape.size / 2 + vec2{space, space});
+    const float left = pen.at(shape.centre - shape.size / 2).x, middle = (low.y + high.y - note.y) / 2;
+    const ImVec2 places[]{{left, high.y}, {left, low.y - note.y}, {high.x, middle}, {low.x - note.x, middle}};
+    return *std::min_element(std::begin(places), std::end(places),
+                             [&](ImVec2 one, ImVec2 other) { return covered(one) < covered(other); });
 }
 
 float learned_now(const Picture& picture, const Wire& wire) {
@@ -89,6 +98,8 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
     if (sum.empty()) return;
     const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum), area);
     draw_note(pen, at, sum, area, pen.palette().second_text);
+    const ImVec2 size = note_size(pen.ui, sum), inside = kept_inside(pen.ui, at, size, area);
+    pen.ui.anchors.record("canvas.sum", {inside.x, inside.y, size.x, size.y});
 }
 
 void draw_box(const Pen& pen, vec2 a, vec2 b) {

@@ -184,7 +184,7 @@ void draw_words(const Pen& pen, const Picture& picture, const NodeShape& shape, 
     } else {
         put_name(low.y + 27, 24);
         pen.text({high.x, low.y + 27}, 20, 1, number, p.text);
-        pen.text({low.x, low.y + 52}, 16, 0, caption, p.second_text, Face::small, room);
+        pen.text({low.x, low.y + 52}, 19, 0, caption, p.second_text, Face::small, room);
     }
     const float bar = neuron ? low.x : low.x - 58;
     if (!far)

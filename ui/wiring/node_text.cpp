@@ -103,8 +103,12 @@ std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Valu
                            Decimals number) {
     std::vector<Term> terms;
     for (const Wire* wire : feeding_wires(graph, node.id, learned)) {
-        const float input = let_through(*wire, value(wire->from)), weight = weight_now(*wire, learned);
-        const std::string factor = input < 0 ? "(" + number(input) + ")" : number(input);
+        const float reading = value(wire->from), input = let_through(*wire, reading);
+        const float weight = weight_now(*wire, learned);
+        const bool is_masked = reading != 0 && std::abs(reading) < wire->threshold;
+        const std::string factor = is_masked   ? "(" + number(reading) + " < θ)"
+                                   : input < 0 ? "(" + number(input) + ")"
+                                               : number(input);
         terms.push_back({factor + "·" + number(std::abs(weight)), weight < 0});
     }
     if (node.bias != 0 || terms.empty()) terms.push_back({number(std::abs(node.bias)), node.bias < 0});
