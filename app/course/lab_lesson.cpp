@@ -241,22 +241,19 @@ void give_to_kind(Lab& lab, std::size_t kind, const Kind& given, std::uint64_t g
     if (!is_as_shipped(now, kind, given.brain)) apply(lab, SetBrain{{.kind = index}, given.brain}, gesture);
 }
 
-// Gives every kind what it has in the exercise's file, in one step of undo. True if that has changed something.
-bool take_changes_back(Lab& lab) {
-    const int edits = lab.document.session.undo_depth();
+// Gives every kind what it has in the exercise's file, in one step of undo.
+void take_changes_back(Lab& lab) {
     const auto& kinds = lab.document.lesson->exercise->scene.kinds;
     const std::uint64_t gesture = gestures::lab + ++lab.gesture;
     for (std::size_t k = 0; k < kinds.size(); ++k) give_to_kind(lab, k, kinds[k], gesture);
-    return lab.document.session.undo_depth() > edits;
 }
 
-// The scene as in the exercise's file, at its start, and a view without what the runs have shown. True if that has
-// taken changes back.
-bool begin_again(Lab& lab) {
+// The scene as in the exercise's file, at its start, and a view without what the runs have shown.
+void begin_again(Lab& lab) {
     Lesson& lesson = *lab.document.lesson;
     set_mode(lab, Mode::paused);
     reset(lab);  // first: kinds may have been added or removed
-    const bool changed = take_changes_back(lab);
+    take_changes_back(lab);
     LessonView& view = lesson.view;
     view = {.exercise = view.exercise,
             .key = std::move(view.key),
@@ -270,7 +267,6 @@ bool begin_again(Lab& lab) {
     lesson.selecting.reset();
     lesson.referee = Referee(*lesson.exercise);
     reset(lab);
-    return changed;
 }
 
 }  // namespace
@@ -278,8 +274,14 @@ bool begin_again(Lab& lab) {
 void start_over(Lab& lab) {
     if (!lab.document.lesson) return reset(lab);
     std::optional<GradedSubmission> graded = lab.document.lesson->graded;
-    if (begin_again(lab)) say(lab, {NoticeKind::done, "notice.started_over"});
+    const bool has_generations = lab.document.lesson->selecting && lab.document.lesson->selecting->parents.size() > 1;
+    const std::uint64_t hash = lab.document.session.hash();
+    LeftRun before = run_before_start_over(lab);
+    begin_again(lab);
     if (graded && graded->grade.good) lab.document.lesson->graded = std::move(graded);  // undo brings its grade back
+    if (!has_generations && lab.document.session.hash() == hash) return;                // there is nothing to take back
+    keep_for_undo(lab, std::move(before));
+    say(lab, {NoticeKind::done, "notice.started_over"});
 }
 
 void restart_exercise(Lab& lab) {

@@ -84,6 +84,43 @@ void keep_run(Lab& lab, LeftRun ended, const std::map<VehicleId, VehicleId>& new
     runs.left = std::move(ended);
 }
 
+namespace {
+
+LessonBefore lesson_before(const Lesson& lesson) {
+    return {lesson.view, lesson.graded, lesson.selecting ? lesson.selecting->parents : std::vector<Parent>{}};
+}
+
+// The prediction, the hints and the notes stay as they are now.
+void give_back(Lesson& lesson, LessonBefore before, std::uint64_t seed) {
+    LessonView& now = lesson.view;
+    LessonView& view = before.view;
+    view.prediction = now.prediction, view.drawn_path = std::move(now.drawn_path);
+    view.hints_shown = now.hints_shown, view.hint_ready = now.hint_ready;
+    view.notes = std::move(now.notes), view.shipped_grade = std::move(now.shipped_grade);
+    view.starts_tested.reset(), view.selection.reset();
+    view.together = false;
+    now = std::move(view);
+    lesson.graded = std::move(before.graded);
+    lesson.grading.reset();
+    lesson.selecting.reset();
+    if (!before.parents.empty()) lesson.selecting = Selecting{.parents = std::move(before.parents), .start = seed};
+}
+
+}  // namespace
+
+LeftRun run_before_start_over(Lab& lab) {
+    record_paths(lab);
+    LeftRun run = present_run(lab);
+    run.lesson = lesson_before(*lab.document.lesson);
+    return run;
+}
+
+void keep_for_undo(Lab& lab, LeftRun run) {
+    for (const VehicleView& vehicle : lab.document.session.snapshot().vehicles) run.new_ids[vehicle.id] = vehicle.id;
+    lab.last_run.left = std::move(run);
+    lab.last_run.undo = undo_of(lab, UndoOfReturn::State::returned);
+}
+
 bool has_left_run(const Lab& lab) { return lab.last_run.left && lab.last_run.left->run == lab.document.run_id; }
 
 void return_to_last_run(Lab& lab) {
@@ -98,6 +135,10 @@ void return_to_last_run(Lab& lab) {
     if (auto& lesson = lab.document.lesson) {
         lesson->states = std::move(then.states), lesson->states_before_edit = std::move(then.states_before_edit);
         lesson->path = std::move(then.path);
+        if (then.lesson) {
+            now.lesson = lesson_before(*lesson);
+            give_back(*lesson, std::move(*then.lesson), lab.document.session.seed());
+        }
     }
     runs.present = std::move(then.paths);
     if (RunPaths paths = renumbered(now.paths, old_ids); !paths.paths.empty()) runs.last = std::move(paths);

@@ -22,6 +22,13 @@ struct RunPaths {
     std::map<VehicleId, ReferencePath> paths{};
 };
 
+// What starting an exercise over forgets: what the runs have shown, the grade, and the generations of a selection.
+struct LessonBefore {
+    LessonView view;
+    std::optional<GradedSubmission> graded{};
+    std::vector<Parent> parents{};  // empty: no selection has begun
+};
+
 // A run that a reset or a return has left, with what an exercise knows about it.
 struct LeftRun {
     std::uint64_t run = 0;  // Document::run_id
@@ -30,6 +37,7 @@ struct LeftRun {
     std::map<VehicleId, VehicleId> new_ids{};  // of its vehicles in the run after it
     std::deque<RefereeAtKeyframe> states{}, states_before_edit{};
     std::vector<RunPlace> path{};
+    std::optional<LessonBefore> lesson{};  // of a run that was left by starting over
 };
 
 // A return can be undone until an edit or a new tick. `state` also tells that an undo took it back: redo repeats it.
@@ -57,6 +65,11 @@ LeftRun present_run(const Lab&);
 // Call after the reset: the run becomes the last one unless it is shorter than half a second. new_ids: of its vehicles
 // in the new run.
 void keep_run(Lab&, LeftRun ended, const std::map<VehicleId, VehicleId>& new_ids);
+
+// The present run with all that starting the exercise over takes away. Precondition: an exercise is open.
+LeftRun run_before_start_over(Lab&);
+// Call after starting over: the next undo returns to this run, whatever its length, with its scene and generations.
+void keep_for_undo(Lab&, LeftRun);
 
 // Exchanges the present run and the last one: tick, timeline, scene, brains and undo history are those of the last run,
 // paused. Once more returns to the newer run.

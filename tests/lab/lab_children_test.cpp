@@ -128,6 +128,25 @@ TEST(LabChildren, StartOverBeginsWithOtherChildren) {
     EXPECT_NE(s.view().children[0].path, path);
 }
 
+TEST(LabChildren, UndoOfStartOverBringsTheGenerationsBack) {
+    Selected s;
+    s.choose(2);
+    s.choose(3);
+    const BrainGraph brain = s.brain();
+    const std::vector<maths::vec2> path = s.view().children[0].path;
+    handle(s.lab, Action::exercise_reset);
+    s.wait();
+    ASSERT_EQ(s.view().generation, 0);
+    handle(s.lab, Action::undo);
+    s.wait();
+    EXPECT_EQ(s.view().generation, 2);
+    EXPECT_EQ(s.brain(), brain);
+    EXPECT_EQ(s.view().children[0].path, path) << "the same children";
+    handle(s.lab, EarlierGenerationRequest{});
+    s.wait();
+    EXPECT_EQ(s.view().generation, 1);
+}
+
 TEST(LabChildren, AnExerciseWithoutSelectionHasNone) {
     Lab lab = opened_lab("05-aggressor");
     Jobs jobs(0);

@@ -143,6 +143,27 @@ TEST(LabLesson, StartOverKeepsThePredictionAndTheHintsAndCanBeUndone) {
     EXPECT_EQ(lesson_of(lab).prediction, 1);
 }
 
+TEST(LabLesson, UndoOfStartOverBringsTheSceneAndTheRunBack) {
+    Lab lab = aggressor();
+    handle(lab, EditRequest{MoveSource{0, 1.5f, -2}});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    for (int i = 0; i < 10; ++i) tick(lab);
+    const std::uint64_t hash = lab.document.session.hash();
+    ASSERT_TRUE(lesson_of(lab).by_hand);
+    handle(lab, Action::exercise_reset);
+    ASSERT_NE(lab.document.session.snapshot().sources[0].x, 1.5f);
+    EXPECT_FALSE(lesson_of(lab).by_hand);
+    handle(lab, Action::undo);
+    EXPECT_EQ(lab.document.session.hash(), hash) << "also of a short run";
+    EXPECT_EQ(lab.document.session.snapshot().sources[0].x, 1.5f);
+    EXPECT_TRUE(lesson_of(lab).by_hand);
+    EXPECT_TRUE(lesson_of(lab).has_run);
+    handle(lab, Action::redo);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+    EXPECT_NE(lab.document.session.snapshot().sources[0].x, 1.5f);
+    EXPECT_FALSE(lesson_of(lab).has_run);
+}
+
 TEST(LabLesson, StartOverOfTwoKindsIsOneStepOfUndo) {
     Lab lab = opened_lab("18-prey");
     ASSERT_GE(lab.document.session.snapshot().scene->kinds.size(), 2u);
