@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include <imgui.h>
@@ -45,23 +46,6 @@ void switch_menus(PanelState& state, const Ui& ui, OpenMenus open) {
     if ((open.bar || open.scene) && !is_over("menu.rows") && is_over("button.presets")) state.open_presets = true;
 }
 
-// The goal of the exercise, in at most two lines.
-void goal_above_canvas(const LabView& view, Ui& ui, Rect place) {
-    if (place.w <= 0 || !view.lesson) return;
-    begin_bar(ui, "goal", place);
-    const std::string_view goal = translated(ui, view.lesson->exercise->goal);
-    const float line = line_height(ui, Face::small), width = place.w - ui.px(16);
-    const auto lines = lines_of_words(ui, goal, Face::small, width);
-    std::string second;
-    for (std::size_t i = 1; i < lines.size(); ++i) second += (i > 1 ? " " : "") + lines[i];
-    const ImVec2 at{place.x + ui.px(8), place.y + (place.h - line * (second.empty() ? 1.0f : 2.0f)) / 2};
-    put(ui, at, lines.front(), ui.palette.text, Face::small);
-    if (!second.empty())
-        put(ui, {at.x, at.y + line}, shortened(ui, second, Face::small, width), ui.palette.text, Face::small);
-    mark(ui, "exercise.goal", place);
-    end_bar();
-}
-
 // The wiring canvas with the inspector below it. The background does not cover the inset with the scene.
 void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -74,7 +58,6 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     draw.AddRectFilled({s.x + s.w, s.y}, {w.x + w.w, s.y + s.h}, ground);
     draw.AddRect({s.x, s.y}, {s.x + s.w, s.y + s.h}, paint(ui.palette.line));
     const Rect below = wiring::inspector_rect(ui, state.canvas, layout.canvas);
-    goal_above_canvas(view, ui, layout.goal);
     Rect canvas = layout.canvas;
     canvas.h -= below.h + ui.px(above_inspector);
     wiring::draw_canvas(view, state.canvas, ui, canvas);
@@ -240,7 +223,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     else if (layout.canvas.w > 0)
         draw_watched(view, state, ui, layout);
     draw_column(Column::left, view, state, ui, layout.left);
-    draw_column(Column::right, view, state, ui, layout.right);
+    draw_column(Column::right, view, state, ui, layout.right,
+                layout.exercise_on_right ? std::optional(Card::exercise) : std::nullopt);
     lesions(view, state, ui);
     try_without_wire(view, state, ui, layout.scene);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);

@@ -20,7 +20,7 @@ constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, o
 constexpr float metre_labels = 16;                                 // below the arena
 constexpr float wide_window = 1600;                                // has room for both columns and a watched canvas
 constexpr float narrow_window = 1200;                              // a narrower window has narrower cards and margins
-constexpr float inset_height = 232, goal_height = 42;
+constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
 
 struct ColumnWidths {
@@ -178,10 +178,6 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.scene = {width - margin - inset_width, bottom - inset, inset_width, inset};
         l.canvas = {from, top, l.scene.x - margin - from, column};
         if (!view.lecture) l.timeline = take_timeline(l.canvas, scale);
-        if (view.lesson && l.left.w <= 0 && !view.lecture) {
-            l.goal = {l.canvas.x, top, l.canvas.w, goal_height * scale};
-            l.canvas.y += l.goal.h, l.canvas.h -= l.goal.h;
-        }
         l.right.h = column - inset - margin;
         if (view.lecture && open.right) l.canvas.w = std::min(l.canvas.w, l.right.x - margin - l.canvas.x);
     } else if (!view.lecture) {
@@ -189,6 +185,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     }
     if (watches) split_for_canvas(l, view, margin, open.right);
     if (l.tools.w <= 0) l.tools = l.scene;
+    l.exercise_on_right = view.lesson && l.left.w <= 0 && !view.lecture;
     return l;
 }
 

@@ -12,7 +12,7 @@ struct WindowLayout {
     Rect left, right;                          // columns of cards
     Rect charts;                               // the chart card, below the scene, while it is open
     Rect timeline;                             // below canvas or scene
-    Rect goal;    // of the exercise, above the canvas; without size where its card is shown
+    bool exercise_on_right = false;            // its card has no left column and is above the cards of the right one
     Rect canvas;  // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
     Rect border;  // between canvas and scene while it is watched; can be dragged
     Rect scene;   // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset

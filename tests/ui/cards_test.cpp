@@ -1,5 +1,6 @@
 #include "ui/panels/cards.h"
 
+#include <algorithm>
 #include <set>
 
 #include "desk.h"
@@ -86,6 +87,42 @@ TEST(Cards, FoldInALowColumnUntilTheUserOpensThem) {
     desk.frame(3);
     EXPECT_TRUE(desk.panels.card(Card::information).opened_by_user);
     EXPECT_GT(desk.where("card.information").h, 100);
+}
+
+// Whether this text is drawn inside the widget with this anchor.
+bool writes(const Desk& desk, std::string_view anchor, std::string_view beginning) {
+    const Rect area = desk.where(std::string(anchor));
+    return std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+        return w.words.starts_with(beginning) && area.contains(w.rect.x, w.rect.y);
+    });
+}
+
+TEST(Cards, TheExerciseIsReadBesideItsDiagramInAnyWindow) {
+    for (const float width : {1024.0f, 1280.0f})
+        for (const bool is_watched : {false, true}) {
+            Desk desk(width, 768, 1, true);
+            desk.open_exercise();
+            desk.view.mode = is_watched ? Mode::playing : Mode::wiring;
+            desk.view.settings.watching = is_watched;
+            desk.frame(6);
+            const Rect card = desk.where("card.exercise"), hint = desk.where("exercise.hint");
+            EXPECT_TRUE(writes(desk, "card.exercise", "Wire this vehicle")) << width;
+            EXPECT_LE(hint.y + hint.h, card.y + card.h);
+            EXPECT_GE(card.h, 240);
+            EXPECT_GE(desk.where("card.brain").y, width < 1200 ? card.y + card.h : card.y) << "below it or beside it";
+        }
+}
+
+TEST(Cards, TheBrainBelowTheExerciseOpensByAClickWhereItHasNoRoom) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    desk.view.mode = Mode::wiring;
+    desk.frame(6);
+    ASSERT_LT(desk.where("card.brain").h, 60);
+    desk.click("card.brain.fold");
+    desk.frame(4);
+    EXPECT_GE(desk.where("card.brain").h, 139);
+    EXPECT_GT(desk.where("card.exercise").h, 200);
 }
 
 }  // namespace braitenlab::tests::cards_test

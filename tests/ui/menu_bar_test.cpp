@@ -211,6 +211,21 @@ TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
     }
 }
 
+TEST_F(MenuBar, ALongNameOfAnExerciseIsItsLastSentenceOrEndsBeforeAComma) {
+    const std::string rest = " and so on without an end that fits into any menu of this window, however wide it is";
+    const std::vector<CatalogueEntry> catalogue{{"a", "/a", "It turns" + rest + ". It rests at the lamp.", "", 1},
+                                                {"b", "/b", "It circles the red lamp, 3.5 m away" + rest, "", 2}};
+    desk.view.catalogue = &catalogue;
+    desk.frame(2);
+    open("exercises");
+    const auto is_written = [&](std::string_view words) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& w) { return w.words == words; });
+    };
+    EXPECT_TRUE(is_written("1  It rests at the lamp."));
+    EXPECT_TRUE(is_written("2  It circles the red lamp …"));
+}
+
 TEST_F(MenuBar, EditsTheDiagramWhileWiring) {
     desk.view.mode = Mode::wiring;
     desk.frame(3);

@@ -85,22 +85,6 @@ TEST(WiringInspectorWidth, AllNumbersOfAWireAreInSight) {
         }
 }
 
-TEST(WiringInspectorWidth, TheGoalOfTheExerciseIsAboveTheDiagramWhereItsCardHasNoRoom) {
-    for (const float width : {1024.0f, 1280.0f}) {
-        Desk desk(width, 768, 1, true);
-        desk.open_exercise();
-        desk.view.mode = Mode::wiring;
-        desk.frame(4);
-        const bool is_narrow = width < 1200;
-        EXPECT_EQ(desk.anchors.find("exercise.goal") != nullptr, is_narrow) << "else the card of the exercise has it";
-        if (!is_narrow) continue;
-        const Rect goal = desk.where("exercise.goal");
-        EXPECT_LE(goal.y + goal.h, desk.layout.canvas.y);
-        EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(),
-                                [](const Written& w) { return w.words.starts_with("Wire this vehicle"); }));
-    }
-}
-
 TEST_F(WiringInspector, SetsTheNumberOfTheSliderForADirectWireAndAMotor) {
     select({{}, {{SR, ML}}});
     desk.click("inspector.weight", 1);  // a right click sets 0

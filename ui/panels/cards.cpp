@@ -92,7 +92,9 @@ constexpr CardTraits card_traits[]{
      .column = Column::right,
      .in_lecture = InLecture::folded,
      .shown = [](const LabView&) { return true; },
-     .draw = brain_card},
+     .draw = brain_card,
+     .least = 140,
+     .folds_when_cramped = true},
     {.card = Card::information,
      .anchor = "card.information",
      .heading = "info.heading",
@@ -129,8 +131,9 @@ struct Stack {
     std::size_t count = 0;
 };
 
-Stack stack_of(Column column, const LabView& view) {
+Stack stack_of(Column column, const LabView& view, std::optional<Card> guest) {
     Stack stack;
+    if (guest && traits(*guest).shown(view)) stack.rows[stack.count++] = &traits(*guest);
     for (const CardTraits& card : card_traits)
         if (card.column == column && card.shown(view)) stack.rows[stack.count++] = &card;
     return stack;
@@ -182,10 +185,10 @@ std::span<const CardTraits> cards() { return card_traits; }
 
 const CardTraits& traits(Card card) { return card_traits[static_cast<std::size_t>(card)]; }
 
-void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, Rect column) {
+void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, Rect column, std::optional<Card> guest) {
     if (column.w <= 0) return;
     const float space = ui.px(between_cards);
-    const Stack stack = stack_of(which, view);
+    const Stack stack = stack_of(which, view, guest);
     const CardTraits* folded_now = fold_when_cramped(ui, state, stack, column);
     Rect rest = column;
     for (std::size_t i = 0; i < stack.count; ++i) {

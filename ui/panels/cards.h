@@ -1,6 +1,7 @@
 // One row of traits per card. Layout, folding, lectures and Reset All are derived from this table.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -40,8 +41,8 @@ struct CardTraits {
 std::span<const CardTraits> cards();
 const CardTraits& traits(Card);
 
-// Draws the visible cards of a column.
-void draw_column(Column, const LabView&, PanelState&, Ui&, Rect);
+// Draws the visible cards of a column, and above them `guest`, a card of the other column that has no room there.
+void draw_column(Column, const LabView&, PanelState&, Ui&, Rect, std::optional<Card> guest = std::nullopt);
 
 // begin_card() with state, anchor and heading of the table's row; `heading` replaces the row's. Follow with end_card().
 bool open_card(PanelState&, Ui&, Card, Rect place, std::span<HeadingButton> = {}, std::string_view heading = {});

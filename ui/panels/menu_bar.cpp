@@ -19,7 +19,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::size_t most_recent = 5;
-constexpr float longest_name = 260, longest_exercise = 420;  // of a recent file and an exercise, layout pixels
+constexpr float longest_name = 260, longest_exercise = 520;  // of a recent file and an exercise, layout pixels
 
 struct MenuNames {
     std::string_view name, words;  // words: key of the string
@@ -318,7 +318,10 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
             chapter = shipped.chapter;
             LabMenuRow row{.request = OpenRequest{shipped.path}};
             row.entry.anchor = "menu.exercises." + shipped.name;
-            row.entry.words = shortened(ui, entry_words(view, ui, shipped), Face::text, ui.px(longest_exercise));
+            const std::string number =
+                exercises ? ui::number_words(view, shipped.number, shipped.name) + "  " : std::string();
+            const float room = ui.px(longest_exercise) - text_width(ui, Face::text, number);
+            row.entry.words = number + shortened_at_clause(ui, exercise_words(view, ui, shipped), Face::text, room);
             row.entry.how = translated(ui, shipped.exercise ? shipped.exercise->goal : shipped.story);
             row.entry.keys = passed_words(view, ui, shipped);
             row.entry.open = shipped.name == view.opened;

@@ -92,6 +92,22 @@ std::string shortened(const Ui& ui, std::string_view words, Face face, float wid
     return std::string(words.data(), end) + "…";
 }
 
+std::string shortened_at_clause(const Ui& ui, std::string_view words, Face face, float width) {
+    const auto fits = [&](std::string_view part) { return text_width(ui, face, part) <= width; };
+    for (std::size_t stop = words.find(". "); !fits(words) && stop != std::string_view::npos; stop = words.find(". "))
+        words.remove_prefix(stop + 2);
+    if (fits(words)) return std::string(words);
+    for (std::size_t end = words.find_last_of(",:;"); end != std::string_view::npos && end > 0;
+         end = words.find_last_of(",:;", end - 1)) {
+        std::string part = std::string(words.substr(0, end)) + " …";
+        if (words.substr(end + 1, 1) != " " || !fits(part)) continue;
+        if (text_width(ui, face, part) < width / 3) break;
+        if (ui.shortened) ++*ui.shortened;
+        return part;
+    }
+    return shortened(ui, words, face, width);
+}
+
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

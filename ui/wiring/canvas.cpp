@@ -276,7 +276,8 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     } else {
         const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state.camera, area, ui.scale)};
         draw_ground(pen, area);
-        draw_no_brain(ui, area, hidden ? "wiring.hidden" : "wiring.no_vehicle");
+        const bool asks_first = hidden && hides_outcome(view) && !is_brain_secret(view, vehicle->kind);
+        draw_no_brain(ui, area, asks_first ? "wiring.answer_first" : hidden ? "wiring.hidden" : "wiring.no_vehicle");
         state.drag = {};
         state.menu = {};
         state.actions.clear();
