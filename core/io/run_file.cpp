@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <variant>
 
 #include "core/io/json.h"
 #include "core/io/state_json.h"
@@ -53,6 +54,16 @@ bool has_hidden_kind(const Scene& scene) {
     return std::any_of(scene.kinds.begin(), scene.kinds.end(), [](const Kind& kind) { return kind.hidden; });
 }
 
+bool hides_a_brain(const SavedRun& run) {
+    const auto hides = [](const LoggedCommand& logged) {
+        const auto* edit = std::get_if<EditKind>(&logged.command);
+        return edit && edit->to.hidden;
+    };
+    const auto& commands = run.checkpoint.commands;
+    return has_hidden_kind(run.opened) || has_hidden_kind(*run.checkpoint.keyframe->scene) ||
+           std::any_of(commands.begin(), commands.end(), hides);
+}
+
 Result<SavedRun> from(const Json& json, const std::string& file) {
     if (!json.is_object() || !json.contains("braitenlab_run")) return refused(message_of("run_other_file"), file);
     if (json.at("braitenlab_run") != version)
@@ -78,7 +89,7 @@ std::string write_run(const SavedRun& run) {
                     {"keyframe", state_json(*run.checkpoint.keyframe)},
                     {"commands", run.checkpoint.commands},
                     {"tick", run.checkpoint.tick}};
-    if (!has_hidden_kind(run.opened) && !has_hidden_kind(*run.checkpoint.keyframe->scene)) return json.dump() + "\n";
+    if (!hides_a_brain(run)) return json.dump() + "\n";
     return Json{{"braitenlab_run", version}, {"sealed", seal_text(json.dump())}}.dump() + "\n";
 }
 

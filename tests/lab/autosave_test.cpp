@@ -6,6 +6,7 @@
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
 #include "app/lab_requests.h"
+#include "app/playback.h"
 #include "core/io/run_file.h"
 #include "tests/folder.h"
 
@@ -95,9 +96,9 @@ TEST_F(AutosaveTest, DistinguishesAProperEndFromACrash) {
 }
 
 TEST_F(AutosaveTest, DoesNotShowAHiddenBrain) {
-    lab = open("19-mystery");
     Autosave dying(folder.path, complaints);
-    edit(lab, 1.2345f);
+    handle(lab, MysteryRequest{MysteryEdit::hide});
+    tick(lab);
     EXPECT_FALSE(dying.keep(lab, 0, Autosave::Occasion::now));
     const auto files = files_in(folder.path);
     ASSERT_EQ(files.size(), 1u);
