@@ -85,23 +85,20 @@ TEST_F(WiringDraw, LeavesThePinsFreeOfALongNameAndShowsItUnderARestingPointer) {
     }
 }
 
-TEST_F(WiringDraw, TheSumOfANeuronNeverCoversItsCard) {
-    BrainGraph brain = *now.brains[0];
-    brain.nodes.push_back({.id = 30, .kind = NodeKind::neuron, .name = "N"});
-    brain.wires.push_back({.from = SL, .to = 30, .weight = 1});
-    now.neurons = {0.4f, 0.3f, 0.6f};
-    now.vehicles[0].neuron_count = 3;
-    for (const vec2 place : {vec2{400, 20}, vec2{400, 260}, vec2{400, 700}}) {
-        find_node(brain, "N")->place = {place.x, place.y};
-        now.brains[0] = std::make_shared<BrainGraph>(brain);
-        state.selection = {{30}, {}};
-        frames(3);
-        const Rect *card = anchors.find("node.N"), *sum = anchors.find("canvas.sum");
-        ASSERT_TRUE(card && sum);
-        const bool apart = sum->x >= card->x + card->w || sum->x + sum->w <= card->x || sum->y >= card->y + card->h ||
-                           sum->y + sum->h <= card->y;
-        EXPECT_TRUE(apart) << place.y;
-    }
+TEST_F(WiringDraw, TheSumOfANodeNeverCoversItsCard) {
+    for (const float height : {300.0f, 400.0f, 640.0f})
+        for (const NodeId node : {ML, MR}) {
+            area.h = height;
+            ImGui::GetIO().DisplaySize.y = height + 60;  // fits the brain again
+            state.camera.by_user = false;
+            state.selection = {{node}, {}};
+            frames(3);
+            const Rect *card = anchors.find(node == ML ? "node.ML" : "node.MR"), *sum = anchors.find("canvas.sum");
+            ASSERT_TRUE(card && sum) << height;
+            const bool apart = sum->x >= card->x + card->w || sum->x + sum->w <= card->x ||
+                               sum->y >= card->y + card->h || sum->y + sum->h <= card->y;
+            EXPECT_TRUE(apart) << height;
+        }
 }
 
 TEST_F(WiringDraw, DotsMoveOnlyWithTicks) {

@@ -174,7 +174,16 @@ namespace {
 
 constexpr double recognition_period = 0.25;  // wall seconds
 
-bool is_eye(const Sensor& sensor) { return sensor.name == "SL" || sensor.name == "SR"; }
+// One eye, or two for the same channel: eyes for different colours tell nothing about one stimulus.
+bool has_eyes_of_one_channel(const std::vector<Sensor>& sensors) {
+    std::optional<Channel> channel;
+    for (const Sensor& sensor : sensors) {
+        if (sensor.name != "SL" && sensor.name != "SR") continue;
+        if (channel.value_or(sensor.channel) != sensor.channel) return false;
+        channel = sensor.channel;
+    }
+    return channel.has_value();
+}
 
 std::vector<Reading> rounded_readings(std::vector<Reading> readings) {
     for (Reading& reading : readings) reading.value = std::round(reading.value * 20) / 20;
@@ -193,8 +202,7 @@ const Recognised& recognised(Recognised& known, const Snapshot& now, const Vehic
     known.pairs = characters_of(*brain, kind_of(now, vehicle), readings);
     known.single.reset();
     const auto& sensors = kind_of(now, vehicle).sensors;
-    if (known.pairs.empty() && std::count_if(sensors.begin(), sensors.end(), is_eye) == 1)
-        known.single = recognise(*brain, {}, readings);
+    if (known.pairs.empty() && has_eyes_of_one_channel(sensors)) known.single = recognise(*brain, {}, readings);
     known.brain = brain;
     known.vehicle = vehicle.id;
     known.scene = now.scene;
