@@ -3,7 +3,9 @@
 // another file.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <imgui.h>
 
@@ -58,8 +60,10 @@ void switch_menu(MenuBarState&, int step);  // opens the menu `step` titles to t
 // The shipped scene that Action::new_scene opens; null when it is missing.
 const CatalogueEntry* empty_scene(const LabView&);
 
-// The string key of the reason why the action cannot be executed now; empty if it can.
+// availability.cpp. The string key of the reason why the action cannot be executed now; empty if it can.
 std::string_view why_unavailable(const LabView&, const PanelState&, Action);
+// Whether the action is a switch that is on; nullopt for other actions.
+std::optional<bool> switched_on(const LabView&, const PanelState&, Action);
 
 // lecture.cpp: shown during a lecture in place of toolbar and hint bar.
 void lecture_bar(const LabView&, PanelState&, Ui&, Rect);
