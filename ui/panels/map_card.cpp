@@ -25,8 +25,9 @@ void draw_map(const MapFrame& frame, float room) {
     const float width = card_width(ui);
     constexpr float heading_and_gaps = 108, rows = 2 * (small_button_height + 4);  // layout pixels
     const bool has_kinds = frame.map.measure == insight::MapMeasure::behaviour;
-    const bool is_beside = in_lecture && has_kinds;  // large type, and little height
-    const float legend = std::min(map_legend_width(frame), width / 2 - ui.px(beside_field));
+    const float legend = map_legend_width(frame);
+    // In a lecture, where type is large and the height is little, as far as the words leave room for the field.
+    const bool is_beside = in_lecture && has_kinds && legend <= width - ui.px(beside_field + least_field_in_lecture);
     const auto lines = static_cast<float>((is_beside ? 0 : map_legend_rows(frame)) + (in_lecture ? 0 : 1));
     const float words_and_legend = line_height(ui, Face::strong) + lines * (line_height(ui, Face::small) + ui.px(4));
     const float left = room - ui.px(heading_and_gaps + rows) - words_and_legend - frame.state.added_height;
