@@ -18,6 +18,7 @@
 #include "core/io/link.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"
+#include "core/lesson/exercise_id.h"
 #include "core/lesson/write_exercise.h"
 #include "core/match.h"
 #include "core/messages.h"
@@ -201,7 +202,7 @@ struct FileCommands {
         if (!fs::exists(path.parent_path(), none)) return fail(error_of(message_of("no_such_folder"), path.string()));
         if (!wanted.replace && fs::exists(path, none)) return fail(error_of(message_of("file_exists"), path.string()));
         const Document& now = lab.document;
-        auto made = make_exercise(*wanted.draft, path.stem().string(), now.session.edited_scene(), *now.file);
+        auto made = make_exercise(*wanted.draft, exercise_id_of(path), now.session.edited_scene(), *now.file);
         if (!made) return fail(made.error());
         const std::string text = write_exercise(*made);
         if (auto read = parse_exercise(text, path); !read) return fail(read.error());

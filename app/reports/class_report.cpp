@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/io/csv.h"
+#include "core/lesson/exercise_id.h"
 #include "core/lesson/resemblance.h"
 #include "core/lesson/submission.h"
 #include "core/messages.h"
@@ -80,7 +81,7 @@ ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const
     }
     row.student = hand_in->student;
     row.hand_in = std::move(*hand_in);
-    if (row.hand_in->exercise != exercise.id)
+    if (!is_for_exercise(row.hand_in->exercise, exercise.id))
         row.problem = RowProblem{"report.other_exercise", row.hand_in->exercise, {}};
     else
         row.submission = row.hand_in->submission;

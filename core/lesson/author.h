@@ -57,7 +57,7 @@ std::vector<std::string> names_for(std::string_view key, const Scene&, std::stri
 std::size_t subject_start(const ExerciseDraft&, const Scene&);
 
 // The exercise. `now`: the scene in the window at its start, with all edits; `file`: as it was read. The vehicle of the
-// draft becomes the first one, and its own brain and sensors those of its kind. `id`: the stem of its file.
+// draft becomes the first one, and its own brain and sensors those of its kind. `id`: exercise_id_of() its file.
 // Error: the scene has no start; the brain in the window is the one that ships, or one of the wrong ones.
 Result<Exercise> make_exercise(const ExerciseDraft&, const std::string& id, const Scene& now, const Scene& file);
 

@@ -4,6 +4,7 @@
 
 #include "core/lesson/anchors.h"
 #include "core/lesson/check_exercise.h"
+#include "core/lesson/exercise_id.h"
 #include "core/lesson/exercise_schema.h"
 #include "core/lesson/submission.h"
 #include "core/messages.h"
@@ -129,7 +130,6 @@ Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::pa
     if (!file) return file.error();
     check_format(*file);
     Exercise exercise;
-    exercise.id = path.stem().string();
     TomlTable top(*file, file->root, "");
     top.find("format");
     std::vector<Setting> settings;
@@ -143,6 +143,7 @@ Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::pa
     TomlReader<Exercise> reader(top, exercise);
     describe(reader, Of<Exercise>{});
     top.done();
+    if (exercise.id.empty()) exercise.id = exercise_id_of(path);
     if (!file->error) check_exercise(top, exercise);
     if (!file->error) check_first_start(*text, exercise.scene, *file);
     if (!file->error) resolve_answers(top, *text, settings, exercise);

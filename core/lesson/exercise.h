@@ -73,7 +73,7 @@ struct MedianRule {
 };
 
 struct Exercise {
-    std::string id;  // the file's stem: "05-aggressor"
+    std::string id;  // in the file, or exercise_id_of() it: "05-aggressor"
     int number = 0;
     int chapter = 0;  // of the course, from 1; 0: none
     std::string title, goal, why;

@@ -87,6 +87,10 @@ void describe(Visitor& v, Of<MedianRule>) {
 
 template <class Visitor>
 void describe(Visitor& v, Of<Exercise>) {
+    v.text(
+        "id", &Exercise::id, limits::title_length,
+        "names the exercise in hand-ins, whatever its file is called; without it, the file's name without its ending "
+        "and without what a copy adds, like ` (1)`");
     v.number("number", &Exercise::number, "", {0, 999}, "its position in the course");
     v.number("chapter", &Exercise::chapter, "", {0, 99}, "its chapter in the course, from 1; 0: none");
     v.text("title", &Exercise::title, limits::title_length, "must be given");

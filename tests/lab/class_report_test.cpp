@@ -77,6 +77,34 @@ TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
     EXPECT_NE(as_shipped.find("of 10 starts. Start 1: "), as_shipped.npos) << as_shipped;
 }
 
+TEST(ClassReport, AHandInFromACopyOfTheFileOfTheExerciseCounts) {
+    HandIn copied = hand_in("A", good);
+    copied.exercise = "05-aggressor (1)";
+    const ClassRow made = row("a", copied);
+    EXPECT_FALSE(made.problem);
+    EXPECT_TRUE(made.submission);
+}
+
+TEST(ClassReport, FeedbackTellsAnEditWithoutEffectFromNoEdit) {
+    BrainGraph nearly = as_at_first;
+    for (Wire& wire : nearly.wires) wire.weight += 0.01f;
+    const ClassReport report = graded({row("a", hand_in("A", as_at_first)), row("b", hand_in("B", nearly))});
+    for (const ClassRow& each : report.rows) EXPECT_TRUE(each.unchanged);
+    const std::string of_none = feedback(report, report.rows[0], words("en")),
+                      of_small = feedback(report, report.rows[1], words("en"));
+    EXPECT_NE(of_none.find("as it did at first: change the offered controls"), std::string::npos) << of_none;
+    EXPECT_NE(of_small.find("as it did at first, although the controls are not where they were"), std::string::npos)
+        << of_small;
+}
+
+TEST(ClassReport, AnEmptyFileAndADocumentAreNamedAsSuch) {
+    const ClassRow empty = row_of_hand_in(*aggressor(), "e.toml", Result<std::string>(std::string(" \r\n")));
+    EXPECT_EQ(problem_text(empty, words("en")), "the file is empty");
+    const ClassRow essay = row_of_other_file("essay.docx");
+    EXPECT_EQ(problem_text(essay, words("de")), "keine Abgabe");
+    EXPECT_EQ(essay.student, "essay");
+}
+
 TEST(ClassReport, ARowThatDoesNotCountSaysWhy) {
     HandIn other = hand_in("D", good);
     other.exercise = "06-love";
