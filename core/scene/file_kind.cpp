@@ -15,9 +15,10 @@ FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
         std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-        if (line.starts_with("[[step]]")) return FileKind::exercise;
-        if (line.starts_with("[[page]]")) return FileKind::lecture;
-        if (line.starts_with("[[value]]")) return FileKind::study;
+        // A scene has none of these. With one bracket they are mistakes, which the reader of this kind explains.
+        if (line.starts_with("[[step]]") || line.starts_with("[step]")) return FileKind::exercise;
+        if (line.starts_with("[[page]]") || line.starts_with("[page]")) return FileKind::lecture;
+        if (line.starts_with("[[value]]") || line.starts_with("[value]")) return FileKind::study;
         is_scene |= line.starts_with("[kind.") || line.starts_with("[arena]") || line.starts_with("[source.");
         is_brain |= line.starts_with("[brain");
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace braitenlab {
@@ -29,12 +30,21 @@ int edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+bool is_abbreviation(std::string_view word, std::string_view of) {
+    if (word.size() < 3 || word.size() >= of.size() || word.substr(0, 2) != of.substr(0, 2)) return false;
+    std::size_t at = 0;
+    for (const char c : of)
+        if (at < word.size() && word[at] == c) ++at;
+    return at == word.size();
+}
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
     word = word.substr(0, 2 * longest_shown);  // bounds the time for very long keys
     std::string_view nearest;
-    int smallest = std::numeric_limits<int>::max();
+    std::pair smallest{std::numeric_limits<int>::max(), 0};
     for (const std::string_view candidate : candidates) {
-        const int distance = edit_distance(word, candidate);
+        const int letters = edit_distance(word, candidate);
+        const std::pair distance{is_abbreviation(word, candidate) ? std::min(letters, 1) : letters, letters};
         if (distance >= smallest) continue;
         smallest = distance;
         nearest = candidate;
@@ -50,7 +60,8 @@ Message nearest_of(std::string_view word, std::span<const std::string_view> cand
     const std::string_view nearest = nearest_word(word, candidates);
     if (candidates.empty()) return {};
     const auto letters = static_cast<int>(std::max(word.size(), nearest.size()));
-    if (candidates.size() == 1 || edit_distance(word.substr(0, 2 * longest_shown), nearest) * 2 <= letters)
+    if (candidates.size() == 1 || is_abbreviation(word, nearest) ||
+        edit_distance(word.substr(0, 2 * longest_shown), nearest) * 2 <= letters)
         return message_of("nearest", in_quotes(nearest));
     std::string listed;
     for (std::size_t i = 0; i < std::min(candidates.size(), most_listed); ++i)

@@ -125,6 +125,11 @@ const TomlNode::List* TomlTable::list(std::string_view key, std::size_t most) {
 }
 
 const TomlNode::List* TomlTable::list_of_tables(std::string_view key, std::size_t most) {
+    if (const TomlNode* node = table_.get(key); node && node->as_table()) {
+        find(key);
+        file_.fail(path(key), node, message_of("single_table", path(key), path(key)));
+        return nullptr;
+    }
     const TomlNode::List* tables = list(key, most);
     if (!tables) return nullptr;
     for (const TomlNode& node : *tables) {
@@ -166,9 +171,28 @@ void TomlTable::done() {
         if (!first || member.key_place < first->key_place) first = &member;
     }
     if (!first) return;
-    const std::vector<std::string_view> candidates(known_.begin(), known_.end());
+    fail_unknown(*first, {known_.begin(), known_.end()});
+}
+
+void TomlTable::fail_unknown(const TomlMember& member, const std::vector<std::string_view>& candidates) {
     const Message where = path_.empty() ? message_of("at_the_top") : message_of("in_table", path_);
-    fail(first->key, message_of("unknown_key", in_quotes(first->key)) + where + nearest_of(first->key, candidates));
+    fail(member.key, message_of("unknown_key", in_quotes(member.key)) + where + nearest_of(member.key, candidates));
+}
+
+bool TomlTable::fail_if_misspelt(std::string_view needed, const std::vector<std::string_view>& own,
+                                 const std::vector<std::string_view>& foreign) {
+    std::vector<std::string_view> candidates(known_.begin(), known_.end());
+    candidates.insert(candidates.end(), own.begin(), own.end());
+    const auto is_in = [](const std::vector<std::string_view>& keys, const std::string& key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    for (const TomlMember& member : *table_.as_table()) {
+        if (is_in(candidates, member.key) || is_in(foreign, member.key)) continue;
+        if (nearest_word(member.key, candidates) != needed) continue;
+        fail_unknown(member, candidates);
+        return true;
+    }
+    return false;
 }
 
 }  // namespace braitenlab

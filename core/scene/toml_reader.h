@@ -47,6 +47,11 @@ public:
     // Call it after the last key: a key that is not known is an error that names the nearest known one.
     void done();
 
+    // Fails as done() does at a key that is neither known nor in `own` nor in `foreign`, and whose nearest, of the
+    // known ones and `own`, is `needed`. False if there is none.
+    bool fail_if_misspelt(std::string_view needed, const std::vector<std::string_view>& own,
+                          const std::vector<std::string_view>& foreign);
+
     // Adds the values of a table at `path` and of the tables in it, each with its dotted path from `prefix` on.
     void gather_settings(const TomlNode& table, const std::string& path, const std::string& prefix,
                          std::vector<Setting>&);
@@ -61,6 +66,7 @@ public:
     const TomlNode& content() const { return table_; }
 
 private:
+    void fail_unknown(const TomlMember&, const std::vector<std::string_view>& candidates);
     void wrong_type(std::string_view key, const TomlNode&, const Message& wanted);
 
     TomlFile& file_;
@@ -82,6 +88,10 @@ struct KeyNames {
     void flag(const char* key, bool T::*, const char*) { names.emplace_back(key); }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*, std::size_t, const char*) {
+        names.emplace_back(key);
+    }
+    template <class... Types>
+    void variant(const char* key, std::variant<Types...> T::*, const char*) {
         names.emplace_back(key);
     }
 };
@@ -198,8 +208,10 @@ public:
         const std::vector<std::string_view> known{Types::traits.word...};
         const auto which = table_.one_of(key, known);
         if (!which) return;
+        std::vector<std::string_view> all;
+        for (const auto& keys : {key_names<Types>()...}) all.insert(all.end(), keys.begin(), keys.end());
         std::size_t index = 0;
-        (void)((index++ == *which && (read_alternative<Types>(key, object_.*member), true)) || ...);
+        (void)((index++ == *which && (read_alternative<Types>(key, object_.*member, all), true)) || ...);
         const std::vector<std::string_view> own = std::vector{key_names<Types>()...}[*which];
         for (const auto& keys : {key_names<Types>()...})
             for (const std::string_view other : keys)
@@ -216,9 +228,13 @@ private:
         return which ? std::optional(table_of(Enum{})[*which].value) : std::nullopt;
     }
     template <class Type, class Variant>
-    void read_alternative(const char* key, Variant& variant) {
-        for (const std::string_view needed : key_names<Type>())
-            if (!table_.has(needed)) table_.fail_whole(message_of("key_of_own", key, Type::traits.word, needed));
+    void read_alternative(const char* key, Variant& variant, const std::vector<std::string_view>& foreign) {
+        const std::vector<std::string_view> needs = key_names<Type>();
+        std::vector<std::string_view> own = key_names<T>();
+        own.insert(own.end(), needs.begin(), needs.end());
+        for (const std::string_view needed : needs)
+            if (!table_.has(needed) && !table_.fail_if_misspelt(needed, own, foreign))
+                table_.fail_whole(message_of("key_of_own", key, Type::traits.word, needed));
         TomlReader<Type> reader(table_, variant.template emplace<Type>());
         describe(reader, Of<Type>{});
     }

@@ -9,6 +9,7 @@
 
 #include "core/scene/nearest.h"
 #include "core/scene/schema.h"
+#include "core/scene/toml_advice.h"
 
 namespace braitenlab {
 
@@ -189,8 +190,9 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     try {
         return TomlFile{file_name, node_from(toml::parse(text, std::string_view(file_name))), {}, {}};
     } catch (const toml::parse_error& mistake) {
-        return error_of(message_of("not_toml", mistake.description()), std::move(file_name),
-                        static_cast<int>(mistake.source().begin.line));
+        const int line = static_cast<int>(mistake.source().begin.line);
+        return error_of(message_of("not_toml", mistake.description()) + toml_advice(text, line), std::move(file_name),
+                        line);
     }
 }
 

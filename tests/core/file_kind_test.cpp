@@ -24,6 +24,8 @@ TEST(FileKind, IsARunByTheExtensionAlone) { EXPECT_EQ(detect_kind("a.run", "[[st
 TEST(FileKind, IsDetectedInMalformedText) {
     EXPECT_EQ(detect_kind("a.toml", "[[step]]\ngoal = \"\n"), FileKind::exercise);
     EXPECT_EQ(detect_kind("a.toml", "[brain\nLL = "), FileKind::brain);
+    EXPECT_EQ(detect_kind("a.toml", "[step]\n"), FileKind::exercise);
+    EXPECT_EQ(detect_kind("a.toml", "[value]\n"), FileKind::study);
 }
 
 TEST(FileKind, ReadTextFailsForAnAbsentFileAndForAFolder) {

@@ -31,10 +31,10 @@ bool is_in_table(const std::string& id) {
 }
 
 TEST(Messages, AreInTheTableAndEachIsUsed) {
-    const auto asked = ids_in_sources(std::regex("message_of\\(\\s*\"([a-z_]+)\""));
+    const auto asked = ids_in_sources(std::regex("message_of\\(\\s*\"([a-z_0-9]+)\""));
     EXPECT_GT(asked.size(), 40u);
     for (const std::string& id : asked) EXPECT_TRUE(is_in_table(id)) << id;
-    const auto quoted = ids_in_sources(std::regex("\"([a-z_]+)\""));
+    const auto quoted = ids_in_sources(std::regex("\"([a-z_0-9]+)\""));
     for (const MessageText& row : message_table)
         EXPECT_TRUE(quoted.count(std::string(row.id))) << row.id << " is unused";
 }

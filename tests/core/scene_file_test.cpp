@@ -413,6 +413,15 @@ void survive(const std::string& text) {
     ASSERT_TRUE(again) << again.error().text() << '\n' << text;
     EXPECT_EQ(*again, *scene);
 }
+TEST(Nearest, PrefersAWordThatIsAbbreviated) {
+    const std::vector<std::string_view> known{"set", "starts", "seconds", "seed"};
+    EXPECT_EQ(nearest_word("secs", known), "seconds");
+    EXPECT_EQ(name_nearest("secs", known), "; the nearest is 'seconds'");
+    EXPECT_EQ(nearest_word("sets", known), "set");
+    EXPECT_FALSE(is_abbreviation("se", "seconds"));
+    EXPECT_FALSE(is_abbreviation("seconds", "seconds"));
+}
+
 
 TEST(SceneFile, RefusesOrAcceptsAFileTruncatedAtAnyByteWithoutACrash) {
     for (const fs::path& path : tests::shipped_scenes()) {

@@ -1,0 +1,179 @@
+#include "core/scene/toml_advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <string>
+
+#include "core/scene/nearest.h"
+
+namespace braitenlab {
+
+namespace {
+
+// True if every character beyond ASCII has a lead byte and the bytes that follow it.
+bool is_utf8(std::string_view text) {
+    std::size_t following = 0;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_following = (byte & 0xC0u) == 0x80u;
+        if (is_following != (following > 0) || byte > 0xF4) return false;
+        following = is_following ? following - 1 : byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+    }
+    return following == 0;
+}
+
+std::string_view trimmed_of(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
+    return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
+}
+
+std::string_view line_of(std::string_view text, int line) {
+    for (; line > 1 && text.find('\n') != std::string_view::npos; --line) text.remove_prefix(text.find('\n') + 1);
+    return text.substr(0, text.find('\n'));
+}
+
+// The line without its comment. A quote that is not closed ends with the line.
+std::string_view without_comment(std::string_view line) {
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (quote == '"' && line[i] == '\\')
+            ++i;
+        else if (quote != 0)
+            quote = line[i] == quote ? char{0} : quote;
+        else if (line[i] == '"' || line[i] == '\'')
+            quote = line[i];
+        else if (line[i] == '#')
+            return line.substr(0, i);
+    }
+    return line;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Sign, digits, point and digits at the begin of the text; empty if there are none.
+std::string_view number_at_begin(std::string_view text) {
+    std::size_t at = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+    const std::size_t first = at;
+    while (at < text.size() && (is_digit(text[at]) || (text[at] == '.' && at > first))) ++at;
+    return at > first ? text.substr(0, at) : std::string_view();
+}
+
+// A line, its comment removed, as key and value.
+struct KeyLine {
+    std::string_view whole, key, value;
+    bool has_value = false;  // there is an =
+};
+
+KeyLine key_line_of(std::string_view line) {
+    KeyLine found{.whole = trimmed_of(without_comment(line))};
+    const std::size_t equals = found.whole.find('=');
+    found.has_value = equals != std::string_view::npos && !found.whole.starts_with('[');
+    found.key = trimmed_of(found.whole.substr(0, std::min(equals, found.whole.size())));
+    if (found.has_value) found.value = trimmed_of(found.whole.substr(equals + 1));
+    return found;
+}
+
+using Advice = std::optional<Message>;
+
+Advice of_typographic_quotes(const KeyLine& line) {
+    const std::size_t plain = line.whole.find_first_of("\"'");
+    for (const std::string_view quote : {"„", "“", "”", "‚", "‘", "’", "«", "»"})
+        if (const std::size_t at = line.whole.find(quote); at < plain)
+            return message_of("advice_straight_quotes", quote);
+    return std::nullopt;
+}
+
+Advice of_open_quote(const KeyLine& line) {
+    const std::string_view text = line.has_value ? line.value : line.whole;
+    if (text.empty() || text.find("\"\"\"") != std::string_view::npos) return std::nullopt;
+    bool is_open = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (is_open && text[i] == '\\') ++i;
+        else if (text[i] == '"') is_open = !is_open;
+    }
+    return is_open ? Advice(message_of("advice_closing_quote")) : std::nullopt;
+}
+
+Advice of_heading(const KeyLine& line) {
+    if (!line.whole.starts_with('[')) return std::nullopt;
+    const auto count = [&](char c) { return std::count(line.whole.begin(), line.whole.end(), c); };
+    return count('[') > count(']') ? Advice(message_of("advice_closing_bracket")) : std::nullopt;
+}
+
+Advice of_missing_parts(const KeyLine& line) {
+    if (line.has_value && line.value.empty()) return message_of("advice_missing_value", line.key);
+    if (line.has_value || line.whole.empty() || !std::isalpha(static_cast<unsigned char>(line.whole[0])))
+        return std::nullopt;
+    return message_of("advice_key_and_value");
+}
+
+Advice of_decimal_comma(const KeyLine& line) {
+    const std::string_view whole = number_at_begin(line.value), rest = line.value.substr(whole.size());
+    if (whole.empty() || whole.find('.') != std::string_view::npos || !rest.starts_with(',')) return std::nullopt;
+    const std::string_view fraction = number_at_begin(rest.substr(1));
+    if (fraction.empty() || !is_digit(fraction[0]) || fraction.size() + 1 != rest.size()) return std::nullopt;
+    return message_of("advice_decimal_point", std::string(whole) + "." + std::string(fraction));
+}
+
+Advice of_unit(const KeyLine& line) {
+    const std::string_view number = number_at_begin(line.value);
+    const std::string_view unit = trimmed_of(line.value.substr(number.size()));
+    if (number.empty() || unit.empty()) return std::nullopt;
+    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || (c & 0x80); };
+    if (!is_letter(unit[0]) && unit[0] != '%') return std::nullopt;
+    return message_of("advice_no_unit", number);
+}
+
+Advice of_bare_word(const KeyLine& line) {
+    if (line.value.empty()) return std::nullopt;
+    const auto first = static_cast<unsigned char>(line.value[0]);
+    if (!std::isalpha(first) && first < 0x80) return std::nullopt;
+    std::string lower(line.value);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (lower == "true" || lower == "false") return message_of("advice_small_letters", lower);
+    return message_of("advice_text_in_quotes", in_quotes(line.value));
+}
+
+// The name in a heading, "step" of "[step]" and of "[[step]]"; empty for another line.
+std::string_view heading_name(const KeyLine& line) {
+    if (!line.whole.starts_with('[') || !line.whole.ends_with(']')) return {};
+    const std::size_t first = line.whole.find_first_not_of("[ "), last = line.whole.find_last_not_of("] ");
+    return first < last + 1 ? line.whole.substr(first, last + 1 - first) : std::string_view();
+}
+
+// A heading or a key that the lines above have, too.
+Advice of_repetition(std::string_view above, const KeyLine& line) {
+    const std::string_view heading = heading_name(line);
+    bool has_heading = false, has_key = false;
+    while (!above.empty()) {
+        const std::string_view next = above.substr(0, above.find('\n'));
+        above.remove_prefix(std::min(next.size() + 1, above.size()));
+        const KeyLine other = key_line_of(next);
+        has_heading |= !heading.empty() && heading_name(other) == heading;
+        has_key = !other.whole.starts_with('[') && (has_key || (other.has_value && other.key == line.key));
+    }
+    if (has_heading) return message_of("advice_heading_twice", heading, heading);
+    if (has_key && line.has_value && !line.value.empty()) return message_of("advice_key_twice", line.key);
+    return std::nullopt;
+}
+
+constexpr std::array causes{of_typographic_quotes, of_open_quote, of_heading,   of_missing_parts,
+                            of_decimal_comma,      of_unit,       of_bare_word};
+
+}  // namespace
+
+Message toml_advice(std::string_view text, int line) {
+    const bool is_utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    const std::string_view found = line_of(text, line);
+    if (is_utf16 || !is_utf8(found) || found.find('\0') != std::string_view::npos) return message_of("advice_utf8");
+    const KeyLine parts = key_line_of(found);
+    for (const auto cause : causes)
+        if (auto advice = cause(parts)) return *advice;
+    const std::string_view above = text.substr(0, static_cast<std::size_t>(found.data() - text.data()));
+    return of_repetition(above, parts).value_or(Message());
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,13 @@
+// What to do about a syntax error of a TOML file, found from the text of its line.
+#pragma once
+
+#include <string_view>
+
+#include "core/messages.h"
+
+namespace braitenlab {
+
+// "; write 0.6, with a point", or empty where the cause is not known. `line`: of the error, from 1.
+Message toml_advice(std::string_view text, int line);
+
+}  // namespace braitenlab
