@@ -31,6 +31,8 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"settings_ignored", "; the settings are not used"},
     {"settings_kept_aside", "; the settings are not used and kept as {}"},
     {"no_shipped", "there is no file and no shipped scene called '{}'"},
+    {"no_shipped_exercise", "there is no file and no shipped exercise called '{}'"},
+    {"no_shipped_study", "there is no file and no shipped study called '{}'"},
     {"no_data", "the exercises and shaders of the lab are not in {}; set BRAITENLAB_DATA to their folder"},
     {"no_picture", "the picture cannot be encoded"},
     {"no_clip_format", "a clip is a file .gif, .mp4 or .webm; end its name with one of these"},

@@ -230,10 +230,12 @@ int check_brain(const SharedExercise& exercise, const CheckOptions& options) {
 }  // namespace
 
 int check(const CheckOptions& options) {
-    const auto path = find_shipped(options.exercise);
+    const auto path = find_shipped(options.exercise, Shipped::exercise);
     if (!path) return complain(path.error());
-    if (const auto text = read_text(*path); text && detect_kind(*path, *text) == FileKind::lecture)
-        return check_lecture(*path, options.json);
+    if (const auto text = read_text(*path)) {
+        if (detect_kind(*path, *text) == FileKind::lecture) return check_lecture(*path, options.json);
+        if (const auto error = other_than_exercise(*path, *text, "check")) return complain(*error);
+    }
     const auto read = read_with_text(*path);
     if (!read) return complain(read.error());
     if (options.brain.empty() && !(options.choice.kind.empty() && options.choice.vehicle.empty()))

@@ -5,6 +5,7 @@
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/jobs/grading.h"
+#include "core/scene/file_kind.h"
 
 namespace braitenlab {
 
@@ -15,9 +16,24 @@ Result<SharedExercise> read_exercise(const std::filesystem::path& path) {
 }
 
 Result<SharedExercise> find_exercise(const std::string& name) {
-    const auto path = find_shipped(name);
+    const auto path = find_shipped(name, Shipped::exercise);
     if (!path) return path.error();
+    if (const auto text = read_text(*path))
+        if (auto error = other_than_exercise(*path, *text, "grade")) return *error;
     return read_exercise(*path);
+}
+
+std::optional<Error> other_than_exercise(const std::filesystem::path& path, std::string_view text,
+                                         std::string_view command) {
+    const FileKind kind = detect_kind(path, text);
+    if (kind == FileKind::study)
+        return Error{fmt::format("this is a study, and '{}' takes an exercise; run it by 'braitenctl study {}'",
+                                 command, path.stem().string()),
+                     path.string()};
+    if (kind == FileKind::lecture)
+        return Error{fmt::format("this is a lecture, and '{}' takes an exercise; test it by 'check'", command),
+                     path.string()};
+    return std::nullopt;
 }
 
 Result<std::vector<Grade>> grade_several(const SharedExercise& exercise, const std::vector<Submission>& submissions,

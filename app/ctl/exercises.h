@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/lesson/exercise.h"
@@ -16,7 +18,12 @@ namespace braitenlab {
 using SharedExercise = std::shared_ptr<const Exercise>;
 
 Result<SharedExercise> read_exercise(const std::filesystem::path&);
+// Fails for a study and a lecture, which are no exercises.
 Result<SharedExercise> find_exercise(const std::string& path_or_name);
+
+// Why the file, of the given content, cannot be read as an exercise by `command`: it is a study or, unless `command`
+// takes them, a lecture. nullopt for other files; reading them reports what is wrong.
+std::optional<Error> other_than_exercise(const std::filesystem::path&, std::string_view text, std::string_view command);
 
 // The grades of the submissions, in their order. Their starts run on all processors.
 Result<std::vector<Grade>> grade_several(const SharedExercise&, const std::vector<Submission>&,

@@ -108,7 +108,7 @@ std::string summary_json(const Study& study, const std::vector<StudyRow>& rows) 
 }  // namespace
 
 int study(const StudyOptions& options) {
-    const auto path = find_shipped(options.file);
+    const auto path = find_shipped(options.file, Shipped::study);
     if (!path) return complain(path.error());
     const auto base = load_study(*path);
     if (!base) return complain(base.error());

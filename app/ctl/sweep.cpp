@@ -100,6 +100,14 @@ Result<std::vector<std::string>> range(const std::string& text, const std::strin
     return values;
 }
 
+// The range that was meant by "0..1"; empty for other text.
+std::string meant_range(const std::string& text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos) return "";
+    const auto from = number_of(trimmed(text.substr(0, dots))), to = number_of(trimmed(text.substr(dots + 2)));
+    return from && to && *from != *to ? fmt::format("{:.10g}:{:.10g}:{:.10g}", *from, *to, (*to - *from) / 10) : "";
+}
+
 struct Parsed {
     SweptValue value;
     bool is_several = false;  // a range or a list
@@ -108,6 +116,8 @@ struct Parsed {
 Result<Parsed> parse_values(const std::string& argument) {
     auto setting = parse_setting(argument);
     if (!setting) return setting.error();
+    if (const std::string meant = meant_range(setting->value); !meant.empty())
+        return wrong("--set", argument, fmt::format("a range is A:B:STEP; write {}={}", setting->path, meant));
     Parsed parsed{{setting->path, {}}, true};
     std::vector<std::string> list = split(setting->value, ',');
     if (list.size() == 1 && split(setting->value, ':').size() > 1) {

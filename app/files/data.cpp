@@ -59,7 +59,26 @@ Result<fs::path> data_folder() {
     return error_of(message_of("no_data", looked));
 }
 
-Result<fs::path> find_shipped(const std::string& path_or_name) {
+namespace {
+
+bool is_of(Shipped wanted, std::string_view folder) {
+    return wanted == Shipped::any || folder == (wanted == Shipped::exercise ? "guided" : "studies");
+}
+
+Message no_shipped(Shipped wanted, const std::string& name) {
+    switch (wanted) {
+        case Shipped::exercise:
+            return message_of("no_shipped_exercise", name);
+        case Shipped::study:
+            return message_of("no_shipped_study", name);
+        default:
+            return message_of("no_shipped", name);
+    }
+}
+
+}  // namespace
+
+Result<fs::path> find_shipped(const std::string& path_or_name, Shipped wanted) {
     if (file_exists(path_or_name)) return fs::path(path_or_name);
     const auto data = data_folder();
     if (!data) return data.error();
@@ -67,10 +86,12 @@ Result<fs::path> find_shipped(const std::string& path_or_name) {
     for (const char* folder : {"scenes", "guided", "lectures", "studies"})
         for (const fs::path& file : toml_files(*data / "exercises" / folder)) {
             if (file.stem() == path_or_name) return file;
-            names.push_back(file.stem().string());
+            if (is_of(wanted, folder)) names.push_back(file.stem().string());
         }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
-    return error_of(message_of("no_shipped", path_or_name) + nearest_of(path_or_name, candidates));
+    const fs::path given(path_or_name);
+    const std::string stem = given.extension() == ".toml" ? given.stem().string() : path_or_name;
+    return error_of(no_shipped(wanted, path_or_name) + nearest_of(stem, candidates));
 }
 
 std::vector<fs::path> shipped_exercises() {

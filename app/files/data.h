@@ -19,9 +19,12 @@ const char* version_text();
 // installation. Fails with the list of folders that it has tried.
 Result<std::filesystem::path> data_folder();
 
-// A path of a file, or the name of a shipped scene ("2a-coward"), exercise ("05-aggressor") or lecture. Fails with the
-// nearest shipped name.
-Result<std::filesystem::path> find_shipped(const std::string& path_or_name);
+// What a person looks for among the shipped files; it decides which names an error lists.
+enum class Shipped { any, exercise, study };
+
+// A path of a file, or the name of a shipped scene ("2a-coward"), exercise ("05-aggressor"), lecture or study. Fails
+// with the nearest shipped name of what is wanted.
+Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Shipped wanted = Shipped::any);
 
 // The shipped exercises, scenes, lectures and studies, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();

@@ -83,7 +83,7 @@ void forget_study(StudyRuns& study) {
 
 void open_study(StudyRuns& study, const std::string& path_or_name) {
     forget_study(study);
-    const auto path = find_shipped(path_or_name);
+    const auto path = find_shipped(path_or_name, Shipped::study);
     auto base = path ? load_study(*path) : path.error();
     if (!base) {
         study.error = base.error();

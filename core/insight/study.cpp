@@ -20,13 +20,17 @@ namespace {
 std::vector<Setting> settings_of(const Study& study, std::size_t combination) {
     const std::vector<std::size_t> levels = levels_of(study, combination);
     std::vector<Setting> settings;
-    for (std::size_t i = 0; i < levels.size(); ++i)
-        for (const std::string& path : study.values[i].paths) {
-            const bool is_negative = path.front() == '-';
-            const double level = study.values[i].levels[levels[i]];
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const StudyValue& value = study.values[i];
+        const double level = value.levels[levels[i]];
+        for (std::size_t k = 0; k < value.paths.size(); ++k) {
+            const std::string& path = value.paths[k];
+            const bool is_negative = path.starts_with('-');
+            const bool has_line = !study.file.empty() && k < value.lines.size();
             settings.push_back({path.substr(is_negative ? 1 : 0), fmt::format("{:.10g}", is_negative ? -level : level),
-                                study.values[i].name, 0});
+                                has_line ? study.file : value.name, has_line ? value.lines[k] : 0});
         }
+    }
     return settings;
 }
 

@@ -59,6 +59,14 @@ void read_measures(TomlTable& top, Study& study) {
     }
 }
 
+void note_lines(const TomlTable& top, Study& study) {
+    const TomlNode::List& tables = *top.content().get("value")->as_list();
+    for (std::size_t i = 0; i < study.values.size(); ++i)
+        if (const TomlNode* paths = tables[i].get("paths"))
+            for (const TomlNode& path : *paths->as_list())
+                study.values[i].lines.push_back(static_cast<int>(path.place.line));
+}
+
 // The names of all columns differ.
 void check_names(TomlTable& top, const Study& study) {
     std::set<std::string_view> names{"run", "seed"};
@@ -102,6 +110,7 @@ Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
     check_format(*file);
     Study study;
     study.id = std::filesystem::path(file_name).stem().string();
+    study.file = file_name;
     TomlTable top(*file, file->root, "");
     top.find("format");
     TomlReader<Study> reader(top, study);
@@ -109,6 +118,7 @@ Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
     top.done();
     if (!file->error) check_study(top, study);
     if (file->error) return *file->error;
+    note_lines(top, study);
     return study;
 }
 

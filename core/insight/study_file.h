@@ -63,9 +63,11 @@ struct StudyValue {
 };
 
 struct Study {
-    std::string id;  // the file's name without folder and ending
+    std::string id;    // the file's name without folder and ending
+    std::string file;  // as given, for messages; empty for a study that was not read
     std::string title, story;
     std::string scene;    // a name or a path, as in the file
+    std::vector<int> lines{};  // of the paths in the file; empty for a study that was not read
     std::string vehicle;  // NAME of a [vehicle.NAME]; empty: the first
     float seconds = 60;   // of each run
     int seeds = 20;

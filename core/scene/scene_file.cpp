@@ -1,7 +1,9 @@
 #include "core/scene/scene_file.h"
 
 #include <algorithm>
+#include <span>
 
+#include "core/brain/four_neurons.h"
 #include "core/scene/check.h"
 #include "core/scene/format_table.h"
 #include "core/scene/schema.h"
@@ -110,6 +112,23 @@ Scene decode(TomlFile& file, const std::string& table) {
     return scene;
 }
 
+// The path of a value that is given in short: "LR" alone is the dial of the first vehicle's kind, or of the vehicle if
+// it has a brain of its own.
+std::string whole_path(const std::string& path, const Scene& scene) {
+    if (!dial_named(path) || scene.starts.empty()) return path;
+    const Start& first = scene.starts.front();
+    return (first.brain ? "vehicle." + first.name : "kind." + first.kind) + ".brain." + path;
+}
+
+// The known path for a message: one that ends like the given one goes before those of a smaller distance.
+std::string_view nearest_path(const std::string& path, std::span<const std::string_view> known) {
+    const std::string end = "." + path.substr(path.rfind('.') + 1);
+    std::vector<std::string_view> alike;
+    for (const std::string_view each : known)
+        if (each.ends_with(end)) alike.push_back(each);
+    return nearest_word(path, alike.empty() ? known : std::span<const std::string_view>(alike));
+}
+
 std::optional<Error> apply(const Setting& setting, const std::string& table, TomlFile& file,
                            const std::vector<std::string>& known) {
     const bool exists = std::find(known.begin(), known.end(), setting.path) != known.end();
@@ -121,7 +140,7 @@ std::optional<Error> apply(const Setting& setting, const std::string& table, Tom
     }
     const std::vector<std::string_view> candidates(known.begin(), known.end());
     return error_of(message_of("no_such_value", in_quotes(setting.path)) +
-                        message_of("nearest", in_quotes(nearest_word(setting.path, candidates))),
+                        message_of("nearest", in_quotes(nearest_path(setting.path, candidates))),
                     setting.file, setting.line);
 }
 
@@ -144,8 +163,10 @@ Result<Scene> read_scene(TomlFile file, const std::string& table, const std::vec
     if (settings.empty()) return scene;
 
     const std::vector<std::string> known = setting_paths(scene);
-    for (const Setting& setting : settings)
+    for (Setting setting : settings) {
+        setting.path = whole_path(setting.path, scene);
         if (auto error = apply(setting, table, file, known)) return *error;
+    }
     scene = decode(file, table);
     if (file.error) return *file.error;
     return scene;

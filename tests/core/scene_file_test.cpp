@@ -340,9 +340,21 @@ TEST(SceneFile, NamesTheNearestPathForAnUnknownSetting) {
     expect_in("--set: no such value 'kind.prey.brain.LX'; the nearest is 'kind.prey.brain.LL'",
               complaint(small_scene, {{"kind.prey.brain.LX", "1"}}));
     expect_in("the nearest is 'source.lamp.x'", complaint(small_scene, {{"source.lump.x", "1"}}));
+    expect_in("the nearest is 'kind.prey.brain.LL'", complaint(small_scene, {{"brain.LL", "1"}}));
     complaint(small_scene, {{"kind.prey.brain", "1"}});
     complaint(small_scene, {{"", "1"}});
     complaint(small_scene, {{"...", "1"}});
+}
+
+TEST(SceneFile, ADialAloneIsThatOfTheFirstVehicle) {
+    const auto scene = parse_scene(small_scene, "s.toml", {{"LR", "0.75"}});
+    ASSERT_TRUE(scene) << scene.error().text();
+    const Kind& first = scene->kinds[static_cast<std::size_t>(find_kind(*scene, scene->starts.front().kind))];
+    EXPECT_EQ(read_dials(first.brain).LR, 0.75f);
+    const std::string own = std::string(small_scene) + "[vehicle.one.brain]\nLR = 0.5\n";
+    const auto with_own = parse_scene(own, "s.toml", {{"LR", "0.25"}});
+    ASSERT_TRUE(with_own) << with_own.error().text();
+    EXPECT_EQ(read_dials(*with_own->starts.front().brain).LR, 0.25f);
 }
 
 TEST(SceneFile, NamesTheSettingWhoseValueIsWrong) {
@@ -401,6 +413,15 @@ TEST(Nearest, CountsAddedRemovedAndReplacedLetters) {
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
 }
 
+TEST(Nearest, PrefersAWordThatIsAbbreviated) {
+    const std::vector<std::string_view> known{"set", "starts", "seconds", "seed"};
+    EXPECT_EQ(nearest_word("secs", known), "seconds");
+    EXPECT_EQ(name_nearest("secs", known), "; the nearest is 'seconds'");
+    EXPECT_EQ(nearest_word("sets", known), "set");
+    EXPECT_FALSE(is_abbreviation("se", "seconds"));
+    EXPECT_FALSE(is_abbreviation("seconds", "seconds"));
+}
+
 // Robustness only: for any bytes, the reader returns a scene or an error, and an accepted scene can be written and read
 // again.
 void survive(const std::string& text) {
@@ -413,15 +434,6 @@ void survive(const std::string& text) {
     ASSERT_TRUE(again) << again.error().text() << '\n' << text;
     EXPECT_EQ(*again, *scene);
 }
-TEST(Nearest, PrefersAWordThatIsAbbreviated) {
-    const std::vector<std::string_view> known{"set", "starts", "seconds", "seed"};
-    EXPECT_EQ(nearest_word("secs", known), "seconds");
-    EXPECT_EQ(name_nearest("secs", known), "; the nearest is 'seconds'");
-    EXPECT_EQ(nearest_word("sets", known), "set");
-    EXPECT_FALSE(is_abbreviation("se", "seconds"));
-    EXPECT_FALSE(is_abbreviation("seconds", "seconds"));
-}
-
 
 TEST(SceneFile, RefusesOrAcceptsAFileTruncatedAtAnyByteWithoutACrash) {
     for (const fs::path& path : tests::shipped_scenes()) {

@@ -89,6 +89,12 @@ TEST(Sweep, RefusesARangeThatIsNotOfThreeNumbers) {
     expect_complaint("put other text with a colon in quotes", {"title=Part 1: light"});
 }
 
+TEST(Sweep, SaysHowToWriteARangeWithTwoDots) {
+    expect_complaint("a range is A:B:STEP; write LR=0:1:0.1", {"LR=0..1"});
+    expect_complaint("write LR=1:-1:-0.2", {"LR=1 .. -1"});
+    EXPECT_TRUE(parse_sweep({"scene.title=wait..."}, ""));
+}
+
 TEST(Sweep, RefusesAListWithoutAValueOrWithARange) {
     expect_complaint("--set a=1,,2: a value is missing beside a comma", {"a=1,,2"});
     expect_complaint("--set a=1,: a value is missing beside a comma", {"a=1,"});
