@@ -253,6 +253,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"too_many_runs", "the study has {} runs, the most is {}; take fewer levels or seeds"},
     {"study_without_vehicle", "the scene has no vehicle to measure"},
     {"no_vehicle_to_select", "'select' names {}, which is no [vehicle.NAME] of the scene"},
+    {"study_table_locked", "another study writes this table; wait for its end, or give another file"},
     {"no_colour", "{} is no colour; write one like \"#3d7cc9\""},
     {"same_name", "two of [{}.…] are called {}; give each its own name"},
     {"too_many_times", "{} times [{}.…]; the most is {}"},

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
+#include "app/ctl/progress.h"
 #include "app/ctl/table_file.h"
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
@@ -31,6 +32,7 @@ using insight::StudySummary;
 // Runs those that are missing. Returns false when the user has interrupted the program.
 Result<bool> compute(const std::shared_ptr<const StudyBase>& base, int threads, StudyTable& table) {
     Jobs jobs(threads_for(threads));
+    Progress progress("runs", base->study().runs(), table.rows().size(), std::cerr);
     const std::size_t batch = 4 * static_cast<std::size_t>(std::max(1, jobs.threads()));
     while (table.rows().size() < base->study().runs()) {
         const std::size_t first = table.rows().size();
@@ -42,6 +44,7 @@ Result<bool> compute(const std::shared_ptr<const StudyBase>& base, int threads, 
         const auto results = job.take();
         if (!*results) return results->error();
         if (const auto error = table.add(**results)) return *error;
+        progress.at(table.rows().size());
     }
     return true;
 }
@@ -53,28 +56,48 @@ std::string cell_text(double number) {
 
 std::string range_text(double low, double high) { return fmt::format("{} .. {}", cell_text(low), cell_text(high)); }
 
+std::string difference_text(double number) { return std::isnan(number) ? "–" : fmt::format("{:+.4g}", number); }
+
+std::string heading_of(const Study& study, insight::StudyMeasure measure) {
+    const insight::StudyMeasureTraits& traits = row_of(measure);
+    const std::string name =
+        fmt::format("{}{}", traits.word, traits.unit.empty() ? "" : fmt::format(" ({})", traits.unit));
+    const std::string present = may_be_absent(measure) ? fmt::format(" {:>8}", fmt::format("of {}", study.seeds)) : "";
+    return fmt::format("{:<28}{} {:>8}  {:^18} {:^18} {:>10} {:>5} {:>5}\n", name, present, "median", "quartiles",
+                       "range", "difference", "more", "less");
+}
+
+std::string line_of(const Study& study, const std::vector<StudyRow>& rows, std::size_t combination,
+                    std::size_t measure) {
+    const StudySummary summary = summary_of(study, rows, combination, measure);
+    const maths::Spread& s = summary.spread;
+    std::string line = fmt::format("{:<28}", combination_text(study, combination));
+    if (may_be_absent(study.measures[measure])) line += fmt::format(" {:>8}", summary.present);
+    // Without a run that has a number, the spread is that of no numbers.
+    const double none = s.count == 0 ? NAN : 0;
+    line += fmt::format(" {:>8}  {:^18} {:^18}", cell_text(s.median + none), range_text(s.lower + none, s.upper + none),
+                        range_text(s.least + none, s.most + none));
+    if (combination > 0)
+        line += fmt::format(" {:>10} {:>5} {:>5}", difference_text(summary.paired), summary.more, summary.less);
+    return line + '\n';
+}
+
 // A table for each measure. The last columns compare each run with the run of the first row that has the same seed.
 std::string summary_text(const Study& study, const std::vector<StudyRow>& rows) {
     std::string text;
+    bool has_absent = false;
     for (std::size_t measure = 0; measure < study.measures.size(); ++measure) {
-        const insight::StudyMeasureTraits& traits = row_of(study.measures[measure]);
-        const std::string name =
-            fmt::format("{}{}", traits.word, traits.unit.empty() ? "" : fmt::format(" ({})", traits.unit));
-        text += fmt::format("{}{:<28} {:>8}  {:^18} {:^18} {:>10} {:>5} {:>5}\n", measure > 0 ? "\n" : "", name,
-                            "median", "quartiles", "range", "difference", "more", "less");
-        for (std::size_t i = 0; i < study.combinations(); ++i) {
-            const StudySummary summary = summary_of(study, rows, i, measure);
-            const maths::Spread& s = summary.spread;
-            text += fmt::format("{:<28} {:>8}  {:^18} {:^18}", combination_text(study, i), cell_text(s.median),
-                                range_text(s.lower, s.upper), range_text(s.least, s.most));
-            if (i > 0) text += fmt::format(" {:>+10.4g} {:>5} {:>5}", summary.paired, summary.more, summary.less);
-            text += '\n';
-        }
+        has_absent |= may_be_absent(study.measures[measure]);
+        text += (measure > 0 ? "\n" : "") + heading_of(study, study.measures[measure]);
+        for (std::size_t i = 0; i < study.combinations(); ++i) text += line_of(study, rows, i, measure);
     }
-    return text + fmt::format(
-                      "\n{} runs of each row. Difference, more and less: against the first row, run by run with the "
-                      "same seed.\n",
-                      study.seeds);
+    text += fmt::format(
+        "\n{} runs of each row. Difference, more and less: against the first row, run by run with the same seed.\n",
+        study.seeds);
+    if (has_absent)
+        text += fmt::format("of {}: runs that have the number, i.e. touch or have an object. –: there is none.\n",
+                            study.seeds);
+    return text;
 }
 
 nlohmann::ordered_json number_or_null(double number) {
@@ -94,7 +117,7 @@ std::string summary_json(const Study& study, const std::vector<StudyRow>& rows) 
                 row["values"][study.values[k].name] = study.values[k].levels[levels[k]];
             row["measure"] = word(study.measures[measure]);
             const maths::Spread& s = summary.spread;
-            row["runs"] = s.count;
+            row["runs"] = s.count, row["present"] = summary.present;
             row["median"] = number_or_null(s.median);
             row["quartiles"] = {number_or_null(s.lower), number_or_null(s.upper)};
             row["range"] = {number_or_null(s.least), number_or_null(s.most)};

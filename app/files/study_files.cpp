@@ -9,6 +9,7 @@
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/insight/study_table.h"
+#include "core/messages.h"
 #include "core/scene/file_kind.h"
 
 namespace braitenlab {
@@ -45,6 +46,15 @@ Result<std::shared_ptr<const insight::StudyBase>> load_study(const fs::path& pat
 
 StudyTable::StudyTable(std::shared_ptr<const insight::StudyBase> base, const std::string& path)
     : base_(std::move(base)), path_(path) {}
+
+// The file is removed before the lock is released, so that no other program has locked it meanwhile; Windows removes it
+// afterwards only.
+HeldLock::~HeldLock() {
+    std::error_code none;
+    const bool is_removed = fs::remove(path, none);
+    lock.reset();
+    if (!is_removed) fs::remove(path, none);
+}
 
 fs::path StudyTable::unfinished() const {
     fs::path path = path_;
@@ -93,6 +103,11 @@ void StudyTable::read(const std::vector<fs::path>& files_of_study) {
 std::optional<Error> StudyTable::begin() {
     rows_.clear();
     if (path_.empty()) return std::nullopt;
+    const fs::path lock = unfinished() += ".lock";
+    std::error_code none;
+    if (!lock_)
+        if (auto held = lock_file(lock)) lock_ = std::make_unique<HeldLock>(lock, std::move(*held));
+    if (!lock_ && fs::exists(lock, none)) return error_of(message_of("study_table_locked"), unfinished().string());
     const std::string kept = take_lines(unfinished(), name_line() + insight::study_header(base_->study()));
     if (auto error = write_whole(unfinished(), kept)) return error;
     file_.open(unfinished(), std::ios::binary | std::ios::app);
@@ -116,6 +131,7 @@ std::optional<Error> StudyTable::finish() {
     if (auto error = write_whole(path_, text())) return error;
     std::error_code none;
     fs::remove(unfinished(), none);
+    lock_.reset();
     return std::nullopt;
 }
 

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/platform/platform.h"
 #include "core/insight/study.h"
 #include "core/result.h"
 
@@ -22,6 +24,17 @@ Result<std::filesystem::path> scene_of_study(const insight::Study&, const std::f
 // The study and its scene: a path relative to the study's file, or the name of a shipped scene.
 Result<std::shared_ptr<const insight::StudyBase>> load_study(const std::filesystem::path&);
 
+// A locked file, which is removed with the lock.
+struct HeldLock {
+    std::filesystem::path path;
+    std::optional<FileLock> lock;
+
+    HeldLock(std::filesystem::path of, FileLock held) : path(std::move(of)), lock(std::move(held)) {}
+    HeldLock(const HeldLock&) = delete;
+    HeldLock& operator=(const HeldLock&) = delete;
+    ~HeldLock();
+};
+
 // The table of a study. While runs are missing, those that are complete are in PATH.part, which begins with a line that
 // names the study. The next begin() for the same study and path continues with them.
 class StudyTable {
@@ -33,7 +46,8 @@ public:
     // Writes nothing.
     void read(const std::vector<std::filesystem::path>& files_of_study);
 
-    // Reads the unfinished table; a table of another study is begun anew. Fails if the file cannot be written.
+    // Reads the unfinished table; a table of another study is begun anew. Fails if the file cannot be written, and
+    // while another program, or another table in this one, writes it.
     std::optional<Error> begin();
 
     // The next runs in order. They are in the file when it returns.
@@ -54,7 +68,8 @@ private:
 
     std::shared_ptr<const insight::StudyBase> base_;
     std::filesystem::path path_;
-    std::ofstream file_;  // the unfinished table
+    std::ofstream file_;              // the unfinished table
+    std::unique_ptr<HeldLock> lock_;  // from begin() to finish(), on a file beside it
     std::vector<insight::StudyRow> rows_;
 };
 

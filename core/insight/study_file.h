@@ -55,11 +55,18 @@ inline constexpr auto study_measure_table = std::to_array<StudyMeasureTraits>({
 static_assert(is_complete_table<study_measure_table>());
 constexpr const auto& table_of(StudyMeasure) { return study_measure_table; }
 
+// True if a run can have no number of it: the vehicle never touches, or the scene has no object.
+constexpr bool may_be_absent(StudyMeasure measure) {
+    return measure == StudyMeasure::closest || measure == StudyMeasure::final_distance ||
+           measure == StudyMeasure::time_to_touch;
+}
+
 // One value that is varied.
 struct StudyValue {
     std::string name, unit;
     std::vector<std::string> paths;  // of the scene, as --set takes them; with '-' first: gets the negative level
     std::vector<double> levels;
+    std::vector<int> lines{};  // of the paths in the file; empty for a study that was not read
 };
 
 struct Study {
@@ -67,7 +74,6 @@ struct Study {
     std::string file;  // as given, for messages; empty for a study that was not read
     std::string title, story;
     std::string scene;    // a name or a path, as in the file
-    std::vector<int> lines{};  // of the paths in the file; empty for a study that was not read
     std::string vehicle;  // NAME of a [vehicle.NAME]; empty: the first
     float seconds = 60;   // of each run
     int seeds = 20;

@@ -74,6 +74,7 @@ StudySummary summary_of(const Study& study, const std::vector<StudyRow>& rows, s
         const double own = number(combination, seed), first = number(0, seed);
         if (std::isnan(own)) continue;
         numbers.push_back(own);
+        summary.present += std::isfinite(own);
         if (std::isnan(first)) continue;
         ++summary.pairs;
         summary.more += own > first, summary.less += own < first;

@@ -23,6 +23,7 @@ std::optional<StudyRow> read_study_line(const StudyBase&, std::size_t run, std::
 struct StudySummary {
     maths::Spread spread;  // without the runs that have no such object
     double paired = 0;     // median of the differences from the first combination; NAN without pairs of finite numbers
+    std::size_t present = 0;                    // runs with a finite number
     std::size_t more = 0, less = 0, pairs = 0;  // seeds with a larger and a smaller number than the first combination
 };
 // rows: of all runs in order; a missing one is empty. `measure`: index in Study::measures.

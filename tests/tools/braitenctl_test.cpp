@@ -638,7 +638,13 @@ TEST(CtlStudy, PrintsMediansAndATableThatDoesNotDependOnThreads) {
     EXPECT_EQ(summary["results"][2]["paired"]["below"], 3);
     std::ifstream table(csv);
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(table), {}), one.out);
-    EXPECT_NE(ctl("study " + file).out.find("weight 1 "), std::string::npos);
+    EXPECT_EQ(summary["results"][0]["present"], 0);
+    EXPECT_EQ(summary["results"][2]["present"], 3);
+    const std::string text = ctl("study " + file).out;
+    EXPECT_TRUE(std::regex_search(text, std::regex("touch \\(s\\) +of 3 +median"))) << text;
+    EXPECT_TRUE(std::regex_search(text, std::regex("weight 0 +0 +never"))) << text;
+    EXPECT_TRUE(std::regex_search(text, std::regex("weight 1 +3 .+ – +0 +3\n"))) << "no pair of numbers\n" << text;
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
     std::filesystem::remove(file), std::filesystem::remove(csv);
 }
 

@@ -85,6 +85,22 @@ TEST(StudyTable, OfAnotherStudyBeginsAnew) {
     EXPECT_TRUE(table.rows().empty());
 }
 
+TEST(StudyTable, OfTwoThatWriteOneFileTheSecondIsRefused) {
+    const Folder folder;
+    const auto base = study_in(folder.path, "[5, 10]");
+    const std::string path = (folder.path / "t.csv").string();
+    StudyTable first(base, path), second(base, path);
+    ASSERT_FALSE(first.begin());
+    ASSERT_FALSE(first.add({{1}}));
+    const auto refused = second.begin();
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->text().find("t.csv.part: another study writes this table"), std::string::npos);
+    EXPECT_NE(text_of(first.unfinished()).find("\n1,1,"), std::string::npos) << "the runs of the first are kept";
+    { const StudyTable ended = std::move(first); }
+    EXPECT_FALSE(second.begin());
+    EXPECT_EQ(second.rows().size(), 1u);
+}
+
 TEST(StudyTable, SaysThatItCannotBeWritten) {
     const Folder folder;
     StudyTable onto_folder(study_in(folder.path, "[5]"), (folder.path / "sub").string());
