@@ -1,5 +1,7 @@
 // Braitenlab without a window. Exit codes: 0 done or passed, 1 failed, 2 bad input, 130 interrupted.
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <iostream>
 #include <string_view>
 #include <thread>
@@ -26,6 +28,20 @@ int complain(const Error& error) {
 int interrupted() {
     std::cerr << "braitenctl: interrupted; no file has changed\n";
     return exit_code::interrupted;
+}
+
+std::optional<Error> ending_fault(std::string_view option, const std::string& file, std::string_view ending) {
+    if (file.empty()) return std::nullopt;
+    std::string own = std::filesystem::path(file).extension().string();
+    std::transform(own.begin(), own.end(), own.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (own == ending) return std::nullopt;
+    return Error{fmt::format("{} writes a file {}; end its name with it", option, ending), file};
+}
+
+Result<Strings> strings_of(const std::string& language) {
+    const auto data = data_folder();
+    if (!data) return data.error();
+    return load_language(*data / "ui" / "strings", language);
 }
 
 int threads_for(int wanted) {
@@ -297,7 +313,10 @@ int command_line(int argc, char** argv) {
         ->check(CLI::Range(1, 256));
     map_command->add_flag("--json", mapped.json, "print the map as one JSON object");
     map_command->add_option("--csv", mapped.csv, "write a row per cell; -: to standard output")->type_name("FILE");
-    map_command->add_option("--png", mapped.png, "write a picture")->type_name("FILE");
+    map_command->add_option("--svg", mapped.svg, "write a drawing with axes, legend and title")->type_name("FILE");
+    map_command->add_option("--png", mapped.png, "write the cells alone as a picture")->type_name("FILE");
+    map_command->add_option("--lang", mapped.language, "language of the words in the drawing; default: en")
+        ->type_name("CODE");
 
     RobustnessOptions tried;
     CLI::App* robustness_command = add_robustness(app, tried);

@@ -11,6 +11,7 @@
 #include "app/ctl/brain_of_file.h"
 #include "core/result.h"
 #include "core/world/world.h"
+#include "ui/strings.h"
 
 namespace braitenlab {
 
@@ -24,6 +25,13 @@ int complain(const Error&);
 
 // Prints to stderr that the program was interrupted and that no file has changed. Returns exit_code::interrupted.
 int interrupted();
+
+// The error if the file of this option is given and has another ending than this one, ".svg". It is written in one
+// format only, whatever its name is.
+std::optional<Error> ending_fault(std::string_view option, const std::string& file, std::string_view ending);
+
+// The strings of a language of the program.
+Result<Strings> strings_of(const std::string& language);
 
 struct RunOptions {
     std::string file;  // a scene or a saved run
@@ -49,7 +57,8 @@ struct MapOptions {
     double seconds = 20;                // of each run
     int threads = 0;                    // 0: one per processor
     std::vector<std::string> settings;  // PATH=VALUE, for every run
-    std::string csv, png;               // files; "-" of the table: standard output; empty: none
+    std::string csv, png, svg;          // files; "-" of the table: standard output; empty: none
+    std::string language = "en";        // of the words in the SVG file
     bool json = false;
 };
 // Runs a map of behaviour and prints it as text or JSON, or writes it as a table or a picture.

@@ -82,7 +82,7 @@ std::optional<Error> grade_rows(const SharedExercise& exercise, std::uint64_t fi
 Result<Strings> words_for(const Exercise& exercise, const std::string& language) {
     const auto folder = data_folder();
     if (!folder) return folder.error();
-    auto strings = load_language(*folder / "ui" / "strings", language);
+    auto strings = strings_of(language);
     const fs::path translations = *folder / "exercises" / "words" / (language + ".toml");
     std::error_code none;
     if (!strings || !fs::exists(translations, none)) return strings;

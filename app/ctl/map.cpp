@@ -16,6 +16,7 @@
 #include "app/files/safe_file.h"
 #include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
+#include "app/reports/map_file.h"
 #include "core/io/csv.h"
 #include "core/scene/nearest.h"
 #include "core/scene/sensor_pairs.h"
@@ -199,7 +200,23 @@ std::string plain_text(const insight::MapQuestion& question, const MapCells& cel
 std::optional<Error> check_outputs(const MapOptions& options) {
     if (options.csv == standard_output && options.json)
         return Error{"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"};
-    return std::nullopt;
+    if (auto error = ending_fault("--png", options.png, ".png")) return error;
+    return ending_fault("--svg", options.svg, ".svg");
+}
+
+// The files that were asked for.
+std::optional<Error> write_map(const MapOptions& options, const insight::MapQuestion& asked, const MapCells& cells,
+                               MapMeasure measure, const Strings& strings) {
+    if (!options.csv.empty()) {
+        TableFile table(options.csv);
+        table.write(table_text(asked, cells));
+        if (auto error = table.close()) return error;
+    }
+    if (!options.png.empty())
+        if (auto error = write_whole(options.png, picture(cells, measure))) return error;
+    if (options.svg.empty()) return std::nullopt;
+    const std::string& title = asked.scene.title.empty() ? asked.scene.name : asked.scene.title;
+    return write_whole(options.svg, map_file(asked, cells, measure, title, strings));
 }
 
 }  // namespace
@@ -208,6 +225,8 @@ int map(const MapOptions& options) {
     if (const auto error = check_outputs(options)) return complain(*error);
     const auto measure = measure_named(options.measure);
     if (!measure) return complain(measure.error());
+    const auto strings = strings_of(options.language);
+    if (!strings) return complain(strings.error());
     auto question = question_of(options);
     if (!question) return complain(question.error());
     const auto base = MapBase::create(std::move(*question));
@@ -216,15 +235,10 @@ int map(const MapOptions& options) {
     if (is_told_to_end()) return interrupted();
     if (!cells) return complain(cells.error());
     const insight::MapQuestion& asked = (*base)->question();
-    if (!options.csv.empty()) {
-        TableFile table(options.csv);
-        table.write(table_text(asked, *cells));
-        if (const auto error = table.close()) return complain(*error);
-    }
-    if (!options.png.empty())
-        if (const auto error = write_whole(options.png, picture(*cells, *measure))) return complain(*error);
+    if (const auto error = write_map(options, asked, *cells, *measure, *strings)) return complain(*error);
     if (options.json) std::cout << json_text(asked, *cells, *measure);
-    if (!options.json && options.csv.empty() && options.png.empty()) std::cout << plain_text(asked, *cells, *measure);
+    const bool writes = !(options.csv.empty() && options.png.empty() && options.svg.empty());
+    if (!options.json && !writes) std::cout << plain_text(asked, *cells, *measure);
     return exit_code::done;
 }
 

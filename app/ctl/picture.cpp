@@ -44,9 +44,9 @@ std::optional<Error> write_paths(const PictureOptions& options, const Strings& s
 int picture(const PictureOptions& options) {
     if (options.wiring.empty() && options.paths.empty())
         return complain({"nothing to draw; give --wiring FILE, --paths FILE, or both", "picture"});
-    const auto data = data_folder();
-    if (!data) return complain(data.error());
-    const auto strings = load_language(*data / "ui" / "strings", options.language);
+    if (const auto error = ending_fault("--wiring", options.wiring, ".svg")) return complain(*error);
+    if (const auto error = ending_fault("--paths", options.paths, ".svg")) return complain(*error);
+    const auto strings = strings_of(options.language);
     if (!strings) return complain(strings.error());
     if (!options.wiring.empty())
         if (const auto error = write_wiring(options, *strings)) return complain(*error);

@@ -605,6 +605,35 @@ TEST(CtlMap, WritesATableAndAPicture) {
     std::filesystem::remove(csv), std::filesystem::remove(png);
 }
 
+TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
+    const std::string svg = scratch("map.svg");
+    const Ran kinds = ctl("map 2b-aggressor --size 8 --seconds 5 --seeds 2 --lang de --svg " + svg);
+    EXPECT_EQ(kinds.code, 0) << kinds.out;
+    EXPECT_EQ(kinds.out, "") << "the file has the map";
+    std::string text = shell("cat " + svg).out;
+    for (const char* part : {">LR=RL</text>", ">LL=RR</text>", ">−1</text>", ">Verhalten</text>", "<title>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_NE(text.find("2 Läufe von 5 s mit den Startwerten 1 bis 2"), std::string::npos);
+    EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
+    ASSERT_EQ(ctl("map 2b-aggressor --size 8 --seconds 5 --measure touch --svg " + svg).code, 0);
+    text = shell("cat " + svg).out;
+    EXPECT_NE(text.find(">time to touch (s)</text>"), std::string::npos);
+    EXPECT_NE(text.find(">never</text>"), std::string::npos);
+    std::filesystem::remove(svg);
+}
+
+TEST(Braitenctl, RefusesAFileNameOfAnotherFormat) {
+    for (const char* arguments : {"map 2b-aggressor --png x.svg", "map 2b-aggressor --svg x.png",
+                                  "picture 3a-love --paths x.png", "picture 3a-love --wiring x.pdf"}) {
+        const Ran ran = ctl(arguments);
+        EXPECT_EQ(ran.code, 2) << arguments;
+        EXPECT_NE(ran.out.find(" writes a file ."), std::string::npos) << ran.out;
+    }
+    EXPECT_EQ(ctl("picture 3a-love --wiring x.pdf").out,
+              "braitenctl: x.pdf: --wiring writes a file .svg; end its name "
+              "with it\n");
+}
+
 TEST(CtlMap, SaysWhatIsWrongWithAnArgument) {
     const auto fails = [](const std::string& arguments, const std::string& words) {
         const Ran ran = ctl("map 2b-aggressor " + arguments);

@@ -1,0 +1,194 @@
+#include "app/reports/map_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/reports/html.h"
+#include "app/reports/svg_file.h"
+#include "ui/map_look.h"
+#include "ui/number_text.h"
+
+namespace braitenlab {
+
+namespace {
+
+using insight::MapAxis;
+using insight::MapCell;
+using insight::MapCells;
+using insight::MapMeasure;
+using insight::MapQuestion;
+
+constexpr float map_side = 560, map_left = 92, map_top = 56, map_bottom = 86, map_right = 220;  // px, the map and what is around it
+constexpr float legend_row = 24, swatch = 16;                                           // of the legend
+constexpr const char* ink = "#1c1c1a";
+
+std::string colour_text(const ui::MapColour& colour) {
+    const auto part = [](float share) { return static_cast<int>(std::lround(share * 255)); };
+    return fmt::format("#{:02x}{:02x}{:02x}", part(colour.r), part(colour.g), part(colour.b));
+}
+
+std::string words_at(float x, float y, std::string_view words, std::string_view more = "") {
+    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\" fill=\"{}\"{}>{}</text>\n", x, y, ink, more,
+                       html::escaped(words));
+}
+
+std::string square(float x, float y, float size) {
+    return fmt::format("M{:.2f} {:.2f}h{:.2f}v{:.2f}h-{:.2f}z", x, y, size, size, size);
+}
+
+// The mark of a kind in a cell at (x, y), as squares of a path.
+std::string mark_data(insight::Behaviour kind, float x, float y, float cell) {
+    const float dot = cell / (ui::mark_size + 2);
+    std::string data;
+    for (int down = 0; down < ui::mark_size; ++down)
+        for (int across = 0; across < ui::mark_size; ++across)
+            if (ui::is_marked(kind, across, down))
+                data += square(x + dot * static_cast<float>(across + 1), y + dot * static_cast<float>(down + 1), dot);
+    return data;
+}
+
+std::string marks_path(const std::string& data) {
+    return data.empty() ? "" : fmt::format("<path d=\"{}\" fill=\"#1a1a1a\"/>\n", data);
+}
+
+// One path for each colour, and one for all marks.
+std::string cells_svg(const MapCells& cells, MapMeasure measure, const ui::MapScale& scale) {
+    constexpr float least_mark = 7;  // px, of a cell
+    const float cell = map_side / static_cast<float>(cells.size);
+    std::map<std::string, std::string> of_colour;
+    std::string marks;
+    for (int y = 0; y < cells.size; ++y)
+        for (int x = 0; x < cells.size; ++x) {
+            const MapCell& here = *cells.at({x, y});
+            const float left = cell * static_cast<float>(x), top = map_side - cell * static_cast<float>(y + 1);
+            const ui::MapColour colour = ui::cell_colour(here.outcome, here.agree, measure, scale, {1, 1, 1});
+            of_colour[colour_text(colour)] += square(left, top, cell);
+            if (measure == MapMeasure::behaviour && cell >= least_mark)
+                marks += mark_data(here.outcome.behaviour, left, top, cell);
+        }
+    std::string out = "<g shape-rendering=\"crispEdges\">\n";
+    for (const auto& [colour, data] : of_colour) out += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", data, colour);
+    return out + marks_path(marks) + "</g>\n";
+}
+
+// The step between ticks: 1, 2 or 5 times a power of ten, so that there are at most seven.
+float tick_step(float range) {
+    const float wanted = range / 6, power = std::pow(10.0f, std::floor(std::log10(wanted))), share = wanted / power;
+    return power * (share > 5 ? 10.0f : share > 2 ? 5.0f : share > 1 ? 2.0f : 1.0f);
+}
+
+int decimals_of(float step) { return std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-4f)), 0, 6); }
+
+std::vector<float> axis_ticks(float a, float b, float step) {
+    const float low = std::min(a, b), high = std::max(a, b);
+    std::vector<float> ticks;
+    for (float k = std::ceil(low / step - 1e-3f); k * step <= high + step * 1e-3f; k += 1) ticks.push_back(k * step);
+    return ticks;
+}
+
+// A cell stands for the value at its middle.
+float place_on(const MapAxis& axis, float value, int size) {
+    const float cell = map_side / static_cast<float>(size);
+    return cell / 2 + (value - axis.from) / (axis.to - axis.from) * (map_side - cell);
+}
+
+std::string axes_svg(const MapQuestion& question, int size, const Strings& strings) {
+    std::string out = fmt::format("<rect width=\"{0}\" height=\"{0}\" fill=\"none\" stroke=\"{1}\"/>\n", map_side, ink);
+    std::string lines;
+    const auto text_of = [&](float value, float step) {
+        return ui::fixed(value == 0 ? 0 : value, decimals_of(step), decimal_mark(strings));
+    };
+    const float x_step = tick_step(std::fabs(question.x.to - question.x.from)),
+                y_step = tick_step(std::fabs(question.y.to - question.y.from));
+    for (const float value : axis_ticks(question.x.from, question.x.to, x_step)) {
+        const float x = place_on(question.x, value, size);
+        lines += fmt::format("M{:.1f} {:.1f}v6", x, map_side);
+        out += words_at(x, map_side + 22, text_of(value, x_step), " text-anchor=\"middle\"");
+    }
+    for (const float value : axis_ticks(question.y.from, question.y.to, y_step)) {
+        const float y = map_side - place_on(question.y, value, size);
+        lines += fmt::format("M0 {:.1f}h-6", y);
+        out += words_at(-11, y + 5, text_of(value, y_step), " text-anchor=\"end\"");
+    }
+    out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", lines, ink);
+    out += words_at(map_side / 2, map_side + 46, question.x.path, " text-anchor=\"middle\" font-weight=\"bold\"");
+    return out + words_at(-map_side / 2, -62, question.y.path,
+                          " transform=\"rotate(-90)\" text-anchor=\"middle\" font-weight=\"bold\"");
+}
+
+std::string kinds_legend(const MapCells& cells, const Strings& strings) {
+    std::array<int, insight::behaviour_count> count{};
+    for (const auto& cell : cells.cells) ++count[static_cast<std::size_t>(cell->outcome.behaviour)];
+    std::string out;
+    float y = legend_row;
+    for (const auto& look : ui::behaviour_looks) {
+        const int cells_of_kind = count[static_cast<std::size_t>(look.value)];
+        if (cells_of_kind == 0) continue;
+        out += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", square(0, y, swatch), colour_text(look.colour)) +
+               marks_path(mark_data(look.value, 0, y, swatch)) +
+               words_at(swatch + 10, y + 13,
+                        fmt::format("{} ({})", strings("map.kind." + std::string(row_of(look.value).word)),
+                                    cells_of_kind));
+        y += legend_row;
+    }
+    return out;
+}
+
+std::string scale_legend(const MapCells& cells, MapMeasure measure, const ui::MapScale& scale, const Strings& strings) {
+    constexpr int steps = 40;
+    constexpr float height = 240;
+    std::string out;
+    for (int i = 0; i < steps; ++i)
+        out += fmt::format("<rect y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
+                           legend_row + height * static_cast<float>(steps - 1 - i) / steps, swatch, height / steps + 0.5f,
+                           colour_text(ui::scale_colour((static_cast<float>(i) + 0.5f) / steps)));
+    const float step = tick_step(scale.high - scale.low);
+    for (const float value : axis_ticks(scale.low, scale.high, step)) {
+        const float y = legend_row + height * (1 - scale.share(value));
+        out += fmt::format("<path d=\"M{} {:.1f}h6\" stroke=\"{}\"/>\n", swatch, y, ink) +
+               words_at(swatch + 12, y + 5, ui::fixed(value, decimals_of(step), decimal_mark(strings)));
+    }
+    const bool has_none = std::any_of(cells.cells.begin(), cells.cells.end(), [&](const auto& cell) {
+        return !std::isfinite(insight::number_of(cell->outcome, measure));
+    });
+    if (!has_none) return out;
+    const float y = legend_row + height + legend_row;
+    return out +
+           fmt::format("<path d=\"{}\" fill=\"#ffffff\" stroke=\"{}\"/>\n", square(0, y, swatch), ink) +
+           words_at(swatch + 10, y + 13, strings(measure == MapMeasure::time_to_touch ? "map.never" : "report.map_none"));
+}
+
+std::string runs_text(const MapQuestion& question, const Strings& strings) {
+    const std::string seconds =
+        ui::fixed(static_cast<float>(question.ticks) / 60, question.ticks % 60 == 0 ? 0 : 1, decimal_mark(strings));
+    if (question.seeds == 1) return fill(strings("report.map_run"), {seconds, std::to_string(question.seed)});
+    const std::uint64_t last = question.seed + static_cast<std::uint64_t>(question.seeds) - 1;
+    return fill(strings("report.map_runs"), {std::to_string(question.seeds), seconds, std::to_string(question.seed),
+                                             std::to_string(last)});
+}
+
+}  // namespace
+
+std::string map_file(const MapQuestion& question, const MapCells& cells, MapMeasure measure, std::string_view title,
+                     const Strings& strings) {
+    const bool is_of_kinds = measure == MapMeasure::behaviour;
+    const ui::MapScale scale = ui::scale_of(cells.cells, measure);
+    const std::string_view unit = row_of(measure).unit;
+    const std::string heading = std::string(strings("map.measure." + std::string(row_of(measure).word))) +
+                                (unit.empty() ? "" : fmt::format(" ({})", unit));
+    const std::string legend = words_at(0, 12, heading, " font-weight=\"bold\"") +
+                               (is_of_kinds ? kinds_legend(cells, strings) : scale_legend(cells, measure, scale, strings));
+    const std::string drawn = cells_svg(cells, measure, scale) + axes_svg(question, cells.size, strings) +
+                              fmt::format("<g transform=\"translate({} 0)\">\n{}</g>\n", map_side + 28, legend) +
+                              words_at(0, map_side + 72, runs_text(question, strings));
+    return svg_file(title, map_left + map_side + map_right, map_top + map_side + map_bottom,
+                    fmt::format("<g transform=\"translate({} {})\">\n{}</g>", map_left, map_top, drawn));
+}
+
+}  // namespace braitenlab
