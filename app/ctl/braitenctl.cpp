@@ -284,6 +284,8 @@ int command_line(int argc, char** argv) {
         ->required();
     add_choice(*grade_command, graded.choice);
     grade_command->add_option("--csv", graded.csv, "write the rows there instead of printing them")->type_name("FILE");
+    grade_command->add_flag("--excel", graded.for_excel,
+                            "begin the rows with a byte order mark, by which Excel knows UTF-8");
     grade_command->add_option("--html", graded.html, "write a page with summary, paths and feedback")
         ->type_name("FILE");
     grade_command->add_option("--lang", graded.language, "language of the feedback and the page; default: en")

@@ -162,12 +162,17 @@ struct ClassOptions {
     BrainChoice choice;              // of the brain in a scene or a saved run
     std::string csv, html;           // files to write; csv empty or "-": standard output, if there is no page either
     std::string language = "en";     // of feedback and page
+    bool for_excel = false;          // the table begins with the mark by which Excel knows UTF-8
     std::uint64_t first_seed = 1;
 };
 
 // Grades brains, one row each, into the CSV file, or to stdout when its name is empty or "-". A file that holds no
 // brain gets a row with the error; the other files are still graded.
 int grade_all(const ClassOptions&);
+
+// The error for an argument that is neither a file or a folder nor the name of a shipped scene, as for a mistyped
+// folder.
+std::optional<Error> missing_argument(const std::vector<std::string>& files);
 
 // True if there is a folder or a hand-in file among the files.
 bool is_class(const std::vector<std::string>& files);

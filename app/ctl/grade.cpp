@@ -71,9 +71,11 @@ int grade_all(const ClassOptions& options) {
     const std::string& csv = options.csv;
     const auto exercise = find_exercise(options.exercise);
     if (!exercise) return complain(exercise.error());
+    if (const auto error = missing_argument(options.files)) return complain(*error);
     const auto graded = grade_files(*exercise, options);
     if (!graded) return complain(graded.error());
-    std::string rows = "brain,passed,starts_passed,starts,needed,character,brain_of,error";
+    std::string rows = options.for_excel ? "\xEF\xBB\xBF" : "";
+    rows += "brain,passed,starts_passed,starts,needed,character,brain_of,error";
     for (int start = 1; start <= (*exercise)->starts; ++start) rows += fmt::format(",start_{}", start);
     rows += "\n";
     bool all_read = true;

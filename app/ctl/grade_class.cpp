@@ -1,6 +1,8 @@
 // braitenctl grade with a folder or hand-in files: a row a student, as CSV and as a page.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
@@ -17,6 +19,8 @@ namespace braitenlab {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8
 
 // True for a file of a class: not hidden, and no result of an earlier grading.
 bool is_to_be_graded(const fs::path& path) {
@@ -52,14 +56,24 @@ ClassRow row_of_brain(const Exercise& exercise, const fs::path& path, const Brai
     return row;
 }
 
+// True for the content of a picture, an archive or a document: it has a zero byte and is not UTF-16, of which the
+// reader says what to do.
+bool is_no_text(std::string_view content) {
+    const bool is_utf16 = content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
+    return !is_utf16 && content.find('\0') != std::string_view::npos;
+}
+
 // A file is a hand-in by its name, or by its content if it was renamed.
 ClassRow row_of_file(const Exercise& exercise, const fs::path& path, const BrainChoice& choice) {
     const std::string name = path.filename().string();
     if (path.extension() == ".run") return row_of_brain(exercise, path, choice);
     const auto text = read_text(path);
-    if (!is_hand_in(name) && (!text || text->find("\n[submission") == std::string::npos))
-        return row_of_brain(exercise, path, choice);
-    return row_of_hand_in(exercise, name, text);
+    const bool is_named = is_hand_in(name), is_binary = text && is_no_text(*text);
+    if (is_named || (text && (is_blank(*text) || text->find("\n[submission") != std::string::npos)))
+        return row_of_hand_in(exercise, name, text);
+    // A shipped scene is named without an ending, and does not exist at the path.
+    const bool may_have_brain = path.extension() == ".toml" || !text;
+    return may_have_brain && !is_binary ? row_of_brain(exercise, path, choice) : row_of_other_file(name);
 }
 
 // Grades the rows that have a submission, and the shipped brain and the wrong answers for comparison.
@@ -97,6 +111,7 @@ std::optional<Error> write_results(const ClassReport& report, const Strings& str
         if (auto error = write_whole(options.html, class_page(report, strings, options.language))) return error;
     if (options.csv.empty() && !options.html.empty()) return std::nullopt;
     TableFile table(options.csv.empty() ? std::string(standard_output) : options.csv);
+    if (options.for_excel) table.write(byte_order_mark);
     table.write(class_csv(report, strings));
     return table.close();
 }
@@ -110,9 +125,17 @@ bool is_class(const std::vector<std::string>& files) {
     });
 }
 
+std::optional<Error> missing_argument(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments)
+        if (!find_shipped(argument))
+            return Error{"there is no such file or folder, and no shipped scene of this name", argument};
+    return std::nullopt;
+}
+
 int grade_class(const ClassOptions& options) {
     const auto exercise = find_exercise(options.exercise);
     if (!exercise) return complain(exercise.error());
+    if (const auto error = missing_argument(options.files)) return complain(*error);
     const auto strings = words_for(**exercise, options.language);
     if (!strings) return complain(strings.error());
     ClassReport report{*exercise, options.first_seed, {}};

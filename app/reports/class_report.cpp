@@ -72,8 +72,18 @@ std::string failed_step_text(const ClassReport& report, const Grade& grade, cons
 
 }  // namespace
 
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
+ClassRow row_of_other_file(const std::string& file) {
+    return {.file = file, .student = stem_of(file), .problem = RowProblem{"report.no_hand_in", "", {}}};
+}
+
 ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const Result<std::string>& text) {
     ClassRow row{.file = file, .student = stem_of(file)};
+    if (text && is_blank(*text)) {
+        row.problem = RowProblem{"report.empty", "", {}};
+        return row;
+    }
     auto hand_in = text ? parse_hand_in(*text, file) : text.error();
     if (!hand_in) {
         row.problem = RowProblem{{}, {}, hand_in.error()};
@@ -124,6 +134,7 @@ void judge(const Exercise& exercise, ClassRow& row, Grade grade, const Grade& sh
            const std::vector<Grade>& wrong) {
     if (!row.problem) row.problem = submission_problem(exercise, row);
     row.passed = grade.good && !row.problem;
+    row.edited = is_edited(exercise, *row.submission);
     if (!grade.good) {
         row.resembles = most_alike(grade, wrong);
         const float to_shipped = behaviour_distance(grade, shipped);
@@ -179,7 +190,8 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
     const std::string needed = std::to_string(report.exercise->needed);
     const std::string text = fill(strings("report.failed_from"), {count, of, needed}) + " ";
     const std::string step = failed_step_text(report, grade, strings);
-    if (row.unchanged) return text + std::string(strings("report.unchanged")) + " " + step;
+    if (row.unchanged)
+        return text + std::string(strings(row.edited ? "report.no_effect" : "report.unchanged")) + " " + step;
     if (!row.resembles) return text + step;
     // The behaviour is alike, not necessarily the brain: the text is that of the other answer.
     const std::string words(translated(strings, report.exercise->wrong[*row.resembles].text));

@@ -31,6 +31,7 @@ struct ClassRow {
     std::optional<Grade> grade;            // of the submission
     bool passed = false;                   // the grade is good and the submission is allowed
     bool unchanged = false;                // the behaviour is that of the shipped brain
+    bool edited = false;                   // the submission is not as shipped
     std::optional<std::size_t> resembles;  // index of Exercise::wrong whose behaviour is alike; not where it passed
 };
 
@@ -39,6 +40,12 @@ struct ClassReport {
     std::uint64_t first_seed = 1;
     std::vector<ClassRow> rows;  // sorted by student
 };
+
+// The row of a file that holds no hand-in and no brain: "essay.docx".
+ClassRow row_of_other_file(const std::string& file);
+
+// True if the text has no characters but spaces and line ends.
+bool is_blank(std::string_view text);
 
 // The row of a hand-in file, not graded. `file`: its name; `text`: its content or the error of reading it. A hand-in
 // for another exercise is a row with a problem.
@@ -61,8 +68,8 @@ bool states_another_result(const ClassReport&, const ClassRow&);
 // By student as is_same_student() compares names, so that the hand-ins of one student are together; then by file.
 void sort_by_student(std::vector<ClassRow>&);
 
-// Sets grade, passed, unchanged, resembles and the problem of controls that are not offered. `shipped` and `wrong` are
-// the grades of the shipped brain and of the wrong answers from the same seeds.
+// Sets grade, passed, unchanged, edited, resembles and the problem of controls that are not offered. `shipped` and
+// `wrong` are the grades of the shipped brain and of the wrong answers from the same seeds.
 void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::vector<Grade>& wrong);
 
 // Number of starts from which the step was done.

@@ -51,6 +51,15 @@ BrainGraph without_dials(BrainGraph graph, const std::vector<SensorPair>& pairs)
     return without_places(std::move(graph));
 }
 
+// The brain with its nodes and wires in the order of their ids, without places.
+BrainGraph sorted_by_ids(BrainGraph graph) {
+    std::sort(graph.nodes.begin(), graph.nodes.end(), [](const Node& a, const Node& b) { return a.id < b.id; });
+    std::sort(graph.wires.begin(), graph.wires.end(), [](const Wire& a, const Wire& b) {
+        return WireEnds{a.from, a.to} < WireEnds{b.from, b.to};
+    });
+    return without_places(std::move(graph));
+}
+
 // The curves of the direct wires, in the order of pairs and dials.
 std::vector<Curve> curves_of(const BrainGraph& graph, const std::vector<SensorPair>& pairs) {
     std::vector<Curve> curves;
@@ -154,6 +163,12 @@ std::vector<Offer> offered_dials(const Exercise& exercise) {
     for (const std::string& text : exercise.offers)
         if (auto offer = parse_offer(text); offer && !offer->dials.empty()) dials.push_back(std::move(*offer));
     return dials;
+}
+
+bool is_edited(const Exercise& exercise, const Submission& submission) {
+    const Submission shipped = as_shipped(exercise);
+    return submission.sensors != shipped.sensors || submission.body != shipped.body ||
+           !(sorted_by_ids(submission.brain) == sorted_by_ids(shipped.brain));
 }
 
 std::vector<std::string> outside_offers(const Exercise& exercise, const Submission& submission) {

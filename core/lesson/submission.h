@@ -47,6 +47,10 @@ bool offers(const Exercise&, std::string_view part);
 // The offered dials, in the order of the file.
 std::vector<Offer> offered_dials(const Exercise&);
 
+// True if the submission has another brain, other sensors or another body than as shipped. Places and the order of
+// nodes and wires do not count.
+bool is_edited(const Exercise&, const Submission&);
+
 // What the submission changes that the exercise does not offer: names of dials, "wiring", "curves", "sensors", "body".
 // Lesions and learning of the wires that the dials belong to are "wiring".
 // Empty when it keeps to the offered controls.

@@ -685,7 +685,35 @@ TEST(CtlStudy, NamesTheNearestStudyAndTheLineOfAnError) {
     const Ran ran = ctl("study " + file);
     EXPECT_EQ(ran.code, 2);
     EXPECT_NE(ran.out.find("bad-study.toml:4: there is no measure 'tuch'; the nearest is 'touch'"), std::string::npos);
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[[value]]\n"
+                           "name = \"m\"\npaths = [\"arena.grip\",\n\"arena.gripp\"]\nlevels = [1]\n";
+    const std::string path = ctl("study " + file).out;
+    EXPECT_NE(path.find("bad-study.toml:8: no such value 'arena.gripp'; the nearest is 'arena.grip'"),
+              std::string::npos)
+        << path;
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[value]\n"
+                           "name = \"m\"\n";
+    const std::string single = ctl("study " + file).out;
+    EXPECT_NE(single.find("bad-study.toml:5: write [[value]] instead of [value]"), std::string::npos) << single;
     std::filesystem::remove(file);
+}
+
+TEST(Braitenctl, NamesExercisesAndStudiesWhereTheyAreWanted) {
+    EXPECT_NE(ctl("check 05-agressor.toml")
+                  .out.find("no shipped exercise called '05-agressor.toml'; the nearest is "
+                            "'05-aggressor'"),
+              std::string::npos);
+    const std::string grade = ctl("grade nofile.toml x.toml").out;
+    EXPECT_NE(grade.find("no shipped exercise called 'nofile.toml'; known are '01-drive', "), std::string::npos)
+        << grade;
+    EXPECT_EQ(grade.find("2a-coward"), std::string::npos) << "scenes are no exercises";
+    const Ran study = ctl("check prey-eyes");
+    EXPECT_EQ(study.code, 2);
+    EXPECT_NE(study.out.find("this is a study, and 'check' takes an exercise; run it by 'braitenctl study prey-eyes'"),
+              std::string::npos)
+        << study.out;
+    EXPECT_NE(ctl("grade four-numbers x.toml").out.find("this is a lecture, and 'grade' takes an exercise"),
+              std::string::npos);
 }
 
 TEST(CtlRobustness, PrintsTheSameRobotsOnAnyNumberOfThreads) {
@@ -720,37 +748,9 @@ TEST(CtlRobustness, NamesTheStepThatARobotFailsInAnExercise) {
     const std::string csv = scratch("robots.csv");
     EXPECT_EQ(ctl("robustness 21-reality --robots 6 --brain " + file + " --csv " + csv).code, 0);
     std::ifstream table(csv);
-    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[[value]]\n"
-                           "name = \"m\"\npaths = [\"arena.grip\",\n\"arena.gripp\"]\nlevels = [1]\n";
-    const std::string path = ctl("study " + file).out;
-    EXPECT_NE(path.find("bad-study.toml:8: no such value 'arena.gripp'; the nearest is 'arena.grip'"),
-              std::string::npos)
-        << path;
-    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[value]\n"
-                           "name = \"m\"\n";
-    const std::string single = ctl("study " + file).out;
-    EXPECT_NE(single.find("bad-study.toml:5: write [[value]] instead of [value]"), std::string::npos) << single;
     std::string line;
     std::getline(table, line);
     EXPECT_EQ(line, "robot,seed,works,kind,failed_step,seconds,closest_m,final_m");
-TEST(Braitenctl, NamesExercisesAndStudiesWhereTheyAreWanted) {
-    EXPECT_NE(ctl("check 05-agressor.toml")
-                  .out.find("no shipped exercise called '05-agressor.toml'; the nearest is "
-                            "'05-aggressor'"),
-              std::string::npos);
-    const std::string grade = ctl("grade nofile.toml x.toml").out;
-    EXPECT_NE(grade.find("no shipped exercise called 'nofile.toml'; known are '01-drive', "), std::string::npos)
-        << grade;
-    EXPECT_EQ(grade.find("2a-coward"), std::string::npos) << "scenes are no exercises";
-    const Ran study = ctl("check prey-eyes");
-    EXPECT_EQ(study.code, 2);
-    EXPECT_NE(study.out.find("this is a study, and 'check' takes an exercise; run it by 'braitenctl study prey-eyes'"),
-              std::string::npos)
-        << study.out;
-    EXPECT_NE(ctl("grade four-numbers x.toml").out.find("this is a lecture, and 'grade' takes an exercise"),
-              std::string::npos);
-}
-
     int rows = 0, failed = 0;
     while (std::getline(table, line)) ++rows, failed += std::regex_search(line, std::regex("^\\d+,\\d+,0,\\w+,[12],"));
     EXPECT_EQ(rows, 6);
