@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 #include "desk.h"
 
@@ -63,6 +64,55 @@ TEST(Cards, AreInTheColumnOfTheirRowInTheOrderOfTheTable) {
         EXPECT_GT(end, area.y);
         EXPECT_LE(end, area.y + area.h + 0.5f);
     }
+}
+
+TEST(Cards, StayInTheirColumnWhicheverAreOpen) {
+    std::vector<insight::RobotResult> robots(40);
+    for (insight::RobotResult& robot : robots) robot.path = {{0, 0, 0}, {1, 1, 0}};
+    const insight::RobotsReport report = insight::report_of(robots.front(), robots, false);
+    const insight::Design design;
+    for (const float height : {640.0f, 800.0f}) {
+        Desk desk(1280, height, 1, true);
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->sources.resize(1);
+        desk.now.scene = scene;
+        desk.now.sources.resize(1);
+        desk.view.settings.selection.object = {SceneObjectKind::source, 0};
+        desk.view.settings.values = desk.view.settings.map = desk.view.settings.reality = true;
+        desk.view.slots.slots[0].design = &design;
+        desk.view.robots = RobotsView{.count = 40, .is_on = true, .report = &report};
+        desk.panels.values.kinds = desk.panels.sensor_quality_open = true;
+        std::vector<Card> foldable;  // folding others closes them
+        for (const Card card : {Card::scene, Card::values, Card::sensors, Card::brain, Card::information})
+            foldable.push_back(card);
+        for (unsigned open = 0; open < 1U << foldable.size(); ++open) {
+            for (std::size_t i = 0; i < foldable.size(); ++i) desk.panels.card(foldable[i]).folded = !(open >> i & 1);
+            desk.frame(3);
+            for (const Column column : {Column::left, Column::right}) {
+                const Rect area = column == Column::left ? desk.layout.left : desk.layout.right;
+                float end = area.y;
+                for (const CardTraits& row : cards()) {
+                    const Rect* card = row.column == column ? desk.anchors.find(row.anchor) : nullptr;
+                    if (!card) continue;
+                    EXPECT_GE(card->y, end - 0.5f) << row.anchor << " with " << open;
+                    EXPECT_GE(card->h, 35.5f) << row.anchor << " with " << open;
+                    end = card->y + card->h;
+                }
+                EXPECT_LE(end, area.y + area.h + 0.5f) << height << " with " << open;
+            }
+        }
+    }
+}
+
+TEST(Cards, AreCutFromTheLargestDown) {
+    const auto cut = [](std::vector<float> heights, float room) {
+        cut_to_fit(heights, 36, room);
+        return heights;
+    };
+    EXPECT_EQ(cut({36, 250, 400}, 700), (std::vector<float>{36, 250, 400})) << "all fit";
+    EXPECT_EQ(cut({36, 250, 400}, 586), (std::vector<float>{36, 250, 300})) << "the largest is cut";
+    EXPECT_EQ(cut({400, 36, 250}, 436), (std::vector<float>{200, 36, 200})) << "then the two largest";
+    EXPECT_EQ(cut({300, 300}, 50), (std::vector<float>{36, 36})) << "each keeps its heading";
 }
 
 TEST(Cards, AreOpenAtFirstOnlyForTheStoryAndTheBrain) {

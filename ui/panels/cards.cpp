@@ -1,6 +1,8 @@
 #include "ui/panels/cards.h"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
@@ -143,17 +145,28 @@ float wanted_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect co
     return std::min(wanted_height(ui, state.card(card.card)), card.most * column.h);
 }
 
-// The height that remains for this card below the cards above it.
+// The height that remains for this card where the cards above it leave less.
 float least_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect column) {
-    const float open = std::max({folded_height(ui), ui.px(card.least), card.least_share * column.h});
-    return std::min(wanted_height(ui, state.card(card.card)), open);
+    const float wanted = wanted_of(ui, state, card, column);
+    if (card.most < 1) return wanted;  // not squeezed by cards below
+    return std::min(wanted, std::max(ui.px(card.least), card.least_share * column.h));
 }
 
-float kept_below(const Ui& ui, PanelState& state, const Stack& stack, std::size_t i, Rect column) {
-    float kept = 0;
-    for (std::size_t k = i + 1; k < stack.count; ++k)
-        kept += ui.px(between_cards) + least_of(ui, state, *stack.rows[k], column);
-    return kept;
+// The heights of the cards. Where the column is too low for all of them, a card gets what those above and the least
+// heights of those below leave.
+std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const Stack& stack, Rect column) {
+    std::array<float, card_count> heights{};
+    const std::span<float> least(heights.data(), stack.count);
+    for (std::size_t i = 0; i < stack.count; ++i) least[i] = least_of(ui, state, *stack.rows[i], column);
+    float room = column.h - ui.px(between_cards) * static_cast<float>(stack.count > 0 ? stack.count - 1 : 0);
+    cut_to_fit(least, folded_height(ui), room);
+    for (std::size_t i = 0; i < stack.count; ++i) {
+        const float below = std::accumulate(least.begin() + static_cast<std::ptrdiff_t>(i) + 1, least.end(), 0.0f);
+        const float wanted = wanted_of(ui, state, *stack.rows[i], column);
+        heights[i] = std::max(heights[i], std::min(wanted, room - below));
+        room -= heights[i];
+    }
+    return heights;
 }
 
 // Folds the card with folds_when_cramped for this frame, if the column is too low for all cards. Null if there is none.
@@ -185,18 +198,30 @@ std::span<const CardTraits> cards() { return card_traits; }
 
 const CardTraits& traits(Card card) { return card_traits[static_cast<std::size_t>(card)]; }
 
+void cut_to_fit(std::span<float> heights, float floor, float room) {
+    std::vector<float> sorted(heights.begin(), heights.end());
+    std::sort(sorted.begin(), sorted.end());
+    float most = room;                                 // of each height
+    for (std::size_t i = 0; i < sorted.size(); ++i) {  // the lower ones keep theirs
+        most = room / static_cast<float>(sorted.size() - i);
+        if (sorted[i] > most) break;
+        room -= sorted[i];
+    }
+    for (float& height : heights) height = std::min(height, std::max(floor, most));
+}
+
 void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, Rect column, std::optional<Card> guest) {
     if (column.w <= 0) return;
     const float space = ui.px(between_cards);
     const Stack stack = stack_of(which, view, guest);
     const CardTraits* folded_now = fold_when_cramped(ui, state, stack, column);
+    const std::array<float, card_count> heights = heights_of(ui, state, stack, column);
     Rect rest = column;
     for (std::size_t i = 0; i < stack.count; ++i) {
         const CardTraits& row = *stack.rows[i];
         CardState& card = state.card(row.card);
         Rect place = rest;
-        place.h = wanted_of(ui, state, row, column);
-        if (row.most == 1) place.h = std::min(place.h, rest.h - kept_below(ui, state, stack, i, column));
+        place.h = heights[i];
         const bool was_folded = card.folded;
         row.draw(view, state, ui, lecture_place(view, ui, row, card.folded, place), rest);
         const bool changed = card.folded != was_folded;

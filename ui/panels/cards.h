@@ -30,9 +30,10 @@ struct CardTraits {
     // `rest`: the column from the top of this card down.
     void (*draw)(const LabView&, PanelState&, Ui&, Rect place, Rect rest) = nullptr;
 
-    // Heights in a column. The cards of a column share it from top to bottom, in the order of the table.
+    // Heights in a column. The cards of a column share it from top to bottom, in the order of the table. No card leaves
+    // it: where the least heights of all exceed it, the largest of them are cut.
     float most = 1;                   // at most this share of the column; below 1: not squeezed by cards below
-    float least = 0;                  // layout pixels; minimum height below the cards above, while it is open
+    float least = 96;                 // layout pixels; minimum height beside the other cards, while it is open
     float least_share = 0;            // the same as a share of the column
     bool folds_when_cramped = false;  // folded while the column is too low, unless the user has opened it
 };
@@ -40,6 +41,9 @@ struct CardTraits {
 // In the order of Card.
 std::span<const CardTraits> cards();
 const CardTraits& traits(Card);
+
+// Cuts the largest heights to one height, at least `floor`, so that the sum is at most `room`.
+void cut_to_fit(std::span<float> heights, float floor, float room);
 
 // Draws the visible cards of a column, and above them `guest`, a card of the other column that has no room there.
 void draw_column(Column, const LabView&, PanelState&, Ui&, Rect, std::optional<Card> guest = std::nullopt);
