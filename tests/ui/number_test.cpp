@@ -72,3 +72,39 @@ TEST(Number, AcceptUsualNotationAndRefuseOtherText) {
 }
 
 }  // namespace braitenlab::tests::number_test
+TEST(Number, MayHaveTheUnitOfTheFieldOrOneOfTheSameKind) {
+    EXPECT_FLOAT_EQ(typed_number("0.35 m/s", "m/s").value(), 0.35f);
+    EXPECT_FLOAT_EQ(typed_number("35 cm/s", " m/s").value(), 0.35f);
+    EXPECT_FLOAT_EQ(typed_number("350mm/s", "m/s").value(), 0.35f);
+    EXPECT_FLOAT_EQ(typed_number("12,5 cm", "m").value(), 0.125f);
+    EXPECT_FLOAT_EQ(typed_number("20 ms", "s").value(), 0.02f);
+    EXPECT_FLOAT_EQ(typed_number("850 g", "kg").value(), 0.85f);
+    EXPECT_FLOAT_EQ(typed_number("5 %", "").value(), 0.05f);
+    EXPECT_FLOAT_EQ(typed_number("45°", "°").value(), 45);
+    EXPECT_FLOAT_EQ(typed_number("0.5 1/s", "1/s").value(), 0.5f);
+    EXPECT_FLOAT_EQ(typed_number("7", "m/s").value(), 7);
+}
+
+TEST(Number, InAnotherUnitIsRefused) {
+    for (const auto& [typed, unit] : {std::pair{"35 kg", "m/s"},
+                                      {"35 cm", "m/s"},
+                                      {"126 km/h", "m/s"},
+                                      {"5 m", ""},
+                                      {"5 d", "cd"},
+                                      {"5 cm/s²", "m/s²"},
+                                      {"5 %", "m"},
+                                      {"1 2", ""},
+                                      {"5 min", "s"}})
+        EXPECT_FALSE(typed_number(typed, unit)) << typed << " in " << unit;
+}
+
+TEST(Number, HaveTheDecimalsThatWriteThemExactly) {
+    EXPECT_EQ(decimals_of(0.5f, 2, 4), 2);
+    EXPECT_EQ(decimals_of(0.005f, 2, 4), 3);
+    EXPECT_EQ(decimals_of(0.1735f, 2, 4), 4);
+    EXPECT_EQ(decimals_of(1.7945172f, 2, 4), 2) << "a computed number";
+    EXPECT_EQ(decimals_of(maths::degrees(maths::radians(45.5f)), 0, 4), 1);
+    EXPECT_EQ(decimals_of(268, 0, 4), 0);
+    EXPECT_EQ(decimals_of(1234.56f, 2, 4), 2) << "five digits are enough";
+}
+

@@ -150,6 +150,28 @@ TEST_P(SliderWithInvalidText, KeepsItsValue) {
 
 INSTANTIATE_TEST_SUITE_P(Words, SliderWithInvalidText, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
 
+TEST(Slider, SaysWhyATypedTextIsRefused) {
+    Desk desk;
+    desk.view.settings.values = desk.panels.values.kinds = desk.panels.values.body_open = true;
+    desk.panels.card(Card::scene).folded = true;
+    desk.frame(3);
+    desk.type_into("body.top_speed", "35 kg");
+    EXPECT_TRUE(desk.edits().empty());
+    ASSERT_TRUE(desk.last<NoticeRequest>());
+    EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.no_number_in");
+    EXPECT_EQ(desk.last<NoticeRequest>()->words, "35 kg");
+    EXPECT_EQ(desk.last<NoticeRequest>()->more, "m/s");
+    desk.rest();
+    desk.type_into("body.top_speed", "35 cm/s");
+    ASSERT_FALSE(desk.edits().empty());
+    EXPECT_FLOAT_EQ(std::get<EditKind>(desk.edits().back().command).to.body.top_speed, 0.35f);
+    desk.rest();
+    desk.all.clear();
+    desk.type_into("slider.LL", "fast");
+    ASSERT_TRUE(desk.last<NoticeRequest>());
+    EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.no_number");
+}
+
 TEST(Slider, SaysThatATypedNumberIsLimitedToTheRange) {
     Desk desk;
     const auto limits_shown = [&](const char* number) {

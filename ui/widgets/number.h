@@ -19,7 +19,8 @@ inline std::string as_factor(const Ui& ui, float value, int decimals) {
     return as_factor(value, decimals, ui.decimal_mark);
 }
 
-// The number typed, with a decimal comma or point and any kind of minus; nullopt for other text.
-std::optional<float> typed_number(std::string_view);
+// The number typed, with a decimal comma or point and any kind of minus, in this unit: "35", "35 m/s". Another metric
+// prefix is converted: "350 mm/s" is 0.35 in m/s, and so is "%" for a number without a unit. nullopt for other text.
+std::optional<float> typed_number(std::string_view, std::string_view unit = {});
 
 }  // namespace braitenlab::ui

@@ -84,6 +84,8 @@ SliderLook look_of(const NumberField& field) {
     SliderLook look;
     look.low = static_cast<float>(field.range.low), look.high = static_cast<float>(field.range.high);
     look.home = field.home;
+    look.whole = field.whole;
+    look.typed_unit = field.unit;
     look.nudge = 10;
     const float span = look.high - look.low;
     const bool is_angle = field.unit == "°", is_rate = field.unit == "1/s";

@@ -116,22 +116,15 @@ void open_text(SliderState& state, std::string_view id, const std::string& numbe
     std::snprintf(state.text, sizeof state.text, "%s", plain[0] == '+' ? plain.c_str() + 1 : plain.c_str());
 }
 
-int only_number(ImGuiInputTextCallbackData* data) {
-    const ImWchar c = data->EventChar;
-    return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '-' || c == '+' ? 0 : 1;
-}
-
-// The number being edited. Leaving it other than by Esc takes the text, if it is a number.
-std::optional<float> edit_number(Ui& ui, SliderState& state, std::string_view id, Rect box) {
+// The text being edited. Leaving it other than by Esc returns it.
+std::optional<std::string> edit_text(Ui& ui, SliderState& state, std::string_view id, Rect box) {
     ImGui::SetCursorScreenPos({box.x, box.y});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), (box.h - line_height(ui, Face::text)) / 2});
     compat::push_font(font(ui, Face::text));
     ImGui::SetNextItemWidth(box.w);
     if (!state.text_opened) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputText("##number", state.text, sizeof state.text,
-                                          ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue |
-                                              ImGuiInputTextFlags_CallbackCharFilter,
-                                          only_number);
+                                          ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
     const bool active = ImGui::IsItemActive();
     ImGui::PopFont();
     ImGui::PopStyleVar();
@@ -142,7 +135,21 @@ std::optional<float> edit_number(Ui& ui, SliderState& state, std::string_view id
     if (!entered && !state.commit && !state.give_up && !left) return std::nullopt;
     state.typed.clear();
     ImGui::ClearActiveID();
-    return state.give_up ? std::nullopt : typed_number(state.text);
+    return state.give_up ? std::nullopt : std::optional<std::string>(state.text);
+}
+
+// The number typed, with notices of what is wrong with it.
+std::optional<float> accept_text(Ui& ui, const std::string& text, const SliderLook& look) {
+    const std::string_view unit = look.typed_unit.empty() ? look.unit : look.typed_unit;
+    const std::optional<float> number = typed_number(text, unit);
+    if (!number && text.find_first_not_of(' ') != text.npos)
+        ui.outbox.push_back(unit.empty() ? NoticeRequest{"notice.no_number", text, {}}
+                                         : NoticeRequest{"notice.no_number_in", text,
+                                                         std::string(unit.substr(unit.find_first_not_of(' ')))});
+    if (number && (*number < look.low || *number > look.high))
+        ui.outbox.push_back(NoticeRequest{"notice.limited", slider_text(ui, look.low, look) + std::string(look.unit),
+                                          slider_text(ui, look.high, look) + std::string(look.unit)});
+    return number;
 }
 
 void draw_slider(const Ui& ui, const Item& at, const SliderTrack& t, float value, const SliderLook& look) {
@@ -196,12 +203,10 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     if (clicked && ui.keyboard) ui.keyboard->focus = id;
     if (typing) {
         ImGui::SameLine(0, 0);
-        if (const auto typed =
-                edit_number(ui, state, id, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
+        if (const auto text =
+                edit_text(ui, state, id, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
             ++state.gesture;
-            wanted = *typed;
-            if (*typed < look.low || *typed > look.high)
-                ui.outbox.push_back(NoticeRequest{"notice.limited", shown(look.low), shown(look.high)});
+            wanted = accept_text(ui, *text, look);
         }
     } else if (to_typing) {
         // Undo a move of the knob by the first click of a double click, with the same gesture.

@@ -2,7 +2,8 @@
 //
 // Mouse: dragging moves the knob (with Shift ten times finer); a right click restores the home value; a double click or
 // Ctrl+click edits the number. Keys: ← and → move by a nudge, with Shift by the smallest step; Del restores; Enter
-// edits the number. A typed number outside the range is clamped, with a notice; other text changes nothing.
+// edits the number. A typed number may have its unit or one of the same kind ("35 cm/s"); outside the range it is clamped,
+// with a notice. Other text changes nothing, with a notice.
 //
 // A wide track serves a range of several powers of ten, such as 0.05 .. 1000: it is linear within ± SliderLook::knee
 // and logarithmic beyond. The mouse and the arrow keys then give numbers of three digits, in steps that grow with the
@@ -48,6 +49,7 @@ struct SliderLook {
     float nudge = 5;           // steps per press of an arrow key; with Shift one
     int decimals = 2;          // shown; 10^-decimals <= step
     std::string_view unit{};   // after the number, with its space: " m", "°"
+    std::string_view typed_unit{};  // of typed numbers, where `unit` is not shown
     bool signed_number = true;
     bool wide = false;                          // the track is logarithmic beyond ± knee
     float knee = 1;                             // above 0
