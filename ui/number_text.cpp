@@ -36,4 +36,13 @@ std::string as_factor(float value, int decimals, char decimal_mark) {
     return is_negative(value, decimals) ? "(" + bare + ")" : bare;
 }
 
+int decimals_of(float value, int least, int most) {
+    constexpr float rounding = 5e-7f;  // relative: of an angle in degrees that is stored in radians
+    const float size = std::fabs(value);
+    float unit = std::pow(10.0f, static_cast<float>(least));
+    for (int decimals = least; decimals <= most && size * unit < 1e5f; ++decimals, unit *= 10)
+        if (std::fabs(std::round(size * unit) - size * unit) <= rounding * size * unit) return decimals;
+    return least;
+}
+
 }  // namespace braitenlab::ui

@@ -14,6 +14,10 @@ std::string with_sign(float value, int decimals, char decimal_mark = '.');
 // The second factor of a product: "0.40", "(−1.00)".
 std::string as_factor(float value, int decimals, char decimal_mark = '.');
 
+// The decimals that write the value exactly, `least` to `most`, with five digits in all; `least` for a value that has
+// more, as a computed one.
+int decimals_of(float value, int least, int most);
+
 // The unit as it follows a number: " m", "°"; empty for none.
 inline std::string unit_after(std::string_view unit) {
     return (unit.empty() || unit == "°" ? "" : " ") + std::string(unit);

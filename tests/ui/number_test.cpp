@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/maths/angle.h"
 #include "desk.h"
 #include "ui/widgets/paint.h"
 
@@ -71,7 +72,6 @@ TEST(Number, AcceptUsualNotationAndRefuseOtherText) {
         EXPECT_FALSE(typed_number(invalid)) << invalid;
 }
 
-}  // namespace braitenlab::tests::number_test
 TEST(Number, MayHaveTheUnitOfTheFieldOrOneOfTheSameKind) {
     EXPECT_FLOAT_EQ(typed_number("0.35 m/s", "m/s").value(), 0.35f);
     EXPECT_FLOAT_EQ(typed_number("35 cm/s", " m/s").value(), 0.35f);
@@ -108,3 +108,4 @@ TEST(Number, HaveTheDecimalsThatWriteThemExactly) {
     EXPECT_EQ(decimals_of(1234.56f, 2, 4), 2) << "five digits are enough";
 }
 
+}  // namespace braitenlab::tests::number_test

@@ -150,6 +150,51 @@ TEST_P(SliderWithInvalidText, KeepsItsValue) {
 
 INSTANTIATE_TEST_SUITE_P(Words, SliderWithInvalidText, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
 
+TEST(Slider, KeepsATypedNumberBetweenTwoStepsAndShowsIt) {
+    Desk desk;
+    desk.frame(3);
+    desk.type_into("slider.LL", "0.0045");
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_FLOAT_EQ(turned(desk.edits()[0]).value, 0.0045f);
+    BrainGraph brain = *desk.now.brains[0];
+    turn(brain, Dial::LL, 0.0045f);
+    desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+    desk.frame(2);
+    const auto shows = [&](std::string_view words) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& text) { return text.words == words; });
+    };
+    EXPECT_TRUE(shows("+0.0045"));
+    desk.rest();
+    desk.type_into("slider.LL", "0.0046");
+    EXPECT_FLOAT_EQ(turned(desk.edits().back()).value, 0.0046f) << "also a small change";
+}
+
+TEST(Slider, DoesNotRoundAComputedNumberThatIsOpenedAndLeft) {
+    Desk desk;
+    BrainGraph brain = *desk.now.brains[0];
+    turn(brain, Dial::LL, 0.4378219f);
+    desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+    desk.frame(3);
+    desk.click("slider.LL", 0, 0.97f);
+    EXPECT_STREQ(desk.panels.sliders.text, "0.44");
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.sliders.typed.empty());
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST(Slider, RestoresAValueOfTheFileBetweenTwoSteps) {
+    Desk desk;
+    Scene filed = *desk.now.scene;
+    turn(filed.kinds[0].brain, Dial::LR, 0.125f);
+    desk.view.file = &filed;
+    desk.frame(3);
+    desk.click("slider.LR", 1);
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_EQ(turned(desk.edits()[0]).value, 0.125f);
+}
+
 TEST(Slider, SaysWhyATypedTextIsRefused) {
     Desk desk;
     desk.view.settings.values = desk.panels.values.kinds = desk.panels.values.body_open = true;

@@ -324,6 +324,7 @@ private:
     Ui& ui_;
     const VehicleView& vehicle_;
     const Kind& kind_;
+        look.whole = std::holds_alternative<int Sensor::*>(number.value);
     const Sensor* sensor_ = nullptr;  // null: there is none
     std::string opposite_;            // name of the sensor on the other side; empty: there is none
     const Sensor* filed_ = nullptr;   // as the file has it

@@ -66,8 +66,15 @@ std::optional<float> draft_number(Ui& ui, SliderState& sliders, const std::strin
 }
 
 SliderLook whole_look(std::string_view words, float low, float high, float home) {
-    return {
-        .words = words, .tooltip = {}, .low = low, .high = high, .home = home, .step = 1, .nudge = 1, .decimals = 0};
+    return {.words = words,
+            .tooltip = {},
+            .low = low,
+            .high = high,
+            .home = home,
+            .step = 1,
+            .nudge = 1,
+            .decimals = 0,
+            .whole = true};
 }
 
 // The name of the value, which unfolds the list, and its levels.

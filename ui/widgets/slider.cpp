@@ -19,6 +19,7 @@ namespace {
 constexpr float knob_radius = 7;
 constexpr float zero_reach = 3;      // layout pixels; a drag without Shift snaps to 0 within this distance
 constexpr float mouse_steps = 5;     // per movement of the mouse
+constexpr int most_decimals = 4;     // shown
 constexpr double gesture_pause = 1;  // seconds without a key end a gesture
 
 struct SliderTrack {
@@ -53,14 +54,23 @@ std::string without_trailing_zeros(std::string number, char decimal_mark) {
     return number;
 }
 
+bool rounds_to_zero(float value, int decimals) {
+    return std::fabs(value) * std::pow(10.0f, static_cast<float>(decimals)) < 0.5f;
+}
+
+int shown_decimals(float value, const SliderLook& look) {
+    return look.whole ? 0 : decimals_of(value, look.decimals, most_decimals);
+}
+
 std::string slider_text(const Ui& ui, float value, const SliderLook& look) {
-    std::string number = look.signed_number ? with_sign(ui, value, look.decimals) : fixed(ui, value, look.decimals);
+    const int decimals = shown_decimals(value, look);
+    std::string number = look.signed_number ? with_sign(ui, value, decimals) : fixed(ui, value, decimals);
     return look.trimmed ? without_trailing_zeros(std::move(number), ui.decimal_mark) : number;
 }
 
-// Clamped and rounded to the step, with −0 made 0. Precondition: finite.
+// Clamped, with −0 made 0. Precondition: finite.
 float valid_value(float value, const SliderLook& look) {
-    return std::clamp(rounded_to(value, look.step), look.low, look.high) + 0.0f;
+    return std::clamp(look.whole ? std::round(value) : value, look.low, look.high) + 0.0f;
 }
 
 std::optional<float> drag_knob(const Ui& ui, SliderState& state, const Item& at, const SliderTrack& track,
@@ -105,7 +115,7 @@ std::optional<float> nudge_knob(Ui& ui, SliderState& state, const Item& at, std:
     if (state.nudged != id || now - state.nudged_at > gesture_pause) ++state.gesture;
     state.nudged = id;
     state.nudged_at = now;
-    return value + change;
+    return rounded_to(value + change, look.step);
 }
 
 void open_text(SliderState& state, std::string_view id, const std::string& number) {
@@ -113,7 +123,8 @@ void open_text(SliderState& state, std::string_view id, const std::string& numbe
     state.text_opened = state.commit = state.give_up = false;
     std::string plain = number;  // with the minus of the keyboard
     if (const auto minus = plain.find("−"); minus != std::string::npos) plain.replace(minus, 3, "-");
-    std::snprintf(state.text, sizeof state.text, "%s", plain[0] == '+' ? plain.c_str() + 1 : plain.c_str());
+    state.opened_text = plain[0] == '+' ? plain.substr(1) : plain;
+    std::snprintf(state.text, sizeof state.text, "%s", state.opened_text.c_str());
 }
 
 // The text being edited. Leaving it other than by Esc returns it.
@@ -197,6 +208,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     const ImGuiIO& io = ImGui::GetIO();
 
     std::optional<float> wanted;
+    float least_change = look.step / 20;
     const bool on_number = io.MousePos.x > track.x1 + inset;
     const bool clicked = at.hovered && ImGui::IsMouseClicked(0), twice = at.hovered && ImGui::IsMouseDoubleClicked(0);
     const bool to_typing = at.entered || twice || (clicked && (io.KeyCtrl || on_number));
@@ -206,7 +218,8 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
         if (const auto text =
                 edit_text(ui, state, id, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
             ++state.gesture;
-            wanted = accept_text(ui, *text, look);
+            if (*text != state.opened_text) wanted = accept_text(ui, *text, look);
+            least_change = 0;
         }
     } else if (to_typing) {
         // Undo a move of the knob by the first click of a double click, with the same gesture.
@@ -218,6 +231,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     } else if ((at.hovered && ImGui::IsMouseClicked(1)) || (at.focused && take(*ui.keyboard, key::del))) {
         ++state.gesture;
         wanted = look.home;
+        least_change = 0;
     } else {
         wanted = drag_knob(ui, state, at, track, id, value, look);
         if (!wanted) wanted = nudge_knob(ui, state, at, id, value, wall_seconds, look);
@@ -229,7 +243,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     draw_slider(ui, at, track, value, look);
     if (!typing)
         put_right(ui, {at.right(), at.middle_y() - line_height(ui, Face::text) / 2}, number,
-                  std::fabs(value) < look.step / 2 ? p.second_text : p.text);
+                  rounds_to_zero(value, shown_decimals(value, look)) ? p.second_text : p.text);
     if (!typing && at.hovered)
         tooltip(ui, at, look.tooltip,
                 fill(ui.strings("slider.how"),
@@ -237,7 +251,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
 
     if (!wanted || !std::isfinite(*wanted)) return std::nullopt;
     const float edited = valid_value(*wanted, look);
-    const bool changed = std::fabs(edited - (state.dragged == id ? state.asked : value)) > look.step / 20;
+    const bool changed = std::fabs(edited - (state.dragged == id ? state.asked : value)) > least_change;
     if (!changed) return std::nullopt;
     state.asked = edited;
     if (state.dragged != id) state.set_at = wall_seconds;

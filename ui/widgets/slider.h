@@ -2,8 +2,8 @@
 //
 // Mouse: dragging moves the knob (with Shift ten times finer); a right click restores the home value; a double click or
 // Ctrl+click edits the number. Keys: ← and → move by a nudge, with Shift by the smallest step; Del restores; Enter
-// edits the number. A typed number may have its unit or one of the same kind ("35 cm/s"); outside the range it is clamped,
-// with a notice. Other text changes nothing, with a notice.
+// edits the number. A typed number is kept as it is typed, also between two steps, and may have its unit or one of the
+// same kind ("35 cm/s"); outside the range it is clamped, with a notice. Other text changes nothing, with a notice.
 //
 // A wide track serves a range of several powers of ten, such as 0.05 .. 1000: it is linear within ± SliderLook::knee
 // and logarithmic beyond. The mouse and the arrow keys then give numbers of three digits, in steps that grow with the
@@ -32,6 +32,7 @@ struct SliderState {
     double set_at = -1;         // wall seconds of the last edit other than a drag; negative: none yet
     std::string typed;          // anchor of the slider being edited
     char text[24] = {};
+    std::string opened_text;               // at first; leaving it as it is changes nothing
     bool text_opened = false;              // its text field is active
     bool commit = false, give_up = false;  // Enter and Esc while typing, set by press_key
 };
@@ -43,12 +44,13 @@ std::uint64_t gesture_by_keys(const SliderState&, double wall_seconds);
 struct SliderLook {
     std::string_view words;  // "LL"
     std::string_view tooltip;
-    float low = -2, high = 2;  // filled from 0 when 0 is between them, else from `low`
-    float home = 0;            // value restored by a right click
-    float step = 0.01f;        // 1/n; all values are multiples. The mouse moves by 5 steps
-    float nudge = 5;           // steps per press of an arrow key; with Shift one
-    int decimals = 2;          // shown; 10^-decimals <= step
-    std::string_view unit{};   // after the number, with its space: " m", "°"
+    float low = -2, high = 2;       // filled from 0 when 0 is between them, else from `low`
+    float home = 0;                 // value restored by a right click
+    float step = 0.01f;             // 1/n; mouse and arrow keys give multiples. The mouse moves by 5 steps
+    float nudge = 5;                // steps per press of an arrow key; with Shift one
+    int decimals = 2;               // shown at least, up to 4 where the value has them; 10^-decimals <= step
+    bool whole = false;             // a count: typed numbers are rounded
+    std::string_view unit{};        // after the number, with its space: " m", "°"
     std::string_view typed_unit{};  // of typed numbers, where `unit` is not shown
     bool signed_number = true;
     bool wide = false;                          // the track is logarithmic beyond ± knee
@@ -59,7 +61,7 @@ struct SliderLook {
 };
 
 struct SliderEdit {
-    float value = 0;            // within low..high, finite, rounded to the step
+    float value = 0;            // within low..high, finite
     std::uint64_t gesture = 0;  // the same for all edits of one drag
 };
 
