@@ -164,8 +164,8 @@ std::set<std::string> composed() {
         describe(fields, record);
     });
     for (const MessageText& message : message_table) keys.insert("error." + std::string(message.id));
-    for (const char* row :
-         {"kind.name", "kind.count", "sensors.noise", "sensors.latency"})  // ui/panels/kind_editor.cpp
+    for (const char* row : {"kind.name", "kind.count", "body.track", "body.wheel_radius", "sensors.noise",
+                            "sensors.latency"})  // ui/panels/kind_editor.cpp
         for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
     for (const char* unit : {"rounds", "laps", "contacts", "captures", "vehicles", "times"})
         keys.insert("unit." + std::string(unit));        // ui/panels/course/lesson_text.cpp

@@ -213,6 +213,23 @@ TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {
     EXPECT_FLOAT_EQ(desk.last<EditKind>().to.body.top_speed, 0.05f);
 }
 
+TEST(ValuesCard, SetsTheTrackAndTheRadiusOfTheDrivenWheelsAlone) {
+    ValuesDesk desk(true);
+    desk.click("values.body");
+    desk.type_into("body.track", "35 cm");
+    const Body before = desk.now.scene->kinds[0].body;
+    Body to = desk.last<EditKind>().to.body;
+    EXPECT_FLOAT_EQ(to.wheels[0].y, 0.175f);
+    EXPECT_FLOAT_EQ(to.wheels[1].y, -0.175f);
+    EXPECT_EQ(to.wheels[2], before.wheels[2]) << "a castor stays";
+    EXPECT_EQ(to.width, before.width);
+    EXPECT_EQ(to.wheels[0].radius, before.wheels[0].radius);
+    desk.type_into("body.wheel_radius", "33.5 mm");
+    to = desk.last<EditKind>().to.body;
+    EXPECT_FLOAT_EQ(to.wheels[0].radius, 0.0335f);
+    EXPECT_EQ(to.wheels[2].radius, before.wheels[2].radius);
+}
+
 TEST(ValuesCard, ChangesTheOwnSensorsOfVehiclesTogetherWithThoseOfTheirKind) {
     ValuesDesk desk(true);
     desk.give_own_sensors(3);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,37 @@ bool colour_swatch(Ui& ui, const std::string& id, std::string_view colour, bool 
         list.AddCircleFilled(middle, ui.px(7), paint(braitenlab::colour_of(colour).value_or(ui.palette.text)), 24);
     tooltip(ui, at, ui.strings(colour.empty() ? "values.colour_none" : "values.colour_how"));
     return at.pressed;
+}
+
+// Of the wheels with a motor: the distance (m) between the leftmost and the rightmost, and the largest radius (m). Both
+// are 0 for a body without such wheels.
+struct DrivenWheels {
+    float track = 0, radius = 0;
+};
+
+DrivenWheels driven_wheels(const Body& body) {
+    DrivenWheels driven;
+    float left = std::numeric_limits<float>::lowest(), right = std::numeric_limits<float>::max();
+    for (const Wheel& wheel : body.wheels) {
+        if (wheel.motor == Motor::none) continue;
+        left = std::max(left, wheel.y), right = std::min(right, wheel.y);
+        driven.radius = std::max(driven.radius, wheel.radius);
+    }
+    driven.track = std::max(0.0f, left - right);
+    return driven;
+}
+
+// The body whose driven wheels have this track and radius: each is moved across and scaled in proportion, within the
+// ranges of a wheel.
+Body with_driven_wheels(const Body& body, DrivenWheels wanted) {
+    const DrivenWheels now = driven_wheels(body);
+    Body to = body;
+    for (Wheel& wheel : to.wheels) {
+        if (wheel.motor == Motor::none) continue;
+        if (now.track > 0) wheel.y = std::clamp(wheel.y * (wanted.track / now.track), -10.0f, 10.0f);
+        if (now.radius > 0) wheel.radius = std::clamp(wheel.radius * (wanted.radius / now.radius), 0.005f, 5.0f);
+    }
+    return to;
 }
 
 // Editing of one kind. All changes of a frame are one EditKind: the press that leaves a text field can also be the
@@ -130,18 +162,39 @@ private:
     }
 
     void body() {
-        constexpr std::string_view shown[]{"length",      "width",   "mass",           "top_speed",
-                                           "motor_force", "voltage", "nominal_voltage"};
-        auto edit = record_fields(rows(), kind_.body, filed_.body, shown);
+        size();
+        driven();
+        constexpr std::string_view shown[]{"mass", "top_speed", "motor_force", "voltage", "nominal_voltage"};
+        const auto edit = record_fields(rows(), kind_.body, filed_.body, shown);
+        if (!edit) return;
+        Body& to = changed(edit->gesture).body;
+        to.mass = edit->to.mass, to.top_speed = edit->to.top_speed, to.motor_force = edit->to.motor_force;
+        to.voltage = edit->to.voltage, to.nominal_voltage = edit->to.nominal_voltage;
+    }
+
+    void size() {
+        constexpr std::string_view shown[]{"length", "width"};
+        const auto edit = record_fields(rows(), kind_.body, filed_.body, shown);
         if (!edit) return;
         const float length = edit->to.length, width = edit->to.width;
-        edit->to.length = kind_.body.length, edit->to.width = kind_.body.width;
-        changed(edit->gesture).body = resized(edit->to, length, width);
-        if (length == kind_.body.length && width == kind_.body.width) return;
+        changed(edit->gesture).body = resized(kind_.body, length, width);
         change_sensors(edit->gesture, [&](Sensor& sensor) {  // the eyes stay at their places on the chassis
             sensor.x = std::clamp(sensor.x * length / kind_.body.length, -10.0f, 10.0f);
             sensor.y = std::clamp(sensor.y * width / kind_.body.width, -10.0f, 10.0f);
         });
+    }
+
+    // The places and sizes of the wheels with a motor.
+    void driven() {
+        const DrivenWheels now = driven_wheels(kind_.body), home = driven_wheels(filed_.body);
+        if (now.track <= 0) return;
+        FieldRows row = rows();
+        row.anchor = "body", row.words = "field.body.";
+        const auto track = row.number({"track", "m", {0.02, 20}, now.track, home.track});
+        const auto radius = row.number({"wheel_radius", "m", {0.005, 5}, now.radius, home.radius});
+        if (!track && !radius) return;
+        Body& to = changed(track ? track->gesture : radius->gesture).body;
+        to = with_driven_wheels(to, {track ? track->value : now.track, radius ? radius->value : now.radius});
     }
 
     // Changes each sensor of the kind and, as SetSensors of a kind discards them, each own sensor of its vehicles.
