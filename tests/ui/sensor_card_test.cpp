@@ -171,6 +171,24 @@ TEST(SensorCard, SetsTheLightThatAPhotocellHalvesAt) {
     EXPECT_FLOAT_EQ(desk.asked_for()[0].half_lux, 120);
 }
 
+TEST(SensorCard, OffersTheHalfDistanceOnlyWhereItDecidesAReading) {
+    SensorDesk desk;
+    desk.panels.sensor_quality_open = true;
+    const auto is_offered_for = [&](SensorResponse response, float candela) {
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        for (Sensor& sensor : scene->kinds[0].sensors) sensor.response = response;
+        scene->sources.assign(1, Source{.candela = candela});
+        desk.now.scene = scene;
+        desk.now.sources.resize(1);
+        desk.frame(3);
+        return desk.anchors.find("sensor.half_distance") != nullptr;
+    };
+    EXPECT_TRUE(is_offered_for(SensorResponse::graded, 0));
+    EXPECT_TRUE(is_offered_for(SensorResponse::photocell, 0)) << "the lamp has a strength only";
+    EXPECT_FALSE(is_offered_for(SensorResponse::photocell, 500));
+    EXPECT_FALSE(is_offered_for(SensorResponse::boolean, 0));
+}
+
 TEST(SensorCard, RightClickRestoresTheAngleOfTheFile) {
     SensorDesk desk;
     auto turned = std::make_shared<Scene>(*desk.now.scene);

@@ -63,9 +63,10 @@ constexpr SensorNumber geometry_numbers[]{
     {"sensor.x", "sensors.x", "sensors.x_how", &Sensor::x, -1, 1, 1, 0.01f, 2, " m", false, true},
     {"sensor.y", "sensors.y", "sensors.y_how", &Sensor::y, -1, 1, 1, 0.01f, 2, " m", true, true},
 };
+constexpr std::string_view half_distance = "sensors.half_distance";
 constexpr SensorNumber quality_numbers[]{
-    {"sensor.half_distance", "sensors.half_distance", "sensors.half_distance_how", &Sensor::half_distance, 0.1f, 20, 1,
-     0.1f, 1, " m", false, true},
+    {"sensor.half_distance", half_distance, "sensors.half_distance_how", &Sensor::half_distance, 0.1f, 20, 1, 0.1f, 1,
+     " m", false, true},
     {"sensor.noise", "sensors.noise", "sensors.noise_how", &Sensor::noise, 0, 1},
     {"sensor.latency", "sensors.latency", "sensors.latency_how", &Sensor::latency, 0, 1, 1, 0.01f, 2, " s"},
     {"sensor.interval", "sensors.interval", "sensors.interval_how", &Sensor::interval, 0, 1, 1, 0.01f, 2, " s"},
@@ -95,6 +96,17 @@ void set_value(Sensor& sensor, const SensorNumber& number, float shown) {
         sensor.*std::get<float Sensor::*>(number.value) = shown / number.factor;
 }
 
+// The width of the words of all sliders, so that their tracks begin in one line; layout pixels.
+float sensor_words_width(const Ui& ui) {
+    constexpr float least = 84, space = 8;
+    float widest = text_width(ui, Face::text, ui.strings(half_lux_number.words));
+    for (const SensorNumber& number : geometry_numbers)
+        widest = std::max(widest, text_width(ui, Face::text, ui.strings(number.words)));
+    for (const SensorNumber& number : quality_numbers)
+        widest = std::max(widest, text_width(ui, Face::text, ui.strings(number.words)));
+    return std::max(least, widest / ui.px(1) + space);
+}
+
 class SensorEditor {
 public:
     SensorEditor(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
@@ -103,6 +115,7 @@ public:
         sensor_ = find_sensor(kind_.sensors, state.sensor);
         if (!sensor_) sensor_ = &kind_.sensors.front();
         opposite_ = opposite_of(kind_.sensors, sensor_->name);
+        words_width_ = sensor_words_width(ui);
         if (const Kind* filed = filed_kind(view, vehicle)) filed_ = find_sensor(filed->sensors, sensor_->name);
     }
 
@@ -125,7 +138,8 @@ public:
         response();
         if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensor_quality_open)) return;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-        for (const SensorNumber& number : quality_numbers) turn(number);
+        for (const SensorNumber& number : quality_numbers)
+            if (number.words != half_distance || has_half_distance()) turn(number);
         ImGui::PopStyleVar();
     }
 
@@ -273,6 +287,19 @@ private:
         if (now == SensorResponse::photocell) turn(half_lux_number);
     }
 
+    // Whether the distance of half the reading decides a reading: that of a photocell depends on it only by sources of
+    // which no intensity in candela is known.
+    bool has_half_distance() const {
+        if (sensor_->response == SensorResponse::graded) return true;
+        if (sensor_->response != SensorResponse::photocell) return false;
+        const auto is_by_strength = [](const auto& lamp) { return lamp.candela <= 0; };
+        const Scene& scene = *view_.now->scene;
+        return std::any_of(scene.sources.begin(), scene.sources.end(), is_by_strength) ||
+               std::any_of(scene.kinds.begin(), scene.kinds.end(), [&](const Kind& kind) {
+                   return std::any_of(kind.lamps.begin(), kind.lamps.end(), is_by_strength);
+               });
+    }
+
     // One segment per row of the enumeration's table, up to `most`; the keys of their words are "sensors.WORD".
     template <class Enum>
     void choose(std::string_view anchor, Enum Sensor::*member, std::size_t most = 8) {
@@ -297,9 +324,10 @@ private:
         }
         look.home = filed_ ? value_of(*filed_, number) : value;
         look.step = number.step, look.decimals = number.decimals, look.unit = number.unit;
+        look.whole = std::holds_alternative<int Sensor::*>(number.value);
         look.meaning = false;
         look.signed_number = number.low < 0;
-        look.words_width = 84, look.number_width = 56;
+        look.words_width = words_width_, look.number_width = 56;
         const auto wanted =
             slider(ui_, state_.sliders, number.anchor, value, card_width(ui_), view_.wall_seconds, look);
         if (!wanted) return;
@@ -324,10 +352,10 @@ private:
     Ui& ui_;
     const VehicleView& vehicle_;
     const Kind& kind_;
-        look.whole = std::holds_alternative<int Sensor::*>(number.value);
     const Sensor* sensor_ = nullptr;  // null: there is none
     std::string opposite_;            // name of the sensor on the other side; empty: there is none
     const Sensor* filed_ = nullptr;   // as the file has it
+    float words_width_ = 0;           // layout pixels
 };
 
 }  // namespace
