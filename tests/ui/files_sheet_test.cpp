@@ -133,6 +133,16 @@ TEST_F(FilesSheet, ListsRecentFilesByTheirTitle) {
     EXPECT_EQ(said("Twice (b.toml)"), 1);
 }
 
+TEST_F(FilesSheet, TellsRecentFilesOfOneTitleApartInTheMenu) {
+    const std::string title = "Arduino robot with two TT motors on a table";
+    recent = {{"/x/mine.toml", title}, {"/x/tt2wd-ldr.toml", title}, {"/y/mine.toml", title}};
+    desk.click("menu.file");
+    desk.frame(2);
+    EXPECT_EQ(said("… (x/mine.toml)"), 1);
+    EXPECT_EQ(said("… (tt2wd-ldr.toml)"), 1);
+    EXPECT_EQ(said("… (y/mine.toml)"), 1);
+}
+
 TEST_F(FilesSheet, KeepsThePositionOfItsTabsForEachTab) {
     press({'O', true});
     desk.frame(4);

@@ -119,13 +119,21 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-std::string recent_words(const LabView& view, const Ui& ui, const std::vector<RecentFile>& all,
-                         const RecentFile& file) {
+std::string recent_words(const LabView& view, const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file,
+                         float width) {
     std::string name = without_folder(file.path);
-    if (file.title.empty()) return name;
+    if (file.title.empty()) return shortened(ui, name, Face::text, width);
     const auto same = [&](const RecentFile& other) { return other.title == file.title; };
     const std::string title = known_title(view, ui, file.title);
-    return std::count_if(all.begin(), all.end(), same) > 1 ? title + " (" + name + ")" : title;
+    if (std::count_if(all.begin(), all.end(), same) < 2) return shortened(ui, title, Face::text, width);
+    const bool is_ambiguous = std::count_if(all.begin(), all.end(), [&](const RecentFile& other) {
+                                  return same(other) && without_folder(other.path) == name;
+                              }) > 1;
+    if (is_ambiguous) name = without_folder(folder_of(file.path)) + "/" + name;
+    const std::string apart = " (" + name + ")";
+    const float room = width - text_width(ui, Face::text, apart);
+    if (room < width / 4) return shortened(ui, name, Face::text, width);
+    return shortened(ui, title, Face::text, room) + apart;
 }
 
 namespace {
@@ -283,8 +291,9 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     if (view.recent)
         for (const RecentFile& file : *view.recent)
             if (list_row(view, ui,
-                         {"recent." + std::to_string(++number), recent_words(view, ui, *view.recent, file), file.path,
-                          "", icon::file, false, false, file.path},
+                         {"recent." + std::to_string(++number),
+                          recent_words(view, ui, *view.recent, file, card_width(ui) - ui.px(row_picture + 60)),
+                          file.path, "", icon::file, false, false, file.path},
                          ui.strings("files.open_how")))
                 request_file(view, files, ui, OpenRequest{file.path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);

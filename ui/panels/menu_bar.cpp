@@ -184,7 +184,7 @@ void add_recent_files(std::vector<LabMenuRow>& rows, const LabView& view, const 
         const RecentFile& file = (*view.recent)[i];
         LabMenuRow row{.request = OpenRequest{file.path}};
         row.entry.anchor = "menu.file.recent." + std::to_string(i + 1);
-        row.entry.words = shortened(ui, recent_words(view, ui, *view.recent, file), Face::text, ui.px(longest_name));
+        row.entry.words = recent_words(view, ui, *view.recent, file, ui.px(longest_name));
         row.entry.how = file.path;
         rows.push_back(std::move(row));
     }
