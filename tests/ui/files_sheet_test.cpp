@@ -143,6 +143,18 @@ TEST_F(FilesSheet, TellsRecentFilesOfOneTitleApartInTheMenu) {
     EXPECT_EQ(said("… (y/mine.toml)"), 1);
 }
 
+TEST_F(FilesSheet, SaysThatAFolderHasNoFileOfTheKindToSave) {
+    files.listing.entries = {{"mine.toml", false, FileKind::scene}};
+    begin_files(desk.panels.files, true, FileKind::brain);
+    desk.panels.sheet = Sheet::files;
+    desk.frame(3);
+    EXPECT_EQ(said("There is no file of this kind here."), 1);
+    EXPECT_EQ(said("Nothing here that the lab can read."), 0);
+    files.listing.entries.clear();
+    desk.frame(3);
+    EXPECT_EQ(said("Nothing here that the lab can read."), 1);
+}
+
 TEST_F(FilesSheet, KeepsThePositionOfItsTabsForEachTab) {
     press({'O', true});
     desk.frame(4);

@@ -341,7 +341,10 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     }
     if (!listing.problem.empty())
         paragraph(ui, fill(ui.strings("error.cannot_open"), {listing.problem}), ui.palette.text);
-    if (!any && listing.problem.empty()) paragraph(ui, ui.strings("files.nothing"), ui.palette.second_text);
+    const bool has_files = std::any_of(listing.entries.begin(), listing.entries.end(),
+                                       [](const FileEntry& entry) { return !entry.is_folder; });
+    if (!any && listing.problem.empty())
+        paragraph(ui, ui.strings(has_files ? "files.none_of_kind" : "files.nothing"), ui.palette.second_text);
     end_list();
 }
 
