@@ -133,6 +133,26 @@ TEST_F(FilesSheet, ListsRecentFilesByTheirTitle) {
     EXPECT_EQ(said("Twice (b.toml)"), 1);
 }
 
+TEST_F(FilesSheet, LeavesATextFieldByAClickBesideIt) {
+    begin_files(desk.panels.files, true, FileKind::scene);
+    desk.panels.sheet = Sheet::files;
+    desk.frame(4);
+    ASSERT_EQ(desk.panels.keyboard.focus, "files.path");
+    type("tame");
+    const Rect sheet = desk.where("card.open");
+    desk.point(sheet.x + 8, sheet.y + sheet.h - 8);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    desk.button(0, false);
+    desk.frame(3);
+    EXPECT_EQ(desk.panels.keyboard.focus, "");
+    EXPECT_FALSE(desk.panels.files.typed.active);
+    EXPECT_EQ(desk.panels.files.typed.text, "tame");
+    desk.click("files.title");
+    EXPECT_EQ(desk.panels.keyboard.focus, "files.title");
+}
+
 TEST_F(FilesSheet, TellsRecentFilesOfOneTitleApartInTheMenu) {
     const std::string title = "Arduino robot with two TT motors on a table";
     recent = {{"/x/mine.toml", title}, {"/x/tt2wd-ldr.toml", title}, {"/y/mine.toml", title}};

@@ -58,7 +58,9 @@ void hold_keyboard(Keyboard* keyboard) {
 
 void end_keyboard(Keyboard& keyboard) {
     const StopSpan stops(keyboard.stops.data(), keyboard.stop_count);
-    if (keyboard.held && stop_index(stops, keyboard.focus) < 0) keyboard.focus = stops.empty() ? "" : stops.front().id;
+    keyboard.left &= keyboard.held && keyboard.focus.empty();
+    if (keyboard.held && !keyboard.left && stop_index(stops, keyboard.focus) < 0)
+        keyboard.focus = stops.empty() ? "" : stops.front().id;
     if (keyboard.was_held && !keyboard.held) keyboard.focus = std::exchange(keyboard.focus_before, {});
     const int at = stop_index(stops, keyboard.focus);
     keyboard.text = at < 0 ? TextInput::none : stops[static_cast<std::size_t>(at)].text;
@@ -93,6 +95,12 @@ void takes_text(Keyboard* keyboard, std::string_view id, bool has_cursor) {
     if (!keyboard || keyboard->stop_count == 0) return;
     Keyboard::Stop& stop = keyboard->stops[keyboard->stop_count - 1];
     if (stop.id == id) stop.text = has_cursor ? TextInput::open : TextInput::awaited;
+}
+
+void leave(Keyboard* keyboard, std::string_view id) {
+    if (!keyboard || keyboard->focus != id) return;
+    keyboard->focus.clear();
+    keyboard->left = true;
 }
 
 std::optional<KeyPress> take(Keyboard& keyboard, int wanted) {

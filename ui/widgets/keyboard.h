@@ -31,6 +31,7 @@ struct Keyboard {
     std::size_t stop_count = 0, last_count = 0;
     int card = 0;
     bool held = false, was_held = false;  // a sheet is drawn, in this frame and in the last one
+    bool left = false;                    // a click beside a text field of the sheet has taken its focus
     std::string focus_before;             // focus when the sheet was opened
     TextInput text = TextInput::none;     // of the focused widget in the last frame
 };
@@ -62,6 +63,9 @@ bool stop_here(Keyboard*, std::string_view id);
 // Marks the widget registered last as a text field. `has_cursor`: it is active; else it becomes active in one of the
 // next frames. `keyboard` may be null.
 void takes_text(Keyboard*, std::string_view id, bool has_cursor);
+
+// Takes the focus from this widget, if it has it: no widget has it then, also in a sheet. `keyboard` may be null.
+void leave(Keyboard*, std::string_view id);
 
 // Removes and returns the first press of this key, with or without Shift and Ctrl; nullopt when there is none.
 std::optional<KeyPress> take(Keyboard&, int key);

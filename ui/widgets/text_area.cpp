@@ -81,6 +81,7 @@ void text_area(Ui& ui, TextField& field, std::string_view id, float width, int r
     const bool clicked = ImGui::IsItemHovered() && ImGui::IsMouseClicked(0);
     field.active = ImGui::IsItemActive();
     if (clicked && ui.keyboard) ui.keyboard->focus = id;
+    if (!clicked && ImGui::IsMouseClicked(0) && !ImGui::IsItemHovered()) leave(ui.keyboard, id);
     if (field.active && !focused && !clicked) ImGui::ClearActiveID(), field.active = false;
     takes_text(ui.keyboard, id, field.active);
     ImGui::PopStyleVar();

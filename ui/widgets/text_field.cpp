@@ -43,6 +43,7 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     const bool clicked = ImGui::IsItemClicked();
     field.active = ImGui::IsItemActive();
     if (clicked && ui.keyboard) ui.keyboard->focus = id;
+    if (!clicked && ImGui::IsMouseClicked(0) && !ImGui::IsItemHovered()) leave(ui.keyboard, id);
     if (field.active && !focused && !clicked) ImGui::ClearActiveID(), field.active = false;
     takes_text(ui.keyboard, id, field.active);
     ImGui::PopStyleVar();
