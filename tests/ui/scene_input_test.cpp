@@ -60,6 +60,14 @@ TEST_F(SceneInput, DragsAVehicleByTheGrabbedPointInOneGesture) {
     EXPECT_NEAR(commands<MoveSource>().back().y, 8, a_pixel);
 }
 
+TEST_F(SceneInput, PutsObjectsAtWholeMillimetres) {
+    hold({-3, 6}, {-1.23456f, 7.65432f});
+    const MoveSource to = commands<MoveSource>().back();
+    EXPECT_EQ(to.x, std::round(to.x * 1000) / 1000);
+    EXPECT_EQ(to.y, std::round(to.y * 1000) / 1000);
+    EXPECT_NEAR(to.x, -1.23456f, a_pixel);
+}
+
 TEST_F(SceneInput, HoldsADraggedVehicleAgainstItsBrain) {
     hold({-6, 0}, {-6, 3});
     const auto before = commands<MoveVehicle>().size();

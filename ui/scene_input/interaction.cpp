@@ -169,7 +169,8 @@ bool is_there(const SceneObject& object, const LabView& view, Pose to) {
 
 // The pose of an object that is moved together with the dragged one.
 Pose moved_along(const SceneInputDrag& drag, Pose began) {
-    return {began.x + drag.put.x - drag.began.x, began.y + drag.put.y - drag.began.y, began.heading};
+    const vec2 at = to_millimetres({began.x + drag.put.x - drag.began.x, began.y + drag.put.y - drag.began.y});
+    return {at.x, at.y, began.heading};
 }
 
 // Requests the poses, unless all objects have them. A moving vehicle leaves the pose, so it is requested every frame.
@@ -193,8 +194,10 @@ void continue_drag(SceneInputState& state, const SceneInputFrame& frame, Outbox&
     if (drag.phase == SceneInputPhase::pending) return;
     drag.moved = frame.pointer.at - drag.last;  // from the press on, so that the floor stays under the pointer
     drag.last = frame.pointer.at;
-    if (drag.phase == SceneInputPhase::move && floor)
-        put(drag, frame.view, {floor->x + drag.offset.x, floor->y + drag.offset.y, drag.began.heading}, outbox);
+    if (drag.phase == SceneInputPhase::move && floor) {
+        const vec2 at = to_millimetres(*floor + drag.offset);
+        put(drag, frame.view, {at.x, at.y, drag.began.heading}, outbox);
+    }
     if (drag.phase == SceneInputPhase::turn && floor) {
         Pose to = drag.began;
         to.heading = maths::wrap_angle(to.heading + bearing_from(to, *floor) - drag.bearing);

@@ -30,8 +30,14 @@ float pixels_from(const SceneInputFrame& frame, vec2 place) {
     return at ? maths::distance(*at, frame.pointer.at) : 1e9f;
 }
 
+vec2 to_millimetres(vec2 place) {
+    constexpr float per_metre = 1000;
+    return {std::round(place.x * per_metre) / per_metre, std::round(place.y * per_metre) / per_metre};
+}
+
 vec2 in_arena(const LabView& view, vec2 place) {
-    return view.now->scene ? moved_inside(view.now->scene->arena, place) : place;
+    const vec2 shown = to_millimetres(place);
+    return view.now->scene ? moved_inside(view.now->scene->arena, shown) : shown;
 }
 
 std::optional<Handle> handle_of(const SceneInputState& state, const SceneInputFrame& frame) {

@@ -13,7 +13,10 @@ std::optional<maths::vec2> floor_at(const SceneInputFrame&);
 // Distance from the pointer to a position on the floor, window pixels; 1e9 for a position behind the camera.
 float pixels_from(const SceneInputFrame&, maths::vec2 place);
 
-// The nearest position within the arena.
+// The position in whole millimetres, so that a place that the pointer gives is short in a file.
+maths::vec2 to_millimetres(maths::vec2 place);
+
+// The nearest position within the arena, in whole millimetres except at its edge.
 maths::vec2 in_arena(const LabView&, maths::vec2 place);
 
 // The object under the pointer; zones only while they are shown.
