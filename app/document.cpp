@@ -63,6 +63,7 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
     Document document{.session = std::move(*session),
                       .name = file.path.stem().string(),
                       .path = absolute_path(file.path),
+                      .is_scene_named_by_file = scene->name == file.path.stem().string(),
                       .file = std::make_shared<const Scene>(std::move(*scene)),
                       .on_disk = file.mark,
                       .settings = settings};

@@ -88,6 +88,7 @@ struct Document {
     Session session;
     std::string name{};                       // of the file, without folder and extension
     std::filesystem::path path{};             // absolute; empty: not saved yet
+    bool is_scene_named_by_file = false;      // the file that was opened states no name, or its own: nor does a copy
     std::shared_ptr<const Scene> file{};      // the scene as it was read or saved last
     FileMark on_disk{}, noticed{};            // the file when it was read or saved; and at the last check for changes
     std::optional<Error> broken{};            // why the file, changed by another program, cannot be read any more

@@ -148,8 +148,9 @@ fs::path own_file(const Document& document) {
 
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
     if (kind == FileKind::scene) {
-        const Scene scene = lab.document.session.edited_scene();
+        Scene scene = lab.document.session.edited_scene();
         if (auto error = check_scene(scene)) return error;  // a file that cannot be opened is not written
+        if (lab.document.is_scene_named_by_file) scene.name.clear();
         return write_whole(path, write_scene(scene));
     }
     if (kind == FileKind::run) return write_whole(path, io::write_run(lab.document.session.save()));

@@ -8,6 +8,7 @@
 #include "app/files/disk.h"
 #include "app/lab_requests.h"
 #include "core/export/export.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
 #include "tests/folder.h"
 
@@ -50,6 +51,20 @@ TEST_F(FileCommands, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     ask(OpenRequest{"mine.toml"});
     EXPECT_EQ(dials().LR, 1.25f);
     EXPECT_EQ(state.recent.front(), (RecentFile{(folder / "mine.toml").string(), title_of(lab.document)}));
+}
+
+TEST_F(FileCommands, NamesACopyOfASceneByItsOwnFileUnlessTheSceneStatesAName) {
+    const auto name_in = [&](const char* file) { return load_scene((folder / file).string())->name; };
+    put_text(folder / "my-scene.toml", "format = 1\nname = \"my-scene\"\n");
+    ask(OpenRequest{"my-scene.toml"});
+    ask(SaveRequest{"my-robot", FileKind::scene});
+    EXPECT_EQ(name_in("my-robot.toml"), "my-robot");
+    ask(SaveRequest{"third", FileKind::scene});
+    EXPECT_EQ(name_in("third.toml"), "third");
+    put_text(folder / "fourth.toml", "format = 1\nname = \"tortoise\"\n");
+    ask(OpenRequest{"fourth.toml"});
+    ask(SaveRequest{"fifth", FileKind::scene});
+    EXPECT_EQ(name_in("fifth.toml"), "tortoise");
 }
 
 TEST_F(FileCommands, ListsTheSceneFilesThatItHasWritten) {
