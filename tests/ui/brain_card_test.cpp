@@ -252,7 +252,7 @@ TEST(BrainCard, ExplainsTheSensorThatDecides) {
     desk.now.vehicles[0].motor = {0.5f, 0};
     desk.frame(3);
     bool said = false;
-    for (const Written& w : desk.written) said |= w.words.find("Obstacles = +0.50") != std::string::npos;
+    for (const Written& w : desk.written) said |= w.words.find("Obstacles = +0.50") != std::string::npos;
     EXPECT_TRUE(said);
 }
 
