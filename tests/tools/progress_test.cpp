@@ -18,8 +18,7 @@ TEST(Progress, WritesALineEveryTenSecondsWithTheTimeThatIsLeft) {
     progress.at(40, after(19));
     progress.at(60, after(20));
     progress.at(100, after(40));
-    EXPECT_EQ(out.str(),
-              "braitenctl: 30 of 100 runs, about 70 s left\nbraitenctl: 60 of 100 runs, about 20 s left\n");
+    EXPECT_EQ(out.str(), "braitenctl: 30 of 100 runs, about 70 s left\nbraitenctl: 60 of 100 runs, about 20 s left\n");
 }
 
 }  // namespace braitenlab::tests::progress_test
