@@ -24,8 +24,9 @@ using insight::MapCells;
 using insight::MapMeasure;
 using insight::MapQuestion;
 
-constexpr float map_side = 560, map_left = 92, map_top = 56, map_bottom = 86, map_right = 220;  // px, the map and what is around it
-constexpr float legend_row = 24, swatch = 16;                                           // of the legend
+constexpr float map_side = 560, map_left = 92, map_top = 56, map_bottom = 86,
+                map_right = 220;               // px, the map and what is around it
+constexpr float legend_row = 24, swatch = 16;  // of the legend
 constexpr const char* ink = "#1c1c1a";
 
 std::string colour_text(const ui::MapColour& colour) {
@@ -132,9 +133,9 @@ std::string kinds_legend(const MapCells& cells, const Strings& strings) {
         if (cells_of_kind == 0) continue;
         out += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", square(0, y, swatch), colour_text(look.colour)) +
                marks_path(mark_data(look.value, 0, y, swatch)) +
-               words_at(swatch + 10, y + 13,
-                        fmt::format("{} ({})", strings("map.kind." + std::string(row_of(look.value).word)),
-                                    cells_of_kind));
+               words_at(
+                   swatch + 10, y + 13,
+                   fmt::format("{} ({})", strings("map.kind." + std::string(row_of(look.value).word)), cells_of_kind));
         y += legend_row;
     }
     return out;
@@ -145,9 +146,10 @@ std::string scale_legend(const MapCells& cells, MapMeasure measure, const ui::Ma
     constexpr float height = 240;
     std::string out;
     for (int i = 0; i < steps; ++i)
-        out += fmt::format("<rect y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
-                           legend_row + height * static_cast<float>(steps - 1 - i) / steps, swatch, height / steps + 0.5f,
-                           colour_text(ui::scale_colour((static_cast<float>(i) + 0.5f) / steps)));
+        out +=
+            fmt::format("<rect y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
+                        legend_row + height * static_cast<float>(steps - 1 - i) / steps, swatch, height / steps + 0.5f,
+                        colour_text(ui::scale_colour((static_cast<float>(i) + 0.5f) / steps)));
     const float step = tick_step(scale.high - scale.low);
     for (const float value : axis_ticks(scale.low, scale.high, step)) {
         const float y = legend_row + height * (1 - scale.share(value));
@@ -159,9 +161,9 @@ std::string scale_legend(const MapCells& cells, MapMeasure measure, const ui::Ma
     });
     if (!has_none) return out;
     const float y = legend_row + height + legend_row;
-    return out +
-           fmt::format("<path d=\"{}\" fill=\"#ffffff\" stroke=\"{}\"/>\n", square(0, y, swatch), ink) +
-           words_at(swatch + 10, y + 13, strings(measure == MapMeasure::time_to_touch ? "map.never" : "report.map_none"));
+    return out + fmt::format("<path d=\"{}\" fill=\"#ffffff\" stroke=\"{}\"/>\n", square(0, y, swatch), ink) +
+           words_at(swatch + 10, y + 13,
+                    strings(measure == MapMeasure::time_to_touch ? "map.never" : "report.map_none"));
 }
 
 std::string runs_text(const MapQuestion& question, const Strings& strings) {
@@ -169,8 +171,8 @@ std::string runs_text(const MapQuestion& question, const Strings& strings) {
         ui::fixed(static_cast<float>(question.ticks) / 60, question.ticks % 60 == 0 ? 0 : 1, decimal_mark(strings));
     if (question.seeds == 1) return fill(strings("report.map_run"), {seconds, std::to_string(question.seed)});
     const std::uint64_t last = question.seed + static_cast<std::uint64_t>(question.seeds) - 1;
-    return fill(strings("report.map_runs"), {std::to_string(question.seeds), seconds, std::to_string(question.seed),
-                                             std::to_string(last)});
+    return fill(strings("report.map_runs"),
+                {std::to_string(question.seeds), seconds, std::to_string(question.seed), std::to_string(last)});
 }
 
 }  // namespace
@@ -182,8 +184,9 @@ std::string map_file(const MapQuestion& question, const MapCells& cells, MapMeas
     const std::string_view unit = row_of(measure).unit;
     const std::string heading = std::string(strings("map.measure." + std::string(row_of(measure).word))) +
                                 (unit.empty() ? "" : fmt::format(" ({})", unit));
-    const std::string legend = words_at(0, 12, heading, " font-weight=\"bold\"") +
-                               (is_of_kinds ? kinds_legend(cells, strings) : scale_legend(cells, measure, scale, strings));
+    const std::string legend =
+        words_at(0, 12, heading, " font-weight=\"bold\"") +
+        (is_of_kinds ? kinds_legend(cells, strings) : scale_legend(cells, measure, scale, strings));
     const std::string drawn = cells_svg(cells, measure, scale) + axes_svg(question, cells.size, strings) +
                               fmt::format("<g transform=\"translate({} 0)\">\n{}</g>\n", map_side + 28, legend) +
                               words_at(0, map_side + 72, runs_text(question, strings));

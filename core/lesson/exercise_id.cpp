@@ -10,9 +10,7 @@ namespace {
 // Of Windows and macOS, in the languages of the lab.
 constexpr std::array<std::string_view, 6> copy_words{" - Copy", " - Kopie", " - copia", " copy", " Kopie", " copia"};
 
-std::string_view without_spaces_at_end(std::string_view name) {
-    return name.substr(0, name.find_last_not_of(' ') + 1);
-}
+std::string_view without_spaces_at_end(std::string_view name) { return name.substr(0, name.find_last_not_of(' ') + 1); }
 
 // The name without " (1)" or "(1)" at its end.
 std::string_view without_number(std::string_view name) {

@@ -90,8 +90,10 @@ Advice of_open_quote(const KeyLine& line) {
     if (text.empty() || text.find("\"\"\"") != std::string_view::npos) return std::nullopt;
     bool is_open = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (is_open && text[i] == '\\') ++i;
-        else if (text[i] == '"') is_open = !is_open;
+        if (is_open && text[i] == '\\')
+            ++i;
+        else if (text[i] == '"')
+            is_open = !is_open;
     }
     return is_open ? Advice(message_of("advice_closing_quote")) : std::nullopt;
 }
@@ -160,7 +162,7 @@ Advice of_repetition(std::string_view above, const KeyLine& line) {
     return std::nullopt;
 }
 
-constexpr std::array causes{of_typographic_quotes, of_open_quote, of_heading,   of_missing_parts,
+constexpr std::array causes{of_typographic_quotes, of_open_quote, of_heading,  of_missing_parts,
                             of_decimal_comma,      of_unit,       of_bare_word};
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace braitenlab::tests::exercise_id_test {
 
 TEST(ExerciseId, IsTheNameOfTheFileWithoutWhatACopyAdds) {
-    for (const char* name : {"charge", "charge (1)", "charge(12)", "charge - Copy", "charge - Kopie (2)",
-                             "charge - copia", "charge copy"})
+    for (const char* name :
+         {"charge", "charge (1)", "charge(12)", "charge - Copy", "charge - Kopie (2)", "charge - copia", "charge copy"})
         EXPECT_EQ(exercise_id_of(std::string("class.2/") + name + ".toml"), "charge") << name;
     for (const char* name : {"05-aggressor", "charge (a)", "charge (2026)", "charge ()", "(1)", " - Copy", "recopy"})
         EXPECT_EQ(without_copy_suffix(name), name);
@@ -22,7 +22,8 @@ TEST(ExerciseId, AHandInFromACopyOfTheFileIsForTheExercise) {
 }
 
 TEST(ExerciseId, OfTheFileGoesBeforeItsName) {
-    const std::filesystem::path shipped = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/guided/05-aggressor.toml";
+    const std::filesystem::path shipped =
+        std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/guided/05-aggressor.toml";
     std::string text = *read_text(shipped);
     EXPECT_EQ(parse_exercise(text, shipped.parent_path() / "shy (1).toml")->id, "shy");
     text.insert(text.find('\n') + 1, "id = \"charge\"\n");

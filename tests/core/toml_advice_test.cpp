@@ -19,25 +19,25 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(TomlAdvice, SaysWhatToDoAboutAMistakeOfTheLine) {
-    for (const auto& [text, advice] : std::vector<Fault>{
-             {"x = 0,6", "; write 0.6, with a point"},
-             {"x = -1,25 # half", "; write -1.25, with a point"},
-             {"kind = coward", "; put text in quotes \", not bare as 'coward'"},
-             {"name = Käfer", "; put text in quotes \", not bare as 'Käfer'"},
-             {"blocks = True", "; write true, in small letters"},
-             {"title = \"My scene", "; a quote \" is missing at the end of a text"},
-             {"offers = [\"LL, \"RR\"]", "; a quote \" is missing at the end of a text"},
-             {"title = „My scene“", "; write straight quotes \" instead of „"},
-             {"title = ”My scene”", "; write straight quotes \" instead of ”"},
-             {"heading = 35°", "; write the number without its unit: 35"},
-             {"x = 2 m", "; write the number without its unit: 2"},
-             {"x = -2.5m # metres", "; write the number without its unit: -2.5"},
-             {"strength = 50%", "; write the number without its unit: 50"},
-             {"x =", "; write a value after x ="},
-             {"x: 3", "; write a key and its value, like x = 1.5"},
-             {"[arena", "; a bracket ] is missing"},
-             {"[[step]", "; a bracket ] is missing"},
-             {"title = \"\xE4rger\"", "; save the file as UTF-8"}}) {
+    for (const auto& [text, advice] :
+         std::vector<Fault>{{"x = 0,6", "; write 0.6, with a point"},
+                            {"x = -1,25 # half", "; write -1.25, with a point"},
+                            {"kind = coward", "; put text in quotes \", not bare as 'coward'"},
+                            {"name = Käfer", "; put text in quotes \", not bare as 'Käfer'"},
+                            {"blocks = True", "; write true, in small letters"},
+                            {"title = \"My scene", "; a quote \" is missing at the end of a text"},
+                            {"offers = [\"LL, \"RR\"]", "; a quote \" is missing at the end of a text"},
+                            {"title = „My scene“", "; write straight quotes \" instead of „"},
+                            {"title = ”My scene”", "; write straight quotes \" instead of ”"},
+                            {"heading = 35°", "; write the number without its unit: 35"},
+                            {"x = 2 m", "; write the number without its unit: 2"},
+                            {"x = -2.5m # metres", "; write the number without its unit: -2.5"},
+                            {"strength = 50%", "; write the number without its unit: 50"},
+                            {"x =", "; write a value after x ="},
+                            {"x: 3", "; write a key and its value, like x = 1.5"},
+                            {"[arena", "; a bracket ] is missing"},
+                            {"[[step]", "; a bracket ] is missing"},
+                            {"title = \"\xE4rger\"", "; save the file as UTF-8"}}) {
         SCOPED_TRACE(text);
         const std::string told = complaint("format = 1\n" + text + "\n");
         EXPECT_TRUE(told.starts_with("f.toml:2: not TOML: ")) << told;
@@ -46,16 +46,20 @@ TEST(TomlAdvice, SaysWhatToDoAboutAMistakeOfTheLine) {
 }
 
 TEST(TomlAdvice, NamesAHeadingOrAKeyThatStandsTwice) {
-    EXPECT_TRUE(complaint("[step]\ngoal = \"runs\"\n[step]\n").ends_with(
-        "; [step] stands twice: write [[step]] where there are several, or join them"));
-    EXPECT_TRUE(complaint("[step]\n[[step]]\n").ends_with("; [step] stands twice: write [[step]] where there are "
-                                                         "several, or join them"));
+    EXPECT_TRUE(complaint("[step]\ngoal = \"runs\"\n[step]\n")
+                    .ends_with("; [step] stands twice: write [[step]] where there are several, or join them"));
+    EXPECT_TRUE(complaint("[step]\n[[step]]\n")
+                    .ends_with("; [step] stands twice: write [[step]] where there are "
+                               "several, or join them"));
     EXPECT_TRUE(complaint("[a]\nx = 1\n[b]\nx = 2\nx = 3\n").ends_with("; x stands twice: remove one"));
     EXPECT_EQ(toml_advice("[a]\nx = 1\n[b]\nx = 1.2.3", 4).text, "") << "the other x is in another table";
 }
 
 TEST(TomlAdvice, AsksForUtf8InAFileOfUtf16) {
-    const std::string text("\xFF\xFE" "f\0o\0", 6);
+    const std::string text(
+        "\xFF\xFE"
+        "f\0o\0",
+        6);
     EXPECT_TRUE(complaint(text).ends_with("; save the file as UTF-8")) << complaint(text);
 }
 

@@ -56,8 +56,8 @@ TEST(CtlGrade, SaysOfADocumentAndOfAnEmptyFileWhatTheyAre) {
     put_text(folder / "class" / "empty.toml", "");
     const Graded ran = grade_in(folder.path, "05-aggressor class --csv t.csv");
     EXPECT_EQ(ran.code, 2);
-    for (const char* line : {"essay.docx: not a hand-in\n", "picture.toml: not a hand-in\n", "notes.txt: not a hand-in\n",
-                             "empty.toml: the file is empty\n"})
+    for (const char* line : {"essay.docx: not a hand-in\n", "picture.toml: not a hand-in\n",
+                             "notes.txt: not a hand-in\n", "empty.toml: the file is empty\n"})
         EXPECT_NE(ran.out.find(line), std::string::npos) << line << "\n" << ran.out;
     EXPECT_EQ(ran.out.find("TOML"), std::string::npos) << ran.out;
     EXPECT_NE(text_of(folder / "t.csv").find("\nAna,"), std::string::npos);
@@ -79,7 +79,9 @@ TEST(CtlGrade, ATableForExcelBeginsWithAByteOrderMark) {
     hand_in(folder / "class" / "ana.braiten-handin.toml", "05-aggressor");
     EXPECT_TRUE(grade_in(folder.path, "05-aggressor class").out.starts_with("student,"));
     EXPECT_TRUE(grade_in(folder.path, "05-aggressor class --excel").out.starts_with("\xEF\xBB\xBFstudent,"));
-    EXPECT_TRUE(grade_in(folder.path, "05-aggressor 2a-coward --excel").out.starts_with("\xEF\xBB\xBF" "brain,"));
+    EXPECT_TRUE(grade_in(folder.path, "05-aggressor 2a-coward --excel")
+                    .out.starts_with("\xEF\xBB\xBF"
+                                     "brain,"));
 }
 
 }  // namespace
