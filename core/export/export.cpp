@@ -69,6 +69,18 @@ Result<std::vector<ExportedFile>> micropython_files(const Plan& plan, const Robo
                                      {"wiring.svg", micropython::wiring_svg(plan)}};
 }
 
+std::vector<ExportedFile> opamp_files(const Plan& plan) {
+    std::vector<ExportedFile> files{{"brain.cir", opamp::netlist(plan, false)},
+                                    {"brain-exact.cir", opamp::netlist(plan, true)},
+                                    {"brain.net", opamp::kicad_netlist(plan)},
+                                    {"README.md", opamp::readme(plan)},
+                                    {"parts.csv", opamp::parts_csv(plan)}};
+    const std::vector<std::string> sheets = opamp::wiring_sheets(plan);
+    for (std::size_t i = 0; i < sheets.size(); ++i)
+        files.push_back({i == 0 ? "wiring.svg" : fmt::format("wiring-{}.svg", i + 1), sheets[i]});
+    return files;
+}
+
 }  // namespace
 
 Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Target target, const Robot& robot) {
@@ -88,11 +100,7 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
             return micropython_files(*plan, robot);
         case Target::opamp:
             if (const auto refusal = opamp::refusal(*plan)) return *refusal;
-            return std::vector<ExportedFile>{{"brain.cir", opamp::netlist(*plan, false)},
-                                             {"brain-exact.cir", opamp::netlist(*plan, true)},
-                                             {"brain.net", opamp::kicad_netlist(*plan)},
-                                             {"README.md", opamp::readme(*plan)},
-                                             {"parts.csv", opamp::parts_csv(*plan)}};
+            return opamp_files(*plan);
     }
     return refused("unknown target");
 }

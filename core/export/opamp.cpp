@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/export/text.h"
 #include "core/messages.h"
@@ -20,13 +21,8 @@ constexpr double largest_ohms = 10e6;
 constexpr double largest_error = 0.004;  // of a command, by a single resistor
 constexpr double least_weight = feedback_ohms / largest_ohms;
 
-const std::string& input_name(const Plan& plan, const PlanTap& tap) {
-    return plan.inputs[static_cast<std::size_t>(tap.source)].name;
-}
-
-std::string buffered(const Plan& plan, const PlanTap& tap) {
-    return "buffered_" +
-           plan.inputs[static_cast<std::size_t>(tap.source)].id.substr(std::string_view("sensor_").size());
+const Input& input_of(const Plan& plan, const PlanTap& tap) {
+    return plan.inputs[static_cast<std::size_t>(tap.source)];
 }
 
 // Conductances are in units of 1/Rf.
@@ -74,14 +70,11 @@ std::map<std::string, double> e24_weights(const std::vector<Resistor>& resistors
     return weights;
 }
 
-std::string ohms_text(double ohms) {
-    if (ohms >= 1e6) return fmt::format("{:.4g} MΩ", ohms / 1e6);
-    return ohms >= 1e3 ? fmt::format("{:.4g} kΩ", ohms / 1e3) : fmt::format("{:.4g} Ω", ohms);
-}
-
 std::string e24_text(const Resistor& r) {
     return ohms_text(r.e24[0]) + (r.e24.size() > 1 ? " ∥ " + ohms_text(r.e24[1]) : "");
 }
+
+std::string names_text(const Resistor& r) { return fmt::format("{}", fmt::join(r.names, " ∥ ")); }
 
 std::vector<std::pair<std::string, const PlanUnit*>> motors_of(const Plan& plan) {
     return {{"left", &plan.units[plan.hidden()]}, {"right", &plan.units[plan.hidden() + 1]}};
@@ -112,7 +105,7 @@ std::vector<Resistor> summer(const Plan& plan, const PlanUnit& motor, const std:
         resistors.push_back({from, side + (weight < 0 ? "_minus" : "_plus"), ohms, e24_of(ohms)});
     };
     resistors.push_back({side, side + "_minus", feedback_ohms, {feedback_ohms}});
-    for (const PlanTap& tap : motor.taps) add(buffered(plan, tap), tap.weight);
+    for (const PlanTap& tap : motor.taps) add(buffered(input_of(plan, tap)), tap.weight);
     if (motor.bias != 0) add("v5", motor.bias);
     // The balance of the E24 circuit makes up for what the other values are off.
     const double exact = imbalance(resistors, side, exact_share), e24 = imbalance(resistors, side, e24_share);
@@ -133,7 +126,7 @@ std::optional<Error> refusal(const Plan& plan) {
         if (motor.bias != 0 && std::fabs(motor.bias) < least_weight) return error_of(message_of("circuit_bias", name));
         for (const PlanTap& tap : motor.taps) {
             if (tap.reads != Reads::sensor) return error_of(message_of("circuit_motor_wire", name));
-            const std::string from = in_quotes(input_name(plan, tap));
+            const std::string from = in_quotes(input_of(plan, tap).name);
             if (tap.learning_rate > 0) return error_of(message_of("circuit_learns", from, name));
             if (tap.threshold > 0) return error_of(message_of("circuit_threshold", from, name));
             if (tap.curve.response != Response::linear)
@@ -149,7 +142,7 @@ double e24_error(const Plan& plan) {
     double worst = 0;
     for (const auto& [side, motor] : motors_of(plan)) {
         std::map<std::string, double> off = e24_weights(summer(plan, *motor, side), side);
-        for (const PlanTap& tap : motor->taps) off[buffered(plan, tap)] -= static_cast<double>(tap.weight);
+        for (const PlanTap& tap : motor->taps) off[buffered(input_of(plan, tap))] -= static_cast<double>(tap.weight);
         if (motor->bias != 0) off["v5"] -= static_cast<double>(motor->bias);
         // The bias is always on; each reading is 0 to 1.
         double high = off["v5"], low = off["v5"];
@@ -173,36 +166,32 @@ std::string netlist(const Plan& plan, bool exact) {
         "Rin plus minus 100meg\n.ends\n\n"
         ".subckt brain {}left right v5\n",
         comment_text(plan.title), exact ? "exact values" : "nearest of E24", pins, pins);
-    for (const Input& input : plan.inputs) {
-        const std::string name = input.id.substr(std::string_view("sensor_").size());
-        text += fmt::format("XB_{0} {1} buffered_{0} buffered_{0} opamp\n", name, input.id);
-    }
-    for (const auto& [side, motor] : motors_of(plan)) {
-        text += fmt::format("\n* {} motor\n", side);
-        const auto resistors = summer(plan, *motor, side);
-        int number = 0;
-        bool has_plus = false;
-        for (const Resistor& r : resistors) {
-            has_plus |= r.to == side + "_plus";
-            for (const double ohms : exact ? std::vector<double>{r.exact} : r.e24)
-                text += fmt::format("R{}_{} {} {} {:.7g}\n", side, ++number, r.from, r.to, ohms);
-        }
-        if (!has_plus) text += fmt::format("R{}_{} 0 {}_plus 1\n", side, ++number, side);
-        text += fmt::format("XU_{0} {0}_plus {0}_minus {0} opamp\n", side);
+    const Circuit circuit = circuit_of(plan);
+    for (const Resistor& r : circuit.resistors)
+        for (std::size_t part = 0; part < (exact ? 1 : r.e24.size()); ++part)
+            text += fmt::format("{} {} {} {:.7g}\n", r.names[part], r.from, r.to, exact ? r.exact : r.e24[part]);
+    for (std::size_t i = 0; i < circuit.used_amplifiers; ++i) {
+        const Amplifier& amplifier = circuit.amplifiers[i];
+        text += fmt::format("X{} {} {} {} opamp\n", amplifier.name(), amplifier.plus.node, amplifier.minus.node,
+                            amplifier.out.node);
     }
     return text + ".ends\n";
 }
 
 std::string readme(const Plan& plan) {
     std::string rows, sensors;
-    for (const auto& [side, motor] : motors_of(plan))
-        for (const Resistor& r : summer(plan, *motor, side))
-            rows += fmt::format("| {} | {} | {} | {} |\n", node_text(r.from), node_text(r.to), ohms_text(r.exact),
-                                e24_text(r));
+    const Circuit circuit = circuit_of(plan);
+    for (const Resistor& r : circuit.resistors)
+        rows += fmt::format("| {} | {} | {} | {} | {} |\n", names_text(r), node_text(r.from), node_text(r.to),
+                            ohms_text(r.exact), e24_text(r));
     for (const Input& input : plan.inputs)
-        sensors += fmt::format(
-            "- `{}`: 0 V to 5 V, through a buffer (output connected to the inverting input) to `buffered_{}`\n",
-            input.id, input.id.substr(std::string_view("sensor_").size()));
+        sensors +=
+            fmt::format("- `{}`: 0 V to 5 V, through a buffer (output connected to the inverting input) to `{}`\n",
+                        input.id, buffered(input));
+    const std::size_t count = wiring_sheets(plan).size();
+    const std::string sheets =
+        "| `wiring.svg` | the schematic with the E24 values, to be printed on A4 |\n" +
+        (count == 1 ? "" : fmt::format("| `wiring-2.svg` to `wiring-{}.svg` | its other sheets |\n", count));
     constexpr std::string_view text = R"(# The brain "@TITLE@" as a circuit
 
 Exported from Braitenlab. The circuit was compared with the lab in ngspice. **It has not been soldered yet**; please report what you find.
@@ -213,8 +202,8 @@ Exported from Braitenlab. The circuit was compared with the lab in ngspice. **It
 `left` and `right` are the outputs of two more amplifiers, 0 V to 7.5 V. **A negative command gives 0 V**: the wheel stops and does not
 turn backwards. Above 1 the output rises to 7.5 V. Outputs drive the input of a motor driver, not a motor.
 
-| From | To | Exact | E24 |
-|---|---|---|---|
+| Name | From | To | Exact | E24 |
+|---|---|---|---|---|
 @ROWS@
 `left_minus` and `left_plus` are the inverting and the other input of the left amplifier. An input without a resistor is connected
 to ground.
@@ -224,26 +213,28 @@ simulations of every shipped brain).
 
 | File | Contents |
 |---|---|
-| `brain.cir` | netlist for ngspice and LTspice with the E24 values |
+@SHEETS@| `brain.cir` | netlist for ngspice and LTspice with the E24 values |
 | `brain-exact.cir` | with the exact values |
 | `brain.net` | netlist for KiCad's board editor (File › Import › Netlist) with the E24 values |
 | `parts.csv` | the resistors |
 )";
     return filled(text, {{"TITLE", comment_text(plan.title)},
-                         {"CHIPS", std::to_string((plan.inputs.size() + 2 + 3) / 4)},
+                         {"CHIPS", std::to_string(circuit.chips())},
+                         {"SHEETS", sheets},
                          {"SENSORS", sensors},
                          {"ROWS", rows},
                          {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))}});
 }
 
 std::string parts_csv(const Plan& plan) {
-    std::string text = "part,value,from,to\n";
-    for (const auto& [side, motor] : motors_of(plan))
-        for (const Resistor& r : summer(plan, *motor, side))
-            for (const double ohms : r.e24)
-                text += fmt::format("resistor 1 %,{},{},{}\n", ohms_text(ohms), node_text(r.from), node_text(r.to));
-    return text + fmt::format("operational amplifier,LM324,{} pieces,\nregulator,5 V,9 V battery,v5\n",
-                              (plan.inputs.size() + 2 + 3) / 4);
+    std::string text = "part,value,from,to,name\n";
+    const Circuit circuit = circuit_of(plan);
+    for (const Resistor& r : circuit.resistors)
+        for (std::size_t part = 0; part < r.e24.size(); ++part)
+            text += fmt::format("resistor 1 %,{},{},{},{}\n", ohms_text(r.e24[part]), node_text(r.from),
+                                node_text(r.to), r.names[part]);
+    return text + fmt::format("operational amplifier,LM324,{} pieces,,U1\nregulator,5 V,9 V battery,v5,{}\n",
+                              circuit.chips(), regulator_name);
 }
 
 }  // namespace braitenlab::robots::opamp

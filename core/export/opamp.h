@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/export/plan.h"
@@ -22,6 +23,7 @@ struct Resistor {
     // Ohms, of the series E24: the nearest value, or two values in parallel where that one would change a command by
     // more than 0.4 %.
     std::vector<double> e24{};
+    std::vector<std::string> names{};  // of the parts of `e24`: "R3"; given by circuit_of()
 };
 
 // The resistors of one motor. `side`: "left" or "right".
@@ -38,6 +40,45 @@ std::optional<Error> refusal(const Plan&);
 // tolerance.
 double e24_error(const Plan&);
 
+struct PinOfNode {
+    std::string node;
+    int pin = 0;
+};
+
+// One of the four amplifiers of an LM324.
+struct Amplifier {
+    std::size_t chip = 0;  // index; the name is chip_name()
+    char letter = 'A';     // A to D
+    PinOfNode plus{}, minus{}, out{};
+    std::string name() const;  // "U1A"
+};
+
+struct Connector {
+    std::string name, value;         // "J2", "sensors"
+    std::vector<std::string> nodes;  // of its pins, from pin 1
+};
+
+// The E24 circuit with the names of its parts. Every file of the export is written from it.
+struct Circuit {
+    std::vector<Resistor> resistors;  // of the left motor, then of the right one
+    // A buffer for each sensor, the left summer, the right one, then those that are left over: 0 V at their output, so
+    // that they do not oscillate.
+    std::vector<Amplifier> amplifiers;
+    std::size_t used_amplifiers = 0;
+    std::vector<Connector> connectors;  // "v9": supply of 9 V
+    std::size_t chips() const { return amplifiers.size() / 4; }
+};
+Circuit circuit_of(const Plan&);
+
+std::string chip_name(std::size_t chip);
+inline constexpr int lm324_supply_pin = 4, lm324_ground_pin = 11;
+// An L7805.
+inline constexpr std::string_view regulator_name = "U99";
+inline constexpr int regulator_in_pin = 1, regulator_ground_pin = 2, regulator_out_pin = 3;
+
+std::string buffered(const Input&);  // node of the sensor's buffer: "buffered_SL"
+std::string ohms_text(double ohms);  // "120 kΩ"
+
 std::string netlist(const Plan&, bool exact);
 
 // The E24 circuit with its LM324, regulator and connectors as a netlist of KiCad (s-expressions, version E;
@@ -45,5 +86,9 @@ std::string netlist(const Plan&, bool exact);
 std::string kicad_netlist(const Plan&);
 std::string readme(const Plan&);
 std::string parts_csv(const Plan&);
+
+// The schematic as sheets of A4, each an SVG: one for a brain of few sensors and wires. Its texts are the names and
+// values of circuit_of().
+std::vector<std::string> wiring_sheets(const Plan&);
 
 }  // namespace braitenlab::robots::opamp

@@ -11,13 +11,6 @@ namespace braitenlab::robots::opamp {
 
 namespace {
 
-// Pins of an LM324 (data sheet of Texas Instruments).
-struct Amplifier {
-    int out, minus, plus;
-};
-constexpr Amplifier amplifiers[] = {{1, 2, 3}, {7, 6, 5}, {8, 9, 10}, {14, 13, 12}};
-constexpr int supply_pin = 4, ground_pin = 11;
-
 constexpr std::string_view resistor_footprint = "Resistor_THT:R_Axial_DIN0207_L6.3mm_D2.5mm_P10.16mm_Horizontal";
 
 std::string kicad_value(double ohms) {
@@ -27,6 +20,7 @@ std::string kicad_value(double ohms) {
 
 std::string net_of(const std::string& node) {
     if (node == "0") return "GND";
+    if (node == "v9") return "+9V";
     return node == "v5" ? "+5V" : node;
 }
 
@@ -38,38 +32,28 @@ public:
     }
     void join(const std::string& net, const std::string& ref, int pin) { nets_[net].emplace_back(ref, pin); }
 
-    void resistor(const std::string& from, const std::string& to, double ohms) {
-        const std::string ref = fmt::format("R{}", ++resistors_);
+    void resistor(const std::string& ref, const Resistor& r, double ohms) {
         part(ref, kicad_value(ohms), resistor_footprint);
-        join(net_of(from), ref, 1);
-        join(net_of(to), ref, 2);
+        join(net_of(r.from), ref, 1);
+        join(net_of(r.to), ref, 2);
     }
 
-    void amplifier(const std::string& plus, const std::string& minus, const std::string& out) {
-        const int unit = used_++ % 4;
-        const std::string ref = fmt::format("U{}", (used_ - 1) / 4 + 1);
-        if (unit == 0) {
+    void amplifier(const Amplifier& amplifier) {
+        const std::string ref = chip_name(amplifier.chip);
+        if (amplifier.letter == 'A') {
             part(ref, "LM324", "Package_DIP:DIP-14_W7.62mm");
-            join("+9V", ref, supply_pin);
-            join("GND", ref, ground_pin);
+            join("+9V", ref, lm324_supply_pin);
+            join("GND", ref, lm324_ground_pin);
         }
-        join(plus, ref, amplifiers[unit].plus);
-        join(minus, ref, amplifiers[unit].minus);
-        join(out, ref, amplifiers[unit].out);
+        for (const PinOfNode* pin : {&amplifier.plus, &amplifier.minus, &amplifier.out})
+            join(net_of(pin->node), ref, pin->pin);
     }
 
-    // The amplifiers that are left over: 0 V at their output, so that they do not oscillate.
-    void end_amplifiers() {
-        for (int number = 1; used_ % 4 != 0; ++number) {
-            const std::string net = fmt::format("unused_{}", number);
-            amplifier("GND", net, net);
-        }
-    }
-
-    // Pins in this order.
-    void connector(const std::string& ref, std::string_view value, const std::vector<std::string>& nets) {
-        part(ref, value, fmt::format("Connector_PinHeader_2.54mm:PinHeader_1x{:02}_P2.54mm_Vertical", nets.size()));
-        for (std::size_t i = 0; i < nets.size(); ++i) join(nets[i], ref, static_cast<int>(i) + 1);
+    void connector(const Connector& connector) {
+        part(connector.name, connector.value,
+             fmt::format("Connector_PinHeader_2.54mm:PinHeader_1x{:02}_P2.54mm_Vertical", connector.nodes.size()));
+        for (std::size_t i = 0; i < connector.nodes.size(); ++i)
+            join(net_of(connector.nodes[i]), connector.name, static_cast<int>(i) + 1);
     }
 
     std::string text(std::string_view title) const {
@@ -90,7 +74,6 @@ public:
 private:
     std::string components_;
     std::map<std::string, std::vector<std::pair<std::string, int>>> nets_;
-    int resistors_ = 0, used_ = 0;
 };
 
 // Strings in a netlist have no quotes and no backslashes.
@@ -104,29 +87,16 @@ std::string plain(std::string text) {
 
 std::string kicad_netlist(const Plan& plan) {
     Board board;
-    std::vector<std::string> sensors{"+5V", "GND"};
-    for (const Input& input : plan.inputs) {
-        const std::string buffered = "buffered_" + input.id.substr(std::string_view("sensor_").size());
-        board.amplifier(input.id, buffered, buffered);
-        sensors.push_back(input.id);
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-        const std::string side = i == 0 ? "left" : "right";
-        bool has_plus = false;
-        for (const Resistor& r : summer(plan, plan.units[plan.hidden() + i], side)) {
-            has_plus |= r.to == side + "_plus";
-            for (const double ohms : r.e24) board.resistor(r.from, r.to, ohms);
-        }
-        board.amplifier(has_plus ? side + "_plus" : "GND", side + "_minus", side);
-    }
-    board.end_amplifiers();
-    board.connector("J1", "9V", {"+9V", "GND"});
-    board.connector("J2", "sensors", sensors);
-    board.connector("J3", "motors", {"left", "right", "GND"});
-    board.part("U99", "L7805", "Package_TO_SOT_THT:TO-220-3_Vertical");
-    board.join("+9V", "U99", 1);
-    board.join("GND", "U99", 2);
-    board.join("+5V", "U99", 3);
+    const Circuit circuit = circuit_of(plan);
+    for (const Resistor& r : circuit.resistors)
+        for (std::size_t part = 0; part < r.e24.size(); ++part) board.resistor(r.names[part], r, r.e24[part]);
+    for (const Amplifier& amplifier : circuit.amplifiers) board.amplifier(amplifier);
+    for (const Connector& connector : circuit.connectors) board.connector(connector);
+    const std::string regulator(regulator_name);
+    board.part(regulator, "L7805", "Package_TO_SOT_THT:TO-220-3_Vertical");
+    board.join("+9V", regulator, regulator_in_pin);
+    board.join("GND", regulator, regulator_ground_pin);
+    board.join("+5V", regulator, regulator_out_pin);
     return board.text(plain(comment_text(plan.title)));
 }
 

@@ -15,47 +15,39 @@ constexpr int row_height = 34, sensor_height = 62, board_x = 330, board_width = 
               top = 90;
 constexpr std::string_view small = " class=\"small\"";
 
-std::string label(int x, int y, std::string_view anchor, const std::string& text, std::string_view style = "") {
-    return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style, xml_text(text));
-}
-
 std::string box(int x, int y, int width, int height, const std::string& title) {
     return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"6\" class=\"part\"/>\n", x, y, width,
                        height) +
-           label(x + width / 2, y - 10, "middle", title, " class=\"title\"");
+           svg_label(x + width / 2, y - 10, "middle", title, " class=\"title\"");
 }
 
 // A divider: the supply, the sensor, the input, and a resistor to ground where the part has one. A module: its three
 // pins.
 std::string sensor_row(const Plan& plan, const Wiring& wiring, std::size_t i) {
     const int y = top + 40 + static_cast<int>(i) * sensor_height;
-    const std::string part(arduino::part_of(plan.inputs[i]).part);
-    const std::size_t comma = part.find(" to 5 V, ");
-    const bool divider = comma != std::string::npos && part.ends_with(" to ground");
-    const std::string module = part.substr(0, part.find_first_of(",("));
+    const SensorWiring sensor = sensor_wiring(plan.inputs[i]);
+    const bool divider = !sensor.resistor.empty();
     std::string text =
-        label(20, y + 5, "start", plan.inputs[i].name, " class=\"title\"") +
-        label(100, y - 14, "start", divider ? part.substr(0, comma) : module, " class=\"small\"") +
+        svg_label(20, y + 5, "start", plan.inputs[i].name, " class=\"title\"") +
+        svg_label(100, y - 14, "start", sensor.part, " class=\"small\"") +
         fmt::format("<rect x=\"100\" y=\"{}\" width=\"56\" height=\"20\" class=\"part\"/>\n", y - 10) +
-        label(94, y + 4, "end", std::string(wiring.volts) + (divider ? "" : ", GND"), " class=\"small\"") +
+        svg_label(94, y + 4, "end", std::string(wiring.volts) + (divider ? "" : ", GND"), " class=\"small\"") +
         fmt::format("<path d=\"M156 {}H{}\" stroke=\"#0072b2\"/>\n", y, board_x) +
-        label(board_x + 8, y + 5, "start", wiring.inputs[i]);
+        svg_label(board_x + 8, y + 5, "start", wiring.inputs[i]);
     if (!divider) return text;
-    const std::string resistor =
-        part.substr(comma + 9, part.size() - comma - 9 - std::string_view(" to ground").size());
     return text +
            fmt::format("<circle cx=\"200\" cy=\"{0}\" r=\"3.5\"/><path d=\"M200 {0}v16H214\" stroke=\"#555\"/>\n", y) +
            fmt::format("<rect x=\"214\" y=\"{}\" width=\"36\" height=\"12\" class=\"part\"/>\n", y + 10) +
-           label(256, y + 20, "start", "GND", " class=\"small\"") +
-           label(232, y + 35, "middle", resistor, " class=\"small\"");
+           svg_label(256, y + 20, "start", "GND", " class=\"small\"") +
+           svg_label(232, y + 35, "middle", sensor.resistor, " class=\"small\"");
 }
 
 std::string motor(int y, const char* name, std::string_view outputs) {
     const int x = driver_x + driver_width;
     return fmt::format("<path d=\"M{} {}H{}M{} {}H{}\" stroke=\"#555\"/>\n", x, y - 6, x + 70, x, y + 6, x + 70) +
            fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"26\" class=\"part\"/>\n", x + 90, y) +
-           label(x + 90, y + 5, "middle", "M") + label(x + 90, y + 46, "middle", name) +
-           label(x + 90, y + 62, "middle", std::string(outputs), " class=\"small\"");
+           svg_label(x + 90, y + 5, "middle", "M") + svg_label(x + 90, y + 46, "middle", name) +
+           svg_label(x + 90, y + 62, "middle", std::string(outputs), " class=\"small\"");
 }
 
 // Battery to the driver and, where it supplies the board, to that; all grounds together.
@@ -67,14 +59,27 @@ std::string supply(const Wiring& wiring, int bottom) {
         fmt::format("<path d=\"M40 {0}H{1}V{2}{3}\" stroke=\"#c00\"/>\n", red, driver_x + 50, bottom, to_board) +
         fmt::format("<path d=\"M40 {0}H{1}V{2}M{3} {0}V{2}\" stroke=\"#000\"/>\n", black, driver_x + 100, bottom,
                     board_x + 120) +
-        label(40, red - 8, "start", "battery +") + label(40, black - 8, "start", "battery −");
-    if (both) text += label(board_x + 54, bottom - 8, "middle", std::string(wiring.board_supply), small);
-    return text + label(board_x + 120, bottom - 8, "middle", "GND", small) +
-           label(driver_x + 46, bottom - 8, "middle", std::string(wiring.motor_supply), small) +
-           label(driver_x + 108, bottom - 8, "middle", "GND", small);
+        svg_label(40, red - 8, "start", "battery +") + svg_label(40, black - 8, "start", "battery −");
+    if (both) text += svg_label(board_x + 54, bottom - 8, "middle", std::string(wiring.board_supply), small);
+    return text + svg_label(board_x + 120, bottom - 8, "middle", "GND", small) +
+           svg_label(driver_x + 46, bottom - 8, "middle", std::string(wiring.motor_supply), small) +
+           svg_label(driver_x + 108, bottom - 8, "middle", "GND", small);
 }
 
 }  // namespace
+
+std::string svg_label(int x, int y, std::string_view anchor, const std::string& text, std::string_view style) {
+    return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style, xml_text(text));
+}
+
+SensorWiring sensor_wiring(const Input& input) {
+    constexpr std::string_view to_supply = " to 5 V, ", to_ground = " to ground";
+    const std::string part(arduino::part_of(input).part);
+    const std::size_t comma = part.find(to_supply);
+    if (comma == std::string::npos || !part.ends_with(to_ground)) return {part.substr(0, part.find_first_of(",(")), ""};
+    const std::string resistor = part.substr(comma + to_supply.size());
+    return {part.substr(0, comma), resistor.substr(0, resistor.size() - to_ground.size())};
+}
 
 std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
     const int height = std::max(static_cast<int>(plan.inputs.size()) * sensor_height,
@@ -87,10 +92,10 @@ std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
         ".part{{fill:#f4f1ea;stroke:#444}} path{{fill:none;stroke-width:2}}</style>\n"
         "<rect width=\"980\" height=\"{0}\" fill=\"#fff\"/>\n",
         bottom + 130);
-    text += label(20, 34, "start", "Wiring: " + plan.title, " class=\"title\"");
+    text += svg_label(20, 34, "start", "Wiring: " + plan.title, " class=\"title\"");
     text += box(board_x, top, board_width, height, std::string(wiring.board));
     text += box(driver_x, top, driver_width, height, std::string(wiring.driver));
-    if (!plan.inputs.empty()) text += label(20, top - 10, "start", "Sensors", " class=\"title\"");
+    if (!plan.inputs.empty()) text += svg_label(20, top - 10, "start", "Sensors", " class=\"title\"");
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) text += sensor_row(plan, wiring, i);
     for (std::size_t i = 0; i < wiring.pins.size(); ++i) {
         const int y = top + 40 + static_cast<int>(i) * row_height;
@@ -98,17 +103,17 @@ std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
                             i < 3   ? "#d55e00"
                             : i < 6 ? "#009e73"
                                     : "#555");
-        text += label(board_x + board_width - 8, y + 5, "end", wiring.pins[i].board) +
-                label(driver_x + 8, y + 5, "start", wiring.pins[i].driver);
+        text += svg_label(board_x + board_width - 8, y + 5, "end", wiring.pins[i].board) +
+                svg_label(driver_x + 8, y + 5, "start", wiring.pins[i].driver);
     }
     const int button_y = top + 40 + static_cast<int>(wiring.pins.size()) * row_height;
     if (!wiring.button.empty())
-        text += label(board_x + board_width - 8, button_y + 5, "end", wiring.button) +
+        text += svg_label(board_x + board_width - 8, button_y + 5, "end", wiring.button) +
                 fmt::format("<path d=\"M{} {}h20\" stroke=\"#555\"/>\n", board_x + board_width, button_y) +
-                label(board_x + board_width + 26, button_y + 5, "start", "button to GND", " class=\"small\"");
+                svg_label(board_x + board_width + 26, button_y + 5, "start", "button to GND", " class=\"small\"");
     text += motor(top + 70, "left motor", wiring.left_outputs) + motor(top + 210, "right motor", wiring.right_outputs);
-    return text + supply(wiring, bottom) + label(40, bottom + 92, "start", std::string(wiring.notes[0]), small) +
-           label(40, bottom + 110, "start", std::string(wiring.notes[1]), small) + "</svg>\n";
+    return text + supply(wiring, bottom) + svg_label(40, bottom + 92, "start", std::string(wiring.notes[0]), small) +
+           svg_label(40, bottom + 110, "start", std::string(wiring.notes[1]), small) + "</svg>\n";
 }
 
 }  // namespace braitenlab::robots

@@ -24,6 +24,16 @@ struct Wiring {
     std::string_view notes[2];
 };
 
+// How the part of a sensor (arduino.h) is connected. A divider: the supply, the part, the input, and a resistor to
+// ground. Another part, a module, has three pins: supply, ground, output. `part` empty: there is none.
+struct SensorWiring {
+    std::string part, resistor;  // "photoresistor GL5528", "1.5 kΩ"; resistor empty: a module
+};
+SensorWiring sensor_wiring(const Input&);
+
+// A text element of SVG. `anchor`: start, middle, end. `style`: attributes, with a space before each.
+std::string svg_label(int x, int y, std::string_view anchor, const std::string& text, std::string_view style = "");
+
 // As SVG. Each sensor is the part of arduino.h for its channel.
 std::string wiring_svg(const Plan&, const Wiring&);
 

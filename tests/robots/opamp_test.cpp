@@ -1,6 +1,7 @@
 // The circuit: its values, what is refused, and the netlist in ngspice.
 #include "core/export/opamp.h"
 
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <regex>
@@ -97,6 +98,9 @@ std::multiset<std::string> kicad_resistors(const std::string& text) {
     return all;
 }
 
+// "R3 …", not the input resistance of the amplifier.
+bool is_resistor(const std::string& line) { return line.size() > 1 && line[0] == 'R' && std::isdigit(line[1]) != 0; }
+
 std::multiset<std::string> spice_resistors(const std::string& text) {
     std::multiset<std::string> all;
     std::istringstream lines(text);
@@ -104,8 +108,8 @@ std::multiset<std::string> spice_resistors(const std::string& text) {
         std::istringstream words(line);
         std::string name, from, to;
         double ohms = 0;
-        if ((line.starts_with("Rleft_") || line.starts_with("Rright_")) && words >> name >> from >> to >> ohms)
-            if (ohms > 1) all.insert(fmt::format("{} {} {:.4g}", from, to, ohms));  // 1 Ω: a wire to ground
+        if (is_resistor(line) && words >> name >> from >> to >> ohms)
+            all.insert(fmt::format("{} {} {:.4g}", from, to, ohms));
     }
     return all;
 }
@@ -156,7 +160,7 @@ std::string with_tolerance(const std::string& netlist, maths::Random& random) {
     std::string made;
     for (std::string line; std::getline(lines, line);) {
         const std::size_t value = line.rfind(' ') + 1;
-        if (line.starts_with("Rleft") || line.starts_with("Rright"))
+        if (is_resistor(line))
             line = line.substr(0, value) + fmt::format("{:.7g}", std::stod(line.substr(value)) *
                                                                      static_cast<double>(random.uniform(0.99f, 1.01f)));
         made += line + "\n";

@@ -1,0 +1,67 @@
+// The parts of the circuit with their names and pins.
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "core/export/opamp.h"
+
+namespace braitenlab::robots::opamp {
+
+namespace {
+
+// Pins of the four amplifiers of an LM324 (data sheet of Texas Instruments).
+struct AmplifierPins {
+    char letter;
+    int out, minus, plus;
+};
+constexpr AmplifierPins pins_of_lm324[] = {{'A', 1, 2, 3}, {'B', 7, 6, 5}, {'C', 8, 9, 10}, {'D', 14, 13, 12}};
+
+void add_amplifier(Circuit& circuit, const std::string& plus, const std::string& minus, const std::string& out) {
+    const std::size_t number = circuit.amplifiers.size(), in_chip = std::size(pins_of_lm324);
+    const AmplifierPins& pins = pins_of_lm324[number % in_chip];
+    circuit.amplifiers.push_back(
+        {number / in_chip, pins.letter, {plus, pins.plus}, {minus, pins.minus}, {out, pins.out}});
+}
+
+}  // namespace
+
+std::string buffered(const Input& input) { return "buffered_" + input.id.substr(std::string_view("sensor_").size()); }
+
+std::string ohms_text(double ohms) {
+    if (ohms >= 1e6) return fmt::format("{:.4g} MΩ", ohms / 1e6);
+    return ohms >= 1e3 ? fmt::format("{:.4g} kΩ", ohms / 1e3) : fmt::format("{:.4g} Ω", ohms);
+}
+
+std::string Amplifier::name() const { return chip_name(chip) + letter; }
+
+std::string chip_name(std::size_t chip) { return fmt::format("U{}", chip + 1); }
+
+Circuit circuit_of(const Plan& plan) {
+    Circuit circuit;
+    std::vector<std::string> sensors{"v5", "0"};
+    for (const Input& input : plan.inputs) {
+        add_amplifier(circuit, input.id, buffered(input), buffered(input));
+        sensors.push_back(input.id);
+    }
+    int number = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string side = i == 0 ? "left" : "right";
+        bool has_plus = false;
+        for (Resistor& r : summer(plan, plan.units[plan.hidden() + i], side)) {
+            has_plus |= r.to == side + "_plus";
+            for (std::size_t part = 0; part < r.e24.size(); ++part) r.names.push_back(fmt::format("R{}", ++number));
+            circuit.resistors.push_back(std::move(r));
+        }
+        add_amplifier(circuit, has_plus ? side + "_plus" : "0", side + "_minus", side);
+    }
+    circuit.used_amplifiers = circuit.amplifiers.size();
+    for (int unused = 1; circuit.amplifiers.size() % std::size(pins_of_lm324) != 0; ++unused) {
+        const std::string node = fmt::format("unused_{}", unused);
+        add_amplifier(circuit, "0", node, node);
+    }
+    circuit.connectors = {
+        {"J1", "9V", {"v9", "0"}}, {"J2", "sensors", sensors}, {"J3", "motors", {"left", "right", "0"}}};
+    return circuit;
+}
+
+}  // namespace braitenlab::robots::opamp

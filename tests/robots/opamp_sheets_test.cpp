@@ -1,0 +1,292 @@
+// The schematic of a circuit: its parts and connections, read from the drawing, are those of the netlists, and nothing
+// lies on something else.
+#include <cmath>
+#include <memory>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "core/brain/four_neurons.h"
+#include "core/export/opamp.h"
+#include "core/maths/random.h"
+#include "tests/robots/exported.h"
+#include "tests/robots/schematic.h"
+#include "tests/well_formed.h"
+
+namespace braitenlab::tests::opamp_sheets_test {
+namespace {
+
+using robots::BrainToExport;
+using robots::Target;
+using namespace schematic;
+namespace opamp = robots::opamp;
+using Files = std::vector<robots::ExportedFile>;
+
+struct DrawnSheet {
+    explicit DrawnSheet(const std::string& text) : svg(text), picture(read_picture(text)), nets(picture) {}
+    DrawnSheet(const DrawnSheet&) = delete;
+    std::string svg;
+    Picture picture;
+    Nets nets;  // of the picture
+};
+
+struct Circuit {
+    BrainToExport brain;
+    Files files;
+    std::vector<std::unique_ptr<DrawnSheet>> sheets{};
+};
+
+Circuit circuit_from(const BrainToExport& brain, const Files& files) {
+    Circuit circuit{brain, files};
+    for (const auto& file : files)
+        if (file.name.ends_with(".svg")) circuit.sheets.push_back(std::make_unique<DrawnSheet>(file.text));
+    return circuit;
+}
+
+const std::string& text_of(const Files& files, std::string_view name) {
+    return std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.name == name; })->text;
+}
+
+double ohms_of(const std::string& text) {
+    return std::stod(text) * (text.find("MΩ") != std::string::npos   ? 1e6
+                              : text.find("kΩ") != std::string::npos ? 1e3
+                                                                     : 1);
+}
+
+// "R3 120000 buffered_SL left_minus"
+std::multiset<std::string> drawn_resistors(const Circuit& circuit) {
+    std::multiset<std::string> all;
+    const std::regex label(R"re((R\d+) ([\d.]+ [kM]?Ω))re");
+    for (const auto& sheet : circuit.sheets) {
+        const Picture& picture = sheet->picture;
+        const Nets& nets = sheet->nets;
+        for (const Words& w : picture.words) {
+            std::smatch found;
+            if (!std::regex_match(w.text, found, label)) continue;
+            const double y = w.at.y + 9;
+            for (const Box& box : picture.boxes)
+                if (std::fabs(box.upper + 6 - y) < 1 && std::fabs((box.left + box.right) / 2 - w.at.x) < 1)
+                    // The feedback resistor is drawn from the input to the output.
+                    all.insert(fmt::format("{} {:.4g} {}", std::string(found[1]), ohms_of(found[2]),
+                                           w.at.x < 600 ? nets.at({box.left, y}) + " " + nets.at({box.right, y})
+                                                        : nets.at({box.right, y}) + " " + nets.at({box.left, y})));
+        }
+    }
+    return all;
+}
+
+std::multiset<std::string> spice_resistors(const std::string& netlist) {
+    std::multiset<std::string> all;
+    std::istringstream lines(netlist);
+    const std::regex resistor(R"re((R\d+) (\S+) (\S+) (\S+))re");
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);)
+        if (std::regex_match(line, found, resistor))
+            all.insert(fmt::format("{} {:.4g} {} {}", std::string(found[1]), std::stod(found[4]), std::string(found[2]),
+                                   std::string(found[3])));
+    return all;
+}
+
+// "U1 3 sensor_SL", of every pin of an amplifier.
+std::multiset<std::string> drawn_pins(const Circuit& circuit) {
+    std::multiset<std::string> all;
+    for (const auto& sheet : circuit.sheets) {
+        const Picture& picture = sheet->picture;
+        const Nets& nets = sheet->nets;
+        const auto pin_at = [&](Point p) -> std::string {
+            for (const Words& w : picture.words)
+                if (is_same(w.at, p)) return w.text;
+            return "";
+        };
+        for (const Point& corner : picture.triangles) {
+            const double x = corner.x, y = corner.y + 30;
+            std::string chip = pin_at({x + 21, y + 4});
+            chip = chip.substr(0, chip.size() - 1);
+            for (const double input : {y - 15, y + 15})
+                all.insert(chip + " " + pin_at({x - 3, input - 4}) + " " + nets.at({x - 6, input}));
+            all.insert(chip + " " + pin_at({x + 53, y - 5}) + " " + nets.at({x + 58, y}));
+        }
+    }
+    return all;
+}
+
+std::multiset<std::string> kicad_pins(const std::string& netlist) {
+    std::multiset<std::string> all;
+    std::istringstream lines(netlist);
+    const std::regex net(R"re(\(net .*\(name "([^"]+)"\))re"), pin(R"re(\(node \(ref "(U\d+)"\) \(pin "(\d+)"\)\))re");
+    std::string present;
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);) {
+        if (std::regex_search(line, found, net)) present = found[1];
+        if (!std::regex_search(line, found, pin) || found[1] == "U99" || found[2] == "4" || found[2] == "11") continue;
+        // The net of an unused output has no name in the picture.
+        const std::string node = present == "GND" ? "0" : present.starts_with("unused_") ? "" : present;
+        all.insert(std::string(found[1]) + " " + std::string(found[2]) + " " + node);
+    }
+    return all;
+}
+
+// ---- Brains ----
+
+std::string name_of_sensor(int i, bool is_long) {
+    return is_long ? fmt::format("{:_<38}{:02}", "SENSOR & <name>", i) : fmt::format("S{}", i);
+}
+
+// A weight for which there is a resistor.
+float strength(maths::Random& random) {
+    const float size = random.uniform(0.03f, 2);
+    return random.uniform(0, 1) < 0.5f ? -size : size;
+}
+
+BrainToExport brain_of(int sensors, maths::Random& random, bool long_names, float share = 1) {
+    BrainToExport made{fmt::format("{} sensors", sensors), {}, {}};
+    int id = 0;
+    for (int i = 0; i < sensors; ++i) {
+        made.brain.nodes.push_back({.id = id++, .kind = NodeKind::sensor, .name = name_of_sensor(i, long_names)});
+        made.sensors.push_back({.name = name_of_sensor(i, long_names), .channel = static_cast<Channel>(i % 15)});
+    }
+    for (const char* motor : {"ML", "MR"})
+        made.brain.nodes.push_back(
+            {.id = id++, .kind = NodeKind::motor, .name = motor, .bias = 0.5f * strength(random)});
+    for (int i = 0; i < sensors; ++i)
+        for (int motor = sensors; motor < sensors + 2; ++motor)
+            if (random.uniform(0, 1) <= share)
+                made.brain.wires.push_back({.from = i, .to = motor, .weight = strength(random)});
+    return made;
+}
+
+std::vector<Circuit> made_circuits() {
+    std::vector<Circuit> circuits;
+    each_exported(Target::opamp, "lm324", [&](const BrainToExport& brain, const Files& files) {
+        circuits.push_back(circuit_from(brain, files));
+    });
+    maths::Random random(5, 1);
+    std::vector<BrainToExport> brains{{"no wire", make_graph({.LM = 1, .RM = 0.5f}), {}},
+                                      {"one wire", make_graph({.LL = 0.5f}), {}},
+                                      {"other wire", make_graph({.RL = -0.5f}), {}}};
+    for (int sensors = 1; sensors < 12; ++sensors)
+        for (const float share : {1.0f, 0.4f}) brains.push_back(brain_of(sensors, random, sensors % 2 == 0, share));
+    brains.push_back(brain_of(limits::sensors, random, false));
+    brains.push_back(brain_of(limits::sensors, random, true));
+    for (const BrainToExport& brain : brains) {
+        const auto files = robots::export_brain(brain, Target::opamp, *robots::find_robot("lm324"));
+        EXPECT_TRUE(files) << brain.title << ": " << (files ? "" : files.error().what);
+        if (files) circuits.push_back(circuit_from(brain, *files));
+    }
+    return circuits;
+}
+
+// Of every shipped brain that the circuit holds, and of brains from one wire to the most sensors.
+const std::vector<Circuit>& circuits() {
+    static const std::vector<Circuit> made = made_circuits();
+    return made;
+}
+
+template <class Test>
+void each_circuit(Test test) {
+    for (const Circuit& circuit : circuits()) test(circuit);
+}
+
+TEST(OpampSheets, HaveEachResistorOfTheNetlistOnceWithItsValueBetweenItsNodes) {
+    std::size_t most = 0;
+    each_circuit([&](const Circuit& circuit) {
+        const auto drawn = drawn_resistors(circuit), spice = spice_resistors(text_of(circuit.files, "brain.cir"));
+        EXPECT_EQ(drawn, spice) << circuit.brain.title;
+        most = std::max(most, spice.size());
+    });
+    EXPECT_GT(most, 200u) << "the largest brain";
+}
+
+TEST(OpampSheets, HaveEachPinOfEachAmplifierOnTheNetOfTheBoard) {
+    each_circuit([](const Circuit& circuit) {
+        EXPECT_EQ(drawn_pins(circuit), kicad_pins(text_of(circuit.files, "brain.net"))) << circuit.brain.title;
+    });
+}
+
+// "R3 120 kΩ" of each resistor in a table with its names and values in these columns.
+std::multiset<std::string> listed(const std::string& text, char separator, std::size_t names, std::size_t values) {
+    std::multiset<std::string> all;
+    std::istringstream lines(text);
+    const std::regex name(R"re(R\d+)re"), value(R"re([\d.]+ [kM]?Ω)re");
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, separator);) cells.push_back(cell);
+        if (cells.size() <= std::max(names, values)) continue;
+        std::sregex_iterator n(cells[names].begin(), cells[names].end(), name), end,
+            v(cells[values].begin(), cells[values].end(), value);
+        for (; n != end && v != end; ++n, ++v) all.insert(n->str() + " " + v->str());
+        EXPECT_TRUE(n == end) << line;
+    }
+    return all;
+}
+
+TEST(OpampSheets, NameTheResistorsAsTheReadmeAndTheListOfParts) {
+    each_circuit([](const Circuit& circuit) {
+        std::multiset<std::string> labels;
+        const std::regex label(R"re(R\d+ [\d.]+ [kM]?Ω)re");
+        for (const auto& sheet : circuit.sheets)
+            for (const Words& w : sheet->picture.words)
+                if (std::regex_match(w.text, label)) labels.insert(w.text);
+        EXPECT_EQ(labels, listed(text_of(circuit.files, "README.md"), '|', 1, 5)) << circuit.brain.title;
+        EXPECT_EQ(labels, listed(text_of(circuit.files, "parts.csv"), ',', 4, 1)) << circuit.brain.title;
+    });
+}
+
+TEST(OpampSheets, HaveADotWhereThreeWiresMeetAndNowhereElse) {
+    each_circuit([](const Circuit& circuit) {
+        for (const auto& sheet : circuit.sheets) {
+            const Picture& picture = sheet->picture;
+            const auto branches = [&](Point p) {
+                int ends = 0;
+                for (const Segment& s : picture.wires) ends += s.ends_at(p) ? 1 : s.touches(p) ? 2 : 0;
+                for (const Point& supply : picture.supplies) ends += is_same(supply, p) ? 1 : 0;
+                return ends;
+            };
+            const auto has_dot = [&](Point p) {
+                return std::any_of(picture.dots.begin(), picture.dots.end(), [&](Point d) { return is_same(d, p); });
+            };
+            for (const Point& dot : picture.dots)
+                EXPECT_GE(branches(dot), 3) << circuit.brain.title << dot.x << " " << dot.y;
+            for (const Segment& s : picture.wires)
+                for (const Point& end : {s.a, s.b})
+                    EXPECT_EQ(has_dot(end), branches(end) >= 3) << circuit.brain.title << " " << end.x << " " << end.y;
+        }
+    });
+}
+
+TEST(OpampSheets, HaveNoTextOnAnotherTextOnAWireOrOverTheEdge) {
+    each_circuit([](const Circuit& circuit) {
+        for (const auto& sheet : circuit.sheets) {
+            EXPECT_EQ(xml_fault("<!DOCTYPE svg>\n" + sheet->svg), "") << circuit.brain.title;
+            const Picture& picture = sheet->picture;
+            std::vector<Segment> lines = picture.wires;
+            lines.insert(lines.end(), picture.bars.begin(), picture.bars.end());
+            for (std::size_t i = 0; i < picture.words.size(); ++i) {
+                const Words& w = picture.words[i];
+                EXPECT_TRUE((Box{20, 20, 774, 1103}).holds(w.box)) << circuit.brain.title << " " << w.text;
+                for (std::size_t j = 0; j < i; ++j)
+                    EXPECT_FALSE(w.box.meets(picture.words[j].box))
+                        << circuit.brain.title << ": " << w.text << ", " << picture.words[j].text;
+                for (const Box& box : picture.boxes)
+                    EXPECT_TRUE(!w.box.meets(box) || box.holds(w.box)) << circuit.brain.title << ": " << w.text;
+                for (const Segment& s : lines)
+                    EXPECT_FALSE(w.box.meets({std::min(s.a.x, s.b.x) - 0.5, std::min(s.a.y, s.b.y) - 0.5,
+                                              std::max(s.a.x, s.b.x) + 0.5, std::max(s.a.y, s.b.y) + 0.5}))
+                        << circuit.brain.title << ": " << w.text << " at " << s.a.x << " " << s.a.y;
+            }
+        }
+    });
+}
+
+TEST(OpampSheets, AreOneForABrainOfTwoSensors) {
+    EXPECT_EQ(
+        opamp::wiring_sheets(
+            *robots::make_plan(
+                {"", make_graph({.LL = 0.9f, .LR = -0.7f, .RL = 0.7f, .RR = 0.3f, .LM = 0.4f, .RM = -0.9f}), {}}, 60))
+            .size(),
+        1u);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::opamp_sheets_test
