@@ -132,6 +132,24 @@ TEST_F(DrawInsight, TheCauseOfTheTurnHasABarForEachSensorAndAddsUp) {
     EXPECT_TRUE(writes("Mostly the bias"));
 }
 
+TEST_F(DrawInsight, TheCauseOfTheTurnNamesWhatItsSensorReads) {
+    const VehicleView& vehicle = desk.now.vehicles[0];
+    const maths::vec2 ahead = maths::direction(vehicle.heading);
+    const maths::vec2 lamp = maths::vec2{vehicle.x, vehicle.y} + maths::rotate({3, -1.5f}, ahead);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->obstacles.clear();
+    scene->sources = {{.name = "lamp_2", .x = lamp.x, .y = lamp.y}};
+    desk.now.scene = scene;
+    desk.now.sources = {{.source = 0, .x = lamp.x, .y = lamp.y}};
+    insight::Why why{.vehicle = vehicle.id, .left = 0.6f, .right = 0.25f};
+    why.sensors = {{"SR", 0.56f, -0.35f}};
+    desk.view.why = &why;
+    desk.frame(2);
+    std::string all;
+    for (const ui::Written& one : desk.written) all += one.words + " ";
+    EXPECT_NE(all.find("reads 0.56 (lamp 2)"), std::string::npos) << all;
+}
+
 TEST_F(DrawInsight, TheCauseOfTheTurnShowsWholeNamesOfSensors) {
     insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
     why.sensors = {{"a sensor with a long name", 0.56f, -0.28f}, {"SL", 0.2f, 0.03f}};

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "core/brain/brain.h"
+#include "core/insight/origin.h"
 #include "core/maths/angle.h"
 #include "render/view/drawing.h"
 #include "ui/panels/panels.h"
@@ -61,8 +62,23 @@ std::vector<WhyBar> why_bars(const LabView& view, const Ui& ui, const VehicleVie
     return bars;
 }
 
+// The name of the source or vehicle that the sensor reads most of; empty if there is none.
+std::string origin_words(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::string& sensor) {
+    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
+    const auto known = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& s) { return s.name == sensor; });
+    const auto origin = known == sensors.end() ? std::nullopt : insight::main_origin(*view.now, vehicle, *known);
+    if (!origin) return {};
+    if (const VehicleView* other = find_vehicle(*view.now, origin->vehicle))
+        return kind_name(view, ui, *other) + " " + std::to_string(other->id + 1);
+    const auto index = static_cast<std::size_t>(origin->source);
+    if (index >= view.now->scene->sources.size()) return {};
+    const std::string& name = view.now->scene->sources[index].name;
+    return std::string(ui.strings.find("name." + name, name));
+}
+
 // "Mostly …" of the largest part towards the turn; empty if none is shown as more than 0.
-std::string main_cause(const Ui& ui, const insight::Why& why, const std::vector<WhyBar>& bars) {
+std::string main_cause(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
+                       const std::vector<WhyBar>& bars) {
     std::vector<float> parts;
     for (const WhyBar& bar : bars) parts.push_back(bar.value);
     const auto main = insight::main_part(parts);
@@ -72,7 +88,11 @@ std::string main_cause(const Ui& ui, const insight::Why& why, const std::vector<
     const std::string value = with_sign(ui, bar.value, 2);
     if (largest + 2 == bars.size()) return fill(ui.strings("why.mostly_bias"), {value});
     if (largest + 1 == bars.size()) return fill(ui.strings("why.mostly_rest"), {value});
-    return fill(ui.strings("why.mostly"), {bar.words, fixed(ui, why.sensors[largest].reading, 2), value});
+    const insight::SensorPart& part = why.sensors[largest];
+    const std::string reading = fixed(ui, part.reading, 2);
+    const std::string origin = origin_words(view, ui, vehicle, part.sensor);
+    return origin.empty() ? fill(ui.strings("why.mostly"), {bar.words, reading, value})
+                          : fill(ui.strings("why.mostly_of"), {bar.words, reading, origin, value});
 }
 
 // True if the wheels push the vehicle forwards or backwards and it does not move.
@@ -94,7 +114,7 @@ WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehi
                         {fixed(ui, std::fabs(difference), 2)});
     if (turns && is_blocked(view, vehicle, why)) sentence += " " + std::string(ui.strings("why.blocked"));
     callout.lines = lines_of_words(ui, sentence, Face::text, width);
-    const std::string cause = turns ? main_cause(ui, why, callout.bars) : std::string();
+    const std::string cause = turns ? main_cause(view, ui, vehicle, why, callout.bars) : std::string();
     for (const std::string& line : lines_of_words(ui, cause, Face::small, width))
         if (!line.empty()) callout.cause.push_back(line);
     const auto is_nothing = [](const WhyBar& bar) { return std::fabs(bar.value) < shown_as_zero; };
