@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
 #include "tests/core/scenes.h"
 
