@@ -42,7 +42,7 @@ TEST(Origin, IsNoneWhereTheSensorReadsNothing) {
 
 TEST(Origin, IsNoSourceThatAnObstacleHides) {
     Scene scene = alone({.LL = 1});
-    scene.sources = {{.name = "hidden", .x = 4, .y = 1}, {.name = "in sight", .x = 5, .y = 5}};
+    scene.sources = {{.name = "hidden", .x = 4, .y = 1}, {.name = "in_sight", .x = 5, .y = 5}};
     ASSERT_EQ(at_start(scene, "SL"), (Origin{.source = 0}));
     scene.obstacles = {{.name = "wall", .x = 2.5f, .y = 0.6f, .length = 0.2f, .width = 1.4f}};
     EXPECT_EQ(at_start(scene, "SL"), (Origin{.source = 1}));
