@@ -42,7 +42,7 @@ TEST_F(NotesPage, HasTheNotesTheTimeAndTheNextCaption) {
 
 TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {
     turn();
-    EXPECT_FALSE(fs::exists(file)) << "nobody has asked";
+    EXPECT_FALSE(fs::exists(file)) << "not asked for yet";
     handle(lab, Action::notes_page);
     turn();
     ASSERT_TRUE(fs::exists(file));
