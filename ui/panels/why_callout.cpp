@@ -10,6 +10,7 @@
 #include "core/brain/brain.h"
 #include "core/insight/origin.h"
 #include "core/maths/angle.h"
+#include "core/scene/sensor_edits.h"
 #include "render/view/drawing.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/draw.h"
@@ -52,28 +53,27 @@ std::vector<WhyBar> why_bars(const LabView& view, const Ui& ui, const VehicleVie
             rest += part.value;
             continue;
         }
-        const auto known = std::find_if(sensors.begin(), sensors.end(),
-                                        [&](const Sensor& sensor) { return sensor.name == part.sensor; });
-        bars.push_back(
-            {known == sensors.end() ? part.sensor : sensor_label(ui, sensors, *known), part.value * towards});
+        const Sensor* sensor = find_sensor(sensors, part.sensor);
+        bars.push_back({sensor ? sensor_label(ui, sensors, *sensor) : part.sensor, part.value * towards});
     }
     bars.push_back({std::string(ui.strings("why.bias")), why.bias * towards});
     bars.push_back({std::string(ui.strings("why.rest")), rest * towards});  // last, see main_cause()
     return bars;
 }
 
-// The name of the source or vehicle that the sensor reads most of; empty if there is none.
-std::string origin_words(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::string& sensor) {
-    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
-    const auto known = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& s) { return s.name == sensor; });
-    const auto origin = known == sensors.end() ? std::nullopt : insight::main_origin(*view.now, vehicle, *known);
+// The name of the source or vehicle that the sensor reads most of, as the scene shows it; empty if there is none.
+std::string origin_words(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::string& name) {
+    const Sensor* sensor = find_sensor(kind_of(*view.now, vehicle).sensors, name);
+    const auto origin = sensor ? insight::main_origin(*view.now, vehicle, *sensor) : std::nullopt;
     if (!origin) return {};
     if (const VehicleView* other = find_vehicle(*view.now, origin->vehicle))
         return kind_name(view, ui, *other) + " " + std::to_string(other->id + 1);
     const auto index = static_cast<std::size_t>(origin->source);
     if (index >= view.now->scene->sources.size()) return {};
-    const std::string& name = view.now->scene->sources[index].name;
-    return std::string(ui.strings.find("name." + name, name));
+    std::string words = view.now->scene->sources[index].name;
+    if (const std::string_view known = ui.strings.find("name." + words, ""); !known.empty()) return std::string(known);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
 }
 
 // "Mostly …" of the largest part towards the turn; empty if none is shown as more than 0.
