@@ -30,6 +30,9 @@ int interrupted();
 // format only, whatever its name is.
 std::optional<Error> ending_fault(std::string_view option, const std::string& file, std::string_view ending);
 
+// Of UTF-8. By it Excel knows the encoding of a table.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 // The strings of a language of the program.
 Result<Strings> strings_of(const std::string& language);
 

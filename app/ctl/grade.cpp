@@ -74,7 +74,7 @@ int grade_all(const ClassOptions& options) {
     if (const auto error = missing_argument(options.files)) return complain(*error);
     const auto graded = grade_files(*exercise, options);
     if (!graded) return complain(graded.error());
-    std::string rows = options.for_excel ? "\xEF\xBB\xBF" : "";
+    std::string rows(options.for_excel ? byte_order_mark : std::string_view());
     rows += "brain,passed,starts_passed,starts,needed,character,brain_of,error";
     for (int start = 1; start <= (*exercise)->starts; ++start) rows += fmt::format(",start_{}", start);
     rows += "\n";

@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8
-
 // True for a file of a class: not hidden, and no result of an earlier grading.
 bool is_to_be_graded(const fs::path& path) {
     const std::string name = path.filename().string();
