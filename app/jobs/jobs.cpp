@@ -117,7 +117,7 @@ struct Jobs::Impl {
                 work.begun.pop_front();
             }
             work.queued = !work.begun.empty() || work.next < work.parts();
-            if (work.queued) queue.push_back(part.work);
+            if (work.queued) enqueue(part.work);
             return part;
         }
         return std::nullopt;
@@ -126,7 +126,15 @@ struct Jobs::Impl {
     // Caller holds the mutex.
     void put_back(const Part& part) {
         part.work->begun.push_back(part.index);
-        if (!std::exchange(part.work->queued, true)) queue.push_back(part.work);
+        if (!std::exchange(part.work->queued, true)) enqueue(part.work);
+    }
+
+    // Caller holds the mutex.
+    void enqueue(Work work) {
+        if (work->comes_first)
+            queue.push_front(std::move(work));
+        else
+            queue.push_back(std::move(work));
     }
 
     // One step of the job whose turn it is; false when there is none. Caller holds the mutex, which is free meanwhile.
@@ -200,7 +208,7 @@ void Jobs::add(std::shared_ptr<jobs::Work> work) {
     }
     const std::scoped_lock lock(impl.mutex);
     const std::size_t parts = work->parts();
-    impl.queue.push_back(std::move(work));
+    impl.enqueue(std::move(work));
     for (std::size_t i = 0; i < parts && impl.running < impl.threads; ++i) {
         ++impl.running;
         impl.workers->start([&impl] { impl.run_all(); });
@@ -209,10 +217,14 @@ void Jobs::add(std::shared_ptr<jobs::Work> work) {
 
 void Jobs::deliver(std::chrono::nanoseconds budget) {
     using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + budget;
     if (threads() == 0) {
         std::unique_lock lock(impl_->mutex);
-        while (impl_->run_step(lock) && Clock::now() < end) {
+        auto begun = Clock::now();
+        const auto end = begun + budget;
+        while (impl_->run_step(lock)) {
+            const auto now = Clock::now();
+            const auto step = now - std::exchange(begun, now);
+            if (now + step > end) break;
         }
     }
     impl_->publish();

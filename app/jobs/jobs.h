@@ -58,6 +58,8 @@ public:
     std::atomic<std::size_t> done = 0;     // complete parts
     std::atomic<bool> is_reduced = false;  // the result exists
 
+    bool comes_first = false;  // its steps come before those of other jobs
+
     // Guarded by the mutex of Jobs.
     bool queued = true;             // in the queue of jobs with parts that wait
     std::size_t next = 0;           // first part that is not begun
@@ -221,11 +223,7 @@ public:
     // constants.
     template <class Begin, class Reduce>
     auto submit(std::size_t parts, Begin begin, Reduce reduce) {
-        using Value = typename jobs::PartTraits<std::invoke_result_t<const Begin&, std::size_t>>::Value;
-        using T = std::invoke_result_t<Reduce&, std::vector<Value>>;
-        auto work = std::make_shared<jobs::WorkOf<Begin, Reduce, T>>(parts, std::move(begin), std::move(reduce));
-        add(work);
-        return Job<T>(work);
+        return submit_parts(parts, std::move(begin), std::move(reduce), false);
     }
 
     // The result is the std::vector of the parts' results.
@@ -237,19 +235,41 @@ public:
     // A job of one part, which is this step. The result is the step's.
     template <std::invocable Step>
     auto submit(Step step) {
-        using Value = typename jobs::PartTraits<Step>::Value;
-        const auto begin = [held = std::make_shared<Step>(std::move(step))](std::size_t) { return std::move(*held); };
-        return submit(1, begin, [](std::vector<Value> values) -> Value { return std::move(values.front()); });
+        return submit_step(std::move(step), false);
     }
 
-    // Call once per frame. Without threads, runs steps until `budget` has passed, at least one; jobs take turns. Then
-    // publishes progress and results.
+    // The same; its steps come before those of other jobs.
+    template <std::invocable Step>
+    auto submit_first(Step step) {
+        return submit_step(std::move(step), true);
+    }
+
+    // Call once per frame. Without threads, runs steps, at least one, until another one as long as the last would end
+    // after `budget`; jobs take turns. Then publishes progress and results.
     void deliver(std::chrono::nanoseconds budget);
 
     // Runs every job to its end and delivers it.
     void finish();
 
 private:
+    template <class Step>
+    auto submit_step(Step step, bool comes_first) {
+        using Value = typename jobs::PartTraits<Step>::Value;
+        const auto begin = [held = std::make_shared<Step>(std::move(step))](std::size_t) { return std::move(*held); };
+        const auto reduce = [](std::vector<Value> values) -> Value { return std::move(values.front()); };
+        return submit_parts(1, begin, reduce, comes_first);
+    }
+
+    template <class Begin, class Reduce>
+    auto submit_parts(std::size_t parts, Begin begin, Reduce reduce, bool comes_first) {
+        using Value = typename jobs::PartTraits<std::invoke_result_t<const Begin&, std::size_t>>::Value;
+        using T = std::invoke_result_t<Reduce&, std::vector<Value>>;
+        auto work = std::make_shared<jobs::WorkOf<Begin, Reduce, T>>(parts, std::move(begin), std::move(reduce));
+        work->comes_first = comes_first;
+        add(work);
+        return Job<T>(work);
+    }
+
     void add(std::shared_ptr<jobs::Work>);
     struct Impl;
     std::unique_ptr<Impl> impl_;

@@ -261,6 +261,33 @@ TEST(Jobs, RunOneStepPerDeliverWithoutThreadsAndBudget) {
     EXPECT_EQ(**job.take(), (std::vector<int>{4, 8, 12}));
 }
 
+TEST(Jobs, RunAllStepsOfAJobSubmittedFirstBeforeThoseOfOthers) {
+    Jobs jobs(0);
+    const auto order = std::make_shared<std::string>();
+    const auto steps = [order](char name) {
+        return [order, name, left = 3]() mutable -> std::optional<int> {
+            *order += name;
+            return --left == 0 ? std::optional(0) : std::nullopt;
+        };
+    };
+    auto a = jobs.submit(steps('a')), b = jobs.submit(steps('b'));
+    jobs.deliver(0ns);
+    auto c = jobs.submit_first(steps('c'));
+    jobs.finish();
+    EXPECT_EQ(*order, "acccbabab");
+}
+
+TEST(Jobs, BeginNoStepThatWouldEndAfterTheBudget) {
+    Jobs jobs(0);
+    auto steps = std::make_shared<int>(0);
+    auto job = jobs.submit([steps]() -> std::optional<int> {
+        std::this_thread::sleep_for(20ms);
+        return ++*steps == 9 ? std::optional(9) : std::nullopt;
+    });
+    jobs.deliver(30ms);
+    EXPECT_EQ(*steps, 1) << "a second one would take it to 40 ms";
+}
+
 TEST(Jobs, RunStepsOnTheCallingThreadWithoutThreads) {
     Jobs jobs(0);
     auto job = jobs.submit(3, [](std::size_t) { return std::this_thread::get_id(); });
