@@ -239,7 +239,7 @@ bool App::moves() const {
     const auto& lesson = lab_.document.lesson;
     const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
-    const bool predicts = lab_.predictions.job || lab_.predictions.job_before;
+    const bool predicts = is_computing(lab_.predictions);
     return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.robots) ||
            is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ || clip_ ||
            (lesson && lesson->grading) || !lab_.files.empty();

@@ -16,8 +16,8 @@ using insight::Question;
 
 constexpr std::uint64_t fan_size = 8;
 constexpr std::uint64_t asked_again = 6;     // ticks, while time passes during a drag
-constexpr std::size_t steps_per_piece = 60;  // about a tenth of a millisecond with one vehicle
 constexpr std::size_t most_for_a_fan = 200;  // vehicles
+constexpr double fan_wait = 0.05;            // s; a newer edit waits so long for the fan of the path before
 
 PredictionSubject subject_of(const Lab& lab) {
     return {lab.document.run_id, lab.document.edits, lab.document.session.snapshot().tick, lab.view.selection.vehicle};
@@ -29,45 +29,61 @@ Question question_of(const Lab& lab) {
             .ticks = static_cast<std::size_t>(lab.view.overlays.prediction) * 60};
 }
 
-// The path of a question as a part of a job.
-class PathPiece {
-public:
-    explicit PathPiece(const Question& question) : prediction_(question) {}
-    std::optional<Path> operator()() {
-        if (!prediction_.advance(steps_per_piece)) return std::nullopt;
-        return prediction_.path();
-    }
-    float progress() const { return prediction_.progress(); }
-
-private:
-    insight::Prediction prediction_;
-};
-
-Job<std::vector<Path>> submit_paths(Jobs& jobs, const Question& question, bool fan) {
-    const auto shared = std::make_shared<const Question>(question);
-    return jobs.submit(fan ? 1 + fan_size : 1, [shared](std::size_t part) {
-        return PathPiece(part == 0 ? *shared : insight::with_other_chance(*shared, part));
-    });
+// Ticks of one step of a job: a millisecond or less.
+std::size_t steps_at_once(const Lab& lab) {
+    constexpr std::size_t vehicles_times_steps = 1200;  // of about 0.8 µs
+    const std::size_t vehicles = std::max<std::size_t>(1, lab.document.session.snapshot().vehicles.size());
+    return std::clamp<std::size_t>(vehicles_times_steps / vehicles, 1, 60);
 }
 
+// The path of a question as a part of a job. The run is copied in its first step, not on the window's thread.
+class PathPiece {
+public:
+    PathPiece(Question question, std::size_t steps) : question_(std::move(question)), steps_(steps) {}
+    std::optional<Path> operator()() {
+        if (!prediction_) prediction_.emplace(question_);
+        if (!prediction_->advance(steps_)) return std::nullopt;
+        return prediction_->path();
+    }
+    float progress() const { return prediction_ ? prediction_->progress() : 0; }
+
+private:
+    Question question_;
+    std::size_t steps_;
+    std::optional<insight::Prediction> prediction_{};
+};
+
 // Takes the result of a job, if it is there.
-void take_paths(std::optional<Job<std::vector<Path>>>& job, const std::optional<PredictionSubject>& asked,
-                std::optional<PredictedPaths>& into) {
+void take_path(std::optional<Job<Path>>& job, const std::optional<PredictionSubject>& asked,
+               std::optional<PredictedPaths>& into) {
     if (!job || !asked) return;
     auto done = job->take();
     if (!done) return;
     job.reset();
     if (!*done || (*done)->empty()) return into.reset();
-    std::vector<Path>& paths = **done;
-    into = PredictedPaths{*asked,
-                          std::move(paths.front()),
-                          {std::make_move_iterator(paths.begin() + 1), std::make_move_iterator(paths.end())}};
+    if (!into) into.emplace();
+    into->of = *asked;
+    into->path = std::move(**done);
+}
+
+// Takes the fan of the shown path, which comes after the path. The fan of the edit before stays until then, at most a
+// moment, so that a drag does not flicker.
+void take_fan(Predictions& p, double now) {
+    if (p.job) return;
+    if (!p.shown) return p.job_fan.reset();
+    if (auto done = p.job_fan ? p.job_fan->take() : std::nullopt) {
+        p.job_fan.reset();
+        p.shown->fan = *done ? std::move(**done) : std::vector<Path>{};
+        p.shown->fan_of = p.shown->of;
+    }
+    const bool is_awaited = p.job_fan && now - p.asked_at <= fan_wait;
+    if (p.shown->fan_of != p.shown->of && !is_awaited) p.shown->fan.clear();
 }
 
 void forget_paths(Predictions& predictions) {
     predictions.shown.reset(), predictions.before.reset();
     predictions.asked.reset(), predictions.asked_before.reset();
-    predictions.job.reset(), predictions.job_before.reset();
+    predictions.job.reset(), predictions.job_before.reset(), predictions.job_fan.reset();
     predictions.is_what_if = false;
 }
 
@@ -84,17 +100,27 @@ void ask(Lab& lab, Jobs& jobs, const PredictionSubject& subject) {
     Predictions& p = lab.predictions;
     Question question = question_of(lab);
     question.changes = subject.changes;
+    const std::size_t steps = steps_at_once(lab);
+    p.job = jobs.submit_first(PathPiece(question, steps));
+    p.job_fan.reset();
     const Snapshot& now = lab.document.session.snapshot();
-    const bool fan = now.vehicles.size() <= most_for_a_fan && insight::depends_on_chance(now);
-    p.job = submit_paths(jobs, question, fan);
+    if (now.vehicles.size() <= most_for_a_fan && insight::depends_on_chance(now))
+        p.job_fan = jobs.submit(
+            fan_size, [shared = std::make_shared<const Question>(std::move(question)), steps](std::size_t part) {
+                return PathPiece(insight::with_other_chance(*shared, part + 1), steps);
+            });
     p.asked = subject;
     p.asked_at = lab.wall_seconds;
 }
 
+// True while the path of a newer edit is not asked for: until the path of the last one is known, and for a moment until
+// its fan is.
+bool must_wait(const Predictions& p, double now) { return p.job || (p.job_fan && now - p.asked_at <= fan_wait); }
+
 void ask_before(Lab& lab, Jobs& jobs, const Question& question, const PredictionSubject& subject) {
     Predictions& p = lab.predictions;
     if (p.asked_before == subject) return;
-    p.job_before = submit_paths(jobs, question, false);
+    p.job_before = jobs.submit(PathPiece(question, steps_at_once(lab)));
     p.asked_before = subject;
 }
 
@@ -107,7 +133,7 @@ void follow_what_if(Lab& lab, Jobs& jobs, PredictionSubject now) {
     if (is_moving) return;
     if (!p.is_what_if || !p.asked || p.asked->changes != p.what_if) forget_paths(p);
     p.is_what_if = true;
-    if (p.job || p.job_before) return;  // of an earlier tick
+    if (must_wait(p, lab.wall_seconds) || p.job_before) return;  // of an earlier tick
     ask_before(lab, jobs, question_of(lab), now);
     now.changes = p.what_if;
     if (p.asked != now) ask(lab, jobs, now);
@@ -118,13 +144,15 @@ void follow_drag(Lab& lab, Jobs& jobs, const PredictionSubject& now) {
     Predictions& p = lab.predictions;
     if (p.is_what_if || (p.asked_before && *p.asked_before != p.subject_at_press)) forget_paths(p);
     if (!p.asked_before) ask_before(lab, jobs, *p.at_press, p.subject_at_press);
-    if (p.job || p.asked == now) return;  // the next one is asked when this one is known
+    if (must_wait(p, lab.wall_seconds) || p.asked == now) return;
     const bool same_edits = p.asked && p.asked->edits == now.edits && p.asked->vehicle == now.vehicle;
     if (same_edits && now.tick >= p.asked->tick && now.tick < p.asked->tick + asked_again) return;
     ask(lab, jobs, now);
 }
 
 }  // namespace
+
+bool is_computing(const Predictions& p) { return p.job || p.job_before || p.job_fan; }
 
 void note_press(Lab& lab, bool down, std::uint64_t keys) {
     Predictions& p = lab.predictions;
@@ -148,8 +176,9 @@ void update_predictions(Lab& lab, Jobs& jobs) {
         p.at_press.reset();
         return forget_paths(p);
     }
-    take_paths(p.job, p.asked, p.shown);
-    take_paths(p.job_before, p.asked_before, p.before);
+    take_path(p.job, p.asked, p.shown);
+    take_path(p.job_before, p.asked_before, p.before);
+    take_fan(p, lab.wall_seconds);
     const bool drags = p.pressed && p.at_press && p.subject_at_press.run == now.run &&
                        p.subject_at_press.vehicle == now.vehicle && p.subject_at_press.edits != now.edits;
     if (drags) return follow_drag(lab, jobs, now);

@@ -28,6 +28,7 @@ struct PredictedPaths {
     PredictionSubject of;
     insight::Path path;
     std::vector<insight::Path> fan{};  // with other random numbers; empty where the run does not depend on them
+    PredictionSubject fan_of{};        // what the fan depends on: `of`, or for a moment the edit before
 };
 
 struct Predictions {
@@ -41,17 +42,22 @@ struct Predictions {
 
     std::optional<PredictedPaths> shown{}, before{};  // `before`: without the edits of the drag or without `what_if`
     std::optional<PredictionSubject> asked{}, asked_before{};
-    std::optional<Job<std::vector<insight::Path>>> job{}, job_before{};
-    double asked_at = 0;      // wall seconds
-    bool is_what_if = false;  // `shown` is about `what_if`
+    std::optional<Job<insight::Path>> job{}, job_before{};
+    std::optional<Job<std::vector<insight::Path>>> job_fan{};  // of `asked`
+    double asked_at = 0;                                       // wall seconds
+    bool is_what_if = false;                                   // `shown` is about `what_if`
 };
 
 // Call once per frame, before the requests of the frame are executed. `down`: the left mouse button. `keys`: gesture
 // number of an edit by keys in this frame or a moment ago, which counts as a drag; 0: none.
 void note_press(Lab&, bool down, std::uint64_t keys = 0);
 
+// True while a path is computed.
+bool is_computing(const Predictions&);
+
 // Call once per turn, after Jobs::deliver. Asks for the paths that are needed and takes finished ones. While a path of
-// a drag is computed, only the newest edit waits; another drag, preset or wire cancels what is computed.
+// a drag is computed, only the newest edit waits, and for the fan of a path it waits a moment; another drag, preset or
+// wire cancels what is computed.
 void update_predictions(Lab&, Jobs&);
 
 // The paths to draw; nullopt: none. They point into the lab.

@@ -1,6 +1,8 @@
 // The predicted path of the selected vehicle while something is dragged or pointed at.
 #include "app/insight/predictions.h"
 
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 #include "app/lab_requests.h"
@@ -148,6 +150,52 @@ TEST_F(Predictions, HasAFanWhereThereIsNoise) {
     ASSERT_EQ(shown()->fan->size(), 8u);
     EXPECT_NE(shown()->fan->front(), shown()->fan->back());
     EXPECT_EQ(shown()->fan->front().size(), shown()->path->size());
+}
+
+TEST_F(Predictions, ShowsThePathBeforeItsFanAndKeepsTheFanOfTheEditBeforeForAMoment) {
+    std::vector<Sensor> sensors = now().scene->kinds[0].sensors;
+    sensors[0].noise = 0.1f;
+    handle(lab, EditRequest{SetSensors{{.kind = 0}, sensors}});
+    drag(0.5f);
+    const std::vector<std::vector<Pose>> old_fan = *shown()->fan;
+    const std::vector<Pose> old_path = *shown()->path;
+    ASSERT_EQ(old_fan.size(), 8u);
+    handle(lab, EditRequest{TurnDial{{.vehicle = selected()}, Dial::LM, 0.9f}, 7});
+    const auto turn_with_one_step = [&] { update_predictions(lab, jobs), jobs.deliver(std::chrono::nanoseconds(0)); };
+    for (int steps = 0; *shown()->path == old_path && steps < 100; ++steps) turn_with_one_step();
+    update_predictions(lab, jobs);
+    ASSERT_NE(*shown()->path, old_path);
+    EXPECT_TRUE(is_computing(lab.predictions)) << "the fan comes after the path";
+    EXPECT_EQ(*shown()->fan, old_fan) << "a drag does not flicker";
+    lab.wall_seconds += 0.1;
+    update_predictions(lab, jobs);
+    EXPECT_TRUE(shown()->fan->empty()) << "an old fan does not stay";
+    turn();
+    EXPECT_EQ(shown()->fan->size(), 8u);
+    EXPECT_NE(*shown()->fan, old_fan);
+    EXPECT_FALSE(is_computing(lab.predictions));
+}
+
+TEST_F(Predictions, ANewerEditWaitsForAFanOnlyAMoment) {
+    std::vector<Sensor> sensors = now().scene->kinds[0].sensors;
+    sensors[0].noise = 0.1f;
+    handle(lab, EditRequest{SetSensors{{.kind = 0}, sensors}});
+    drag(0.5f);
+    const auto edit = [&](float value) {
+        handle(lab, EditRequest{TurnDial{{.vehicle = selected()}, Dial::LM, value}, 7});
+    };
+    const auto path_is_known = [&] {
+        for (int steps = 0; lab.predictions.job && steps < 100; ++steps)
+            jobs.deliver(std::chrono::nanoseconds(0)), update_predictions(lab, jobs);
+        return !lab.predictions.job && lab.predictions.job_fan;
+    };
+    edit(0.6f), update_predictions(lab, jobs);
+    ASSERT_TRUE(path_is_known());
+    edit(0.7f), update_predictions(lab, jobs);
+    EXPECT_FALSE(lab.predictions.job) << "the fan of 0.6 comes first";
+    lab.wall_seconds += 0.1;
+    update_predictions(lab, jobs);
+    EXPECT_TRUE(lab.predictions.job) << "the path of 0.7";
 }
 
 TEST_F(Predictions, HasTheLengthOfTheViewAndCanBeSwitchedOff) {
