@@ -45,7 +45,7 @@ bool jumped(const ViewportState& state, const Lab& lab) {
            is_home(state, lab);
 }
 
-// In the wiring editor, whose scene is small: the paths with and without the change under the pointer.
+// In the wiring editor, whose scene is small: the paths with and without the edit or the change under the pointer.
 std::optional<FloorBox> paths_of_change(const Lab& lab) {
     if (lab.playback.mode != Mode::wiring) return std::nullopt;
     const auto prediction = prediction_of(lab);

@@ -171,7 +171,7 @@ void update_predictions(Lab& lab, Jobs& jobs) {
     const PredictionSubject now = subject_of(lab);
     const VehicleView* vehicle = selected_vehicle(lab);
     const bool is_on = lab.view.overlays.prediction > 0 && may_show_future(view) && !lab.together && vehicle &&
-                       !lab.sheet_open && (lab.playback.mode != Mode::wiring || !p.what_if.empty());
+                       !lab.sheet_open;
     if (!is_on) {
         p.at_press.reset();
         return forget_paths(p);

@@ -139,6 +139,19 @@ TEST_F(Predictions, IsShownInTheWiringEditorForAWireUnderThePointerAndOnlyThen) 
     EXPECT_FALSE(shown());
 }
 
+TEST_F(Predictions, IsShownForAnEditInTheWiringEditorUntilItIsDriven) {
+    handle(lab, Action::wiring);
+    drag(0.9f);
+    ASSERT_TRUE(shown());
+    ASSERT_TRUE(shown()->before);
+    EXPECT_NE(shown()->path->back(), shown()->before->back());
+    release();
+    EXPECT_TRUE(shown());
+    handle(lab, Action::wiring);
+    turn();
+    EXPECT_TRUE(shown()) << "it stays in the scene";
+}
+
 TEST_F(Predictions, HasAFanWhereThereIsNoise) {
     drag(0.5f);
     EXPECT_TRUE(shown()->fan->empty());

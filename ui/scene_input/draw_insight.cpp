@@ -163,7 +163,7 @@ void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slo
 
 void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
     const LabView& view = frame.view;
-    if (view.mode == Mode::wiring) {  // of the wire under the pointer
+    if (view.mode == Mode::wiring) {
         if (view.prediction) draw_prediction(frame, ui, *view.prediction);
         return;
     }
