@@ -170,8 +170,8 @@ void update_predictions(Lab& lab, Jobs& jobs) {
     const LabView view = view_of(lab);
     const PredictionSubject now = subject_of(lab);
     const VehicleView* vehicle = selected_vehicle(lab);
-    const bool is_on = lab.view.overlays.prediction > 0 && may_show_future(view) && !lab.together && vehicle &&
-                       !lab.sheet_open;
+    const bool is_on =
+        lab.view.overlays.prediction > 0 && may_show_future(view) && !lab.together && vehicle && !lab.sheet_open;
     if (!is_on) {
         p.at_press.reset();
         return forget_paths(p);

@@ -271,7 +271,7 @@ TEST(MapCardInANarrowWindow, TheSlidersOfAnAxisHaveRoomForTheirWords) {
 
 TEST_F(MapCard, ItsButtonAndKeyAskForTheMap) {
     desk.click("button.map");
-    desk.key({'M', false, true});
+    desk.key({'M'});
     EXPECT_EQ(desk.actions(), (std::vector{Action::map, Action::map}));
 }
 
