@@ -47,6 +47,9 @@ std::string text_of(const Study& study) {
     return text + fmt::format(" {}", fmt::join(study.measure_words, " "));
 }
 
+// The same number of ticks in seconds without the rounding error of single precision: 20, not 20.0000019.
+double whole_ticks(float seconds) { return std::round(static_cast<double>(seconds) * 60) / 60; }
+
 double number_of(StudyMeasure measure, const Snapshot& end, const Outcome& outcome) {
     switch (measure) {
         case StudyMeasure::captures:
@@ -68,9 +71,9 @@ double number_of(StudyMeasure measure, const Snapshot& end, const Outcome& outco
         case StudyMeasure::final_distance:
             return outcome.final_distance;
         case StudyMeasure::time_to_touch:
-            return outcome.time_to_touch;
+            return whole_ticks(outcome.time_to_touch);
         case StudyMeasure::survival:
-            return outcome.survival;
+            return whole_ticks(outcome.survival);
     }
     return std::numeric_limits<double>::quiet_NaN();
 }

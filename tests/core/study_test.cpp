@@ -160,6 +160,17 @@ TEST(StudyTable, ReadsItsOwnLinesAndNoOthers) {
         EXPECT_FALSE(insight::read_study_line(*base, 3, wrong)) << wrong;
 }
 
+TEST(StudyTable, HasTimesWithoutTheErrorOfSinglePrecision) {
+    const char* bias =
+        "name = \"bias\"\npaths = [\"kind.aggressor.brain.LM\", \"kind.aggressor.brain.RM\"]\nlevels = [0.2]\n";
+    const auto base = base_of(file_text("seconds = 20\nseeds = 1\nmeasures = [\"survival\", \"touch\"]", bias),
+                              shipped_scene("2b-aggressor"));
+    const StudyRow row = insight::run_of(base, 0);
+    EXPECT_EQ(row[0], 20.0);
+    ASSERT_TRUE(std::isfinite(row[1]));
+    EXPECT_EQ(row[1], std::round(row[1] * 60) / 60) << "a whole number of ticks";
+}
+
 TEST(StudyTable, ComparesWithTheSameSeedsOfTheFirstCombination) {
     const auto base = base_of(file_text("seeds = 4\nmeasures = [\"touch\"]", weights), shipped_scene("2b-aggressor"));
     const std::vector<StudyRow> rows{{1}, {2}, {3}, {never}, {2}, {5}, {2}, {4}};
