@@ -130,7 +130,14 @@ void point_out(const Ui& ui, Rect rect) {
     fill_box(ui, {rect.x - grow, rect.y - grow, rect.w + 2 * grow, rect.h + 2 * grow},
              colour.with_alpha(0.10f + 0.14f * ui.pulse));
     ring(ui, rect, colour.with_alpha(0.9f - 0.4f * ui.pulse), 2 + 3 * ui.pulse, 2);
-    hint_badge(ui, *ImGui::GetWindowDrawList(), {rect.x + rect.w, rect.y});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float right = rect.x + rect.w;
+    const bool reaches_the_margin = draw.GetClipRectMax().x - right <= ui.px(spacing::large);
+    // In the card's margin the badge covers no text of the row above.
+    if (reaches_the_margin)
+        hint_badge(ui, draw, {right + ui.px(8), rect.y + rect.h / 2 + ui.px(2)});
+    else
+        hint_badge(ui, draw, {right, rect.y});
 }
 
 void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 corner) {

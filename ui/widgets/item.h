@@ -34,7 +34,8 @@ Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true);
 void mark(Ui&, std::string_view id, Rect);
 
 // What a hint is about: a wash over the rectangle, a ring that widens with Ui::pulse, and the light bulb of the hint
-// bar at its upper right corner. The keyboard focus is a thin ring without a wash and a bulb.
+// bar at its upper right corner, or beside it where it reaches the margin of its card. The keyboard focus is a thin
+// ring without a wash and a bulb.
 void point_out(const Ui&, Rect);
 
 // That light bulb, at this corner of what is pointed out; it may extend beyond the card's clip rectangle.
