@@ -227,6 +227,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"no_widget", "the window has no widget {}"},
     {"more_needed_than_starts", "'needed' is {}, more than the {} starts"},
     {"median_step", "'median' compares step {}, and there are {} steps"},
+    {"hint_text_missing", "a hint needs a text: text = \"…\""},
     {"step_text_missing", "a step needs a text: text = \"It …\""},
     {"brain_of_first",
      "the first vehicle of an exercise has no brain of its own, as the student changes that of its kind; set it in "

@@ -79,8 +79,8 @@ void check_names(TomlTable& top, const Study& study) {
 void check_study(TomlTable& top, Study& study) {
     TomlFile& file = top.file();
     for (const char* needed : {"title", "scene", "measures", "value"})
-        if (!top.has(needed) && !file.error) file.error = error_of(message_of("missing_in_study", needed), file.name);
-    if (file.error) return;
+        if (!top.has(needed)) file.add(needed, error_of(message_of("missing_in_study", needed), file.name));
+    if (file.failed()) return;
     const TomlNode::List& tables = *top.content().get("value")->as_list();
     for (std::size_t i = 0; i < study.values.size(); ++i) {
         const StudyValue& value = study.values[i];
@@ -92,7 +92,7 @@ void check_study(TomlTable& top, Study& study) {
     if (study.measure_words.empty()) top.fail("measures", message_of("missing_in_study", "measures"));
     read_measures(top, study);
     check_names(top, study);
-    if (!file.error && study.runs() > limits::study_runs)
+    if (!file.failed() && study.runs() > limits::study_runs)
         top.fail("value", message_of("too_many_runs", study.runs(), limits::study_runs));
 }
 
@@ -116,8 +116,8 @@ Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
     TomlReader<Study> reader(top, study);
     describe(reader, Of<Study>{});
     top.done();
-    if (!file->error) check_study(top, study);
-    if (file->error) return *file->error;
+    if (!file->failed()) check_study(top, study);
+    if (file->failed()) return file->error();
     note_lines(top, study);
     return study;
 }

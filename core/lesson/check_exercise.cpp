@@ -37,14 +37,21 @@ struct ExercisePart {
         file.fail(path + "." + key, value ? value : &table, std::move(what));
     }
 
+    // An error at the part itself, for a key that it lacks.
+    void fail_missing(const char* key, Message what) const { file.fail(path + "." + key, &table, std::move(what)); }
+
+    // False if there is nothing of this name.
     template <class Named>
-    void check_name(const char* key, const std::string& name, const std::vector<Named>& known,
+    bool check_name(const char* key, const std::string& name, const std::vector<Named>& known,
                     NameMessages messages) const {
         std::vector<std::string_view> names;
         for (const Named& each : known) names.emplace_back(each.name);
-        if (std::find(names.begin(), names.end(), name) != names.end()) return;
-        if (name.empty()) return fail(key, message_of("empty_key", key) + message_of(messages.wanted));
-        fail(key, message_of(messages.unknown, in_quotes(name)) + nearest_of(name, names));
+        if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+        if (table.contains(key) && name.empty())
+            fail(key, message_of("empty_key", key) + message_of(messages.wanted));
+        else if (!name.empty())
+            fail(key, message_of(messages.unknown, in_quotes(name)) + nearest_of(name, names));
+        return false;
     }
 };
 
@@ -66,7 +73,7 @@ constexpr bool needs_one_source =
 template <class G>
 void check_source(const ExercisePart& part, const G& goal) {
     const std::vector<Source>& sources = part.scene.sources;
-    if (!goal.source.empty()) return part.check_name("source", goal.source, sources, of_source);
+    if (!goal.source.empty()) return void(part.check_name("source", goal.source, sources, of_source));
     if (needs_one_source<G> && sources.size() > 1) part.fail("source", message_of("several_sources", G::traits.word));
 }
 
@@ -91,6 +98,7 @@ void check_vehicle(const ExercisePart& part, const G& goal) {
 
 template <class G>
 void check_range(const ExercisePart& part, const G& goal) {
+    if (part.file.failed_at(part.path)) return;  // the range may be incomplete
     if constexpr (requires { goal.from, goal.to; })
         if (goal.to < goal.from) part.fail("to", message_of("at_least", "to", "from"));
     if constexpr (requires { goal.low, goal.high; })
@@ -116,43 +124,62 @@ void check_times(const ExercisePart& part, const Check& check) {
         part.fail("latest", message_of("more_than", "latest", "earliest"));
 }
 
-// `part.vehicle` is that of the check around this one.
-void check_check(ExercisePart part, const Check& check) {
+// The part of the file of a check in the list `key` of a part.
+ExercisePart part_of(const ExercisePart& whole, const char* key, std::size_t index) {
+    return {whole.file,
+            whole.table.get(key)->as_list()->at(index),
+            fmt::format("{}.{}.{}", whole.path, key, index + 1),
+            whole.scene,
+            whole.vehicle,
+            whole.step};
+}
+
+// What can be said of a check, and of those in its goal, without the scene.
+void check_check(const ExercisePart& part, const Check& check) {
     if (!part.table.contains("goal"))
-        return part.file.fail(part.path, &part.table, message_of("goal_missing", listed_words(Goal{})));
-    if (!check.vehicle.empty()) {
-        part.check_name("vehicle", check.vehicle, part.scene.starts, of_vehicle);
-        if (part.file.error) return;
-        part.vehicle = check.vehicle;
-    }
+        return part.fail_missing("goal", message_of("goal_missing", listed_words(Goal{})));
+    if (part.file.failed_at(part.path + ".goal")) return;
     check_times(part, check);
     const auto check_goal = [&]<class G>(const G& goal) {
-        check_names(part, goal);
-        check_vehicle(part, goal);
         check_range(part, goal);
         if constexpr (requires { goal.checks; }) {
-            const TomlNode* checks = part.table.get("check");
-            if (goal.checks.empty())
-                part.file.fail(part.path, &part.table, message_of("checks_missing", G::traits.word));
-            for (std::size_t i = 0; i < goal.checks.size() && !part.file.error; ++i)
-                check_check({part.file, checks->as_list()->at(i), fmt::format("{}.check.{}", part.path, i + 1),
-                             part.scene, part.vehicle, part.step},
-                            goal.checks[i]);
+            if (goal.checks.empty()) part.fail_missing("check", message_of("checks_missing", G::traits.word));
+            for (std::size_t i = 0; i < goal.checks.size(); ++i) check_check(part_of(part, "check", i), goal.checks[i]);
         }
     };
     std::visit(check_goal, check.goal);
 }
 
-// Adds the dials of an offer to those offered before it.
-void check_offer(TomlTable& top, const std::string& text, std::vector<Dial>& offered) {
+// The names in a check and in those in its goal. `part.vehicle` is that of the check around this one.
+void check_names_of_check(ExercisePart part, const Check& check) {
+    if (part.file.failed_at(part.path + ".goal")) return;
+    if (!check.vehicle.empty()) {
+        if (!part.check_name("vehicle", check.vehicle, part.scene.starts, of_vehicle)) return;
+        part.vehicle = check.vehicle;
+    }
+    const auto check_goal = [&]<class G>(const G& goal) {
+        check_names(part, goal);
+        check_vehicle(part, goal);
+        if constexpr (requires { goal.checks; })
+            for (std::size_t i = 0; i < goal.checks.size(); ++i)
+                check_names_of_check(part_of(part, "check", i), goal.checks[i]);
+    };
+    std::visit(check_goal, check.goal);
+}
+
+// Adds the dials of the offer at `index` to those offered before it.
+void check_offer(TomlTable& top, const std::string& text, std::size_t index, std::vector<Dial>& offered) {
+    const TomlNode& place = top.content().get("offers")->as_list()->at(index);
+    const auto fail = [&](Message what) {
+        top.file().fail(fmt::format("offers.{}", index + 1), &place, std::move(what));
+    };
     const auto offer = parse_offer(text);
-    if (!offer) return top.fail("offers", message_of("no_control", in_quotes(text)));
+    if (!offer) return fail(message_of("no_control", in_quotes(text)));
     for (const Dial dial : offer->dials) {
         const DialRange own = range(dial), first = range(offer->dials.front());
         if (std::find(offered.begin(), offered.end(), dial) != offered.end())
-            top.fail("offers", message_of("offered_twice", in_quotes(name(dial))));
-        if (own.low != first.low || own.high != first.high)
-            top.fail("offers", message_of("different_ranges", in_quotes(text)));
+            fail(message_of("offered_twice", in_quotes(name(dial))));
+        if (own.low != first.low || own.high != first.high) fail(message_of("different_ranges", in_quotes(text)));
         offered.push_back(dial);
     }
 }
@@ -165,7 +192,7 @@ void check_hidden(TomlTable& top, const Exercise& exercise) {
 
 void check_offers(TomlTable& top, const Exercise& exercise) {
     std::vector<Dial> offered;
-    for (const std::string& text : exercise.offers) check_offer(top, text, offered);
+    for (std::size_t i = 0; i < exercise.offers.size(); ++i) check_offer(top, exercise.offers[i], i, offered);
     if (top.content().contains("selection") && !offers_selection(exercise))
         top.fail("selection", message_of("selection_not_offered"));
     if (exercise.changes > 0 && exercise.offers.empty()) top.fail("changes", message_of("changes_without_offers"));
@@ -173,22 +200,27 @@ void check_offers(TomlTable& top, const Exercise& exercise) {
         top.fail("changes", message_of("changes_of_wires"));
 }
 
-void check_prediction(TomlTable& top, const Prediction& prediction, const Scene& scene) {
+void check_prediction(TomlTable& top, const Prediction& prediction) {
     const TomlNode* table = top.content().get("predict");
-    if (!table || !table->as_table()) return;
+    if (!table || !table->as_table() || top.file().failed_at("predict")) return;
     const bool is_drawn_only = !prediction.path_of.empty() && prediction.options.empty();
     if (prediction.question.empty() ||
         (!is_drawn_only && (prediction.options.size() < 2 || !table->contains("answer"))))
         top.fail("predict", message_of("prediction_incomplete"));
-    if (!prediction.path_of.empty()) {
-        const ExercisePart part{top.file(), *table, "predict", scene, scene.starts.front().name};
-        part.check_name("path", prediction.path_of, scene.starts, of_vehicle);
-    }
-    for (std::size_t i = 0; i < prediction.shows.size() && !top.file().error; ++i) {
-        const TomlNode& check = table->get("shows")->as_list()->at(i);
-        check_check({top.file(), check, fmt::format("predict.shows.{}", i + 1), scene, scene.starts.front().name, i},
-                    prediction.shows[i]);
-    }
+}
+
+// Calls `check` with each check of the steps and of the prediction, and with its place in the file.
+template <class Function>
+void for_each_check(TomlTable& top, const Exercise& exercise, const Function& check) {
+    const std::string vehicle = exercise.scene.starts.empty() ? "" : exercise.scene.starts.front().name;
+    const auto part = [&](const TomlNode& list, const std::string& path, std::size_t i) {
+        return ExercisePart{
+            top.file(), list.as_list()->at(i), fmt::format("{}.{}", path, i + 1), exercise.scene, vehicle, i};
+    };
+    for (std::size_t i = 0; i < exercise.prediction.shows.size(); ++i)
+        check(part(*top.content().get("predict")->get("shows"), "predict.shows", i), exercise.prediction.shows[i]);
+    for (std::size_t i = 0; i < exercise.steps.size(); ++i)
+        check(part(*top.content().get("step"), "step", i), exercise.steps[i].check);
 }
 
 void check_anchors(TomlTable& top, const Exercise& exercise) {
@@ -203,37 +235,55 @@ void check_anchors(TomlTable& top, const Exercise& exercise) {
     }
 }
 
+// Numbers that depend on others of the file.
+void check_numbers(TomlTable& top, const Exercise& exercise) {
+    const TomlFile& file = top.file();
+    if (exercise.needed > exercise.starts && !file.failed_at("starts") && !file.failed_at("needed"))
+        top.fail("needed", message_of("more_needed_than_starts", exercise.needed, exercise.starts));
+    if (exercise.median.step > static_cast<int>(exercise.steps.size()) && !file.failed_at("step"))
+        top.fail("median", message_of("median_step", exercise.median.step, exercise.steps.size()));
+    if (top.has("median") && exercise.median.step == 0 && !file.failed_at("median"))
+        top.fail("median", message_of("key_missing", "step", "step = 1"));
+}
+
+// Every step and hint has a text.
+void check_texts(TomlTable& top, const Exercise& exercise) {
+    TomlFile& file = top.file();
+    const auto check = [&](const char* list, const auto& elements, const char* id) {
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            if (elements[i].text.empty())
+                file.fail(fmt::format("{}.{}.text", list, i + 1), &top.content().get(list)->as_list()->at(i),
+                          message_of(id));
+    };
+    check("step", exercise.steps, "step_text_missing");
+    check("hint", exercise.hints, "hint_text_missing");
+}
+
 }  // namespace
 
 void check_exercise(TomlTable& top, const Exercise& exercise) {
     TomlFile& file = top.file();
     for (const char* key : {"title", "goal"})
-        if (!top.has(key) && !file.error)
-            file.error = error_of(message_of("key_missing", key, std::string(key) + " = \"…\""), file.name, 1);
-    if (exercise.scene.starts.empty()) top.fail("scene", message_of("exercise_without_vehicle"));
-    check_prediction(top, exercise.prediction, exercise.scene);
+        if (!top.has(key))
+            file.add(key, error_of(message_of("key_missing", key, std::string(key) + " = \"…\""), file.name, 1));
+    check_prediction(top, exercise.prediction);
     check_offers(top, exercise);
-    if (exercise.needed > exercise.starts)
-        top.fail("needed", message_of("more_needed_than_starts", exercise.needed, exercise.starts));
-    if (exercise.median.step > static_cast<int>(exercise.steps.size()))
-        top.fail("median", message_of("median_step", exercise.median.step, exercise.steps.size()));
-    if (top.has("median") && exercise.median.step == 0)
-        top.fail("median", message_of("key_missing", "step", "step = 1"));
-    if (!top.has("solution") && !file.error) file.error = error_of(message_of("solution_missing"), file.name);
-    if (exercise.steps.empty() && !file.error) file.error = error_of(message_of("step_missing"), file.name);
-    if (!file.error) check_hidden(top, exercise);
-    const TomlNode* steps = top.content().get("step");
-    for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {
-        const ExercisePart part{file,
-                                steps->as_list()->at(i),
-                                fmt::format("step.{}", i + 1),
-                                exercise.scene,
-                                exercise.scene.starts.front().name,
-                                i};
-        if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, message_of("step_text_missing"));
-        check_check(part, exercise.steps[i].check);
+    check_numbers(top, exercise);
+    if (!top.has("solution")) file.add("solution", error_of(message_of("solution_missing"), file.name));
+    if (exercise.steps.empty()) file.add("step", error_of(message_of("step_missing"), file.name));
+    check_texts(top, exercise);
+    for_each_check(top, exercise, check_check);
+}
+
+void check_against_scene(TomlTable& top, const Exercise& exercise) {
+    check_hidden(top, exercise);
+    const Prediction& asked = exercise.prediction;
+    if (const TomlNode* table = top.content().get("predict"); table && !asked.path_of.empty()) {
+        const ExercisePart part{top.file(), *table, "predict", exercise.scene, ""};
+        part.check_name("path", asked.path_of, exercise.scene.starts, of_vehicle);
     }
-    if (!file.error) check_anchors(top, exercise);
+    for_each_check(top, exercise, check_names_of_check);
+    check_anchors(top, exercise);
 }
 
 }  // namespace braitenlab

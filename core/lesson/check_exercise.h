@@ -7,7 +7,9 @@
 
 namespace braitenlab {
 
-// Sets the file's error to the first fault, with its line. `top`: the file from which the exercise has been read.
-void check_exercise(TomlTable& top, const Exercise&);
+// Each adds the errors to the file, with their lines. `top`: the file from which the exercise has been read, also with
+// errors.
+void check_exercise(TomlTable& top, const Exercise&);       // texts, numbers and offers
+void check_against_scene(TomlTable& top, const Exercise&);  // names; precondition: a valid scene with a start
 
 }  // namespace braitenlab

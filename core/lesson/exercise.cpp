@@ -1,5 +1,8 @@
 #include "core/lesson/exercise.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "core/lesson/anchors.h"
@@ -27,9 +30,10 @@ std::optional<SceneText> scene_text(TomlTable& top, const std::filesystem::path&
     TomlFile& file = top.file();
     if (const TomlNode* inner = top.find("scene"); inner && inner->as_table()) return SceneText{file, "scene"};
     const auto scene_path = top.text("scene", limits::text_length);
-    if (!scene_path && !file.error)
-        file.error = error_of(message_of("key_missing", "scene", "scene = \"../scenes/NAME.toml\""), file.name);
-    if (file.error) return std::nullopt;
+    if (!scene_path) {
+        file.add("scene", error_of(message_of("key_missing", "scene", "scene = \"../scenes/NAME.toml\""), file.name));
+        return std::nullopt;
+    }
     const std::filesystem::path scene_file = (path.parent_path() / *scene_path).lexically_normal();
     std::error_code problem;
     if (!std::filesystem::is_regular_file(scene_file, problem)) {
@@ -38,7 +42,7 @@ std::optional<SceneText> scene_text(TomlTable& top, const std::filesystem::path&
     }
     const auto text = read_text(scene_file);
     auto parsed = text ? parse_toml(*text, scene_file.string()) : text.error();
-    if (!parsed) return file.error = parsed.error(), std::nullopt;
+    if (!parsed) return file.add("scene", parsed.error()), std::nullopt;
     return SceneText{std::move(*parsed), ""};
 }
 
@@ -46,10 +50,11 @@ std::optional<SceneText> scene_text(TomlTable& top, const std::filesystem::path&
 void check_first_start(const SceneText& text, const Scene& scene, TomlFile& file) {
     const Start& first = scene.starts.front();
     const std::string path = (text.table.empty() ? "" : text.table + ".") + "vehicle." + first.name;
-    if (first.brain)
-        file.error = text.file.fault_at(path + ".brain", message_of("brain_of_first", first.kind));
-    else if (first.sensors)
-        file.error = text.file.fault_at(path + ".sensor", message_of("sensors_of_first", first.kind));
+    const auto fail = [&](const std::string& part, const char* id) {
+        file.add(path + part, text.file.fault_at(path + part, message_of(id, first.kind)));
+    };
+    if (first.brain) fail(".brain", "brain_of_first");
+    if (first.sensors) fail(".sensor", "sensors_of_first");
 }
 
 // What the student would hand in to have the exercise's scene as it is here.
@@ -81,9 +86,9 @@ void resolve(Answer& answer, const std::string& path, const TomlNode& table, con
     settings.insert(settings.end(), answer.settings.begin(), answer.settings.end());
     // Without settings of its own the scene is the exercise's, which has been read.
     const auto scene = answer.settings.empty() ? exercise.scene : read_scene(text.file, text.table, settings);
-    if (!scene) return void(file.error = scene.error());
+    if (!scene) return file.add(path + ".set", scene.error());
     if (!differs_in_submission_only(exercise, *scene))
-        return void(file.error = setting_outside_submission(exercise, text, before, answer.settings));
+        return file.add(path + ".set", setting_outside_submission(exercise, text, before, answer.settings));
     answer.submission = submission_for(exercise, *scene);
     for (const Dial dial : all_dials)
         if (table.contains(name(dial))) answer.brain.given.push_back(dial);
@@ -91,16 +96,17 @@ void resolve(Answer& answer, const std::string& path, const TomlNode& table, con
     answer.submission.brain = {};
     std::optional<Fault> fault = to_graph(answer.brain, answer.submission.brain);
     if (!fault) fault = find_fault(answer.submission.brain);
-    if (fault) file.error = file.fault_at(fault->path.empty() ? path : path + "." + fault->path, fault->what);
+    const std::string place = fault && !fault->path.empty() ? path + "." + fault->path : path;
+    if (fault) file.add(place, file.fault_at(place, fault->what));
 }
 
 void resolve_answers(TomlTable& top, const SceneText& text, const std::vector<Setting>& settings, Exercise& exercise) {
     const auto resolve_one = [&](Answer& answer, const std::string& path, const TomlNode* table) {
-        if (table && !top.file().error) resolve(answer, path, *table, text, settings, exercise, top.file());
+        if (table && !top.file().failed_at(path)) resolve(answer, path, *table, text, settings, exercise, top.file());
     };
     resolve_one(exercise.solution, "solution", top.content().get("solution"));
     const TomlNode* wrong = top.content().get("wrong");
-    for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
+    for (std::size_t i = 0; i < exercise.wrong.size(); ++i)  // none where `wrong` is no list
         resolve_one(exercise.wrong[i], fmt::format("wrong.{}", i + 1), &wrong->as_list()->at(i));
 }
 
@@ -122,33 +128,61 @@ std::string describe_goals(const std::variant<Goals...>&) {
     return text + check.text();
 }
 
+// The text of the exercise's scene, which is read into `exercise`; nullopt if it has errors or no vehicle.
+std::optional<SceneText> read_scene_of(TomlTable& top, const std::filesystem::path& path,
+                                       const std::vector<Setting>& settings, Exercise& exercise) {
+    auto text = scene_text(top, path);
+    if (!text) return std::nullopt;
+    ReadScene read = read_scene_fully(text->file, text->table, settings);
+    for (Error& each : read.errors) top.file().faults.push_back({"scene", std::move(each)});
+    if (!read.errors.empty()) return std::nullopt;
+    if (read.scene.starts.empty()) return top.fail("scene", message_of("exercise_without_vehicle")), std::nullopt;
+    exercise.scene = std::move(read.scene);
+    return text;
+}
+
+// Reads the whole file. What refers to the scene is judged only if the scene has no error.
+Exercise read_exercise_file(TomlFile& file, const std::filesystem::path& path, const std::vector<Setting>& more) {
+    check_format(file);
+    Exercise exercise;
+    TomlTable top(file, file.root, "");
+    top.find("format");
+    std::vector<Setting> settings;
+    if (const TomlNode* set = top.table("set")) top.gather_settings(*set, "set", "", settings);
+    settings.insert(settings.end(), more.begin(), more.end());
+    const auto text = read_scene_of(top, path, settings, exercise);
+    TomlReader<Exercise> reader(top, exercise);
+    describe(reader, Of<Exercise>{});
+    top.done();
+    if (exercise.id.empty()) exercise.id = exercise_id_of(path);
+    check_exercise(top, exercise);
+    if (!text) return exercise;
+    check_against_scene(top, exercise);
+    check_first_start(*text, exercise.scene, file);
+    resolve_answers(top, *text, settings, exercise);
+    return exercise;
+}
+
 }  // namespace
 
 Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& path,
                                 const std::vector<Setting>& more) {
     auto file = parse_toml(toml, path.string());
     if (!file) return file.error();
-    check_format(*file);
-    Exercise exercise;
-    TomlTable top(*file, file->root, "");
-    top.find("format");
-    std::vector<Setting> settings;
-    if (const TomlNode* set = top.table("set")) top.gather_settings(*set, "set", "", settings);
-    settings.insert(settings.end(), more.begin(), more.end());
-    const auto text = scene_text(top, path);
-    if (!text) return *file->error;
-    auto scene = read_scene(text->file, text->table, settings);
-    if (!scene) return scene.error();
-    exercise.scene = std::move(*scene);
-    TomlReader<Exercise> reader(top, exercise);
-    describe(reader, Of<Exercise>{});
-    top.done();
-    if (exercise.id.empty()) exercise.id = exercise_id_of(path);
-    if (!file->error) check_exercise(top, exercise);
-    if (!file->error) check_first_start(*text, exercise.scene, *file);
-    if (!file->error) resolve_answers(top, *text, settings, exercise);
-    if (file->error) return *file->error;
+    Exercise exercise = read_exercise_file(*file, path, more);
+    if (file->failed()) return file->error();
     return exercise;
+}
+
+std::vector<Error> errors_of_exercise(std::string_view toml, const std::filesystem::path& path) {
+    auto file = parse_toml(toml, path.string());
+    if (!file) return {file.error()};
+    (void)read_exercise_file(*file, path, {});
+    std::vector<Error> errors;
+    for (TomlFault& fault : file->faults) errors.push_back(std::move(fault.error));
+    const auto order = [&](const Error& error) { return std::pair(error.file != path.string(), error.line); };
+    std::stable_sort(errors.begin(), errors.end(), [&](const Error& a, const Error& b) { return order(a) < order(b); });
+    return errors;
 }
 
 Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vector<Setting>& more) {

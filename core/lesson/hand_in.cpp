@@ -68,14 +68,17 @@ std::string for_file_name(std::string_view text) {
 
 void check_hand_in(TomlTable& top, const HandIn& hand_in) {
     for (const char* key : {"student", "exercise", "submission"})
-        if (!top.has(key)) top.fail_whole(message_of("missing_in_hand_in", key));
+        if (!top.has(key)) top.fail_missing(key, message_of("missing_in_hand_in", key));
     TomlFile& file = top.file();
-    if (!file.error && for_comparison(hand_in.student).empty()) top.fail("student", message_of("empty_key", "student"));
-    if (!file.error && hand_in.passed_starts > hand_in.graded_starts)
+    if (!file.failed() && for_comparison(hand_in.student).empty())
+        top.fail("student", message_of("empty_key", "student"));
+    if (!file.failed() && hand_in.passed_starts > hand_in.graded_starts)
         top.fail("passed_starts", message_of("more_passed_than_graded"));
-    if (file.error) return;
-    if (const auto fault = find_fault(hand_in.submission.brain))
-        file.error = file.fault_at("submission.brain" + (fault->path.empty() ? "" : "." + fault->path), fault->what);
+    if (file.failed()) return;
+    if (const auto fault = find_fault(hand_in.submission.brain)) {
+        const std::string path = "submission.brain" + (fault->path.empty() ? "" : "." + fault->path);
+        file.add(path, file.fault_at(path, fault->what));
+    }
 }
 
 }  // namespace
@@ -115,8 +118,8 @@ Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name) {
     TomlReader<HandIn> reader(top, hand_in);
     describe(reader, Of<HandIn>{});
     top.done();
-    if (!file->error) check_hand_in(top, hand_in);
-    if (file->error) return *file->error;
+    if (!file->failed()) check_hand_in(top, hand_in);
+    if (file->failed()) return file->error();
     return hand_in;
 }
 

@@ -171,8 +171,8 @@ private:
 void check_lecture(TomlTable& top, Lecture& lecture, const fs::path& path, const fs::path& exercises) {
     TomlFile& file = top.file();
     for (const char* needed : {"title", "minutes", "page"})
-        if (!top.has(needed) && !file.error) file.error = error_of(message_of("missing_in_lecture", needed), file.name);
-    if (file.error) return;
+        if (!top.has(needed)) file.add(needed, error_of(message_of("missing_in_lecture", needed), file.name));
+    if (file.failed()) return;
     if (lecture.pages.empty()) return top.fail("page", message_of("page_missing"));
     const TomlNode::List& pages = *top.content().get("page")->as_list();
     for (std::size_t i = 0; i < lecture.pages.size(); ++i) {
@@ -211,8 +211,8 @@ Result<Lecture> parse_lecture(std::string_view toml, const fs::path& path, const
     TomlReader<Lecture> reader(top, lecture);
     describe(reader, Of<Lecture>{});
     top.done();
-    if (!file->error) check_lecture(top, lecture, path, exercises);
-    if (file->error) return *file->error;
+    if (!file->failed()) check_lecture(top, lecture, path, exercises);
+    if (file->failed()) return file->error();
     return lecture;
 }
 

@@ -96,7 +96,7 @@ void read_sealed(TomlTable& top, Scene& scene) {
     }
 }
 
-// The scene in a table of the tree, or in the whole tree; the first error is in file.error.
+// The scene in a table of the tree, or in the whole tree; the errors are in file.faults.
 Scene decode(TomlFile& file, const std::string& table) {
     Scene scene;
     const std::string stem = std::filesystem::path(file.name).stem().string();
@@ -107,8 +107,11 @@ Scene decode(TomlFile& file, const std::string& table) {
     describe(reader, Of<Scene>{});
     read_sealed(top, scene);
     top.done();
-    if (file.error) return scene;
-    if (const auto fault = find_fault(scene)) file.error = file.fault_at(joined(table, fault->path), fault->what);
+    if (file.failed()) return scene;
+    if (const auto fault = find_fault(scene)) {
+        const std::string path = joined(table, fault->path);
+        file.add(path, file.fault_at(path, fault->what));
+    }
     return scene;
 }
 
@@ -157,19 +160,28 @@ Result<Setting> parse_setting(std::string_view text) {
     return Setting{trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
 }
 
-Result<Scene> read_scene(TomlFile file, const std::string& table, const std::vector<Setting>& settings) {
+ReadScene read_scene_fully(TomlFile file, const std::string& table, const std::vector<Setting>& settings) {
+    const auto read = [&](Scene scene) {
+        ReadScene made{std::move(scene)};
+        for (TomlFault& fault : file.faults) made.errors.push_back(std::move(fault.error));
+        return made;
+    };
     Scene scene = decode(file, table);
-    if (file.error) return *file.error;
-    if (settings.empty()) return scene;
+    if (file.failed() || settings.empty()) return read(std::move(scene));
 
     const std::vector<std::string> known = setting_paths(scene);
     for (Setting setting : settings) {
         setting.path = whole_path(setting.path, scene);
-        if (auto error = apply(setting, table, file, known)) return *error;
+        if (auto error = apply(setting, table, file, known)) file.add("setting " + setting.path, std::move(*error));
     }
-    scene = decode(file, table);
-    if (file.error) return *file.error;
-    return scene;
+    if (file.failed()) return read(std::move(scene));
+    return read(decode(file, table));
+}
+
+Result<Scene> read_scene(TomlFile file, const std::string& table, const std::vector<Setting>& settings) {
+    ReadScene read = read_scene_fully(std::move(file), table, settings);
+    if (!read.errors.empty()) return read.errors.front();
+    return std::move(read.scene);
 }
 
 Result<Scene> parse_scene(std::string_view toml, std::string file_name, const std::vector<Setting>& settings) {
@@ -195,8 +207,8 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     TomlReader<BrainFile> reader(top, content);
     describe(reader, Of<BrainFile>{});
     top.done();
-    if (!top.has("brain") && !file->error) file->error = error_of(message_of("no_brain_table"), file->name);
-    if (file->error) return *file->error;
+    if (!top.has("brain") && !file->failed()) return error_of(message_of("no_brain_table"), file->name);
+    if (file->failed()) return file->error();
     if (const auto fault = find_fault(content.brain)) return file->fault_at("brain", fault->what);
     return content.brain;
 }

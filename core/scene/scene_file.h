@@ -33,6 +33,13 @@ Result<Scene> load_scene(const std::filesystem::path&, const std::vector<Setting
 struct TomlFile;  // core/scene/toml_tree.h
 Result<Scene> read_scene(TomlFile, const std::string& table, const std::vector<Setting>&);
 
+// As read_scene(), with every independent error, in the order of finding. The scene is meaningful only without errors.
+struct ReadScene {
+    Scene scene;
+    std::vector<Error> errors{};
+};
+ReadScene read_scene_fully(TomlFile, const std::string& table, const std::vector<Setting>&);
+
 // The scene as TOML, without values at their defaults. parse_scene(write_scene(s)) == s for a scene that check_scene
 // accepts, except that a four-neuron brain loses the order (not the ids) of its nodes and wires.
 std::string write_scene(const Scene&);

@@ -165,13 +165,11 @@ std::vector<const TomlMember*> TomlTable::named(std::string_view key, std::size_
 }
 
 void TomlTable::done() {
-    const TomlMember* first = nullptr;
-    for (const TomlMember& member : *table_.as_table()) {
-        if (std::find(known_.begin(), known_.end(), member.key) != known_.end()) continue;
-        if (!first || member.key_place < first->key_place) first = &member;
-    }
-    if (!first) return;
-    fail_unknown(*first, {known_.begin(), known_.end()});
+    std::vector<const TomlMember*> unknown;
+    for (const TomlMember& member : *table_.as_table())
+        if (std::find(known_.begin(), known_.end(), member.key) == known_.end()) unknown.push_back(&member);
+    std::sort(unknown.begin(), unknown.end(), [](auto* a, auto* b) { return a->key_place < b->key_place; });
+    for (const TomlMember* member : unknown) fail_unknown(*member, {known_.begin(), known_.end()});
 }
 
 void TomlTable::fail_unknown(const TomlMember& member, const std::vector<std::string_view>& candidates) {

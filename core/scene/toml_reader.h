@@ -21,7 +21,7 @@
 namespace braitenlab {
 
 // Reads the keys of one table of a file. Every function returns nullopt or null when the key is absent or its value is
-// wrong; a wrong value sets the file's error.
+// wrong; a wrong value adds an error to the file.
 class TomlTable {
 public:
     // Precondition: `table` is a table and outlives this object.
@@ -44,7 +44,10 @@ public:
     // The value of any type, or null. Makes the key known, as all of the above do.
     const TomlNode* find(std::string_view key);
 
-    // Call it after the last key: a key that is not known is an error that names the nearest known one.
+    // Makes keys known without reading them.
+    void know(const std::vector<std::string_view>& keys) { known_.insert(known_.end(), keys.begin(), keys.end()); }
+
+    // Call it after the last key: every key that is not known is an error that names the nearest known one.
     void done();
 
     // Fails as done() does at a key that is neither known nor in `own` nor in `foreign`, and whose nearest, of the
@@ -61,7 +64,8 @@ public:
         return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
     }
     void fail(std::string_view key, Message what) { file_.fail(path(key), table_.get(key), std::move(what)); }
-    void fail_whole(Message what) { file_.fail(path_, &table_, std::move(what)); }  // the table itself
+    // At the line of the table, for a key that it lacks.
+    void fail_missing(std::string_view key, Message what) { file_.fail(path(key), &table_, std::move(what)); }
     TomlFile& file() { return file_; }
     const TomlNode& content() const { return table_; }
 
@@ -183,7 +187,8 @@ public:
         if (!values) return;
         for (const TomlNode& value : *values) {
             const std::string* text = value.as_text();
-            if (!text || text->size() > longest) return table_.fail(key, message_of("short_texts", key));
+            if (!text || text->size() > longest)
+                return (object_.*member).clear(), table_.fail(key, message_of("short_texts", key));
             (object_.*member).push_back(*text);
         }
     }
@@ -192,6 +197,7 @@ public:
     }
     void choice(const char* key, int T::*member, std::vector<std::string> T::*options, const char*) {
         const std::vector<std::string_view> known((object_.*options).begin(), (object_.*options).end());
+        if (known.empty()) return void(table_.find(key));  // the options are absent or wrong
         if (const auto which = table_.one_of(key, known)) object_.*member = static_cast<int>(*which);
     }
     // The keys of a brain in the same table.
@@ -207,9 +213,10 @@ public:
     void variant(const char* key, std::variant<Types...> T::*member, const char*) {
         const std::vector<std::string_view> known{Types::traits.word...};
         const auto which = table_.one_of(key, known);
-        if (!which) return;
+        if (!which && !table_.has(key)) return;
         std::vector<std::string_view> all;
         for (const auto& keys : {key_names<Types>()...}) all.insert(all.end(), keys.begin(), keys.end());
+        if (!which) return table_.know(all);  // what belongs to an unknown word cannot be said
         std::size_t index = 0;
         (void)((index++ == *which && (read_alternative<Types>(key, object_.*member, all), true)) || ...);
         const std::vector<std::string_view> own = std::vector{key_names<Types>()...}[*which];
@@ -234,7 +241,7 @@ private:
         own.insert(own.end(), needs.begin(), needs.end());
         for (const std::string_view needed : needs)
             if (!table_.has(needed) && !table_.fail_if_misspelt(needed, own, foreign))
-                table_.fail_whole(message_of("key_of_own", key, Type::traits.word, needed));
+                table_.fail_missing(needed, message_of("key_of_own", key, Type::traits.word, needed));
         TomlReader<Type> reader(table_, variant.template emplace<Type>());
         describe(reader, Of<Type>{});
     }
@@ -261,7 +268,8 @@ private:
             if (inner.contains(name(dial))) text.given.push_back(dial);
         const std::optional<Fault> fault = to_graph(text, graph);
         TomlFile& file = table_.file();
-        if (fault && !file.error) file.error = file.fault_at(path + "." + fault->path, fault->what);
+        const std::string place = fault ? path + "." + fault->path : "";
+        if (fault && !file.failed_at(path)) file.add(place, file.fault_at(place, fault->what));
     }
 
     TomlTable& table_;

@@ -161,13 +161,20 @@ std::string_view TomlNode::type() const {
 }
 
 void TomlFile::fail(const std::string& path, const TomlNode* node, Message what) {
-    if (error) return;
-    for (auto setting = settings.rbegin(); setting != settings.rend(); ++setting) {
-        if (setting->path != path) continue;
-        error = error_of(std::move(what), setting->file, setting->line);
-        return;
-    }
-    error = error_of(std::move(what), name, node ? static_cast<int>(node->place.line) : 0);
+    for (auto setting = settings.rbegin(); setting != settings.rend(); ++setting)
+        if (setting->path == path) return add(path, error_of(std::move(what), setting->file, setting->line));
+    add(path, error_of(std::move(what), name, node ? static_cast<int>(node->place.line) : 0));
+}
+
+void TomlFile::add(const std::string& path, Error error) {
+    const auto is_here = [&](const TomlFault& fault) { return fault.path == path; };
+    if (std::none_of(faults.begin(), faults.end(), is_here)) faults.push_back({path, std::move(error)});
+}
+
+bool TomlFile::failed_at(std::string_view path) const {
+    return std::any_of(faults.begin(), faults.end(), [path](const TomlFault& fault) {
+        return fault.path.starts_with(path) && (fault.path.size() == path.size() || fault.path[path.size()] == '.');
+    });
 }
 
 Error TomlFile::fault_at(const std::string& path, Message what) const {
@@ -177,9 +184,9 @@ Error TomlFile::fault_at(const std::string& path, Message what) const {
         if (!next) break;
         node = next;
     }
-    TomlFile judged{name, {}, settings, {}};
+    TomlFile judged{name, {}, settings};
     judged.fail(path, node == &root ? nullptr : node, std::move(what));
-    return *judged.error;
+    return judged.error();
 }
 
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
@@ -188,7 +195,7 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     if (const int line = line_of_too_deep_key(text))
         return error_of(message_of("too_deep_key"), std::move(file_name), line);
     try {
-        return TomlFile{file_name, node_from(toml::parse(text, std::string_view(file_name))), {}, {}};
+        return TomlFile{file_name, node_from(toml::parse(text, std::string_view(file_name)))};
     } catch (const toml::parse_error& mistake) {
         const int line = static_cast<int>(mistake.source().begin.line);
         return error_of(message_of("not_toml", mistake.description()) + toml_advice(text, line), std::move(file_name),
@@ -210,7 +217,7 @@ bool put(TomlNode& root, const Setting& setting) {
 void check_format(TomlFile& file) {
     const TomlNode* format = file.root.get("format");
     if (!format) {
-        if (!file.error) file.error = error_of(message_of("no_format"), file.name, 1);
+        file.add("format", error_of(message_of("no_format"), file.name, 1));
     } else if (!format->as_whole() || *format->as_whole() != 1) {
         file.fail("format", format, message_of("other_format"));
     }

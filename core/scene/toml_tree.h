@@ -54,15 +54,28 @@ struct TomlMember {
     TomlNode value;
 };
 
-// A file that is being read: its tree and the first error found in it.
-struct TomlFile {
-    std::string name;               // for messages
-    TomlNode root;                  // a table
-    std::vector<Setting> settings;  // those already put into the tree; an error in such a value names the setting
-    std::optional<Error> error;
+// An error and the dotted path of the value that is wrong.
+struct TomlFault {
+    std::string path;
+    Error error;
+};
 
-    // Sets the error unless there is one: later errors often follow from the first.
+// A file that is being read: its tree and the errors found in it.
+struct TomlFile {
+    std::string name;                 // for messages
+    TomlNode root;                    // a table
+    std::vector<Setting> settings{};  // those already put into the tree; an error in such a value names the setting
+    std::vector<TomlFault> faults{};  // in the order of finding
+
+    // Adds an error unless there is one at this path: a second one follows from the first.
     void fail(const std::string& path, const TomlNode* node, Message what);
+    void add(const std::string& path, Error);
+
+    bool failed() const { return !faults.empty(); }
+    // True if there is an error at the path or in what is below it.
+    bool failed_at(std::string_view path) const;
+    // The error that was found first. Precondition: failed().
+    const Error& error() const { return faults.front().error; }
 
     // An error at the value with a dotted path ("kind.prey.body.wheel.2.load", list entries from 1), or at the last
     // table on the way to it.
@@ -76,7 +89,7 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name);
 // False when the path runs through a value that is no table.
 bool put(TomlNode& root, const Setting&);
 
-// Sets the file's error unless `format = 1` is in it.
+// Adds an error unless `format = 1` is in the file.
 void check_format(TomlFile&);
 
 // The parts of "a.b.c".

@@ -195,6 +195,103 @@ std::string with_check(const std::string& toml) {
     return changed(aggressor(), "goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\n", toml);
 }
 
+// Two vehicles, a zone and two obstacles.
+const std::string furnished_scene = R"(
+[scene.kind.aggressor.sensor.SL]
+y = 0.24
+[scene.kind.aggressor.sensor.SR]
+y = -0.24
+[scene.kind.aggressor.brain]
+LR = 1.5
+[scene.vehicle.one]
+kind = "aggressor"
+[scene.vehicle.two]
+kind = "aggressor"
+x = 4
+[scene.source.lamp]
+x = 3
+[scene.zone.bay]
+x = -5
+[scene.obstacle.a]
+y = 4
+[scene.obstacle.b]
+y = 6
+)";
+
+// The errors as "LINE: what is wrong", of a file called x.toml beside the shipped exercises.
+std::vector<std::string> errors_in(const std::string& toml) {
+    std::vector<std::string> lines;
+    for (const Error& each : errors_of_exercise(toml, guided / "x.toml")) {
+        EXPECT_EQ(each.file, (guided / "x.toml").string());
+        lines.push_back(std::to_string(each.line) + ": " + each.what);
+    }
+    return lines;
+}
+
+TEST(Exercise, EveryIndependentErrorIsReportedWithItsLine) {
+    std::string text = aggressor();
+    const auto change = [&](const std::string& from, const std::string& to) { text = changed(text, from, to); };
+    change("title = \"Aggressor\"\n", "titel = \"Aggressor\"\n");
+    change("seconds = 20", "seconds = 6000");
+    change("starts = 10", "starts = \"ten\"");
+    change("offers = [\"LL\"", "offers = [\"LLL\"");
+    change("text = \"It touches the lamp\"\n", "");
+    change("source = \"lamp\"\nmetres = 0.75\n\n[[step]]", "source = \"lampp\"\nmetres = 0.75\n\n[[step]]");
+    change("goal = \"speeds_up\"", "goal = \"speedsup\"");
+    change("anchor = \"slider.LR\"", "anchor = \"slider.XY\"");
+    change("[solution]\nLR = 1.5", "[solution]\nLR = 99");
+    change("[solution]", "[solution]\nLQ = 1");
+    const std::vector<std::string> wanted{"'title' is missing",
+                                          "no key 'titel'",
+                                          "'LLL' is no control",
+                                          "'seconds' is 6000",
+                                          "'starts' should be",
+                                          "a step needs a text",
+                                          "no source called 'lampp'; the nearest is 'lamp'",
+                                          "'speedsup'",
+                                          "no widget 'slider.XY'; the nearest is",
+                                          "'LQ'",
+                                          "'LR' is 99"};
+    const std::vector<std::string> places{
+        "title", "titel",    "offers",    "seconds", "starts", "[[step]]\ngoal = \"touches\"",
+        "lampp", "speedsup", "slider.XY", "LQ = 1",  "LR = 99"};
+    const auto found = errors_in(text);
+    ASSERT_EQ(found.size(), wanted.size()) << testing::PrintToString(found);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_NE(found[i].find(wanted[i]), std::string::npos) << found[i];
+        const int line = i == 0 ? 1 : line_of(text, places[i]);  // of a missing key that of its table
+        EXPECT_TRUE(found[i].starts_with(std::to_string(line) + ": ")) << found[i] << ", wanted line " << line;
+    }
+    EXPECT_FALSE(parse_exercise(text, guided / "x.toml"));
+}
+
+TEST(Exercise, AFileWithoutFaultsHasNoErrors) { EXPECT_EQ(errors_in(aggressor()), std::vector<std::string>{}); }
+
+TEST(Exercise, AnErrorThatFollowsFromAnotherIsNotReported) {
+    const auto only = [](const std::string& from, const std::string& to, const std::string& told) {
+        const auto found = errors_in(changed(aggressor(), from, to));
+        ASSERT_EQ(found.size(), 1u) << testing::PrintToString(found);
+        EXPECT_NE(found[0].find(told), std::string::npos) << found[0];
+    };
+    only("goal = \"touches\"\nsource", "goal = \"tuches\"\nsource", "'tuches'");  // whose keys are not known
+    only("options = [", "options = [3, ", "'options' should be a list");          // the answer is one of them
+    only("factor = 1.5", "faktor = 1.5", "no key 'faktor'");                      // and not: 'factor' is missing
+    only("starts = 10", "starts = 5.5", "'starts'");                              // and not: 8 needed
+    only("RL = 1.5\nLM = 0.1", "RL = 99\nLM = 0.1", "'RL' is 99");
+    only("heading_spread\" = 15", "heading_spread\" = 1500", "1500");
+    only("title = \"Aggressor\"", "title = ", "");
+}
+
+TEST(Exercise, EveryErrorOfItsSceneIsReportedToo) {
+    std::string text = changed(aggressor(), "scene = \"../scenes/2b-aggressor.toml\"\n", "");
+    text = changed(text, "chapter = 1", "chaptr = 1") + changed(furnished_scene, "x = -5", "x = \"left\"");
+    const auto found = errors_in(changed(text, "y = 6", "y = 6000"));
+    ASSERT_EQ(found.size(), 3u) << testing::PrintToString(found);
+    EXPECT_NE(found[0].find("no key 'chaptr'"), std::string::npos) << found[0];
+    EXPECT_NE(found[1].find("'x' should be"), std::string::npos) << found[1];
+    EXPECT_NE(found[2].find("'y' is 6000"), std::string::npos) << found[2];
+}
+
 TEST(Exercise, AStepNamesAVehicleAndAHoldTime) {
     const auto exercise = parse_exercise(
         with_check("goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\nvehicle = \"one\"\nhold = 5\n"),
@@ -218,33 +315,10 @@ TEST(Exercise, AStepCombinesChecks) {
     EXPECT_EQ(exercise->steps[1].check.hold, 2);
 }
 
-// Two vehicles, a zone and two obstacles.
-const std::string furnished = R"(
-[scene.kind.aggressor.sensor.SL]
-y = 0.24
-[scene.kind.aggressor.sensor.SR]
-y = -0.24
-[scene.kind.aggressor.brain]
-LR = 1.5
-[scene.vehicle.one]
-kind = "aggressor"
-[scene.vehicle.two]
-kind = "aggressor"
-x = 4
-[scene.source.lamp]
-x = 3
-[scene.zone.bay]
-x = -5
-[scene.obstacle.a]
-y = 4
-[scene.obstacle.b]
-y = 6
-)";
-
 // What reading the exercise says whose second step has this check, in the furnished scene.
 std::string error_of(const std::string& check, const std::string& more_of_scene = "") {
     const std::string text = changed(with_check(check), "scene = \"../scenes/2b-aggressor.toml\"\n", "");
-    const auto exercise = parse_exercise(text + furnished + more_of_scene, guided / "x.toml");
+    const auto exercise = parse_exercise(text + furnished_scene + more_of_scene, guided / "x.toml");
     return exercise ? std::string("accepted") : exercise.error().text();
 }
 
