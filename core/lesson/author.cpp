@@ -232,6 +232,9 @@ Result<Exercise> make_exercise(const ExerciseDraft& draft, const std::string& id
     exercise.offers = draft.offers;
     exercise.steps = draft.steps;
     exercise.prediction = draft.prediction;
+    for (ShownCheck& shown : exercise.prediction.shows)
+        if (!draft.prediction.options.empty())
+            shown.option = draft.prediction.options[static_cast<std::size_t>(draft.prediction.answer)];
     exercise.seconds = draft.seconds;
     exercise.starts = draft.starts;
     exercise.needed = std::max(1, draft.starts * 8 / 10);

@@ -209,6 +209,19 @@ void check_prediction(TomlTable& top, const Prediction& prediction) {
         top.fail("predict", message_of("prediction_incomplete"));
 }
 
+// The options that the checks of the prediction belong to exist.
+void check_shown_options(TomlTable& top, const Prediction& prediction) {
+    if (prediction.options.empty()) return;  // absent, or wrong
+    const std::vector<std::string_view> known(prediction.options.begin(), prediction.options.end());
+    for (std::size_t i = 0; i < prediction.shows.size(); ++i) {
+        const std::string& option = prediction.shows[i].option;
+        if (option.empty() || std::find(known.begin(), known.end(), option) != known.end()) continue;
+        const TomlNode& check = top.content().get("predict")->get("shows")->as_list()->at(i);
+        top.file().fail(fmt::format("predict.shows.{}.option", i + 1), check.get("option"),
+                        message_of("not_one_of", "option", in_quotes(option)) + nearest_of(option, known));
+    }
+}
+
 // Calls `check` with each check of the steps and of the prediction, and with its place in the file.
 template <class Function>
 void for_each_check(TomlTable& top, const Exercise& exercise, const Function& check) {
@@ -218,7 +231,8 @@ void for_each_check(TomlTable& top, const Exercise& exercise, const Function& ch
             top.file(), list.as_list()->at(i), fmt::format("{}.{}", path, i + 1), exercise.scene, vehicle, i};
     };
     for (std::size_t i = 0; i < exercise.prediction.shows.size(); ++i)
-        check(part(*top.content().get("predict")->get("shows"), "predict.shows", i), exercise.prediction.shows[i]);
+        check(part(*top.content().get("predict")->get("shows"), "predict.shows", i),
+              exercise.prediction.shows[i].check);
     for (std::size_t i = 0; i < exercise.steps.size(); ++i)
         check(part(*top.content().get("step"), "step", i), exercise.steps[i].check);
 }
@@ -267,6 +281,7 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
         if (!top.has(key))
             file.add(key, error_of(message_of("key_missing", key, std::string(key) + " = \"…\""), file.name, 1));
     check_prediction(top, exercise.prediction);
+    check_shown_options(top, exercise.prediction);
     check_offers(top, exercise);
     check_numbers(top, exercise);
     if (!top.has("solution")) file.add("solution", error_of(message_of("solution_missing"), file.name));

@@ -23,15 +23,21 @@ struct Step {
     Check check;
 };
 
+// What a run meets whose outcome is one of the options of a prediction.
+struct ShownCheck {
+    std::string option;  // its text; empty: the answer
+    Check check;
+};
+
 // Asked before the outcome is visible, never graded. There is none when the question is empty.
 struct Prediction {
     std::string question;
     std::vector<std::string> options;
-    int answer = 0;            // index of the option that the run shows; in the file, the option's text
-    std::string outcome;       // shown next to the student's own choice once a run has shown it
-    float after = 3;           // simulated seconds of a run with the shipped brain after which the outcome is visible
-    std::vector<Check> shows;  // what a run with the shipped brain and Exercise::seed meets by then
-    bool hides_brain = false;  // until it is made, the brain's picture and the wires on the deck are not shown
+    int answer = 0;       // index of the option that the run shows; in the file, the option's text
+    std::string outcome;  // shown next to the student's own choice once a run has shown it
+    float after = 3;      // simulated seconds of a run with the shipped brain after which the outcome is visible
+    std::vector<ShownCheck> shows;  // tested in a run with the shipped brain and Exercise::seed of this duration
+    bool hides_brain = false;       // until it is made, the brain's picture and the wires on the deck are not shown
     std::string path_of;  // name of the start whose path of the first `after` s can be drawn on the floor; empty: none
 };
 inline bool is_asked(const Prediction& prediction) { return !prediction.question.empty(); }

@@ -22,6 +22,13 @@ void describe(Visitor& v, Of<Check>) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Of<ShownCheck>) {
+    v.text("option", &ShownCheck::option, limits::text_length,
+           "the text of the option that the check belongs to; without it, `answer`, whichever that is");
+    v.part(&ShownCheck::check);
+}
+
+template <class Visitor>
 void describe(Visitor& v, Of<Prediction>) {
     v.text("question", &Prediction::question, limits::text_length, "asked before the outcome is visible, never graded");
     v.texts("options", &Prediction::options, limits::options, limits::text_length, "two or more to choose from");
@@ -37,7 +44,8 @@ void describe(Visitor& v, Of<Prediction>) {
         "NAME of a [vehicle.NAME]: the student may draw its path of the first `after` seconds on the floor, instead of "
         "choosing an option; the mean distance to the real path is shown beside the outcome");
     v.list("shows", &Prediction::shows, limits::checks,
-           "a check that the run with the shipped brain must meet by then; `check` tests that the answer is true");
+           "what a run shows by then if one of the options is true. `check` tests that the run with the shipped brain "
+           "meets the checks of the answer, and not all of another option's");
 }
 
 template <class Visitor>

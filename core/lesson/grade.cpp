@@ -75,13 +75,39 @@ StartResult try_start(const Exercise& exercise, const Submission& submission, st
     return *trial.run(std::numeric_limits<int>::max());
 }
 
-bool shows_prediction(const Exercise& exercise) {
-    if (exercise.prediction.shows.empty()) return true;
+std::vector<std::size_t> checks_of_option(const Prediction& prediction, std::size_t option) {
+    const bool is_answer = option == static_cast<std::size_t>(prediction.answer);
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < prediction.shows.size(); ++i) {
+        const std::string& of = prediction.shows[i].option;
+        const bool is_named = option < prediction.options.size() && of == prediction.options[option];
+        if (is_named || (of.empty() && is_answer)) indices.push_back(i);
+    }
+    return indices;
+}
+
+StartResult shown_run(const Exercise& exercise, std::size_t option) {
     Exercise shown = exercise;
     shown.seconds = exercise.prediction.after;
     shown.steps.clear();
-    for (const Check& check : exercise.prediction.shows) shown.steps.push_back({"", check});
-    return passes(shown, as_shipped(exercise), exercise.seed);
+    for (const std::size_t i : checks_of_option(exercise.prediction, option))
+        shown.steps.push_back({"", exercise.prediction.shows[i].check});
+    return try_start(shown, as_shipped(exercise), exercise.seed);
+}
+
+std::optional<std::size_t> other_option_shown(const Exercise& exercise) {
+    const Prediction& prediction = exercise.prediction;
+    for (std::size_t option = 0; option < prediction.options.size(); ++option)
+        if (option != static_cast<std::size_t>(prediction.answer) && !checks_of_option(prediction, option).empty() &&
+            shown_run(exercise, option).passed)
+            return option;
+    return std::nullopt;
+}
+
+bool shows_prediction(const Exercise& exercise) {
+    const auto answer = static_cast<std::size_t>(exercise.prediction.answer);
+    if (!checks_of_option(exercise.prediction, answer).empty() && !shown_run(exercise, answer).passed) return false;
+    return !other_option_shown(exercise);
 }
 
 std::vector<bool> passed_starts(const Grade& grade) {

@@ -54,8 +54,17 @@ inline bool passes(const Exercise& exercise, const Submission& submission, std::
     return try_start(exercise, submission, seed).passed;
 }
 
-// True if the run with the shipped brain and Exercise::seed shows what the prediction's answer says: it meets all
-// checks of Prediction::shows in Prediction::after seconds.
+// Indices in Prediction::shows of the checks that belong to the option of this index.
+std::vector<std::size_t> checks_of_option(const Prediction&, std::size_t option);
+
+// The run with the shipped brain and Exercise::seed, judged by the checks of the option for Prediction::after seconds.
+StartResult shown_run(const Exercise&, std::size_t option);
+
+// Index of an option other than the answer whose checks the run meets; nullopt: none.
+std::optional<std::size_t> other_option_shown(const Exercise&);
+
+// True if the run shows what the prediction's answer says: it meets all checks of this option, and of no other option
+// that has checks.
 bool shows_prediction(const Exercise&);
 
 struct Grade {

@@ -12,6 +12,7 @@
 #include "core/lesson/referee.h"
 #include "core/lesson/submission.h"
 #include "core/maths/angle.h"
+#include "core/messages.h"
 #include "core/scene/arena.h"
 #include "core/scene/nearest.h"
 #include "core/scene/sensor_pairs.h"
@@ -37,11 +38,9 @@ public:
         if (auto file = parse_toml(*text, scene_path.string())) scene_ = std::move(*file);
     }
 
-    Error at(const std::string& key, std::string what) const {
-        return exercise_.fault_at(key, Message(std::move(what)));
-    }
-    Error in_scene(const std::string& key, std::string what) const {
-        return scene_ ? scene_->fault_at(key, Message(std::move(what))) : at("scene." + key, std::move(what));
+    Error at(const std::string& key, Message what) const { return exercise_.fault_at(key, std::move(what)); }
+    Error in_scene(const std::string& key, Message what) const {
+        return scene_ ? scene_->fault_at(key, std::move(what)) : at("scene." + key, std::move(what));
     }
 
 private:
@@ -85,29 +84,31 @@ Corners corners_of(const Source& post, float radius) {
     return corners;
 }
 
-// What the chassis stands in: "the obstacle 'box'"; empty: nothing.
-std::string stands_in(const Scene& scene, const Corners& chassis) {
+// What the chassis stands in; empty: nothing.
+Message stands_in(const Scene& scene, const Corners& chassis) {
     for (const Obstacle& each : scene.obstacles)
         if (overlap(chassis, placed_at(corners_of(each), {each.x, each.y}, each.heading)))
-            return fmt::format("the obstacle {}", in_quotes(each.name));
+            return message_of("the_obstacle", in_quotes(each.name));
     for (const Source& each : scene.sources)
         if (each.solid && overlap(chassis, corners_of(each, source_radius(scene.arena))))
-            return fmt::format("the solid {}", in_quotes(each.name));
+            return message_of("the_solid", in_quotes(each.name));
     const auto is_in = [&](vec2 corner) { return is_inside(scene.arena, corner); };
-    if (scene.arena.edge == Boundary::wall && !std::all_of(chassis.begin(), chassis.end(), is_in)) return "the wall";
-    return "";
+    if (scene.arena.edge == Boundary::wall && !std::all_of(chassis.begin(), chassis.end(), is_in))
+        return message_of("the_wall");
+    return {};
 }
 
 // ── The warnings, one function each ──
+
+std::string shortly(float value) { return fmt::format("{:g}", value); }
 
 void warn_of_sources(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
     const Arena& arena = exercise.scene.arena;
     for (const Source& each : exercise.scene.sources)
         if (!is_inside(arena, {each.x, each.y}))
-            found.push_back(
-                places.in_scene("source." + each.name,
-                                fmt::format("{} is at ({:g}, {:g}), outside the arena of {:g} × {:g} m; move it inside",
-                                            in_quotes(each.name), each.x, each.y, arena.width, arena.height)));
+            found.push_back(places.in_scene("source." + each.name,
+                                            message_of("source_outside", in_quotes(each.name), shortly(each.x),
+                                                       shortly(each.y), shortly(arena.width), shortly(arena.height))));
 }
 
 // True if a wire of the brain reads the sensor of this name.
@@ -134,11 +135,8 @@ void warn_of_sensors(const Exercise& exercise, const WarningPlaces& places, std:
     for (const Sensor& each : shipped.sensors)
         if (!is_read(shipped.brain, each.name) && !is_read(exercise.solution.submission.brain, each.name) &&
             !has_offered_dial(exercise, shipped.sensors, each.name))
-            found.push_back(places.in_scene(
-                fmt::format("kind.{}.sensor.{}", kind, each.name),
-                fmt::format("no wire reads the sensor {}, and the student cannot add one; remove it, or offer "
-                            "\"wiring\"",
-                            in_quotes(each.name))));
+            found.push_back(places.in_scene(fmt::format("kind.{}.sensor.{}", kind, each.name),
+                                            message_of("sensor_unread", in_quotes(each.name))));
 }
 
 // At tick 0 and 1 of a start with the shipped brain: vehicles in something, and steps that are done.
@@ -154,12 +152,10 @@ void warn_of_start(const Exercise& exercise, const WarningPlaces& places, std::u
     Snapshot now;
     world->capture(now);
     for (const VehicleView& vehicle : now.vehicles) {
-        const std::string in = stands_in(exercise.scene, chassis_of(kind_of(now, vehicle).body, vehicle));
-        if (in.empty() || vehicle.start < 0) continue;
+        const Message in = stands_in(exercise.scene, chassis_of(kind_of(now, vehicle).body, vehicle));
+        if (in.text.empty() || vehicle.start < 0) continue;
         const std::string key = "vehicle." + exercise.scene.starts[static_cast<std::size_t>(vehicle.start)].name;
-        warn_once(key, places.in_scene(key, fmt::format("with seed {} this vehicle starts in {}; move it, or reduce "
-                                                        "'place_spread'",
-                                                        seed, in)));
+        warn_once(key, places.in_scene(key, message_of("starts_in", seed) + in + message_of("starts_in_cure")));
     }
     Referee referee(exercise);
     referee.watch(now);
@@ -169,9 +165,7 @@ void warn_of_start(const Exercise& exercise, const WarningPlaces& places, std::u
     const std::vector<Verdict> verdicts = referee.verdicts();
     for (std::size_t i = 0; i < verdicts.size(); ++i)
         if (const std::string key = fmt::format("step.{}", i + 1); verdicts[i].done)
-            warn_once(key, places.at(key, fmt::format("with seed {} this step is done at the start, before the vehicle "
-                                                      "moves; ask for more, or add 'earliest', 'hold' or 'after'",
-                                                      seed)));
+            warn_once(key, places.at(key, message_of("done_at_start", seed)));
 }
 
 void warn_of_equal_starts(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
@@ -179,30 +173,27 @@ void warn_of_equal_starts(const Exercise& exercise, const WarningPlaces& places,
     const auto varies = [](const Start& each) { return each.place_spread > 0 || each.heading_spread > 0; };
     if (exercise.starts < 2 || scene.ecology.population > 0) return;
     if (std::any_of(scene.starts.begin(), scene.starts.end(), varies)) return;
-    found.push_back(places.in_scene("vehicle." + scene.starts.front().name,
-                                    fmt::format("all {} starts are alike, so a brain that fits one passes; add "
-                                                "'heading_spread' or 'place_spread'",
-                                                exercise.starts)));
+    found.push_back(
+        places.in_scene("vehicle." + scene.starts.front().name, message_of("equal_starts", exercise.starts)));
 }
 
 void warn_of_prediction(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
     const Prediction& asked = exercise.prediction;
     if (asked.question.empty()) return;
-    if (asked.shows.empty())
-        found.push_back(places.at("predict.answer",
-                                  "nothing tests that the run shows this answer; add a check as [[predict.shows]]"));
-    if (asked.outcome.empty())
-        found.push_back(places.at("predict", "the prediction has no 'outcome'; say what happens and why"));
+    if (checks_of_option(asked, static_cast<std::size_t>(asked.answer)).empty())
+        found.push_back(places.at("predict.answer", message_of("answer_untested")));
+    for (std::size_t i = 0; i < asked.shows.size() && !asked.options.empty(); ++i)
+        if (asked.shows[i].option.empty())
+            found.push_back(
+                places.at(fmt::format("predict.shows.{}", i + 1),
+                          message_of("check_without_option", asked.options[static_cast<std::size_t>(asked.answer)])));
+    if (asked.outcome.empty()) found.push_back(places.at("predict", message_of("no_outcome")));
 }
 
 void warn_of_words(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
     int words = word_count(exercise.goal) + word_count(exercise.prediction.question);
     for (const std::string& option : exercise.prediction.options) words += word_count(option);
-    if (words > most_first_words)
-        found.push_back(places.at(
-            "goal", fmt::format("goal, prediction question and options have {} words; students read at most {} before "
-                                "they act",
-                                words, most_first_words)));
+    if (words > most_first_words) found.push_back(places.at("goal", message_of("many_words", words, most_first_words)));
 }
 
 void warn_of_wrong_answers(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
@@ -210,11 +201,8 @@ void warn_of_wrong_answers(const Exercise& exercise, const WarningPlaces& places
         const Answer& wrong = exercise.wrong[i];
         const std::string key = fmt::format("wrong.{}", i + 1);
         if (wrong.submission == exercise.solution.submission)
-            found.push_back(places.at(key, "this wrong answer is the solution; change it, or remove it"));
-        if (wrong.text.empty())
-            found.push_back(places.at(key,
-                                      "this wrong answer has no 'text'; say what the student sees and which clue "
-                                      "helps"));
+            found.push_back(places.at(key, message_of("wrong_is_solution")));
+        if (wrong.text.empty()) found.push_back(places.at(key, message_of("wrong_without_text")));
     }
 }
 
@@ -230,8 +218,8 @@ void warn_of_median(const Exercise& exercise, const WarningPlaces& places, std::
     const float wanted = rule.factor * median(measured_values(rule, shipped.starts));
     if (std::fabs(needed - wanted) > tolerance * std::fabs(wanted))
         found.push_back(places.at(fmt::format("step.{}", rule.step),
-                                  fmt::format("step {} needs {:.2f}; {} times the median as shipped is {:.2f}",
-                                              rule.step, needed, rule.factor, wanted)));
+                                  message_of("median_differs", rule.step, fmt::format("{:.2f}", needed), rule.factor,
+                                             fmt::format("{:.2f}", wanted))));
 }
 
 // The key in the file of a text's id: "predict.option.2" is the second of the options.
@@ -277,17 +265,20 @@ std::vector<Error> warnings_of(const Exercise& exercise, std::string_view toml, 
 
 std::optional<Error> prediction_fault(const Exercise& exercise, std::string_view toml,
                                       const std::filesystem::path& path) {
-    if (shows_prediction(exercise)) return std::nullopt;
-    Exercise shown = exercise;
-    shown.seconds = exercise.prediction.after;
-    shown.steps.clear();
-    for (const Check& check : exercise.prediction.shows) shown.steps.push_back({"", check});
-    const std::size_t failed = failed_step(try_start(shown, as_shipped(exercise), exercise.seed));
+    const Prediction& asked = exercise.prediction;
+    const auto answer = static_cast<std::size_t>(asked.answer);
+    if (const auto other = other_option_shown(exercise))
+        return WarningPlaces(toml, path)
+            .at("predict.answer",
+                message_of("other_option_shown", exercise.seed, asked.options[*other], asked.options[answer]));
+    const std::vector<std::size_t> checks = checks_of_option(asked, answer);
+    if (checks.empty()) return std::nullopt;
+    const StartResult run = shown_run(exercise, answer);
+    if (run.passed) return std::nullopt;
+    const std::size_t failed = std::min(failed_step(run), checks.size() - 1);
     return WarningPlaces(toml, path)
-        .at(fmt::format("predict.shows.{}", failed + 1),
-            fmt::format("the run with the shipped brain and seed {} does not meet this check in {:g} s, so it "
-                        "contradicts the answer; correct 'answer', 'after' or this check",
-                        exercise.seed, exercise.prediction.after));
+        .at(fmt::format("predict.shows.{}", checks[failed] + 1),
+            message_of("answer_contradicted", exercise.seed, shortly(asked.after)));
 }
 
 std::vector<Error> missing_translations(const Exercise& exercise, std::string_view toml,
@@ -302,9 +293,8 @@ std::vector<Error> missing_translations(const Exercise& exercise, std::string_vi
         const TomlNode* node = &words->root;
         for (const std::string& part : split_path(each.id)) node = node ? node->get(part) : nullptr;
         if (!node || !node->as_text())
-            found.push_back(places.at(
-                key_of_text(each.id, exercise),
-                fmt::format("{} has no translation of this text; add {}", translations.string(), in_quotes(each.id))));
+            found.push_back(places.at(key_of_text(each.id, exercise),
+                                      message_of("not_translated", translations.string(), in_quotes(each.id))));
     }
     return found;
 }

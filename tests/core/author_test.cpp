@@ -72,7 +72,7 @@ TEST_F(Author, WrongAnswersAndWhatTheRunShowsAreInTheFile) {
     draft.wrong = {{"Half a wire", half}, {"No wires", make_graph(FourNeurons{})}};
     draft.prediction = {"What will it do?", {"Flee", "Strike"}, 0, "It flees.", 4};
     for (const Goal& goal : goals_for(now, now.starts[0].name))
-        if (word_of(goal) == "turns_away") draft.prediction.shows = {Check{goal}};
+        if (word_of(goal) == "turns_away") draft.prediction.shows = {{.option = {}, .check = {goal}}};
     const Exercise exercise = made();
     ASSERT_EQ(exercise.wrong.size(), 2u);
     EXPECT_EQ(exercise.wrong[0].name, "Half a wire");
@@ -80,7 +80,8 @@ TEST_F(Author, WrongAnswersAndWhatTheRunShowsAreInTheFile) {
     EXPECT_EQ(exercise.wrong[1].submission.brain, make_graph(FourNeurons{}));
     EXPECT_EQ(exercise.prediction.after, 4);
     ASSERT_EQ(exercise.prediction.shows.size(), 1u);
-    EXPECT_EQ(word_of(exercise.prediction.shows[0].goal), "turns_away");
+    EXPECT_EQ(word_of(exercise.prediction.shows[0].check.goal), "turns_away");
+    EXPECT_EQ(exercise.prediction.shows[0].option, "Flee") << "the check names the answer";
 }
 
 TEST_F(Author, RefusesAWrongAnswerThatIsTheSolution) {

@@ -27,6 +27,7 @@ outcome = "Nothing steers it."
 after = 2
 
 [[predict.shows]]
+option = "Straight on"
 goal = "drives"
 speed = 0.1
 
@@ -135,8 +136,8 @@ TEST(Warnings, StartsThatAreAllAlike) {
 }
 
 TEST(Warnings, AnAnswerThatNothingTests) {
-    expect_warning(replaced(sound, "[[predict.shows]]\ngoal = \"drives\"\nspeed = 0.1\n", ""), "[[predict.shows]]",
-                   "answer =");
+    expect_warning(replaced(sound, "[[predict.shows]]\noption = \"Straight on\"\ngoal = \"drives\"\nspeed = 0.1\n", ""),
+                   "[[predict.shows]]", "answer =");
 }
 
 TEST(Warnings, MoreThanFortyWordsBeforeTheFirstAction) {
@@ -178,6 +179,42 @@ TEST(Warnings, APredictionThatTheRunContradictsIsNamedByItsLine) {
     ASSERT_TRUE(fault);
     EXPECT_NEAR(fault->line, line_with(toml, "[[predict.shows]]"), 1);
     EXPECT_NE(fault->what.find("contradicts the answer"), std::string::npos);
+}
+
+// The fault of the prediction of this file.
+std::optional<Error> fault_of_prediction(const std::string& toml) {
+    const auto exercise = parse_exercise(toml, "own.toml");
+    EXPECT_TRUE(exercise) << exercise.error().text();
+    return exercise ? prediction_fault(*exercise, toml, "own.toml") : std::nullopt;
+}
+
+TEST(Warnings, AnAnswerThatTheRunDoesNotShowIsAnError) {
+    EXPECT_FALSE(fault_of_prediction(sound));
+    const std::string toml = replaced(sound, "answer = \"Straight on\"", "answer = \"To the lamp\"");
+    const auto fault = fault_of_prediction(toml);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->line, line_with(toml, "answer ="));
+    EXPECT_NE(fault->what.find("shows “Straight on”, so the answer “To the lamp” is false"), std::string::npos)
+        << fault->text();
+}
+
+TEST(Warnings, TheChecksOfAnotherOptionMayNotBeMetEither) {
+    const std::string lamp = "[[predict.shows]]\noption = \"To the lamp\"\ngoal = \"touches\"\nsource = \"a\"\n";
+    EXPECT_FALSE(fault_of_prediction(replaced(sound, "[[step]]", lamp + "metres = 0.6\n\n[[step]]")));
+    const std::string near = replaced(sound, "[[step]]", lamp + "metres = 10\n\n[[step]]");
+    const auto fault = fault_of_prediction(near);
+    ASSERT_TRUE(fault) << "the lamp is never further away";
+    EXPECT_EQ(fault->line, line_with(near, "answer ="));
+}
+
+TEST(Warnings, ACheckOfNoOptionIsNamed) {
+    const std::string option = "option = \"Straight on\"\n";
+    expect_warning(replaced(sound, option, ""), "add option = \"Straight on\"", "[[predict.shows]]");
+    const std::string unknown = replaced(sound, option, "option = \"Straight off\"\n");
+    const auto refused = parse_exercise(unknown, "own.toml");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().line, line_with(unknown, "Straight off"));
+    EXPECT_NE(refused.error().what.find("the nearest is 'Straight on'"), std::string::npos) << refused.error().what;
 }
 
 TEST(Warnings, NamesTextsWithoutATranslation) {

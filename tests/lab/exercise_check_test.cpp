@@ -156,7 +156,7 @@ TEST_F(ExerciseCheckLab, NamesAPredictionThatTheRunContradicts) {
     draft.prediction = {
         .question = "What happens?", .options = {"It flies", "It turns"}, .answer = 0, .outcome = "So."};
     draft.prediction.after = 1;
-    draft.prediction.shows = {{goals::Drives{4}}};
+    draft.prediction.shows = {{.option = {}, .check = {goals::Drives{4}}}};
     save();
     ASSERT_TRUE(lab.document.lesson) << (files.refused ? files.refused->text() : "");
     check();

@@ -401,7 +401,7 @@ TEST(CtlGrade, DoesNotPassABrainThatChangesWhatIsNotOffered) {
 }
 
 TEST(CtlGrade, RefusesAnExercise) {
-    EXPECT_NE(graded("05-aggressor").find("this is an exercise; give a brain, a scene or a saved run"),
+    EXPECT_NE(graded("05-aggressor").find("this is an exercise; give a brain, a scene, a saved run or a hand-in"),
               std::string::npos);
 }
 
@@ -467,7 +467,7 @@ TEST(CtlCheck, TheJsonOfAnExerciseSaysWhatItsSolutionChanges) {
 TEST(CtlCheck, AHintForAWidgetThatDoesNotExistIsAnError) {
     const Ran ran = check_changed({{"anchor = \"slider.LR\"", "anchor = \"slider.LM\""}});
     EXPECT_EQ(ran.code, 2) << ran.out;
-    EXPECT_NE(ran.out.find("changed.toml:64: the window has no widget 'slider.LM'"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("changed.toml:65: the window has no widget 'slider.LM'"), std::string::npos) << ran.out;
 }
 
 TEST(CtlCheck, AWarningHasFileAndLineAndDoesNotMakeAnExerciseUnsound) {

@@ -145,7 +145,7 @@ TEST_F(AuthorSheet, APredictionCanSayWhatTheRunShows) {
     desk.type_into("author.after", "6");
     const Prediction asked = saved().draft->prediction;
     ASSERT_EQ(asked.shows.size(), 1u);
-    EXPECT_EQ(std::get<goals::TurnsAway>(asked.shows[0].goal).degrees, 45);
+    EXPECT_EQ(std::get<goals::TurnsAway>(asked.shows[0].check.goal).degrees, 45);
     EXPECT_EQ(asked.after, 6);
     desk.rest();
     desk.click("author.shows");

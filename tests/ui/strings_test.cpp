@@ -515,6 +515,9 @@ std::vector<Error> errors_of_exercises() {
          top + "changes = 1\n", top + "changes = 1\noffers = [\"wiring\"]\n", top + "starts = 2\nneeded = 3\n",
          top + "[median]\nstep = 3\n", top + "[median]\n", top + "[predict]\n",
          top + "[predict]\nquestion = \"q\"\npath = \"on\"\n", top + "[[hint]]\ntext = \"h\"\nanchor = \"slider.LM\"\n",
+         top + "[[hint]]\nanchor = \"slider.LL\"\n",
+         top + "[predict]\nquestion = \"q\"\noptions = [\"a\", \"b\"]\nanswer = \"a\"\n[[predict.shows]]\n" +
+             "option = \"c\"\n" + check,
          top + "[set]\n\"kind.k.brain.LX\" = 1\n", top + "[set]\n\"kind.k.brain.LL\" = [1]\n"});
     add(&ExerciseText::answers, {"", "[solution.set]\n\"source.lamp.x\" = 2\n", "[solution]\nLR = 3\n"});
     add(&ExerciseText::of_vehicle, {"[scene.vehicle.two.brain]\nLL = 1\n", "[scene.vehicle.two.sensor.S]\n"});

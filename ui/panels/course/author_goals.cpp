@@ -180,7 +180,7 @@ void option(const AuthorFields& page, std::size_t i) {
 void shown_goal(const AuthorFields& page) {
     Ui& ui = page.ui;
     Prediction& asked = page.state.draft.prediction;
-    Goal* now = asked.shows.empty() ? nullptr : &asked.shows.front().goal;
+    Goal* now = asked.shows.empty() ? nullptr : &asked.shows.front().check.goal;
     subheading(ui, page.words("author.shows"));
     const std::string label(now ? label_of(page, *now) : page.words("author.shows_nothing"));
     if (fold_row(ui, "author.shows", label, page.state.shows_open, page.words("author.shows_how"))) {
@@ -189,7 +189,7 @@ void shown_goal(const AuthorFields& page) {
         const std::vector<Goal> goals = goals_for(page.scene(), page.state.draft.vehicle);
         const Goal* pressed = goal_list(page, "author.shows.", goals, now);
         if (none) asked.shows.clear();
-        if (pressed) asked.shows = {Check{*pressed}};
+        if (pressed) asked.shows = {{.option = {}, .check = {*pressed}}};
         if (none || pressed) page.state.shows_open = false;
         return;
     }
