@@ -34,6 +34,7 @@ void replace_document(Lab& lab, Document next) {
     lab.dragging = lab.deselected = false;
     lab.steered = {};
     lab.notice = {};
+    lab.findings.clear();
     if (lab.document.lesson) lab.document.lesson->last_hint_at = lab.wall_seconds;
     watch(lab);
     keep_selection(lab);
@@ -101,6 +102,7 @@ LabView view_of(const Lab& lab) {
     view.opened = document.name;
     view.run_id = document.run_id;
     view.notice = lab.notice;
+    view.findings = &lab.findings;
     view.preferences = lab.preferences;
     view.theme = lab.preferences.theme;
     view.lecture = lab.before_lecture.has_value();

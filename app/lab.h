@@ -52,6 +52,7 @@ struct Lab {
     Preferences preferences{};  // as shown now
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode
     std::shared_ptr<ExerciseCheck> check{};                 // of the open exercise for its author; null: none
+    std::vector<Finding> findings{};                        // of that check, or the errors of its file
     StudentBook students{};                                 // see app/course/lab_progress.h
     std::optional<std::pair<std::uint64_t, std::size_t>> progress_of{};  // run_id and student of the notes in the view
     std::optional<Together> together{};                                  // set while the graded starts run at once

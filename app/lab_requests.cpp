@@ -135,6 +135,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const LabRecordRequest& r) { lab.reports.push_back(r); },
                      [&](const TakeAwayRequest& r) { lab.take_away = r.what; },
                      [&](const PageRequest& r) { open_page(lab, r.page); },
+                     [&](const HideFindingsRequest&) { lab.findings.clear(); },
                      [&](const CancelClipRequest&) { lab.cancels_clip = true; },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, least_time_scale, largest_time_scale);

@@ -235,6 +235,12 @@ inline std::string text_of(const Notice& notice, const Strings& strings) {
     return fill(strings(notice.key), {words, notice.more});
 }
 
+// What the check of an exercise has found, for its author.
+struct Finding {
+    Notice said;
+    std::vector<Measure> measures{};  // of the step that failed
+};
+
 struct LabView {
     const Snapshot* now = nullptr;  // never null
     const Scene* file = nullptr;    // the scene as in its file, before all edits; null: unknown
@@ -265,8 +271,9 @@ struct LabView {
     const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
     const FilesView* files = nullptr;                        // null: no file access
     std::string opened;                                      // name of the open file, as in the catalogue
-    std::uint64_t run_id = 0;  // changes with every document opened since the program started
-    Notice notice;             // empty: none
+    std::uint64_t run_id = 0;                        // changes with every document opened since the program started
+    Notice notice;                                   // empty: none
+    const std::vector<Finding>* findings = nullptr;  // null or empty: none
     Theme theme = Theme::dark;
     Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
     float type_size = 0;      // in effect where the window is too small for preferences.type_size; 0: as preferred

@@ -271,6 +271,8 @@ struct SlotRequest {
     std::size_t slot = 0;  // 0: A, 1: B
     bool store = false;    // stores the vehicle's brain; else puts the slot's brain into the vehicle
 };
+// Closes the card of what the check of an exercise has found.
+struct HideFindingsRequest {};
 // open: a file or the name of a shipped study. build: `study` of the open scene. run: goes on with the runs that are
 // missing. stop: keeps complete runs. save: writes a built study with its scene to the folder of documents, and the
 // table of a study with a file beside it.
@@ -374,7 +376,8 @@ using Request =
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
                  LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest,
-                 WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest>;
+                 WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest,
+                 HideFindingsRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -94,6 +94,7 @@ struct FileCommands {
             return done(path, {});
         }
         auto opened = open_document(*file, std::nullopt, {});
+        if (!opened && dropped) list_errors_for_author(lab, path, file->text);
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
             view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened), false, passed_before(lab)};
@@ -103,6 +104,7 @@ struct FileCommands {
         replace_document(lab, std::move(*opened));
         add_recent_file(state, path, lab.document);
         done(path, {});
+        if (dropped) check_exercise_for_author(lab, CheckVoice::quiet);
     }
 
     void open_link(const std::string& link, bool discard) const {
@@ -300,7 +302,10 @@ void follow_file(Lab& lab, FilesView& view) {
     lab.document.on_disk = mark;
     auto opened = open_document(lab.document.path, lab.document.session.seed(), lab.document.settings);
     lab.document.broken.reset();
-    if (!opened) return say(lab, lab.document.broken.emplace(opened.error()));
+    if (!opened) {
+        if (const auto text = read_text(lab.document.path)) list_errors_for_author(lab, lab.document.path, *text);
+        return say(lab, lab.document.broken.emplace(opened.error()));
+    }
     if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", title_of(lab.document)});
     const Playback before{
         .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};

@@ -164,6 +164,79 @@ TEST_F(ExerciseCheckLab, NamesAPredictionThatTheRunContradicts) {
     EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
 }
 
+TEST_F(ExerciseCheckLab, ListsWhatTheCheckInTheTerminalPrints) {
+    save();
+    check();
+    EXPECT_EQ(lab.notice.key, "author.sound");
+    EXPECT_TRUE(lab.findings.empty());
+    const std::string good = text_of(file);
+    // The lamp is outside the walls: no start passes, the vehicle still drives.
+    const std::size_t lamp = good.find("[scene.source.");
+    ASSERT_NE(lamp, good.npos);
+    write(good.substr(0, lamp) + with(good.substr(lamp), "x = 3", "x = 30"));
+    ASSERT_FALSE(lab.notice.error) << lab.notice.error->text();
+    check();
+    EXPECT_EQ(lab.notice.key, "author.unsound");
+    int failed_starts = 0, lamps = 0;
+    for (const Finding& each : lab.findings) {
+        failed_starts += each.said.key == "findings.start_fails" && !each.measures.empty();
+        lamps += each.said.error && each.said.error->what.find("outside the arena") != std::string::npos;
+        if (each.said.error) EXPECT_GT(each.said.error->line, 0);
+    }
+    EXPECT_EQ(failed_starts, 10);
+    EXPECT_EQ(lamps, 1);
+    handle(lab, HideFindingsRequest{});
+    EXPECT_TRUE(lab.findings.empty());
+}
+
+TEST_F(ExerciseCheckLab, ListsEveryErrorOfABrokenFileUntilItIsMended) {
+    save();
+    check();
+    const std::string good = text_of(file);
+    write(with(with(good, "metres = 0.6", "meters = 0.6"), "format = 1", "format = 1\nstarts = 1000"));
+    ASSERT_EQ(lab.findings.size(), 2u);
+    for (const Finding& each : lab.findings) {
+        ASSERT_TRUE(each.said.error);
+        EXPECT_EQ(each.said.error->file, file.string());
+        EXPECT_GT(each.said.error->line, 0);
+    }
+    write(good);
+    EXPECT_TRUE(lab.findings.empty());
+}
+
+TEST_F(ExerciseCheckLab, ADroppedExerciseShowsWhatIsDoubtfulAndNothingElse) {
+    save();
+    check();
+    const std::string good = text_of(file);
+    const auto drop = [&](const std::string& text) {
+        put_text(file, text);
+        lab = opened_lab("3a-love");
+        handle(lab, OpenRequest{file.string(), true});
+        execute_file_requests(lab, files, state, folders);
+        check();
+    };
+    drop(good);
+    EXPECT_EQ(lab.notice.key, "") << "a student opens it, too";
+    EXPECT_TRUE(lab.findings.empty());
+    drop(good + "\n[[wrong]]\nname = \"no wires\"\nLM = 0.1\nRM = 0.1\n");
+    EXPECT_EQ(lab.notice.key, "");
+    ASSERT_EQ(lab.findings.size(), 1u);
+    EXPECT_NE(lab.findings[0].said.words.find("no 'text'"), std::string::npos) << lab.findings[0].said.words;
+    drop(with(good, "goal = \"touches\"", "goal = \"tuches\""));
+    EXPECT_FALSE(lab.document.lesson) << "the scene before stays";
+    ASSERT_EQ(lab.findings.size(), 1u);
+}
+
+TEST_F(ExerciseCheckLab, NothingIsFoundInAnExerciseThatShips) {
+    lab = opened_lab("3a-love");
+    handle(lab, OpenRequest{find_shipped("05-aggressor")->string(), true});
+    execute_file_requests(lab, files, state, folders);
+    ASSERT_TRUE(lab.document.lesson);
+    EXPECT_FALSE(lab.check);
+    list_errors_for_author(lab, *find_shipped("05-aggressor"), "[[step]]\n");
+    EXPECT_TRUE(lab.findings.empty());
+}
+
 TEST_F(ExerciseCheckLab, AnotherFileEndsTheCheckWithoutANotice) {
     save();
     ASSERT_TRUE(lab.check);

@@ -36,6 +36,8 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     desk.view.settings.values = desk.view.settings.map = desk.view.settings.reality = true;
     const insight::Design design;
     desk.view.slots.slots[0].design = &design;
+    const std::vector<Finding> findings(1);
+    desk.view.findings = &findings;
     desk.frame(3);
     note(desk);
     desk.open_exercise();

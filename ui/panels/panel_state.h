@@ -33,6 +33,7 @@ namespace braitenlab::ui {
 enum class Card {
     exercise,
     scene,
+    findings,
     values,
     map,
     slots,

@@ -17,6 +17,7 @@ namespace braitenlab::ui {
 
 // Cards; cards.h says when and where they are shown.
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
+void findings_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.findings
 std::string exercise_heading(const LabView&,
                              const Ui&);  // "EXERCISE 5", "EXERCISE 14a", or "EXERCISE" without a number
 void exercise_files(const LabView&, PanelState&, Ui&, float width);  // at the foot of it; precondition: view.lesson
