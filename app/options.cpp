@@ -8,6 +8,7 @@
 
 #include "app/files/data.h"
 #include "core/scene/enums.h"
+#include "core/scene/settings.h"
 #include "core/sensing/intensity.h"
 
 namespace braitenlab {
@@ -71,11 +72,9 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option_function<std::vector<std::string>>(
            "--set",
            [&](const std::vector<std::string>& texts) {
-               for (const std::string& text : texts) {
-                   auto setting = parse_setting(text);
-                   if (!setting) throw CLI::ValidationError("--set", setting.error().text());
-                   o.settings.push_back(*setting);
-               }
+               auto settings = parse_settings(texts);
+               if (!settings) throw CLI::ValidationError("--set", settings.error().text());
+               o.settings.insert(o.settings.end(), settings->begin(), settings->end());
            },
            "one value of the scene, e.g. kind.prey.brain.LL=0.5")
         ->type_name("PATH=VALUE")

@@ -7,6 +7,7 @@
 #include "app/files/safe_file.h"
 #include "app/reports/brain_drawing.h"
 #include "app/reports/paths_file.h"
+#include "core/scene/settings.h"
 #include "core/session/session.h"
 
 namespace braitenlab {
@@ -25,13 +26,9 @@ std::optional<Error> write_paths(const PictureOptions& options, const Strings& s
     if (!path) return path.error();
     const auto text = read_scene_text(*path, "picture --paths", "a scene");
     if (!text) return text.error();
-    std::vector<Setting> settings;
-    for (const std::string& argument : options.settings) {
-        auto setting = parse_setting(argument);
-        if (!setting) return setting.error();
-        settings.push_back(std::move(*setting));
-    }
-    const auto scene = parse_scene(*text, path->string(), settings);
+    const auto settings = parse_settings(options.settings);
+    if (!settings) return settings.error();
+    const auto scene = parse_scene(*text, path->string(), *settings);
     if (!scene) return scene.error();
     const auto session = Session::open(*scene, options.seed);
     if (!session) return session.error();

@@ -166,8 +166,8 @@ Result<World> world_of(const SweepInput& input, std::size_t run) {
 // The cells before those of a vehicle: run, seed, values.
 std::string first_cells(const Sweep& sweep, std::size_t run) {
     std::string cells = fmt::format("{},{},", run + 1, sweep.first_seed + run % sweep.seeds);
-    for (const Setting& setting : combination(sweep, run / sweep.seeds)) {
-        io::add_csv_cell(cells, std::string_view(setting.value));
+    for (const std::string& value : values_of(sweep, run / sweep.seeds)) {
+        io::add_csv_cell(cells, std::string_view(value));
         cells += ',';
     }
     return cells;
@@ -176,7 +176,7 @@ std::string first_cells(const Sweep& sweep, std::size_t run) {
 std::string header(const SweepInput& input) {
     std::string line = "run,seed,";
     for (const SweptValue& value : input.sweep.values) {
-        io::add_csv_cell(line, std::string_view(value.path));
+        io::add_csv_cell(line, std::string_view(value.name()));
         line += ',';
     }
     return line + io::csv_header(input.columns);

@@ -10,6 +10,7 @@
 #include "core/scene/file_kind.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/settings.h"
 
 namespace braitenlab {
 
@@ -43,13 +44,9 @@ Result<Scene> read_scene_with(const std::string& file, const std::vector<std::st
     if (!path) return path.error();
     const auto text = read_scene_text(*path, command, takes);
     if (!text) return text.error();
-    std::vector<Setting> settings;
-    for (const std::string& argument : arguments) {
-        auto setting = parse_setting(argument);
-        if (!setting) return setting.error();
-        settings.push_back(std::move(*setting));
-    }
-    return parse_scene(*text, path->string(), settings);
+    const auto settings = parse_settings(arguments);
+    if (!settings) return settings.error();
+    return parse_scene(*text, path->string(), *settings);
 }
 
 Result<VehicleId> vehicle_at_start(const Scene& scene, std::uint64_t seed, const std::string& name,

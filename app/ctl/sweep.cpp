@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/scene/nearest.h"
+#include "core/scene/settings.h"
 
 namespace braitenlab {
 
@@ -114,11 +115,11 @@ struct Parsed {
 };
 
 Result<Parsed> parse_values(const std::string& argument) {
-    auto setting = parse_setting(argument);
+    auto setting = parse_joined_setting(argument);
     if (!setting) return setting.error();
+    Parsed parsed{{std::move(setting->paths), {}}, true};
     if (const std::string meant = meant_range(setting->value); !meant.empty())
-        return wrong("--set", argument, fmt::format("a range is A:B:STEP; write {}={}", setting->path, meant));
-    Parsed parsed{{setting->path, {}}, true};
+        return wrong("--set", argument, fmt::format("a range is A:B:STEP; write {}={}", parsed.value.name(), meant));
     std::vector<std::string> list = split(setting->value, ',');
     if (list.size() == 1 && split(setting->value, ':').size() > 1) {
         auto numbers = range(setting->value, argument);
@@ -131,6 +132,10 @@ Result<Parsed> parse_values(const std::string& argument) {
         std::string value = trimmed(part);
         if (parsed.is_several && value.empty())
             return wrong("--set", argument, "a value is missing beside a comma; put other text with a comma in quotes");
+        if (parsed.is_several && parse_setting(value))
+            return wrong("--set", argument,
+                         fmt::format("give each path its own --set: --set {}={} --set {}", parsed.value.name(),
+                                     trimmed(list.front()), value));
         if (split(value, ':').size() > 1)
             return wrong("--set", argument, "a list has no ranges; write a list or a range, and other text in quotes");
         parsed.value.values.push_back(std::move(value));
@@ -159,9 +164,10 @@ std::optional<Error> check_sweep(const Sweep& sweep) {
     std::set<std::string> paths;
     for (const SweptValue& value : sweep.values) {
         runs *= static_cast<double>(value.values.size());
-        if (!paths.insert(value.path).second)
-            return wrong("--set", value.path,
-                         "is given twice; give all its values in one --set, like " + value.path + "=0.5,1");
+        for (const std::string& path : value.paths)
+            if (!paths.insert(path).second)
+                return wrong("--set", path,
+                             "is given twice; give all its values in one --set, like " + path + "=0.5,1");
     }
     if (runs > static_cast<double>(most_runs))
         return Error{too_many(runs, "larger steps, fewer values or fewer seeds"), "--set and --seed"};
@@ -169,6 +175,8 @@ std::optional<Error> check_sweep(const Sweep& sweep) {
 }
 
 }  // namespace
+
+std::string SweptValue::name() const { return fmt::format("{}", fmt::join(paths, "=")); }
 
 std::size_t Sweep::combinations() const {
     std::size_t product = 1;
@@ -190,14 +198,21 @@ Result<Sweep> parse_sweep(const std::vector<std::string>& settings, const std::s
     return sweep;
 }
 
-std::vector<Setting> combination(const Sweep& sweep, std::size_t index) {
-    std::vector<Setting> settings(sweep.values.size());
-    for (std::size_t i = settings.size(); i-- > 0;) {
-        const SweptValue& value = sweep.values[i];
-        settings[i].path = value.path;
-        settings[i].value = value.values[index % value.values.size()];
-        index /= value.values.size();
+std::vector<std::string> values_of(const Sweep& sweep, std::size_t index) {
+    std::vector<std::string> values(sweep.values.size());
+    for (std::size_t i = values.size(); i-- > 0;) {
+        const std::vector<std::string>& all = sweep.values[i].values;
+        values[i] = all[index % all.size()];
+        index /= all.size();
     }
+    return values;
+}
+
+std::vector<Setting> combination(const Sweep& sweep, std::size_t index) {
+    const std::vector<std::string> values = values_of(sweep, index);
+    std::vector<Setting> settings;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (const std::string& path : sweep.values[i].paths) settings.push_back({path, values[i]});
     return settings;
 }
 

@@ -15,8 +15,10 @@ inline constexpr std::size_t most_runs = 10'000;  // of one sweep
 
 // The values of one --set argument, at least one.
 struct SweptValue {
-    std::string path;
+    std::vector<std::string> paths;  // that get the same value, at least one
     std::vector<std::string> values;
+
+    std::string name() const;  // "LR=RL"
 };
 
 struct Sweep {
@@ -31,6 +33,7 @@ struct Sweep {
 
 // Reads the arguments of --set and --seed:
 //
+//     LR=RL=VALUE      one value, or values as below, for several dials of a brain
 //     PATH=VALUE       one value; text with a comma or a colon is in quotes
 //     PATH=V1,V2,…     a list
 //     PATH=A:B:STEP    the numbers A, A + STEP, … up to B; a negative STEP counts down
@@ -41,6 +44,9 @@ struct Sweep {
 Result<Sweep> parse_sweep(const std::vector<std::string>& settings, const std::string& seed);
 
 // The values of combination `index` < combinations(), in the order of Sweep::values. The last value varies fastest.
+std::vector<std::string> values_of(const Sweep&, std::size_t index);
+
+// The same as settings, one for each path.
 std::vector<Setting> combination(const Sweep&, std::size_t index);
 
 }  // namespace braitenlab

@@ -74,6 +74,25 @@ TEST(Sweep, CombinesAllValuesTheLastOneFastest) {
     EXPECT_EQ(all, "a=1 b=x c=0 a=1 b=x c=1 a=1 b=x c=2 a=2 b=x c=0 a=2 b=x c=1 a=2 b=x c=2 ");
 }
 
+TEST(Sweep, SeveralDialsGetTheSameValue) {
+    const Sweep one = parsed({"LR=RL=0.8"});
+    EXPECT_FALSE(one.is_sweep);
+    const std::vector<Setting> both = combination(one, 0);
+    ASSERT_EQ(both.size(), 2u);
+    EXPECT_EQ(both[0].path + both[0].value, "LR0.8");
+    EXPECT_EQ(both[1].path + both[1].value, "RL0.8");
+    const Sweep range = parsed({"kind.a.brain.LR = kind.a.brain.RL = 0:1:0.5", "x=1"});
+    EXPECT_EQ(range.combinations(), 3u);
+    EXPECT_EQ(range.values[0].name(), "kind.a.brain.LR=kind.a.brain.RL");
+    EXPECT_EQ(values_of(range, 1), (std::vector<std::string>{"0.5", "1"}));
+    EXPECT_EQ(combination(parsed({"scene.title=LR=1"}), 0)[0].value, "LR=1") << "a title may hold this text";
+    expect_complaint("RL: is given twice", {"LR=RL=0,1", "RL=1"});
+}
+
+TEST(Sweep, SaysHowToSetTwoPathsToTwoValues) {
+    expect_complaint("give each path its own --set: --set LR=0.8 --set RL=0.4", {"LR=0.8,RL=0.4"});
+}
+
 TEST(Sweep, RefusesAStepThatDoesNotLeadToTheEnd) {
     expect_complaint("--set a=0:1:0: the step is 0; give another one", {"a=0:1:0"});
     expect_complaint("--set a=0:1:-0.5: the step leads away from 1; write 0:1:0.5", {"a=0:1:-0.5"});
