@@ -285,7 +285,8 @@ int command_line(int argc, char** argv) {
     add_choice(*grade_command, graded.choice);
     grade_command->add_option("--csv", graded.csv, "write the rows there instead of printing them")->type_name("FILE");
     grade_command->add_flag("--excel", graded.for_excel,
-                            "begin the rows with a byte order mark, by which Excel knows UTF-8");
+                            "write the rows as the Excel of --lang opens them: with a byte order mark, and with "
+                            "semicolons for de and es");
     grade_command->add_option("--html", graded.html, "write a page with summary, paths and feedback")
         ->type_name("FILE");
     grade_command->add_option("--lang", graded.language, "language of the feedback and the page; default: en")

@@ -165,7 +165,7 @@ struct ClassOptions {
     BrainChoice choice;              // of the brain in a scene or a saved run
     std::string csv, html;           // files to write; csv empty or "-": standard output, if there is no page either
     std::string language = "en";     // of feedback and page
-    bool for_excel = false;          // the table begins with the mark by which Excel knows UTF-8
+    bool for_excel = false;          // see table_for_excel()
     std::uint64_t first_seed = 1;
 };
 

@@ -74,8 +74,7 @@ int grade_all(const ClassOptions& options) {
     if (const auto error = missing_argument(options.files)) return complain(*error);
     const auto graded = grade_files(*exercise, options);
     if (!graded) return complain(graded.error());
-    std::string rows(options.for_excel ? byte_order_mark : std::string_view());
-    rows += "brain,passed,starts_passed,starts,needed,character,brain_of,error";
+    std::string rows = "brain,passed,starts_passed,starts,needed,character,brain_of,error";
     for (int start = 1; start <= (*exercise)->starts; ++start) rows += fmt::format(",start_{}", start);
     rows += "\n";
     bool all_read = true;
@@ -85,6 +84,7 @@ int grade_all(const ClassOptions& options) {
         all_read = false;
         if (!csv.empty()) complain(file.found.error());
     }
+    if (options.for_excel) rows = table_for_excel(rows, options.language);
     if (csv.empty() || csv == standard_output)
         std::cout << rows;
     else if (const auto error = write_whole(csv, rows))

@@ -109,8 +109,8 @@ std::optional<Error> write_results(const ClassReport& report, const Strings& str
         if (auto error = write_whole(options.html, class_page(report, strings, options.language))) return error;
     if (options.csv.empty() && !options.html.empty()) return std::nullopt;
     TableFile table(options.csv.empty() ? std::string(standard_output) : options.csv);
-    if (options.for_excel) table.write(byte_order_mark);
-    table.write(class_csv(report, strings));
+    const std::string rows = class_csv(report, strings);
+    table.write(options.for_excel ? table_for_excel(rows, options.language) : rows);
     return table.close();
 }
 

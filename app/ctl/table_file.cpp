@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/ctl/ctl.h"
+#include "core/io/csv.h"
+
 namespace braitenlab {
 
 TableFile::TableFile(const std::string& path) : path_(path) {
@@ -29,6 +32,11 @@ std::optional<Error> TableFile::close() {
     if (path_ == standard_output)
         return Error{"standard output could not be written; check that it has room", "--csv -"};
     return Error{"could not be written; check that the folder exists, may be written to and has room", path_};
+}
+
+std::string table_for_excel(std::string_view csv, std::string_view language) {
+    const bool has_decimal_comma = language != "en";
+    return std::string(byte_order_mark) + (has_decimal_comma ? io::with_semicolons(csv) : std::string(csv));
 }
 
 }  // namespace braitenlab

@@ -35,4 +35,8 @@ private:
     std::ostream* stream_ = nullptr;  // standard output or `device_`; null for a regular file
 };
 
+// The lines of a table so that a double click opens them in the Excel of this language, "de": with a byte order mark,
+// by which it knows UTF-8, and with semicolons where the language writes a decimal comma.
+std::string table_for_excel(std::string_view csv, std::string_view language);
+
 }  // namespace braitenlab

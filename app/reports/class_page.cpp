@@ -147,8 +147,12 @@ struct Page {
                        html::element("td", std::to_string(summary.resembling[i]), "n") + "</tr>\n";
         if (summary.unchanged > 0)
             out += "<tr>" + html::element("td", words("report.as_shipped")) +
-                   html::element("td", words("report.unchanged")) +
+                   html::element("td", words("report.as_shipped_how")) +
                    html::element("td", std::to_string(summary.unchanged), "n") + "</tr>\n";
+        if (summary.other > 0)
+            out += "<tr>" + html::element("td", words("report.other_mistakes")) +
+                   html::element("td", words("report.other_mistakes_how")) +
+                   html::element("td", std::to_string(summary.other), "n") + "</tr>\n";
         if (out.empty()) return out;
         return html::element("h2", words("report.resembled")) + "<table><tbody>\n" + out + "</tbody></table>\n";
     }

@@ -39,6 +39,13 @@ std::optional<RowProblem> submission_problem(const Exercise& exercise, const Cla
     return std::nullopt;
 }
 
+// Index of the wrong answer that is this submission, also where it behaves as the shipped brain does.
+std::optional<std::size_t> same_wrong_answer(const Exercise& exercise, const Submission& submission) {
+    for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
+        if (is_same_submission(submission, exercise.wrong[i].submission)) return i;
+    return std::nullopt;
+}
+
 std::string_view translated(const Strings& strings, const std::string& text) { return strings.find(text, text); }
 
 std::string measures_text(const Strings& strings, const Verdict& verdict) {
@@ -135,7 +142,8 @@ void judge(const Exercise& exercise, ClassRow& row, Grade grade, const Grade& sh
     if (!row.problem) row.problem = submission_problem(exercise, row);
     row.passed = grade.good && !row.problem;
     row.edited = is_edited(exercise, *row.submission);
-    if (!grade.good) {
+    if (!grade.good) row.resembles = same_wrong_answer(exercise, *row.submission);
+    if (!grade.good && !row.resembles) {
         row.resembles = most_alike(grade, wrong);
         const float to_shipped = behaviour_distance(grade, shipped);
         const bool is_nearest = !row.resembles || to_shipped <= behaviour_distance(grade, wrong[*row.resembles]);
@@ -163,6 +171,7 @@ ClassSummary summary_of(const ClassReport& report) {
         summary.passed_shown += passed_with_solution_shown(row);
         summary.unchanged += row.unchanged;
         if (row.resembles) ++summary.resembling[*row.resembles];
+        summary.other += !row.passed && !row.unchanged && !row.resembles;
         counts.push_back(row.grade->count);
         for (const StartResult& start : row.grade->starts)
             if (const std::size_t step = failed_step(start); step < summary.failed.size() && !start.passed)

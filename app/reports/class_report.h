@@ -82,7 +82,8 @@ struct ClassSummary {
     std::vector<int> failed;                // of each step: starts that it made fail, see failed_step()
     std::optional<std::size_t> worst_step;  // the one that made most starts fail
     std::vector<int> resembling;            // of each wrong answer: students
-    int unchanged = 0;
+    int unchanged = 0;                      // students whose behaviour is that of the shipped brain
+    int other = 0;                          // students who fail in another way
 };
 ClassSummary summary_of(const ClassReport&);
 

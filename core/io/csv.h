@@ -23,6 +23,9 @@ void add_csv_cell(std::string& line, const CsvValue&);
 // The text so that a spreadsheet does not take it as a formula: see OWASP, "CSV Injection". For texts that people type.
 std::string spreadsheet_text(std::string_view);
 
+// The lines with semicolons between the cells, as a spreadsheet expects them where the decimal mark is a comma.
+std::string with_semicolons(std::string_view lines);
+
 template <class Row>
 struct CsvColumn {
     std::string name;  // with the unit

@@ -165,10 +165,12 @@ std::vector<Offer> offered_dials(const Exercise& exercise) {
     return dials;
 }
 
+bool is_same_submission(const Submission& a, const Submission& b) {
+    return a.sensors == b.sensors && a.body == b.body && sorted_by_ids(a.brain) == sorted_by_ids(b.brain);
+}
+
 bool is_edited(const Exercise& exercise, const Submission& submission) {
-    const Submission shipped = as_shipped(exercise);
-    return submission.sensors != shipped.sensors || submission.body != shipped.body ||
-           !(sorted_by_ids(submission.brain) == sorted_by_ids(shipped.brain));
+    return !is_same_submission(submission, as_shipped(exercise));
 }
 
 std::vector<std::string> outside_offers(const Exercise& exercise, const Submission& submission) {

@@ -47,8 +47,10 @@ bool offers(const Exercise&, std::string_view part);
 // The offered dials, in the order of the file.
 std::vector<Offer> offered_dials(const Exercise&);
 
-// True if the submission has another brain, other sensors or another body than as shipped. Places and the order of
-// nodes and wires do not count.
+// True if both have the same brain, sensors and body. Places and the order of nodes and wires do not count.
+bool is_same_submission(const Submission&, const Submission&);
+
+// True if the submission is not as shipped.
 bool is_edited(const Exercise&, const Submission&);
 
 // What the submission changes that the exercise does not offer: names of dials, "wiring", "curves", "sensors", "body".

@@ -39,5 +39,12 @@ TEST(Csv, SeparatesCellsByCommasAndEndsEachLine) {
     EXPECT_EQ(text, "count,length_m\n1,0.50000\n3,1.50000\n");
 }
 
+TEST(Csv, SemicolonsReplaceTheCommasBetweenCellsOnly) {
+    EXPECT_EQ(io::with_semicolons("a,\"b, \"\"c\"\", d\",e\n1,2,3\n"), "a;\"b, \"\"c\"\", d\";e\n1;2;3\n");
+    std::string line;
+    io::add_csv_cell(line, std::string_view("LR; RL"));
+    EXPECT_EQ(line, "\"LR; RL\"");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::csv_test

@@ -97,6 +97,44 @@ TEST(ClassReport, FeedbackTellsAnEditWithoutEffectFromNoEdit) {
         << of_small;
 }
 
+// The exercise with a wrong answer that behaves as the shipped brain does: a sensor sees a little further.
+TEST(ClassReport, AWrongAnswerWhoseSensorsDifferWinsOverTheShippedBrain) {
+    Exercise exercise = *aggressor();
+    Answer& far_eyes = exercise.wrong.emplace_back();
+    far_eyes.name = "Far eyes";
+    far_eyes.submission = as_shipped(exercise);
+    for (Sensor& sensor : far_eyes.submission.sensors) sensor.range += 0.001f;
+    HandIn made = hand_in("A", as_at_first);
+    made.submission = far_eyes.submission;
+    ClassRow same = row("a", made);
+    made.submission.sensors[0].range += 0.002f;  // like it, and not it
+    ClassRow alike = row("b", made);
+    const Grade shipped = grade(exercise, as_shipped(exercise)), wrong = grade(exercise, far_eyes.submission);
+    std::vector<Grade> grades(exercise.wrong.size() - 1, grade(exercise, exercise.wrong[0].submission));
+    grades.push_back(wrong);
+    for (ClassRow* each : {&same, &alike}) {
+        each->problem.reset();
+        judge(exercise, *each, grade(exercise, *each->submission), shipped, grades);
+    }
+    EXPECT_EQ(same.resembles, exercise.wrong.size() - 1);
+    EXPECT_FALSE(same.unchanged);
+    EXPECT_TRUE(alike.unchanged || alike.resembles) << "it is near both";
+}
+
+TEST(ClassReport, EveryStudentWhoFailsIsInOneRowOfTheMistakes) {
+    std::vector<ClassRow> rows(4);
+    rows[0].passed = true;
+    rows[1].unchanged = true;
+    rows[2].resembles = 0;
+    for (ClassRow& each : rows) each.grade = Grade{};
+    const ClassSummary summary = summary_of({aggressor(), 1, rows});
+    EXPECT_EQ(summary.counted, 4);
+    EXPECT_EQ(summary.other, 1) << "the one that resembles nothing";
+    EXPECT_EQ(summary.passed + summary.unchanged + summary.resembling[0] + summary.other, summary.counted);
+    const std::string page = class_page({aggressor(), 1, rows}, words("en"), "en");
+    EXPECT_NE(page.find("<td>something else</td>"), page.npos);
+}
+
 TEST(ClassReport, AnEmptyFileAndADocumentAreNamedAsSuch) {
     const ClassRow empty = row_of_hand_in(*aggressor(), "e.toml", Result<std::string>(std::string(" \r\n")));
     EXPECT_EQ(problem_text(empty, words("en")), "the file is empty");

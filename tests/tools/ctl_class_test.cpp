@@ -82,6 +82,10 @@ TEST(CtlGrade, ATableForExcelBeginsWithAByteOrderMark) {
     EXPECT_TRUE(grade_in(folder.path, "05-aggressor 2a-coward --excel")
                     .out.starts_with("\xEF\xBB\xBF"
                                      "brain,"));
+    const std::string german = grade_in(folder.path, "05-aggressor class --excel --lang de").out;
+    EXPECT_TRUE(german.starts_with("\xEF\xBB\xBFstudent;file;passed;"))
+        << "a German Excel takes a comma as a decimal mark";
+    EXPECT_NE(german.find("Ana;ana.braiten-handin.toml;"), std::string::npos) << german;
 }
 
 }  // namespace
