@@ -19,6 +19,18 @@ Result<Document> open_run(const std::filesystem::path& path) {
 
 }  // namespace
 
+Scene scene_to_keep(const Document& document) {
+    Scene scene = document.session.edited_scene();
+    if (document.lesson) io::hide_brains(scene, document.lesson->exercise->hides);
+    return scene;
+}
+
+SavedRun run_to_keep(const Document& document) {
+    SavedRun run = document.session.save();
+    if (document.lesson) io::hide_brains(run, document.lesson->exercise->hides);
+    return run;
+}
+
 std::string title_of(const Document& document) {
     const std::string& title =
         document.lesson ? document.lesson->exercise->title : document.session.snapshot().scene->title;

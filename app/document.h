@@ -102,6 +102,10 @@ struct Document {
 // The title of the exercise, else of the scene with all edits; the name of the file if there is no title.
 std::string title_of(const Document&);
 
+// The scene with all edits, and the run, as a file or a link keeps them: the brains that the exercise hides are hidden.
+Scene scene_to_keep(const Document&);
+SavedRun run_to_keep(const Document&);
+
 // The absolute path without "." and "..". An empty path stays empty.
 std::filesystem::path absolute_path(const std::filesystem::path&);
 

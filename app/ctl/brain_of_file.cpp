@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -35,19 +36,24 @@ Result<std::size_t> kind_index(const Scene& scene, const std::string& chosen, co
     return scene.starts.empty() ? std::size_t{0} : index_of(scene.kinds, scene.starts.front().kind, "kind", file);
 }
 
+std::optional<Error> hidden_fault(const Kind& kind, const std::string& file) {
+    if (!kind.hidden) return std::nullopt;
+    return Error{"the brain of the kind " + in_quotes(kind.name) + " is hidden", file};
+}
+
 Result<BrainOfFile> brain_of_scene(const Scene& scene, const BrainChoice& choice, const std::string& file) {
     if (!choice.vehicle.empty()) {
         const auto start = index_of(scene.starts, choice.vehicle, "vehicle", file);
         if (!start) return start.error();
         const auto kind = index_of(scene.kinds, scene.starts[*start].kind, "kind", file);
         if (!kind) return kind.error();
+        if (auto fault = hidden_fault(scene.kinds[*kind], file)) return *fault;
         return BrainOfFile{scene.starts[*start].brain.value_or(scene.kinds[*kind].brain), "vehicle " + choice.vehicle,
                            scene.starts[*start].sensors.value_or(scene.kinds[*kind].sensors)};
     }
     const auto kind = kind_index(scene, choice.kind, file);
     if (!kind) return kind.error();
-    if (scene.kinds[*kind].hidden)
-        return Error{"the brain of the kind " + in_quotes(scene.kinds[*kind].name) + " is hidden", file};
+    if (auto fault = hidden_fault(scene.kinds[*kind], file)) return *fault;
     return BrainOfFile{scene.kinds[*kind].brain, "kind " + scene.kinds[*kind].name, scene.kinds[*kind].sensors};
 }
 
@@ -73,6 +79,7 @@ Result<BrainOfFile> brain_of_vehicle(const Snapshot& now, const std::string& nam
         vehicle = vehicle_of_id(now, name);
         if (!vehicle) return start.error();
     }
+    if (auto fault = hidden_fault(kind_of(now, *vehicle), file)) return *fault;
     return BrainOfFile{*brain_of(now, *vehicle), "vehicle " + name, kind_of(now, *vehicle).sensors};
 }
 
@@ -80,10 +87,11 @@ Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice,
     if (!choice.vehicle.empty()) return brain_of_vehicle(now, choice.vehicle, file);
     const auto& starts = now.scene->starts;
     if (choice.kind.empty() && !starts.empty())
-        if (const VehicleView* first = vehicle_of_start(now, 0))
+        if (const VehicleView* first = vehicle_of_start(now, 0); first && !kind_of(now, *first).hidden)
             return BrainOfFile{*brain_of(now, *first), "vehicle " + starts.front().name, kind_of(now, *first).sensors};
     const auto kind = kind_index(*now.scene, choice.kind, file);
     if (!kind) return kind.error();
+    if (auto fault = hidden_fault(now.scene->kinds[*kind], file)) return *fault;
     return BrainOfFile{*now.kind_brains[*kind], "kind " + now.scene->kinds[*kind].name,
                        now.scene->kinds[*kind].sensors};
 }

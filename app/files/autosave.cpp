@@ -155,9 +155,10 @@ Error cannot_store(const Error& reason) {
 }  // namespace
 
 Draft draft_of(const Document& document) {
-    Draft draft{document.name, document.path, document.session.save(), std::nullopt};
+    Draft draft{document.name, document.path, document.session.save(), std::nullopt, false};
     if (document.lesson) {
         const LessonView& view = document.lesson->view;
+        draft.hides_brain = !document.lesson->exercise->hides.empty();
         draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run, view.outcome_known};
         if (const RefereeState* state = referee_at_keyframe(document))
             draft.exercise->referee = write_referee_state(*state);
@@ -166,7 +167,8 @@ Draft draft_of(const Document& document) {
 }
 
 std::string write_autosave(const Draft& draft, std::string_view when, bool ended) {
-    auto json = nlohmann::json::parse(io::write_run(draft.run));
+    auto json = nlohmann::json::parse(
+        io::write_run(draft.run, draft.hides_brain ? io::Seals::always : io::Seals::hidden_kinds));
     auto& keys = json["autosave"] = {
         {"when", when}, {"ended", ended}, {"name", draft.name}, {"path", draft.path.string()}, {"exercise", nullptr}};
     if (draft.exercise)

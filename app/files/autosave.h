@@ -33,6 +33,7 @@ struct Draft {
             referee{};  // state beside the last keyframe, from write_referee_state; empty: see referee_at_keyframe
     };
     std::optional<Progress> exercise;
+    bool hides_brain = false;  // the exercise hides one: the run is sealed
 };
 Draft draft_of(const Document&);
 

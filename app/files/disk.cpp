@@ -148,12 +148,12 @@ fs::path own_file(const Document& document) {
 
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
     if (kind == FileKind::scene) {
-        Scene scene = lab.document.session.edited_scene();
+        Scene scene = scene_to_keep(lab.document);
         if (auto error = check_scene(scene)) return error;  // a file that cannot be opened is not written
         if (lab.document.is_scene_named_by_file) scene.name.clear();
         return write_whole(path, write_scene(scene));
     }
-    if (kind == FileKind::run) return write_whole(path, io::write_run(lab.document.session.save()));
+    if (kind == FileKind::run) return write_whole(path, io::write_run(run_to_keep(lab.document)));
     if (kind != FileKind::brain) return error_of(message_of("not_savable"), path.string());
     const Snapshot& now = lab.document.session.snapshot();
     const VehicleView* vehicle = find_vehicle(now, lab.view.selection.vehicle);

@@ -33,7 +33,7 @@ void copy_link(Lab& lab) {
     const Document& document = lab.document;
     const bool is_exercise = document.lesson && ships(document.path);
     lab.to_copy = lab.link_base + (is_exercise ? io::encode_exercise_link(document.path.stem().string())
-                                               : io::encode_link(document.session.edited_scene()));
+                                               : io::encode_link(scene_to_keep(document)));
     const std::size_t length = lab.to_copy.size();
     const std::string characters = std::to_string(length);
     if (is_exercise)

@@ -201,6 +201,8 @@ void to_json(Json& json, const T& object) {
     json = Json::object();
     if constexpr (requires { object.name; }) json["name"] = object.name;
     if constexpr (std::is_same_v<T, Wire>) add_ends(json, object);
+    if constexpr (std::is_same_v<T, Kind>)
+        if (object.hidden) json["hidden"] = true;  // the schema has it as the table `sealed` of a scene file
     io::JsonWriter<T> writer(object, json);
     describe(writer, Of<T>{});
 }
@@ -208,6 +210,7 @@ template <Described T>
 void from_json(const Json& json, T& object) {
     if constexpr (requires { object.name; }) json.at("name").get_to(object.name);
     if constexpr (std::is_same_v<T, Wire>) take_ends(json, object);
+    if constexpr (std::is_same_v<T, Kind>) object.hidden = json.contains("hidden") && json.at("hidden").get<bool>();
     io::JsonReader<T> reader(json, object);
     describe(reader, Of<T>{});
 }

@@ -83,14 +83,31 @@ Result<SavedRun> from(const Json& json, const std::string& file) {
 
 }  // namespace
 
-std::string write_run(const SavedRun& run) {
+std::string write_run(const SavedRun& run, Seals seals) {
     const Json json{{"braitenlab_run", version},
                     {"opened", run.opened},
                     {"keyframe", state_json(*run.checkpoint.keyframe)},
                     {"commands", run.checkpoint.commands},
                     {"tick", run.checkpoint.tick}};
-    if (!hides_a_brain(run)) return json.dump() + "\n";
+    if (seals == Seals::hidden_kinds && !hides_a_brain(run)) return json.dump() + "\n";
     return Json{{"braitenlab_run", version}, {"sealed", seal_text(json.dump())}}.dump() + "\n";
+}
+
+void hide_brains(Scene& scene, const std::vector<std::string>& kinds) {
+    for (Kind& kind : scene.kinds) kind.hidden |= std::find(kinds.begin(), kinds.end(), kind.name) != kinds.end();
+}
+
+void hide_brains(SavedRun& run, const std::vector<std::string>& kinds) {
+    if (kinds.empty()) return;
+    hide_brains(run.opened, kinds);
+    world::State keyframe = *run.checkpoint.keyframe;
+    Scene scene = *keyframe.scene;
+    hide_brains(scene, kinds);
+    keyframe.scene = std::make_shared<const Scene>(std::move(scene));
+    run.checkpoint.keyframe = std::make_shared<const world::State>(std::move(keyframe));
+    for (LoggedCommand& logged : run.checkpoint.commands)
+        if (auto* edit = std::get_if<EditKind>(&logged.command))
+            edit->to.hidden |= std::find(kinds.begin(), kinds.end(), edit->to.name) != kinds.end();
 }
 
 Result<SavedRun> read_run(std::string_view text, std::string file) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 #include "core/world/world.h"
@@ -15,7 +16,14 @@ namespace braitenlab::io {
 
 inline constexpr std::string_view run_ending = ".run";
 
-std::string write_run(const SavedRun&);
+// always: sealed also where no kind is hidden, as for an exercise that hides a brain.
+enum class Seals { hidden_kinds, always };
+std::string write_run(const SavedRun&, Seals = Seals::hidden_kinds);
+
+// Hides the brains of the kinds of these names, so that a file of the scene or the run is sealed and hides them when it
+// is opened.
+void hide_brains(Scene&, const std::vector<std::string>& kinds);
+void hide_brains(SavedRun&, const std::vector<std::string>& kinds);
 
 // Returns an error with the reason for a file that write_run() cannot have written. A missing value is an error.
 Result<SavedRun> read_run(std::string_view text, std::string file_name);

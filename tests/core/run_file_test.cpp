@@ -6,6 +6,7 @@
 #include "core/maths/random.h"
 #include "core/scene/scene_file.h"
 #include "core/session/session.h"
+#include "core/world/state.h"
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
@@ -138,6 +139,8 @@ TEST(RunFile, ASceneWithAHiddenBrainIsSealedAndComesBack) {
     const auto read = io::read_run(text, "a.run");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(Session::resume(*read).hash(), session.hash());
+    EXPECT_TRUE(read->opened.kinds[0].hidden) << "a run that is opened hides it, too";
+    EXPECT_TRUE(read->checkpoint.keyframe->scene->kinds[0].hidden);
     const std::size_t letter = text.find("sealed") + 40;
     text[letter] = text[letter] == 'a' ? 'b' : 'a';
     const auto damaged = io::read_run(text, "a.run");

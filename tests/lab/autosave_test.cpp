@@ -109,6 +109,23 @@ TEST_F(AutosaveTest, DoesNotShowAHiddenBrain) {
     EXPECT_EQ(kept->document.session.hash(), lab.document.session.hash());
 }
 
+TEST_F(AutosaveTest, DoesNotShowTheBrainThatAnExerciseHides) {
+    lab = open("19-mystery");
+    tick(lab);
+    Autosave dying(folder.path, complaints);
+    EXPECT_FALSE(dying.keep(lab, 0, Autosave::Occasion::now));
+    const auto files = files_in(folder.path);
+    ASSERT_EQ(files.size(), 1u);
+    const std::string text = text_of(files[0]);
+    EXPECT_EQ(text.find("wires"), std::string::npos);
+    const auto kept = open_autosave(text, "a");
+    ASSERT_TRUE(kept) << kept.error().text();
+    EXPECT_EQ(kept->document.session.hash(), lab.document.session.hash());
+    ASSERT_TRUE(kept->document.lesson);
+    EXPECT_EQ(*kept->document.session.snapshot().scene, *lab.document.session.snapshot().scene)
+        << "the referee compares it with the exercise's";
+}
+
 TEST_F(AutosaveTest, WritesWithoutADelayWhenTheModeChanges) {
     Autosave autosave(folder.path, complaints);
     edit(lab, 1);

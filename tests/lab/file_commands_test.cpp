@@ -293,8 +293,44 @@ TEST_F(FileCommands, DoesNotOverwriteAFileWithCommentsByCtrlS) {
     ask(SaveRequest{"mine", FileKind::scene});
     put_text(folder / "mine.toml", "# by hand\n" + text_of(folder / "mine.toml"));
     ask(OpenRequest{"mine.toml"});
-    EXPECT_EQ(files.save_to, "");
-    ASSERT_EQ(files.done, 2);
+    EXPECT_EQ(files.save_to, (folder / "mine.toml").string());
+    ask(SaveRequest{"mine.toml", FileKind::scene});
+    EXPECT_TRUE(text_of(folder / "mine.toml").starts_with("# by hand\nformat = 1\n")) << text_of(folder / "mine.toml");
+    ask(SaveRequest{"copy", FileKind::scene});
+    EXPECT_EQ(text_of(folder / "copy.toml"), text_of(folder / "mine.toml"));
+}
+
+// The comments of the robots name the sources of their figures.
+TEST_F(FileCommands, ACopyOfARobotKeepsTheSourcesOfItsFigures) {
+    const fs::path robot = *find_shipped("2a-coward");
+    for (const char* name : {"tt2wd-ldr", "thymio2", "romi", "e-puck2"}) {
+        const fs::path file = robot.parent_path().parent_path() / "robots" / (std::string(name) + ".toml");
+        ask(OpenRequest{file.string()});
+        ASSERT_EQ(lab.document.name, name);
+        ask(SaveRequest{"copy", FileKind::scene});
+        const std::string text = text_of(file), copy = text_of(folder / "copy.toml");
+        const auto comments = [](const std::string& all) { return std::count(all.begin(), all.end(), '#'); };
+        EXPECT_GE(comments(copy), comments(text)) << name;
+        EXPECT_GT(comments(text), 3) << name;
+        fs::remove(folder / "copy.toml");
+    }
+}
+
+TEST_F(FileCommands, ASceneOrARunOfAnExerciseDoesNotShowTheBrainThatItHides) {
+    ask(OpenRequest{find_shipped("19-mystery")->string()});
+    for (int i = 0; i < 400; ++i) tick(lab);
+    const auto hash = lab.document.session.hash();
+    ask(SaveRequest{"scene", FileKind::scene});
+    ask(SaveRequest{"run", FileKind::run});
+    const std::string scene = text_of(folder / "scene.toml"), run = text_of(folder / "run.run");
+    EXPECT_EQ(scene.find("-1.6"), std::string::npos);
+    EXPECT_EQ(run.find("wires"), std::string::npos);
+    ask(OpenRequest{(folder / "run.run").string()});
+    ASSERT_FALSE(lab.document.lesson);
+    EXPECT_EQ(lab.document.session.hash(), hash);
+    const Scene& opened = *lab.document.session.snapshot().scene;
+    EXPECT_TRUE(opened.kinds[static_cast<std::size_t>(find_kind(opened, "mystery"))].hidden);
+    EXPECT_FALSE(opened.kinds[static_cast<std::size_t>(find_kind(opened, "yours"))].hidden);
 }
 
 TEST_F(FileCommands, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {

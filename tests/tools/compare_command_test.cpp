@@ -87,6 +87,17 @@ TEST_F(CtlMystery, NoCommandPrintsTheHiddenBrain) {
     EXPECT_EQ(ctl_of_brains("show " + scene).out.find("1.5"), std::string::npos);
     EXPECT_EQ(ctl_of_brains("mystery " + scene + " --brain " + scene).code, 2);
     EXPECT_EQ(ctl_of_brains("mystery 2b-aggressor --brain 2a-coward").code, 2) << "nothing is hidden there";
+    const std::string run = scene + ".run";
+    ASSERT_EQ(ctl_of_brains("run " + scene + " --seconds 1 --save " + run).code, 0);
+    EXPECT_EQ(ctl_of_brains("run " + run + " --seconds 1").code, 0) << "a run can be saved and continued";
+    EXPECT_EQ(ctl_of_brains("show " + run).out.find("1.5"), std::string::npos);
+    for (const std::string& file : {scene, run})
+        for (const char* choice : {"", " --vehicle one", " --kind aggressor"}) {
+            const Ran refused = ctl_of_brains("think " + file + choice + " --vectors -");
+            EXPECT_EQ(refused.code, 2) << file << choice;
+            EXPECT_NE(refused.out.find("is hidden"), std::string::npos) << refused.out;
+        }
+    std::filesystem::remove(run);
 }
 
 }  // namespace

@@ -126,11 +126,6 @@ std::string_view why_no_brain_file(const LabView& view, const PanelState& state)
     return why_not_with_vehicle(view, state, Action::save_brain);
 }
 
-// A saved run has its brains in plain text.
-bool has_hidden_brain(const Scene& scene) {
-    return std::any_of(scene.kinds.begin(), scene.kinds.end(), [](const Kind& kind) { return kind.hidden; });
-}
-
 std::string_view why_no_robots(const LabView& view, const PanelState& state) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle) return why_not_with_vehicle(view, state, Action::reality);
@@ -202,8 +197,6 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
             return why_not_with_vehicle(view, state, action);
         case Action::save_brain:
             return why_no_brain_file(view, state);
-        case Action::save_run:
-            return has_hidden_brain(*view.now->scene) ? "unavailable.hidden_run" : "";
         case Action::why:
             return why_no_cause(view, state);
         case Action::map:
