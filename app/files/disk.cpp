@@ -11,6 +11,8 @@
 #include "core/insight/study_file.h"
 #include "core/io/run_file.h"
 #include "core/messages.h"
+#include "core/scene/comments.h"
+#include "core/scene/scene_file.h"
 
 namespace braitenlab {
 
@@ -143,15 +145,29 @@ fs::path own_file(const Document& document) {
     if (document.path.empty() || document.lesson || ships(document.path)) return {};
     const auto file = read_file(document.path);
     const bool is_scene = file && file->kind == FileKind::scene && has_format_line(file->text);
-    return is_scene && !has_comments(file->text) ? document.path : fs::path{};
+    return is_scene ? document.path : fs::path{};
 }
+
+namespace {
+
+// The scene's text with the comments of the file that the document was opened from, if it can be read afterwards.
+std::string with_comments_of(const Document& document, std::string text, const fs::path& path) {
+    if (document.lesson || document.path.empty()) return text;
+    const auto old = read_file(document.path);
+    if (!old || old->kind != FileKind::scene || !has_comments(old->text)) return text;
+    std::string commented = with_comments(text, old->text);
+    const auto plain = parse_scene(text, path.string()), read = parse_scene(commented, path.string());
+    return plain && read && *plain == *read ? commented : text;
+}
+
+}  // namespace
 
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
     if (kind == FileKind::scene) {
         Scene scene = scene_to_keep(lab.document);
         if (auto error = check_scene(scene)) return error;  // a file that cannot be opened is not written
         if (lab.document.is_scene_named_by_file) scene.name.clear();
-        return write_whole(path, write_scene(scene));
+        return write_whole(path, with_comments_of(lab.document, write_scene(scene), path));
     }
     if (kind == FileKind::run) return write_whole(path, io::write_run(run_to_keep(lab.document)));
     if (kind != FileKind::brain) return error_of(message_of("not_savable"), path.string());

@@ -25,11 +25,11 @@ std::filesystem::path resolved(const std::string& typed, const std::filesystem::
 // Appends the extension of the kind (.run or .toml) if the path has another one.
 std::filesystem::path with_extension(std::filesystem::path, FileKind);
 
-// The scene's own file, which Ctrl+S overwrites. Empty if there is none, if it ships with the program, or if it
-// contains comments, which writing would lose.
+// The scene's own file, which Ctrl+S overwrites. Empty if there is none, or if it ships with the program.
 std::filesystem::path own_file(const Document&);
 
-// Writes the scene, the run at its current tick, or the brain of the selected vehicle.
+// Writes the scene, the run at its current tick, or the brain of the selected vehicle. A scene keeps the comments of
+// the file that it was opened from, see core/scene/comments.h.
 std::optional<Error> save_as(const Lab&, const std::filesystem::path&, FileKind);
 
 // Gives the brain in the file to the selected vehicle, or to its whole kind. One step of undo.

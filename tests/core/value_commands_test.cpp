@@ -11,6 +11,7 @@
 #include "core/scene/schema.h"
 #include "core/session/session.h"
 #include "tests/core/scenes.h"
+#include "tests/core/sessions.h"
 
 namespace braitenlab::tests::value_commands_test {
 namespace {

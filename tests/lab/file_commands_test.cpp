@@ -289,7 +289,7 @@ TEST_F(FileCommands, KeepsTheDocumentIfAFileIsBroken) {
     EXPECT_TRUE(files.refused);
 }
 
-TEST_F(FileCommands, DoesNotOverwriteAFileWithCommentsByCtrlS) {
+TEST_F(FileCommands, CommentsOfTheFileStayWhenItIsSaved) {
     ask(SaveRequest{"mine", FileKind::scene});
     put_text(folder / "mine.toml", "# by hand\n" + text_of(folder / "mine.toml"));
     ask(OpenRequest{"mine.toml"});
