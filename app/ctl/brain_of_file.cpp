@@ -9,6 +9,7 @@
 
 #include "app/files/data.h"
 #include "core/io/run_file.h"
+#include "core/lesson/hand_in.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
@@ -112,9 +113,15 @@ Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice& ch
     if (detect_kind(*path, "") == FileKind::run) return load_run_brain(*path, choice);
     const auto text = read_text(*path);
     if (!text) return text.error();
+    if (holds_hand_in(path->string(), *text)) {
+        auto hand_in = parse_hand_in(*text, path->string());
+        if (!hand_in) return hand_in.error();
+        return BrainOfFile{std::move(hand_in->submission.brain), "hand-in of " + hand_in->student,
+                           std::move(hand_in->submission.sensors)};
+    }
     const FileKind kind = detect_kind(*path, *text);
     if (kind == FileKind::exercise)
-        return Error{"this is an exercise; give a brain, a scene or a saved run", path->string()};
+        return Error{"this is an exercise; give a brain, a scene, a saved run or a hand-in", path->string()};
     if (kind == FileKind::brain) {
         auto brain = parse_brain(*text, path->string());
         if (!brain) return brain.error();

@@ -1,4 +1,4 @@
-// The brain of a file that holds one or several: a brain file, a scene or a saved run.
+// The brain of a file that holds one or several: a brain file, a scene, a saved run or a hand-in.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace braitenlab {
 
-// Which brain of a scene or a saved run; at most one of the two is given. A brain file has one brain, whatever they
-// say.
+// Which brain of a scene or a saved run; at most one of the two is given. A brain file and a hand-in have one brain,
+// whatever they say.
 struct BrainChoice {
     std::string kind;     // name of a kind
     std::string vehicle;  // name of a placed vehicle; in a saved run also the id of any vehicle
@@ -19,8 +19,8 @@ struct BrainChoice {
 
 struct BrainOfFile {
     BrainGraph brain;
-    std::string owner;              // "kind coward", "vehicle one"; empty for a brain file
-    std::vector<Sensor> sensors{};  // of the kind or the vehicle; empty for a brain file
+    std::string owner;              // "kind coward", "vehicle one", "hand-in of Ana"; empty for a brain file
+    std::vector<Sensor> sensors{};  // of the kind, the vehicle or the hand-in; empty for a brain file
 };
 
 // Reads the brain of a file, which is a path or the name of a shipped scene. Without a choice: of a scene, the brain of

@@ -85,7 +85,8 @@ std::string measure_words() {
     return words;
 }
 
-constexpr const char* brain_file_help = "a brain, a scene, a saved run, or the name of a shipped scene or preset";
+constexpr const char* brain_file_help =
+    "a brain, a scene, a saved run, a hand-in, or the name of a shipped scene or preset";
 
 CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
     CLI::App* command = app.add_subcommand(
@@ -139,12 +140,13 @@ CLI::App* add_export(CLI::App& app, ExportOptions& options) {
     CLI::App* command = app.add_subcommand("export", "write a brain as a program for a robot");
     command->add_option("BRAIN", options.file, brain_file_help)->required();
     add_choice(*command, options.choice);
-    command->add_option("--to", options.target, "what is written: " + target_words())->type_name("TARGET")->required();
+    command->add_option("--to", options.target, "what is written: " + target_words())->type_name("TARGET");
     command->add_option("--robot", options.robot, "the robot; without it, the target's own: " + target_robots())
         ->type_name("NAME");
     command->add_option("--out", options.folder, "the folder of the files; created when missing")
         ->type_name("FOLDER")
         ->required();
+    command->add_flag("--force", options.force, "write into a folder that holds other files, and replace them");
     return command;
 }
 

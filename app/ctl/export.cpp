@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,9 @@
 #include "app/files/safe_file.h"
 #include "core/brain/presets.h"
 #include "core/export/vectors.h"
+#include "core/lesson/hand_in.h"
+#include "core/scene/file_kind.h"
+#include "core/scene/folder_entries.h"
 #include "core/scene/nearest.h"
 
 namespace braitenlab {
@@ -26,7 +30,8 @@ Result<robots::BrainToExport> brain_to_export(const std::string& file, const Bra
         if (!preset) return found.error();
         return robots::BrainToExport{file, preset->brain, {}};
     }
-    const std::string stem = std::filesystem::path(file).stem().string();
+    std::string stem = std::filesystem::path(file).stem().string();
+    if (is_hand_in(file)) stem = std::filesystem::path(stem).stem().string();
     const std::string title = found->owner.empty() ? stem : stem + ", " + found->owner;
     return robots::BrainToExport{title, std::move(found->brain), std::move(found->sensors)};
 }
@@ -39,6 +44,10 @@ std::vector<std::string_view> words_of(const Row& rows) {
 }
 
 Result<robots::Target> target_of(const std::string& given) {
+    if (given.empty()) {
+        const auto words = words_of(robots::target_table);
+        return Error{fmt::format("is missing; give one of {}", fmt::join(words, ", ")), "--to"};
+    }
     for (const auto& row : robots::target_table)
         if (row.word == given) return row.value;
     return Error{"there is no target " + in_quotes(given) + name_nearest(given, words_of(robots::target_table)),
@@ -51,6 +60,30 @@ Result<const robots::Robot*> robot_of(const std::string& given, robots::Target t
     std::vector<std::string_view> names;
     for (const robots::Robot& robot : robots::robots()) names.push_back(robot.name);
     return Error{"there is no robot " + in_quotes(name) + name_nearest(name, names), "--robot"};
+}
+
+}  // namespace
+
+namespace {
+
+// True if the file, if there is one, was written by an export: each names the lab near its begin.
+bool is_exported(const std::filesystem::path& path) {
+    constexpr std::size_t begin = 1000;
+    const auto text = read_text(path);
+    return text && std::string_view(*text).substr(0, begin).find("xported from Braitenlab") != std::string_view::npos;
+}
+
+// The error if the folder holds files, and none of them is of an earlier export.
+std::optional<Error> folder_fault(const std::filesystem::path& folder) {
+    bool is_empty = true, has_export = false;
+    for_each_entry(folder, [&](const std::filesystem::directory_entry& entry) {
+        std::error_code none;
+        is_empty = false;
+        has_export |= entry.is_regular_file(none) && is_exported(entry.path());
+    });
+    if (is_empty || has_export) return std::nullopt;
+    return Error{"the folder holds other files than those of an export; give a new folder, or --force to write into it",
+                 folder.string()};
 }
 
 }  // namespace
@@ -68,6 +101,7 @@ int export_to_robot(const ExportOptions& options) {
         error.file = options.file;
         return complain(error);
     }
+    if (const auto error = folder_fault(options.folder); error && !options.force) return complain(*error);
     for (const robots::ExportedFile& file : *files) {
         const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
         if (const auto error = write_whole(path, file.text)) return complain(*error);

@@ -66,8 +66,8 @@ ClassRow row_of_file(const Exercise& exercise, const fs::path& path, const Brain
     const std::string name = path.filename().string();
     if (path.extension() == ".run") return row_of_brain(exercise, path, choice);
     const auto text = read_text(path);
-    const bool is_named = is_hand_in(name), is_binary = text && is_no_text(*text);
-    if (is_named || (text && (is_blank(*text) || text->find("\n[submission") != std::string::npos)))
+    const bool is_binary = text && is_no_text(*text);
+    if (holds_hand_in(name, text ? *text : std::string()) || (text && is_blank(*text)))
         return row_of_hand_in(exercise, name, text);
     // A shipped scene is named without an ending, and does not exist at the path.
     const bool may_have_brain = path.extension() == ".toml" || !text;

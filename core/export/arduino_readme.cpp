@@ -75,6 +75,9 @@ With an L298N remove the jumpers of ENA and ENB. It loses about 2 V, so take six
 
 The values are kept in the EEPROM. To calibrate again, hold the button during reset.
 
+**Each start.** After power-on or reset the light on the board blinks and the wheels stand for 3 s: time to set the robot down. The button
+starts it at once. `START_DELAY` in the sketch is this time.
+
 ## What transfers and what does not
 
 - Light seekers and light avoiders work with motors that differ by 20 %, with noise and with a latency of 0.3 s, because the eyes correct

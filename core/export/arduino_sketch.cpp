@@ -35,6 +35,7 @@ Calibration calibration;
 
 const byte LEFT = 0, RIGHT = 1;
 const float SMALLEST_COMMAND = @SMALLEST@;  // below it the wheel stands
+const unsigned long START_DELAY = 3000;     // milliseconds from power-on to the first movement
 
 // ---- Motors ----------------------------------------------------------------
 
@@ -131,6 +132,14 @@ Brain brain;  // all values start at 0
 unsigned long lastStep;
 const unsigned long PERIOD = 1000000UL / BRAIN_RATE_HZ;  // microseconds
 
+// The light blinks and the wheels stand for START_DELAY, or until the button is pressed: time to set the robot down.
+void waitBeforeStart() {
+  const unsigned long start = millis();
+  while (millis() - start < START_DELAY && digitalRead(BUTTON) == HIGH) digitalWrite(LED_BUILTIN, millis() / 125 % 2);
+  while (digitalRead(BUTTON) == LOW) {}
+  digitalWrite(LED_BUILTIN, LOW);
+}
+
 void setup() {
   const byte outputs[] = {LEFT_PWM, LEFT_FORWARD, LEFT_BACK, RIGHT_PWM, RIGHT_FORWARD, RIGHT_BACK, STANDBY, LED_BUILTIN};
   for (byte i = 0; i < sizeof outputs; i++) pinMode(outputs[i], OUTPUT);
@@ -140,6 +149,7 @@ void setup() {
   Serial.begin(115200);
   EEPROM.get(0, calibration);
   if (calibration.mark != MARK || digitalRead(BUTTON) == LOW) calibrate();
+  waitBeforeStart();
   lastStep = micros();
 }
 

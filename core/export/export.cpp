@@ -89,13 +89,14 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
     if (!plan) return plan.error();
     switch (target) {
         case Target::c:
-            return std::vector<ExportedFile>{{"brain.h", c_header(*plan)}};
+            return std::vector<ExportedFile>{{"brain.h", c_header(*plan)}, {"README.md", c_readme(*plan)}};
         case Target::arduino:
             if (const auto refusal = check_arduino(*plan)) return *refusal;
             return arduino_files(*plan);
         case Target::thymio:
             if (const auto refusal = thymio::refusal(*plan)) return *refusal;
-            return std::vector<ExportedFile>{{"brain.aesl", thymio::program(*plan)}};
+            return std::vector<ExportedFile>{{"brain.aesl", thymio::program(*plan)},
+                                             {"README.md", thymio::readme(*plan)}};
         case Target::micropython:
             return micropython_files(*plan, robot);
         case Target::opamp:

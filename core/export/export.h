@@ -20,5 +20,6 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport&, Target, con
 
 // One target's file or files. Precondition: the plan is made for the robot's rate.
 std::string c_header(const Plan&);
+std::string c_readme(const Plan&);
 
 }  // namespace braitenlab::robots

@@ -20,4 +20,7 @@ std::optional<Error> refusal(const Plan&);
 // brain.aesl. Precondition: refusal() is nullopt.
 std::string program(const Plan&);
 
+// README.md. The same precondition.
+std::string readme(const Plan&);
+
 }  // namespace braitenlab::robots::thymio

@@ -40,6 +40,11 @@ std::string lab_record_name(const std::string& exercise, const std::string& stud
 // True for the name of a hand-in file.
 inline bool is_hand_in(std::string_view file_name) { return file_name.ends_with(hand_in_ending); }
 
+// True for a hand-in by its name, or by its text if it was renamed.
+inline bool holds_hand_in(std::string_view file_name, std::string_view toml) {
+    return is_hand_in(file_name) || toml.find("\n[submission") != std::string_view::npos;
+}
+
 // parse_hand_in(write_hand_in(h)) == h, except that a four-neuron brain loses the order of its nodes and wires, and
 // texts above their limits are cut between two characters.
 std::string write_hand_in(HandIn);

@@ -128,6 +128,24 @@ TEST(ArduinoInSimavr, UsesTheCalibratedRanges) {
     EXPECT_GT(found.largest, 100);
 }
 
+TEST(ArduinoInSimavr, StandsForThreeSecondsAfterPowerOn) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const auto files = exported({"", make_graph({.LM = 1, .RM = 1}), {}});
+    ASSERT_TRUE(files && simulator.compile(*files));
+    const Ran ran = simulator.run(0, eeprom({}, 0) + "\n", "wait");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    std::istringstream rows(ran.out);
+    std::vector<int> standing(40);
+    for (int& stands : standing) {
+        int left = 1, right = 1;
+        rows >> left >> right;
+        stands = left == 0 && right == 0;
+    }
+    EXPECT_EQ(std::count(standing.begin(), standing.begin() + 29, 1), 29) << "it moves before 2.9 s";
+    EXPECT_EQ(std::count(standing.begin() + 32, standing.end(), 1), 0) << "it does not move after 3.2 s";
+}
+
 int byte_at(const std::string& hexadecimal, std::size_t index) {
     return std::stoi(hexadecimal.substr(2 * index, 2), nullptr, 16);
 }

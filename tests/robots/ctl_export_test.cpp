@@ -1,4 +1,6 @@
 // braitenctl export and think: files, exit codes and messages.
+#include "core/brain/four_neurons.h"
+#include "core/lesson/hand_in.h"
 #include "tests/robots/exported.h"
 
 namespace braitenlab::tests::ctl_export_test {
@@ -61,6 +63,56 @@ TEST(CtlExport, TakesTheBrainOfAKindAPresetAndABrainFile) {
     EXPECT_NE(header(scene + " --vehicle b").find("0.875f"), std::string::npos);  // a brain of its own
     put_text(folder / "mine.toml", "format = 1\n[brain]\nLL = 0.75\n");
     EXPECT_NE(header((folder / "mine.toml").string()).find("0.75f"), std::string::npos);
+}
+
+TEST(CtlExport, TakesTheBrainOfAHandIn) {
+    const Folder folder;
+    HandIn made{.student = "Ana", .exercise = "05-aggressor"};
+    made.submission.brain = make_graph({.LR = 0.625f, .RL = 0.625f});
+    made.submission.sensors = {Sensor{.name = "SL"}, Sensor{.name = "SR"}};
+    const std::string file = (folder / "05-aggressor-ana.braiten-handin.toml").string();
+    put_text(file, write_hand_in(made));
+    const Ran ran = ctl("export " + file + " --to arduino --out " + (folder / "robot").string());
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_NE(text_of(folder / "robot" / "braitenberg" / "brain.h").find("0.625f"), std::string::npos);
+    EXPECT_NE(text_of(folder / "robot" / "README.md").find("\"05-aggressor-ana, hand-in of Ana\""), std::string::npos);
+}
+
+TEST(CtlExport, WritesIntoAFolderOfOtherFilesOnlyByForce) {
+    const Folder folder;
+    put_text(folder / "README.md", "my notes");
+    const std::string out = "export 3a-love --to c --out " + folder.path.string();
+    const Ran refused = ctl(out);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.out.find("holds other files than those of an export"), std::string::npos) << refused.out;
+    EXPECT_EQ(text_of(folder / "README.md"), "my notes");
+    EXPECT_FALSE(fs::exists(folder / "brain.h"));
+    EXPECT_EQ(ctl(out + " --force").code, 0);
+    EXPECT_NE(text_of(folder / "README.md"), "my notes");
+    EXPECT_EQ(ctl("export 2a-coward --to c --out " + folder.path.string()).code, 0) << "an earlier export is replaced";
+}
+
+TEST(CtlExport, AMissingTargetIsAnsweredWithAllTargets) {
+    const Ran ran = ctl("export 3a-love --out x");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(ran.out, "braitenctl: --to: is missing; give one of c, arduino, thymio, micropython, opamp\n");
+}
+
+TEST(CtlExport, TheReadmeOfCAndOfAThymioNamesEverySensor) {
+    const Folder folder;
+    const std::string out = (folder / "c").string();
+    ASSERT_EQ(ctl("export 2a-coward --to c --out " + out).code, 0);
+    const std::string in_c = text_of(fs::path(out) / "README.md");
+    EXPECT_NE(in_c.find("| SL | `sensor_SL` | light |"), std::string::npos) << in_c;
+    EXPECT_NE(in_c.find("brain.sensor_SR = ...;"), std::string::npos) << in_c;
+    EXPECT_NE(in_c.find("60 times per second"), std::string::npos);
+    ASSERT_EQ(ctl("export 2a-coward --to thymio --out " + (folder / "t").string()).code, 0);
+    const std::string thymio = text_of(folder / "t" / "README.md");
+    EXPECT_NE(thymio.find("| SL | the two on the left | 1000, nothing | 4300, a hand close to it |"), std::string::npos)
+        << thymio;
+    EXPECT_NE(thymio.find("| SR | the two on the right |"), std::string::npos);
+    for (const std::string& text : {in_c, thymio})
+        EXPECT_EQ(text.find('@'), std::string::npos) << "a key is not filled";
 }
 
 TEST(CtlThink, WritesVectorsAtTheRateOfTheRobot) {

@@ -3,11 +3,13 @@
  *     simavr_run FIRMWARE.elf INPUTS RESULTS < lines
  *
  * The lines: one of EEPROM bytes in hexadecimal ("-": erased), then one per step with the ADC counts of A0, A1, …
- * Writes to the file RESULTS per step the PWM of the left and of the right wheel, −255 to 255. A step begins with the conversion of A0;
+ * Presses the button, which starts the sketch. Writes to the file RESULTS per step the PWM of the left and of the right wheel, −255 to 255. A step begins with the conversion of A0;
  * without inputs there is one step after 0.2 s.
  *
  * With a fourth argument "calibrate", instead: the steps are "press" or "wait MILLISECONDS" or "adc CHANNEL COUNT".
  * Writes the bytes of the EEPROM at the end.
+ *
+ * With a fourth argument "wait": writes the wheels 40 times, each 0.1 s, without a press of the button.
  *
  * With a fourth argument "live": a line is read when a step begins, after the wheels of the step before are written.
  * Ends with the lines.
@@ -83,6 +85,15 @@ static int run_for(double seconds) {
     return 1;
 }
 
+/* Presses the button once the sketch waits for its start: after its first 0.1 s, in which a pressed button calibrates. */
+static int start(void) {
+    if (!run_for(0.1)) return 0;
+    press(1);
+    if (!run_for(0.06)) return 0;
+    press(0);
+    return 1;
+}
+
 static void read_eeprom(uint8_t *bytes) {
     avr_eeprom_desc_t desc = {.ee = bytes, .offset = 0, .size = eeprom_bytes};
     avr_ioctl(avr, AVR_IOCTL_EEPROM_GET, &desc);
@@ -134,7 +145,15 @@ int main(int argc, char **argv) {
         avr_ioctl(avr, AVR_IOCTL_EEPROM_SET, &desc);
     }
     if (argc > 4 && strcmp(argv[4], "calibrate") == 0) return calibrate();
+    if (argc > 4 && strcmp(argv[4], "wait") == 0) {
+        for (int i = 0; i < 40; ++i) {
+            if (!run_for(0.1)) return 1;
+            print_wheels();
+        }
+        return 0;
+    }
     live = argc > 4;
+    if (!start()) return 1;
     if (live) {
         avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_OUT_TRIGGER), on_conversion, NULL);
         return !run_for(1e6);
