@@ -19,7 +19,7 @@ on a real Thymio II yet**; please report what you find.
 
 1. Connect the robot by cable or radio and open `brain.aesl` in Aseba Studio (Thymio Suite: *Aseba Studio*).
 2. *Load*, then *Run*. The robot drives at once; the centre button stops it, the forward button starts it again.
-3. *Write the program into Thymio* (menu *Tools*) keeps it without the computer.
+3. To keep the program without the computer, write it into the robot (a command of Aseba Studio's menu *Tools*).
 
 | Sensor of the brain | Sensors of the robot | 0 | 1 |
 |---|---|---|---|
@@ -28,8 +28,7 @@ A Thymio sees obstacles, not lamps: a hand takes the place of the lamp.
 
 There is little to calibrate. Proximity sensors read about 1000 where they begin to see and 4300 near by; a dark or shiny obstacle reads less.
 Ground sensors read up to 1000 on a bright floor: `prox.ground.reflected` in Aseba Studio shows what yours read. Change these numbers under
-`# ---- Eyes ----`. The command 1 is the speed 500, about 0.2 m/s. A robot that does not drive straight is calibrated by its own firmware
-(press left and right while it starts).
+`# ---- Eyes ----`. The command 1 is the speed 500, about 0.2 m/s.
 )";
 
 struct Row {
