@@ -1,6 +1,4 @@
 // The command-line tool: output, files and exit codes.
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -13,42 +11,16 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "core/io/run_file.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
+#include "tests/tools/ctl.h"
 
 namespace braitenlab::tests::braitenctl_test {
 namespace {
 
-using Json = nlohmann::json;
-
-// A file name for this process: tests run in parallel.
-std::string scratch(const std::string& name) {
-    const std::string own = "braitenctl-test-" + std::to_string(getpid()) + "-" + name;
-    return (std::filesystem::temp_directory_path() / own).string();
-}
-
-struct Ran {
-    int code = -1;
-    std::string out;
-};
-Ran shell(const std::string& command) {
-    Ran ran;
-    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
-    char buffer[4096];
-    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
-    ran.code = WEXITSTATUS(pclose(pipe));
-    return ran;
-}
-Ran ctl(const std::string& arguments) { return shell(BRAITENLAB_BINARY "/braitenctl " + arguments); }
-
-std::set<std::string> keys(const Json& object) {
-    std::set<std::string> all;
-    for (const auto& item : object.items()) all.insert(item.key());
-    return all;
-}
+using namespace ctl_runs;
 
 TEST(CtlRun, PrintsJsonOfAFixedShape) {
     const Json run = Json::parse(ctl("run 2b-aggressor --seconds 2 --seed 4 --json").out);
@@ -563,139 +535,6 @@ TEST(CtlGrade, WritesOneRowPerBrain) {
     EXPECT_EQ(with_a_bad_one.code, 2);
     EXPECT_NE(with_a_bad_one.out.find(good + ",yes,"), std::string::npos) << "the other brains are graded";
     for (const auto& file : {good, poor, none, csv}) std::filesystem::remove(file);
-}
-
-TEST(CtlMap, PrintsJsonThatDoesNotDependOnThreads) {
-    const std::string arguments =
-        "map 2b-aggressor --size 6 --x LL=RR=-1:1 --y kind.aggressor.brain.LR=RL=-1:1.5 --json";
-    const Ran one = ctl(arguments + " --threads 1"), two = ctl(arguments + " --threads 3");
-    EXPECT_EQ(one.code, 0);
-    EXPECT_EQ(one.out, two.out);
-    const Json map = Json::parse(one.out);
-    EXPECT_EQ(keys(map), (std::set<std::string>{"scene", "x_path", "y_path", "x", "y", "measure", "cells"}));
-    EXPECT_EQ(map["measure"], "kind");
-    ASSERT_EQ(map["x"].size(), 6u);
-    EXPECT_EQ(map["x"][0], -1.0);
-    EXPECT_EQ(map["y"][5], 1.5);
-    ASSERT_EQ(map["cells"].size(), 6u);
-    EXPECT_EQ(map["cells"][5][2], "touches");  // crossed wires
-    EXPECT_EQ(map["cells"][0][5], "flees");    // straight wires
-}
-
-TEST(CtlMap, HasNumbersNullsAndShares) {
-    const Json map = Json::parse(ctl("map 2b-aggressor --size 4 --measure touch --seeds 3 --json").out);
-    EXPECT_TRUE(map["cells"][0][3].is_null());
-    EXPECT_GT(map["cells"][3][2].get<double>(), 1);
-    EXPECT_LE(map["agree"][0][0].get<double>(), 1);
-}
-
-TEST(CtlMap, WritesATableAndAPicture) {
-    const std::string csv = scratch("map.csv"), png = scratch("map.png");
-    EXPECT_EQ(ctl("map 2b-aggressor --size 4 --csv " + csv + " --png " + png).code, 0);
-    std::ifstream table(csv), picture(png, std::ios::binary);
-    std::string line;
-    std::getline(table, line);
-    EXPECT_EQ(line, "LL=RR,LR=RL,kind,agree,closest_m,final_m,touch_s,captures,survival_s");
-    int rows = 0;
-    while (std::getline(table, line)) ++rows;
-    EXPECT_EQ(rows, 16);
-    char head[8] = {};
-    picture.read(head, sizeof head);
-    EXPECT_EQ(std::string(head, 8), "\x89PNG\r\n\x1a\n");
-    std::filesystem::remove(csv), std::filesystem::remove(png);
-}
-
-TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
-    const std::string svg = scratch("map.svg");
-    const Ran kinds = ctl("map 2b-aggressor --size 8 --seconds 5 --seeds 2 --lang de --svg " + svg);
-    EXPECT_EQ(kinds.code, 0) << kinds.out;
-    EXPECT_EQ(kinds.out, "") << "the file has the map";
-    std::string text = shell("cat " + svg).out;
-    for (const char* part : {">LR=RL</text>", ">LL=RR</text>", ">−1</text>", ">Verhalten</text>", "<title>"})
-        EXPECT_NE(text.find(part), std::string::npos) << part;
-    EXPECT_NE(text.find("2 Läufe von 5 s mit den Startwerten 1 bis 2"), std::string::npos);
-    EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
-    ASSERT_EQ(ctl("map 2b-aggressor --size 8 --seconds 5 --measure touch --svg " + svg).code, 0);
-    text = shell("cat " + svg).out;
-    EXPECT_NE(text.find(">time to touch (s)</text>"), std::string::npos);
-    EXPECT_NE(text.find(">never</text>"), std::string::npos);
-    std::filesystem::remove(svg);
-}
-
-TEST(Braitenctl, RefusesAFileNameOfAnotherFormat) {
-    for (const char* arguments : {"map 2b-aggressor --png x.svg", "map 2b-aggressor --svg x.png",
-                                  "picture 3a-love --paths x.png", "picture 3a-love --wiring x.pdf"}) {
-        const Ran ran = ctl(arguments);
-        EXPECT_EQ(ran.code, 2) << arguments;
-        EXPECT_NE(ran.out.find(" writes a file ."), std::string::npos) << ran.out;
-    }
-    EXPECT_EQ(ctl("picture 3a-love --wiring x.pdf").out,
-              "braitenctl: x.pdf: --wiring writes a file .svg; end its name "
-              "with it\n");
-}
-
-TEST(CtlMap, SaysWhatIsWrongWithAnArgument) {
-    const auto fails = [](const std::string& arguments, const std::string& words) {
-        const Ran ran = ctl("map 2b-aggressor " + arguments);
-        EXPECT_EQ(ran.code, 2) << arguments;
-        EXPECT_NE(ran.out.find(words), std::string::npos) << ran.out;
-    };
-    fails("--x LL=1", "an axis is PATH=A:B");
-    fails("--x LX=0:1", "the nearest is 'LL'");
-    fails("--x LL=-3:3", "from -2 to 2");
-    fails("--x arena.gripp=0:1", "the nearest is 'arena.grip'");
-    fails("--y LL=0:1", "both axes");
-    fails("--measure kinds", "the nearest is 'kind'");
-    fails("--size 1", "2 to 128");
-    EXPECT_EQ(ctl("map 05-aggressor").code, 2);
-}
-
-TEST(CtlStudy, PrintsMediansAndATableThatDoesNotDependOnThreads) {
-    const std::string file = scratch("study.toml"), csv = scratch("study.csv");
-    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nseconds = 10\nseeds = 3\n"
-                           "measures = [\"touch\", \"contacts\"]\n[[value]]\nname = \"weight\"\n"
-                           "paths = [\"kind.aggressor.brain.LR\", \"kind.aggressor.brain.RL\"]\nlevels = [0, 1]\n";
-    const Ran one = ctl("study " + file + " --csv - --threads 1"), two = ctl("study " + file + " --csv - --threads 3");
-    EXPECT_EQ(one.code, 0);
-    EXPECT_EQ(one.out, two.out);
-    EXPECT_EQ(one.out.substr(0, one.out.find('\n')), "run,seed,weight,touch_s,contacts");
-    const Json summary = Json::parse(ctl("study " + file + " --json --csv " + csv).out);
-    EXPECT_EQ(summary["runs"], 6);
-    ASSERT_EQ(summary["results"].size(), 4u);
-    EXPECT_TRUE(summary["results"][0]["median"].is_null());  // no wires: never
-    EXPECT_GT(summary["results"][2]["median"].get<double>(), 1);
-    EXPECT_EQ(summary["results"][2]["paired"]["below"], 3);
-    std::ifstream table(csv);
-    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(table), {}), one.out);
-    EXPECT_EQ(summary["results"][0]["present"], 0);
-    EXPECT_EQ(summary["results"][2]["present"], 3);
-    const std::string text = ctl("study " + file).out;
-    EXPECT_TRUE(std::regex_search(text, std::regex("touch \\(s\\) +of 3 +median"))) << text;
-    EXPECT_TRUE(std::regex_search(text, std::regex("weight 0 +0 +never"))) << text;
-    EXPECT_TRUE(std::regex_search(text, std::regex("weight 1 +3 .+ – +0 +3\n"))) << "no pair of numbers\n" << text;
-    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
-    std::filesystem::remove(file), std::filesystem::remove(csv);
-}
-
-TEST(CtlStudy, NamesTheNearestStudyAndTheLineOfAnError) {
-    EXPECT_NE(ctl("study prey-eye").out.find("'prey-eyes'"), std::string::npos);
-    const std::string file = scratch("bad-study.toml");
-    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"tuch\"]\n[[value]]\n"
-                           "name = \"m\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";
-    const Ran ran = ctl("study " + file);
-    EXPECT_EQ(ran.code, 2);
-    EXPECT_NE(ran.out.find("bad-study.toml:4: there is no measure 'tuch'; the nearest is 'touch'"), std::string::npos);
-    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[[value]]\n"
-                           "name = \"m\"\npaths = [\"arena.grip\",\n\"arena.gripp\"]\nlevels = [1]\n";
-    const std::string path = ctl("study " + file).out;
-    EXPECT_NE(path.find("bad-study.toml:8: no such value 'arena.gripp'; the nearest is 'arena.grip'"),
-              std::string::npos)
-        << path;
-    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[value]\n"
-                           "name = \"m\"\n";
-    const std::string single = ctl("study " + file).out;
-    EXPECT_NE(single.find("bad-study.toml:5: write [[value]] instead of [value]"), std::string::npos) << single;
-    std::filesystem::remove(file);
 }
 
 TEST(Braitenctl, NamesExercisesAndStudiesWhereTheyAreWanted) {

@@ -1,0 +1,102 @@
+// braitenctl map: output, files and messages.
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/ctl.h"
+
+namespace braitenlab::tests::ctl_map_test {
+namespace {
+
+using namespace ctl_runs;
+
+TEST(CtlMap, PrintsJsonThatDoesNotDependOnThreads) {
+    const std::string arguments =
+        "map 2b-aggressor --size 6 --x LL=RR=-1:1 --y kind.aggressor.brain.LR=RL=-1:1.5 --json";
+    const Ran one = ctl(arguments + " --threads 1"), two = ctl(arguments + " --threads 3");
+    EXPECT_EQ(one.code, 0);
+    EXPECT_EQ(one.out, two.out);
+    const Json map = Json::parse(one.out);
+    EXPECT_EQ(keys(map), (std::set<std::string>{"scene", "x_path", "y_path", "x", "y", "measure", "cells"}));
+    EXPECT_EQ(map["measure"], "kind");
+    ASSERT_EQ(map["x"].size(), 6u);
+    EXPECT_EQ(map["x"][0], -1.0);
+    EXPECT_EQ(map["y"][5], 1.5);
+    ASSERT_EQ(map["cells"].size(), 6u);
+    EXPECT_EQ(map["cells"][5][2], "touches");  // crossed wires
+    EXPECT_EQ(map["cells"][0][5], "flees");    // straight wires
+}
+
+TEST(CtlMap, HasNumbersNullsAndShares) {
+    const Json map = Json::parse(ctl("map 2b-aggressor --size 4 --measure touch --seeds 3 --json").out);
+    EXPECT_TRUE(map["cells"][0][3].is_null());
+    EXPECT_GT(map["cells"][3][2].get<double>(), 1);
+    EXPECT_LE(map["agree"][0][0].get<double>(), 1);
+}
+
+TEST(CtlMap, WritesATableAndAPicture) {
+    const std::string csv = scratch("map.csv"), png = scratch("map.png");
+    EXPECT_EQ(ctl("map 2b-aggressor --size 4 --csv " + csv + " --png " + png).code, 0);
+    std::ifstream table(csv), picture(png, std::ios::binary);
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "LL=RR,LR=RL,kind,agree,closest_m,final_m,touch_s,captures,survival_s");
+    int rows = 0;
+    while (std::getline(table, line)) ++rows;
+    EXPECT_EQ(rows, 16);
+    char head[8] = {};
+    picture.read(head, sizeof head);
+    EXPECT_EQ(std::string(head, 8), "\x89PNG\r\n\x1a\n");
+    std::filesystem::remove(csv), std::filesystem::remove(png);
+}
+
+TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
+    const std::string svg = scratch("map.svg");
+    const Ran kinds = ctl("map 2b-aggressor --size 8 --seconds 5 --seeds 2 --lang de --svg " + svg);
+    EXPECT_EQ(kinds.code, 0) << kinds.out;
+    EXPECT_EQ(kinds.out, "") << "the file has the map";
+    std::string text = shell("cat " + svg).out;
+    for (const char* part : {">LR=RL</text>", ">LL=RR</text>", ">−1</text>", ">Verhalten</text>", "<title>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_NE(text.find("2 Läufe von 5 s mit den Startwerten 1 bis 2"), std::string::npos);
+    EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
+    ASSERT_EQ(ctl("map 2b-aggressor --size 8 --seconds 5 --measure touch --svg " + svg).code, 0);
+    text = shell("cat " + svg).out;
+    EXPECT_NE(text.find(">time to touch (s)</text>"), std::string::npos);
+    EXPECT_NE(text.find(">never</text>"), std::string::npos);
+    std::filesystem::remove(svg);
+}
+
+TEST(Braitenctl, RefusesAFileNameOfAnotherFormat) {
+    for (const char* arguments : {"map 2b-aggressor --png x.svg", "map 2b-aggressor --svg x.png",
+                                  "picture 3a-love --paths x.png", "picture 3a-love --wiring x.pdf"}) {
+        const Ran ran = ctl(arguments);
+        EXPECT_EQ(ran.code, 2) << arguments;
+        EXPECT_NE(ran.out.find(" writes a file ."), std::string::npos) << ran.out;
+    }
+    EXPECT_EQ(ctl("picture 3a-love --wiring x.pdf").out,
+              "braitenctl: x.pdf: --wiring writes a file .svg; end its name "
+              "with it\n");
+}
+
+TEST(CtlMap, SaysWhatIsWrongWithAnArgument) {
+    const auto fails = [](const std::string& arguments, const std::string& words) {
+        const Ran ran = ctl("map 2b-aggressor " + arguments);
+        EXPECT_EQ(ran.code, 2) << arguments;
+        EXPECT_NE(ran.out.find(words), std::string::npos) << ran.out;
+    };
+    fails("--x LL=1", "an axis is PATH=A:B");
+    fails("--x LX=0:1", "the nearest is 'LL'");
+    fails("--x LL=-3:3", "from -2 to 2");
+    fails("--x arena.gripp=0:1", "the nearest is 'arena.grip'");
+    fails("--y LL=0:1", "both axes");
+    fails("--measure kinds", "the nearest is 'kind'");
+    fails("--size 1", "2 to 128");
+    EXPECT_EQ(ctl("map 05-aggressor").code, 2);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::ctl_map_test

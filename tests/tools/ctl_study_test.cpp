@@ -1,0 +1,66 @@
+// braitenctl study: output, tables and messages.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/ctl.h"
+
+namespace braitenlab::tests::ctl_study_test {
+namespace {
+
+using namespace ctl_runs;
+
+TEST(CtlStudy, PrintsMediansAndATableThatDoesNotDependOnThreads) {
+    const std::string file = scratch("study.toml"), csv = scratch("study.csv");
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nseconds = 10\nseeds = 3\n"
+                           "measures = [\"touch\", \"contacts\"]\n[[value]]\nname = \"weight\"\n"
+                           "paths = [\"kind.aggressor.brain.LR\", \"kind.aggressor.brain.RL\"]\nlevels = [0, 1]\n";
+    const Ran one = ctl("study " + file + " --csv - --threads 1"), two = ctl("study " + file + " --csv - --threads 3");
+    EXPECT_EQ(one.code, 0);
+    EXPECT_EQ(one.out, two.out);
+    EXPECT_EQ(one.out.substr(0, one.out.find('\n')), "run,seed,weight,touch_s,contacts");
+    const Json summary = Json::parse(ctl("study " + file + " --json --csv " + csv).out);
+    EXPECT_EQ(summary["runs"], 6);
+    ASSERT_EQ(summary["results"].size(), 4u);
+    EXPECT_TRUE(summary["results"][0]["median"].is_null());  // no wires: never
+    EXPECT_GT(summary["results"][2]["median"].get<double>(), 1);
+    EXPECT_EQ(summary["results"][2]["paired"]["below"], 3);
+    std::ifstream table(csv);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(table), {}), one.out);
+    EXPECT_EQ(summary["results"][0]["present"], 0);
+    EXPECT_EQ(summary["results"][2]["present"], 3);
+    const std::string text = ctl("study " + file).out;
+    EXPECT_TRUE(std::regex_search(text, std::regex("touch \\(s\\) +of 3 +median"))) << text;
+    EXPECT_TRUE(std::regex_search(text, std::regex("weight 0 +0 +never"))) << text;
+    EXPECT_TRUE(std::regex_search(text, std::regex("weight 1 +3 .+ – +0 +3\n"))) << "no pair of numbers\n" << text;
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    std::filesystem::remove(file), std::filesystem::remove(csv);
+}
+
+TEST(CtlStudy, NamesTheNearestStudyAndTheLineOfAnError) {
+    EXPECT_NE(ctl("study prey-eye").out.find("'prey-eyes'"), std::string::npos);
+    const std::string file = scratch("bad-study.toml");
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"tuch\"]\n[[value]]\n"
+                           "name = \"m\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";
+    const Ran ran = ctl("study " + file);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("bad-study.toml:4: there is no measure 'tuch'; the nearest is 'touch'"), std::string::npos);
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[[value]]\n"
+                           "name = \"m\"\npaths = [\"arena.grip\",\n\"arena.gripp\"]\nlevels = [1]\n";
+    const std::string path = ctl("study " + file).out;
+    EXPECT_NE(path.find("bad-study.toml:8: no such value 'arena.gripp'; the nearest is 'arena.grip'"),
+              std::string::npos)
+        << path;
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"touch\"]\n[value]\n"
+                           "name = \"m\"\n";
+    const std::string single = ctl("study " + file).out;
+    EXPECT_NE(single.find("bad-study.toml:5: write [[value]] instead of [value]"), std::string::npos) << single;
+    std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::ctl_study_test
