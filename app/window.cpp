@@ -15,8 +15,9 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include "ui/double_click.h"
+#include "core/maths/vec.h"
 #include "ui/imgui_compat.h"
+#include "ui/mouse_queue.h"
 
 namespace braitenlab {
 
@@ -35,6 +36,8 @@ Error no_window() {
                     last_error.empty() ? "no reason given" : last_error)};
 }
 
+maths::vec2 pixels_of(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+
 // The character a key types on this keyboard layout without Shift, in upper case; other keys by GLFW's number.
 int key_of(int glfw_key, int scancode) {
     if (glfw_key == GLFW_KEY_SPACE) return ' ';
@@ -49,8 +52,7 @@ int key_of(int glfw_key, int scancode) {
 struct Window::Native {
     GLFWwindow* window = nullptr;
     ui::KeyQueue keys;
-    ui::DoubleClick clicks;
-    bool double_clicked = false;  // since the last frame
+    ui::MouseQueue mouse;
     std::vector<std::string> dropped;
     int windowed[4] = {0, 0, 0, 0};  // position and size before full screen
     // Position of the window when Alt was pressed; nullopt: it is not held, or another key has been pressed since.
@@ -87,20 +89,39 @@ struct Window::Native {
             keys.press({braitenlab::key::alt}, false);
     }
 
-    void install_button_callback() {
+    // Replace Dear ImGui's callbacks, unless its version has a queue: it gets the mouse from MouseQueue.
+    void install_mouse_callbacks() {
+        if constexpr (compat::keeps_an_event_queue) return;
+        glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).mouse.move(pixels_of(x, y)); });
+        glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+            if (!entered && !of(w).mouse.any_down()) of(w).mouse.leave();
+        });
+        glfwSetScrollCallback(window,
+                              [](GLFWwindow* w, double x, double y) { of(w).mouse.turn_wheel(pixels_of(x, y)); });
         glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
-            ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
-            if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS) return;
+            if (button < GLFW_MOUSE_BUTTON_LEFT || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+            ui::MouseQueue& queue = of(w).mouse;
+            if (action == GLFW_PRESS) {
+                return queue.press(
+                    button, glfwGetTime(),
+                    {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0});
+            }
+            queue.release(button);
+            // A drag that ended outside: the pointer has left the window during it.
+            if (!queue.any_down() && !glfwGetWindowAttrib(w, GLFW_HOVERED)) queue.leave();
+        });
+        // The window moves under a pointer at rest: the pointer's position in it changes without an event.
+        glfwSetWindowPosCallback(window, [](GLFWwindow* w, int, int) {
             double x = 0, y = 0;
             glfwGetCursorPos(w, &x, &y);
-            of(w).double_clicked |= of(w).clicks.press(glfwGetTime(), x, y);
+            if (glfwGetWindowAttrib(w, GLFW_HOVERED)) of(w).mouse.move(pixels_of(x, y));
         });
     }
 
-    // Replaces Dear ImGui's callbacks: it gets keys from KeyQueue, unless its version has a queue.
+    // Replace Dear ImGui's callbacks: it gets keys from KeyQueue, unless its version has a queue.
     void install_key_callbacks() {
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-            if constexpr (compat::keeps_a_key_queue) ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
+            if constexpr (compat::keeps_an_event_queue) ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
             of(w).follow_alt(key, action);
             if (key == GLFW_KEY_LEFT_ALT) return;
             if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
@@ -108,7 +129,7 @@ struct Window::Native {
             of(w).keys.press({key_of(key, scancode), ctrl, shift}, action == GLFW_REPEAT);
         });
         glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-            if constexpr (compat::keeps_a_key_queue) ImGui_ImplGlfw_CharCallback(w, character);
+            if constexpr (compat::keeps_an_event_queue) ImGui_ImplGlfw_CharCallback(w, character);
             of(w).keys.type(character);
         });
     }
@@ -216,7 +237,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     ImGui_ImplOpenGL3_Init("#version 330 core");
     native->imgui = true;
     native->install_key_callbacks();
-    native->install_button_callback();
+    native->install_mouse_callbacks();
     return Window(std::move(native));
 }
 
@@ -312,19 +333,20 @@ bool Window::holds(int glfw_key) const { return glfwGetKey(native_->window, glfw
 void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
     if (native_->canvas) {
-        ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {area().w, area().h};
         io.DisplayFramebufferScale = {1, 1};
-        io.MousePos = {-FLT_MAX, -FLT_MAX};
     }
+    const ui::MouseOfAFrame mouse = native_->canvas ? native_->mouse.outside() : native_->mouse.take();
+    ui::hand_over(mouse, io);
     const auto either = [this](int left, int right) { return holds(left) || holds(right); };
-    ui::hand_over(keys,
-                  {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
-                   either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)},
-                  ImGui::GetIO());
+    const ui::Modifiers held{either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                             either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                             either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+    ui::hand_over(keys, mouse.modifiers.value_or(held), io);
     ImGui::NewFrame();
-    if (std::exchange(native_->double_clicked, false)) compat::set_double_clicked(ImGui::GetIO());
+    ui::hand_over_double_click(mouse, io);
 }
 
 void Window::end_frame() {

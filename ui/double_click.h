@@ -1,5 +1,5 @@
-// Double clicks by the time of the presses. Dear ImGui 1.86 sees the buttons once a frame: it misses a double click
-// that falls into one frame, and it measures the time between two presses by frames.
+// Double clicks by the time of the presses. Dear ImGui 1.86 sees the buttons once a frame and measures the time between
+// two presses by frames.
 #pragma once
 
 #include <cmath>

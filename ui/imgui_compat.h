@@ -77,7 +77,7 @@ inline void polyline(ImDrawList& draw, const ImVec2* points, int count, ImU32 co
 }
 
 // True when Dear ImGui has its own event queue.
-inline constexpr bool keeps_a_key_queue = IMGUI_VERSION_NUM >= 18700;
+inline constexpr bool keeps_an_event_queue = IMGUI_VERSION_NUM >= 18700;
 
 // Sets the only key that is down in the next frame, −1: none. Numbers as in io.KeyMap.
 inline void set_keys(ImGuiIO& io, int down, bool ctrl, bool shift, bool alt) {

@@ -89,7 +89,7 @@ KeysOfAFrame KeyQueue::take_shortcuts() {
 }
 
 void hand_over(const KeysOfAFrame& frame, Modifiers held, ImGuiIO& io) {
-    if constexpr (compat::keeps_a_key_queue) return;
+    if constexpr (compat::keeps_an_event_queue) return;
     if (frame.stroke) held = {frame.stroke->ctrl, frame.stroke->shift, false};
     if (!frame.characters.empty()) held = {};  // Dear ImGui reads characters with Ctrl as a shortcut
     compat::set_keys(io, frame.stroke ? frame.stroke->key : -1, held.ctrl, held.shift, held.alt);

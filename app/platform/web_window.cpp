@@ -1,7 +1,5 @@
 // The window in a browser: a canvas that fills the page, with WebGL 2. A window pixel is a pixel of the display.
 #include <algorithm>
-#include <array>
-#include <cfloat>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -19,8 +17,7 @@
 #include "app/platform/web_pacing.h"
 #include "app/platform/web_touch.h"
 #include "app/window.h"
-#include "ui/double_click.h"
-#include "ui/imgui_compat.h"
+#include "ui/mouse_queue.h"
 
 // clang-format off
 EM_JS(void, set_page_cursor, (const char* name), { Module.canvas.style.cursor = UTF8ToString(name); });
@@ -49,8 +46,6 @@ constexpr const char* canvas = "#canvas";
 // Of the only window; null while there is none.
 ui::KeyQueue* open_keys = nullptr;
 std::vector<std::string>* open_drops = nullptr;
-
-constexpr int buttons = 3;  // left, right, middle: Dear ImGui's numbers
 
 // A button of the browser as Dear ImGui numbers it.
 int button_of(unsigned short browser_button) { return browser_button == 1 ? 2 : browser_button == 2 ? 1 : 0; }
@@ -89,13 +84,10 @@ Error no_graphics() {
 struct Window::Native {
     EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
     ui::KeyQueue keys;
-    ui::DoubleClick clicks;
-    bool double_clicked = false;  // since the last frame
+    ui::MouseQueue mouse;
     std::vector<std::string> dropped;
     web::HeldKeys held;
     web::Touches touches;
-    std::array<bool, buttons> down{}, pressed{};  // now; since the last frame
-    ImVec2 pointer{-FLT_MAX, -FLT_MAX}, wheel{};
     double last_frame = 0;  // ms
     float twist = 0;        // rad, since take_twist()
     bool touched = false;   // the last pointer was a finger
@@ -121,7 +113,8 @@ struct Window::Native {
 
     void fit_page() const;
     void place_pointer(double x, double y);
-    void press_button(int button, double x, double y);
+    void press_button(int button);
+    void follow_fingers();
     void listen_to_mouse();
     void listen_to_keys();
     void listen_to_touch();
@@ -144,47 +137,55 @@ void Window::Native::fit_page() const {
 // x, y: pixels of the page.
 void Window::Native::place_pointer(double x, double y) {
     const double scale = emscripten_get_device_pixel_ratio();
-    pointer = {static_cast<float>(x * scale), static_cast<float>(y * scale)};
+    mouse.move({static_cast<float>(x * scale), static_cast<float>(y * scale)});
 }
 
-void Window::Native::press_button(int button, double x, double y) {
-    place_pointer(x, y);
-    const auto b = static_cast<std::size_t>(button);
-    down[b] = pressed[b] = true;
-    if (button == 0) double_clicked |= clicks.press(emscripten_get_now() / 1000, pointer.x, pointer.y);
+void Window::Native::press_button(int button) { mouse.press(button, emscripten_get_now() / 1000, held.modifiers()); }
+
+void Window::Native::follow_fingers() {
+    const auto touch = touches.take();
+    if (!touch) return;
+    constexpr int left = 0, middle = 2;
+    place_pointer(touch->x, touch->y);
+    for (const auto& [button, fingers] : {std::pair(left, 1), std::pair(middle, 2)}) {
+        const bool holds = touch->holds && touch->fingers == fingers;
+        if (holds && !mouse.is_down(button)) press_button(button);
+        if (!holds) mouse.release(button);
+    }
+    if (touch->notches != 0) mouse.turn_wheel({0, touch->notches});
+    twist += touch->twist;
 }
 
 void Window::Native::listen_to_mouse() {
     const auto press = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
         Native& self = of(user);
         self.touched = false;
-        self.press_button(button_of(e->button), e->clientX, e->clientY);
+        self.place_pointer(e->clientX, e->clientY);
+        self.press_button(button_of(e->button));
         return EM_FALSE;  // the canvas gets the focus
     };
     const auto release = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
         Native& self = of(user);
         self.place_pointer(e->clientX, e->clientY);
-        self.down[static_cast<std::size_t>(button_of(e->button))] = false;
+        self.mouse.release(button_of(e->button));
         return EM_FALSE;
     };
     const auto move = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
         Native& self = of(user);
         self.place_pointer(e->clientX, e->clientY);
-        if (e->buttons == 0) self.down = {};  // released outside the browser
+        if (e->buttons == 0) self.mouse.release_all();  // released outside the browser
         self.touched = false;
         return EM_FALSE;
     };
     const auto leave = [](int, const EmscriptenMouseEvent*, void* user) -> EM_BOOL {
         Native& self = of(user);
-        const bool drags = std::any_of(self.down.begin(), self.down.end(), [](bool down) { return down; });
-        if (!drags) self.pointer = {-FLT_MAX, -FLT_MAX};
+        if (!self.mouse.any_down()) self.mouse.leave();
         return EM_FALSE;
     };
     const auto turn_wheel = [](int, const EmscriptenWheelEvent* e, void* user) -> EM_BOOL {
         const double notch = e->deltaMode == DOM_DELTA_PIXEL ? 100 : e->deltaMode == DOM_DELTA_LINE ? 3 : 1;
         Native& self = of(user);
-        self.wheel.x -= static_cast<float>(e->deltaX / notch);
-        self.wheel.y -= static_cast<float>(e->deltaY / notch);
+        self.mouse.turn_wheel({-static_cast<float>(e->deltaX / notch), -static_cast<float>(e->deltaY / notch)});
         return EM_TRUE;
     };
     emscripten_set_mousedown_callback(canvas, this, false, press);
@@ -211,7 +212,8 @@ void Window::Native::listen_to_keys() {
     };
     const auto lose_focus = [](int, const EmscriptenFocusEvent*, void* user) -> EM_BOOL {
         Native& self = of(user);
-        self.held = {}, self.down = {};
+        self.held = {};
+        self.mouse.release_all();
         return EM_FALSE;
     };
     emscripten_set_keydown_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, false, press);
@@ -341,21 +343,13 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     io.DisplaySize = {static_cast<float>(framebuffer_width()), static_cast<float>(framebuffer_height())};
     const double now = emscripten_get_now();
     io.DeltaTime = std::clamp(static_cast<float>((now - std::exchange(self.last_frame, now)) / 1000), 1e-4f, 0.25f);
-    if (const auto touch = self.touches.take()) {
-        if (touch->presses) self.press_button(0, touch->x, touch->y);
-        self.place_pointer(touch->x, touch->y);
-        self.down = {touch->holds && touch->fingers == 1, false, touch->holds && touch->fingers > 1};
-        self.wheel.y += touch->notches;
-        self.twist += touch->twist;
-    }
-    io.MousePos = self.redirected ? ImVec2(-FLT_MAX, -FLT_MAX) : self.pointer;
-    for (std::size_t i = 0; i < buttons; ++i) io.MouseDown[i] = self.down[i] || std::exchange(self.pressed[i], false);
-    const ImVec2 wheel = std::exchange(self.wheel, {});
-    io.MouseWheel += wheel.y, io.MouseWheelH += wheel.x;
-    ui::hand_over(keys, self.held.modifiers(), io);
+    self.follow_fingers();
+    const ui::MouseOfAFrame mouse = self.redirected ? self.mouse.outside() : self.mouse.take();
+    ui::hand_over(mouse, io);
+    ui::hand_over(keys, mouse.modifiers.value_or(self.held.modifiers()), io);
     self.show_cursor();
     ImGui::NewFrame();
-    if (std::exchange(self.double_clicked, false)) compat::set_double_clicked(io);
+    ui::hand_over_double_click(mouse, io);
 }
 
 void Window::end_frame() {

@@ -214,6 +214,17 @@ public:
     }
     void click(Point p) const { move(p), press(), release(); }
     void click(const std::string& anchor) const { click(at(anchor)); }
+    // A click, or a drag, after which the pointer moves on at once, often within one frame.
+    void click_and_leave(Point at, Point then) const {
+        xdotool(fmt::format("mousemove --window {0} {1} {2} mousedown 1 mouseup 1 mousemove --window {0} {3} {4}",
+                            window_, at.x, at.y, then.x, then.y));
+    }
+    void drag_and_leave(Point from, Point to, Point then) const {
+        xdotool(
+            fmt::format("mousemove --window {0} {1} {2} mousedown 1 mousemove --window {0} {3} {4} mouseup 1 "
+                        "mousemove --window {0} {5} {6}",
+                        window_, from.x, from.y, to.x, to.y, then.x, then.y));
+    }
     // Clicks a row of the menu bar: choose("file", "open").
     void choose(const std::string& menu, const std::string& row) const {
         click("menu." + menu);
