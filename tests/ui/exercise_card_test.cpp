@@ -21,6 +21,13 @@ bool says(const Desk& desk, std::string_view words) {
     return all.find(words) != std::string::npos;
 }
 
+// The text of the last frame, or the first line of it; null: it has not been written.
+const Written* written(const Desk& desk, std::string_view words) {
+    for (const Written& each : desk.written)
+        if (each.words.size() > 6 && words.starts_with(each.words)) return &each;
+    return nullptr;
+}
+
 // An exercise that is passed: every step is done, and every start passes.
 void pass(Desk& desk) {
     desk.open_exercise();
@@ -642,6 +649,34 @@ TEST(ExerciseCard, AReachedDistanceOfZeroIsNotOneToGo) {
     desk.frame(3);
     EXPECT_TRUE(says(desk, "0.40\u00a0m to go"));
     EXPECT_FALSE(says(desk, "≤\u00a00.00\u00a0m")) << "the check mark says it";
+}
+
+TEST(ExerciseCard, TitleAndGoalStayInSightAndTheNewestHintIsBelowThemInTheWiringEditor) {
+    for (const char* language : {"en", "de", "es"}) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(language);
+        desk.open_exercise();
+        desk.opened.offers = {"wiring"};
+        desk.lesson.prediction = 1;
+        desk.lesson.has_run = desk.lesson.outcome_known = true;
+        desk.frame(6);
+        for (const Mode mode : {Mode::paused, Mode::wiring}) {
+            desk.view.mode = mode;
+            desk.lesson.hints_shown = 0;
+            desk.frame(6);
+            for (int hint = 1; hint <= 3; ++hint) {
+                desk.lesson.hints_shown = hint;
+                desk.frame(6);
+                const Written* goal = written(desk, desk.opened.goal);
+                const Written* newest = written(desk, desk.opened.hints[static_cast<std::size_t>(hint - 1)].text);
+                ASSERT_TRUE(written(desk, "Aggressor") && goal && newest) << language << hint;
+                EXPECT_TRUE(inside(goal->rect, goal->clip)) << language;
+                EXPECT_TRUE(inside(newest->rect, newest->clip)) << language << ": hint " << hint << " is cut";
+                EXPECT_GE(newest->rect.y, goal->rect.y + goal->rect.h) << language;
+                if (mode == Mode::wiring) EXPECT_LT(newest->rect.y, goal->rect.y + 130) << language;
+            }
+        }
+    }
 }
 
 }  // namespace braitenlab::tests::exercise_card_test

@@ -210,6 +210,8 @@ struct PanelState {
     bool open_presets = false;   // requested by a click on their button while another menu covered it
     bool outcome_seen = false;   // the outcome of the prediction has been scrolled to
     std::size_t hints_seen = 0;  // hints already scrolled to
+    bool hints_first = false;    // they were above the steps in the last frame
+    int hint_scrolls = 0;        // frames for which the card still scrolls to the newest one
     bool grade_seen = false;
     std::string exercise_id;  // of the exercise that the three values above belong to
     std::optional<BeforeLecture> before_lecture;

@@ -14,8 +14,10 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float side_padding = spacing::large, bottom_padding = spacing::medium, above_footer = spacing::small;
+constexpr float side_padding = spacing::large, bottom_padding = spacing::medium, above_footer = spacing::small,
+                below_head = spacing::small;
 constexpr float card_heading = 36;         // layout pixels
+constexpr float unmeasured_head = 200;     // at most, layout pixels
 constexpr float card_scrollbar_inset = 3;  // from the card's edge
 constexpr ImGuiWindowFlags plain_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
@@ -69,7 +71,10 @@ void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::
 float folded_height(const Ui& ui) { return ui.px(card_heading); }
 
 float wanted_height(const Ui& ui, const CardState& state) {
-    return state.folded ? folded_height(ui) : ui.px(card_heading + bottom_padding) + state.content + state.footer;
+    if (state.folded) return folded_height(ui);
+    // Before a body below a head is measured it needs room: Dear ImGui does not lay out what is outside the card.
+    const float head = state.head ? *state.head + (state.content > 0 ? 0 : ui.px(unmeasured_head)) : 0;
+    return ui.px(card_heading + bottom_padding) + head + state.content + state.footer;
 }
 
 void card_ground(const Ui& ui, Rect r, float rounding) {
@@ -85,6 +90,39 @@ void card_ground(const Ui& ui, Rect r, float rounding) {
     draw.PopClipRect();
 }
 
+namespace {
+
+void begin_part(const Ui& ui, const char* name, ImVec2 size, ImGuiWindowFlags flags) {
+    compat::begin_child(name, size, flags);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::BeginGroup();
+}
+
+// Returns its height.
+float end_part() {
+    ImGui::EndGroup();
+    const float height = ImGui::GetItemRectSize().y;
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    return height;
+}
+
+// The scrollbar is in the right padding; it does not move the content.
+float width_of_parts(const Ui& ui, Rect card) { return card.w - ui.px(side_padding) - ui.px(card_scrollbar_inset); }
+
+void begin_body(const Ui& ui, CardState& state, Rect r) {
+    const float top = ui.px(card_heading) + state.head.value_or(0.0f), bottom = ui.px(bottom_padding) + state.footer;
+    ImGui::SetCursorPos({ui.px(side_padding), top});
+    begin_part(ui, "body", {width_of_parts(ui, r), std::max(1.0f, r.h - top - bottom)}, ImGuiWindowFlags_NoNav);
+    if (state.head && ImGui::GetScrollY() > 0)
+        ImGui::GetWindowDrawList()->AddLine({r.x + ui.px(side_padding), r.y + top},
+                                            {r.x + r.w - ui.px(side_padding), r.y + top}, paint(ui.palette.line),
+                                            ui.px(1));
+    state.in_body = true;
+}
+
+}  // namespace
+
 bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r,
                 std::span<HeadingButton> extras) {
     begin_stops(ui.keyboard);
@@ -94,28 +132,26 @@ bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view 
     mark(ui, id, r);
     heading_row(ui, state, heading, r, extras);
     if (state.folded) return false;
-    const float top = ui.px(card_heading), bottom = ui.px(bottom_padding);
-    ImGui::SetCursorPos({ui.px(side_padding), top});
-    // The scrollbar is in the right padding; it does not move the content.
-    compat::begin_child(
-        "body",
-        {r.w - ui.px(side_padding) - ui.px(card_scrollbar_inset), std::max(1.0f, r.h - top - bottom - state.footer)},
-        ImGuiWindowFlags_NoNav);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
-    ImGui::BeginGroup();
-    state.in_body = true;
+    state.in_head = state.head.has_value();
+    if (!state.in_head) return begin_body(ui, state, r), true;
+    ImGui::SetCursorPos({ui.px(side_padding), ui.px(card_heading)});
+    begin_part(ui, "head", {width_of_parts(ui, r), std::max(1.0f, *state.head)},
+               ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     return true;
+}
+
+void end_head(const Ui& ui, CardState& state, Rect r) {
+    state.in_head = false;
+    state.head = end_part() + ui.px(below_head);
+    begin_body(ui, state, r);
 }
 
 namespace {
 
 void end_body(CardState& state) {
     if (!state.in_body) return;
-    ImGui::EndGroup();
-    state.content = ImGui::GetItemRectSize().y;
+    state.content = end_part();
     state.in_body = false;
-    ImGui::PopStyleVar();
-    ImGui::EndChild();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // A card over the scene: a heading that folds the card, and a body that scrolls when the card is too low for it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,8 +13,9 @@ namespace braitenlab::ui {
 struct CardState {
     bool folded = false;
     bool opened_by_user = false;  // stays open when the column is too low for all cards
+    std::optional<float> head;    // height of the part above the body that does not scroll; unset: there is none
     float footer = 0;             // height of the part below the body that does not scroll, window pixels
-    bool in_body = false;
+    bool in_head = false, in_body = false;
     float content = 0;        // height of the body measured in the last frame, window pixels; 0: not yet measured
     std::string id, fold_id;  // anchors of card and heading, stored so that a frame allocates no memory
 };
@@ -32,10 +34,13 @@ struct HeadingButton {
 };
 
 // Begins a card in this rectangle. Anchors: `id` and `id`.fold for its heading. False when it is folded: draw nothing
-// then. Call end_card() in both cases.
+// then. Call end_card() in both cases. With CardState::head set, the head is begun: draw it, then call end_head().
 bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect,
                 std::span<HeadingButton> = {});  // from right to left
 void end_card(CardState&);
+
+// Ends the head, measures its height for the next frame, and begins the body.
+void end_head(const Ui&, CardState&, Rect card);
 
 // Begins the footer, below the part that scrolls. end_footer() measures its height for the next frame; before the first
 // one set CardState::footer to its least height.

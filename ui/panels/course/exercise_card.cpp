@@ -124,27 +124,38 @@ void result(const LabView& view, Ui& ui) {
     gap(ui, 12);
 }
 
-void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
-    const auto& all = lesson.exercise->hints;
-    const auto shown = std::min(static_cast<std::size_t>(std::max(0, lesson.hints_shown)), all.size());
-    for (std::size_t i = 0; i < shown; ++i) {
-        const ImVec2 start = ImGui::GetCursorScreenPos();
-        ImGui::Indent(ui.px(12));
-        paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(i + 1)}), ui.palette.second_text,
-                  Face::small);
-        paragraph_with_terms(ui, state.glossary, translated(ui, all[i].text), ui.palette.text);
-        ImGui::Unindent(ui.px(12));
-        const float height = ImGui::GetCursorScreenPos().y - start.y - ui.px(8);
-        ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
-                                                  paint(ui.palette.accent), ui.px(1.5f));
-    }
+void hint_text(const LessonView& lesson, std::size_t index, PanelState& state, Ui& ui) {
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    ImGui::Indent(ui.px(12));
+    paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(index + 1)}), ui.palette.second_text,
+              Face::small);
+    paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->hints[index].text), ui.palette.text);
+    ImGui::Unindent(ui.px(12));
+    const float height = ImGui::GetCursorScreenPos().y - start.y - ui.px(8);
+    ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
+                                              paint(ui.palette.accent), ui.px(1.5f));
+}
+
+// In the wiring editor the newest is the first, right below the goal, because the card is low there.
+void hints(const LabView& view, PanelState& state, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
+    const std::size_t count = lesson.exercise->hints.size();
+    const auto shown = std::min(static_cast<std::size_t>(std::max(0, lesson.hints_shown)), count);
+    const bool newest_first = view.mode == Mode::wiring;
+    for (std::size_t i = 0; i < shown; ++i) hint_text(lesson, newest_first ? shown - 1 - i : i, state, ui);
     // While the button is not available, how long that lasts.
     if (!lesson.hint_ready && lesson.hint_in > 0 && !has_passed(lesson))
         paragraph(ui,
-                  fill(ui.strings(shown < all.size() ? "exercise.hint_in" : "exercise.show_me_in"),
+                  fill(ui.strings(shown < count ? "exercise.hint_in" : "exercise.show_me_in"),
                        {std::to_string(lesson.hint_in)}),
                   ui.palette.second_text, Face::small);
-    if (std::exchange(state.hints_seen, shown) < shown) ImGui::SetScrollHereY(1);  // scroll to a new hint
+    // Scrolls to a new hint, and to the newest where the order changes; for some frames, because rows around it appear
+    // in the next ones.
+    constexpr int settling = 4;
+    const bool is_new = std::exchange(state.hints_seen, shown) < shown;
+    const bool is_first_now = std::exchange(state.hints_first, newest_first) != newest_first && newest_first;
+    if (is_new || is_first_now) state.hint_scrolls = settling;
+    if (state.hint_scrolls > 0) --state.hint_scrolls, newest_first ? ImGui::SetScrollY(0) : ImGui::SetScrollHereY(1);
 }
 
 // After the last hint: gives the vehicle the solution.
@@ -268,9 +279,19 @@ void why(std::string_view text, PanelState& state, Ui& ui) {
     }
 }
 
-void task(const LabView& view, PanelState& state, Ui& ui) {
-    const LessonView& lesson = *view.lesson;
+void goal(const LessonView& lesson, PanelState& state, Ui& ui) {
     paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->goal), ui.palette.text);
+}
+
+// Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,
+// the goal is below the result and scrolls.
+void head(const LabView& view, PanelState& state, Ui& ui) {
+    if (!hides_outcome(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
+    if (!has_passed(*view.lesson)) goal(*view.lesson, state, ui);
+}
+
+void reason(const LabView& view, PanelState& state, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
     if (!lesson.exercise->why.empty() && !hides_outcome(view) &&
         fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
         why(translated(ui, lesson.exercise->why), state, ui);
@@ -285,29 +306,35 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
     return fill(ui.strings("exercise.heading"), {number_words(view, exercise.number, exercise.id)});
 }
 
-// When the exercise is passed, the result and the steps are at the top. Once the outcome is known, the steps are above
-// it: a change of the brain moves nothing. In a low window the rest scrolls.
+// Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. Once the
+// outcome is known, the steps are above it: a change of the brain moves nothing. In the wiring editor the hints are
+// above the steps, which are judged while the scene plays. In a low window the rest scrolls.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
     follow_exercise(lesson, state);
     CardState& card = state.card(Card::exercise);
     card.footer = std::max(card.footer, ui.px(button_height + 8));
+    if (!card.head) card.head = 0;
     const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(view, ui));
     if (open) {
-        if (!hides_outcome(view)) paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
+        head(view, state, ui);
+        end_head(ui, card, place);
+        const bool hints_first = view.mode == Mode::wiring && !passed;
+        if (hints_first) hints(view, state, ui);
         result(view, ui);
-        if (passed) question(lesson, state, ui), steps(view, ui);
-        task(view, state, ui);
+        if (passed) question(lesson, state, ui), steps(view, ui), goal(lesson, state, ui);
+        reason(view, state, ui);
         if (!hides_outcome(view)) selection_button(view, state, ui);
         const bool steps_first = (rewired || lesson.outcome_known) && !hides_outcome(view);
-        if (!passed && steps_first) steps(view, ui), hints(lesson, state, ui);
+        if (!passed && steps_first) steps(view, ui);
+        if (!passed && steps_first && !hints_first) hints(view, state, ui);
         prediction(view, state, rewired, ui);
         if (!passed && !steps_first) steps(view, ui);
-        if (passed || !steps_first) hints(lesson, state, ui);
+        if ((passed || !steps_first) && !hints_first) hints(view, state, ui);
         kept_button(view, ui);
         note_field(view, state, ui);
-        if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
+        if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0), state.hint_scrolls = 0;
         state.grade_seen = lesson.grade.has_value();
         begin_footer(ui, card, place);
         exercise_buttons(view, state, ui, card_width(ui, place));
