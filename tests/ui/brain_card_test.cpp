@@ -1,6 +1,7 @@
 // The brain card except its sliders: edits of both sides, lesions, and manual driving.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/brain/four_neurons.h"
 #include "core/scene/scene_file.h"
@@ -90,6 +91,22 @@ TEST(BrainCard, KeepsTheSlidersInPlaceWhileTheSentenceChanges) {
 bool writes(const Desk& desk, std::string_view words) {
     return std::any_of(desk.written.begin(), desk.written.end(),
                        [&](const Written& text) { return text.words.find(words) != text.words.npos; });
+}
+
+TEST(BrainCard, KeepsItsControlsInPlaceWhenTheOutcomeIsKnown) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    BrainGraph brain = *desk.now.brains[0];
+    Node& neuron = brain.nodes.emplace_back();  // no character: its parts are told
+    neuron.name = "N", neuron.kind = NodeKind::neuron;
+    desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+    desk.opened.offers = {"wiring"};
+    desk.frame(4);
+    const float before = desk.where("button.open_wiring").y;
+    desk.lesson.prediction = 1;
+    desk.lesson.has_run = true;
+    desk.frame(4);
+    EXPECT_EQ(desk.where("button.open_wiring").y, before);
 }
 
 TEST(BrainCard, CutsTheWireOfTheChosenPairAlsoWithoutThePicture) {

@@ -130,12 +130,22 @@ std::string description(const LabView& view, const Ui& ui, const Recognised& kno
     return all;
 }
 
+// Of a paragraph in the card.
+float height_of_words(const Ui& ui, const std::string& words) {
+    const std::string text = wrapped_at_spaces(ui, Face::label, words, card_width(ui));
+    const auto breaks = std::count(text.begin(), text.end(), '\n');
+    return static_cast<float>(breaks + 1) * line_height(ui, Face::label);
+}
+
 // The description. For a vehicle with several pairs it always takes two lines, so that the sliders below stay where
 // they are while an edit changes the sentence.
+// Before a prediction it takes the same room without words, so that nothing moves once the run has begun.
 void describe_brain(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const std::string words = description(view, ui, state.recognised, vehicle);
+    const bool hides = hides_outcome(view);
     const float top = ImGui::GetCursorPosY(), kept = 2 * line_height(ui, Face::label) + ImGui::GetStyle().ItemSpacing.y;
-    if (!words.empty()) paragraph(ui, words, ui.palette.second_text, Face::label);
+    if (!words.empty() && !hides) paragraph(ui, words, ui.palette.second_text, Face::label);
+    if (!words.empty() && hides) ImGui::Dummy({1, height_of_words(ui, words)});
     const float used = ImGui::GetCursorPosY() - top;
     if (sensor_pairs(kind_of(*view.now, vehicle)).size() < 2 || used >= kept) return;
     ImGui::SetCursorPosY(top + kept);
@@ -361,8 +371,9 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
         title_row(view, state, ui, *vehicle);
-        const bool tells = !hides_outcome(view) && !(offers_some(view) && brain_of(*view.now, *vehicle)->wires.empty());
-        if (vehicle->driver == Driver::brain && tells && !view.lecture) describe_brain(view, state, ui, *vehicle);
+        const bool has_wires = !offers_some(view) || !brain_of(*view.now, *vehicle)->wires.empty();
+        const bool tells = !hides_outcome(view) && has_wires;
+        if (vehicle->driver == Driver::brain && has_wires && !view.lecture) describe_brain(view, state, ui, *vehicle);
         missing_sensors_note(view, state, ui, *vehicle);
         if (!view.lecture) scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
         own_brain_note(view, ui, *vehicle);
