@@ -23,6 +23,7 @@
 #include "app/platform/platform.h"
 #include "app/remembered.h"
 #include "app/title.h"
+#include "render/view/trails.h"
 
 namespace braitenlab {
 
@@ -158,7 +159,10 @@ void App::let_time_pass(double passed) {
         lab_.wall_seconds += passed;
         tick(lab_);
     } else {
-        advance(lab_, std::min(passed, 0.25));
+        // A frame of a fast run has many ticks; a trail of one point a frame would have corners.
+        advance(lab_, std::min(passed, 0.25), [this](const Snapshot& now) {
+            if (now.tick % render::Trail::ticks_between == 0) renderer_.remember(now);
+        });
     }
 }
 

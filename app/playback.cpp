@@ -83,7 +83,7 @@ void tick(Lab& lab) {
     record_referee(lab.document);
 }
 
-void advance(Lab& lab, double wall_seconds) {
+void advance(Lab& lab, double wall_seconds, const std::function<void(const Snapshot&)>& seen) {
     lab.wall_seconds += wall_seconds;
     if (lab.pages) lab.pages->seconds = lab.wall_seconds - lab.lecture_began;
     if (lab.wall_seconds >= lab.notice_until) lab.notice = {};
@@ -98,6 +98,7 @@ void advance(Lab& lab, double wall_seconds) {
     const double before = shown_snapshot(lab).seconds;
     while (playback.debt >= tick_length && spent() < stepping_budget) {
         tick(lab);
+        if (seen) seen(shown_snapshot(lab));
         playback.debt -= tick_length;
     }
     measure_pace(playback, wall_seconds, shown_snapshot(lab).seconds - before);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "app/document.h"
 #include "core/lesson/referee.h"
 #include "core/session/session.h"
+#include "core/world/snapshot.h"
 #include "ui/lab_view.h"
 #include "ui/request.h"
 
@@ -47,8 +49,9 @@ void set_mode(Lab&, Mode);
 void tick(Lab&);
 
 // Advances by wall time: runs the ticks that are due while playing and no sheet is open, for at most 12 ms. Ticks that
-// exceed this time are dropped, so that a slow computer runs in slow motion and the debt does not grow.
-void advance(Lab&, double wall_seconds);
+// exceed this time are dropped, so that a slow computer runs in slow motion and the debt does not grow. `seen` gets the
+// shown snapshot after each tick.
+void advance(Lab&, double wall_seconds, const std::function<void(const Snapshot&)>& seen = {});
 
 // Position of the picture between the previous tick (0) and the last one (1); 1 while the simulation is paused.
 float between_ticks(const Lab&);

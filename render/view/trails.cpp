@@ -7,8 +7,7 @@ namespace braitenlab::render {
 
 namespace {
 
-constexpr std::uint64_t ticks_between = 6;  // a tenth of a second
-constexpr float still = 0.04f;              // m, least distance between two points
+constexpr float still = 0.04f;  // m, least distance between two points
 constexpr float beside = 0.2f;  // m: largest distance from the recorded path of a vehicle that still follows it
 
 // Number of recorded points: ten minutes of a few vehicles, the minute that can be rewound of more, of a crowd only the

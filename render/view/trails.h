@@ -16,7 +16,8 @@ namespace braitenlab::render {
 // The path of one vehicle up to the displayed tick.
 class Trail {
 public:
-    static constexpr float jump = 2.5f;  // m: points farther apart are not joined
+    static constexpr float jump = 2.5f;                // m: points farther apart are not joined
+    static constexpr std::uint64_t ticks_between = 6;  // least distance of two points: a tenth of a second
 
     // Number of points up to the displayed tick.
     std::size_t count() const { return places_.size() - later_; }

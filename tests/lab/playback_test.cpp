@@ -1,6 +1,9 @@
 // Time in the lab: speed, pace, mode, going back and bookmarks.
 #include "app/playback.h"
 
+#include <cstdint>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "app/lab_requests.h"
@@ -30,6 +33,16 @@ TEST(Playback, DropsTicksThatDoNotFitIntoAFrame) {
     advance(lab, 3600);
     EXPECT_EQ(lab.playback.debt, 0);
     EXPECT_LT(lab.document.session.snapshot().seconds, 3600);
+}
+
+TEST(Playback, ShowsEachTickOfAFastRun) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, Action::play_pause);
+    handle(lab, SpeedRequest{4});
+    std::vector<std::uint64_t> seen;
+    for (int i = 0; i < 5; ++i) advance(lab, 0.05, [&](const Snapshot& now) { seen.push_back(now.tick); });
+    ASSERT_GT(seen.size(), 20u);
+    for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], i + 1);
 }
 
 TEST(Playback, ReportsThePaceThatItReaches) {
