@@ -1,5 +1,7 @@
 uniform sampler2D sheet;
 
+in vec2 v_at;
+
 out vec4 colour;
 
-void main() { colour = vec4(texelFetch(sheet, ivec2(gl_FragCoord.xy - window.zw), 0).rgb, 1.0); }
+void main() { colour = texture(sheet, v_at); }

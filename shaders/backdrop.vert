@@ -1,4 +1,9 @@
-// The stored picture of the ground, at the far end of the depth range.
+// The stored picture of the ground.
 layout(location = 0) in vec3 corner;
 
-void main() { gl_Position = vec4(corner.xy, 1.0, 1.0); }
+out vec2 v_at;
+
+void main() {
+    v_at = corner.xy * 0.5 + 0.5;
+    gl_Position = vec4(corner.xy, 0.0, 1.0);
+}

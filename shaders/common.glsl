@@ -124,6 +124,26 @@ vec4 sector_edges(vec4 shape) {
 
 #ifdef FRAGMENT_STAGE
 
+// The fill of a sensor field at `own` (m, the sensor's axis along x): it follows the sensor's response to distance.
+// `beside`: distance inside the nearer side, m; sides get softer with distance. `edges`: from sector_edges().
+float field_fill(vec2 own, float beside, vec4 edges) {
+    float squared = dot(own, own), rest = max(1.0 - squared * edges.w, 0.0);
+    float answer = edges.z > 0.0 ? rest * rest / (1.0 + squared * edges.z) : 0.4 * min(rest * 8.0, 1.0);
+    return answer * clamp(beside / (0.02 + 0.06 * sqrt(squared)), 0.0, 1.0);
+}
+
+// Distance inside the nearer side of a field, m; the sides are mirror images.
+float beside_field(vec2 own, vec4 edges) { return own.x * edges.x - abs(own.y) * edges.y; }
+
+// A field in this colour. `part`: 1 at the edge of the arena, along x and y; the field ends at the walls.
+vec4 field_colour(vec3 tone, float alpha, vec2 part) {
+    float out_there = form.x < 0.5 ? max(abs(part.x), abs(part.y)) : dot(part, part);
+    // On a dark floor the colours of overlapping fields are added, because blended colours become grey. In the light
+    // theme they are faint and warm, like light on paper.
+    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.55, counts.y);
+    return vec4(tone * alpha, alpha * mix(0.45, 1.0, counts.y));
+}
+
 // Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn
 // one pixel wide and fainter. `many`: pixels per metre.
 float lines(vec2 place, vec2 pixel, vec2 many, float spacing, float width) {

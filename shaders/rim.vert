@@ -29,4 +29,5 @@ void main() {
     // The line is behind all solid objects, including the body of the vehicle. The floor writes no depth and does not
     // cut the line.
     gl_Position.z = gl_Position.w * 0.9999;
+    if (look.x >= 1.0) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // invisible: out of the picture
 }

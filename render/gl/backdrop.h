@@ -1,8 +1,8 @@
 // Cache of the picture of the ground.
 //
 // The floor with its grid covers most pixels of a picture and takes a third of its time on a software renderer. While
-// the camera does not move, the ground is drawn once into a texture; later frames copy the texture behind all other
-// objects.
+// the camera does not move, the ground is drawn once into a texture; later frames begin with a copy of the
+// texture.
 #pragma once
 
 #include <optional>

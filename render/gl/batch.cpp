@@ -1,7 +1,10 @@
 #include "render/gl/batch.h"
 
+#include <array>
 #include <cassert>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "render/gl/opengl.h"
 
@@ -114,14 +117,30 @@ Shape quad() {
     return shape;
 }
 
-Shape strip(int squares) {
+namespace {
+
+// A strip with corners at these x.
+Shape strip_at(std::span<const float> along) {
     Shape shape;
-    for (int i = 0; i <= squares; ++i)
-        for (const float y : {-1.0f, 1.0f})
-            shape.corners.push_back({{static_cast<float>(i) / static_cast<float>(squares), y, 0}, {0, 0, 1}, 0});
-    for (int i = 0; i < squares; ++i)
-        for (const int k : {0, 2, 3, 0, 3, 1}) shape.indices.push_back(static_cast<std::uint16_t>(2 * i + k));
+    for (const float x : along)
+        for (const float y : {-1.0f, 1.0f}) shape.corners.push_back({{x, y, 0}, {0, 0, 1}, 0});
+    for (std::size_t i = 0; i + 1 < along.size(); ++i)
+        for (const std::size_t k : {0U, 2U, 3U, 0U, 3U, 1U})
+            shape.indices.push_back(static_cast<std::uint16_t>(2 * i + k));
     return shape;
+}
+
+}  // namespace
+
+Shape strip(int squares) {
+    std::vector<float> along;
+    for (int i = 0; i <= squares; ++i) along.push_back(static_cast<float>(i) / static_cast<float>(squares));
+    return strip_at(along);
+}
+
+Shape wire_strip() {
+    static constexpr std::array along{0.0f, 0.25f, 0.5f, 0.7f, 0.75f, 0.81f, 0.9f, 1.0f};
+    return strip_at(along);
 }
 
 Shape fan() {

@@ -27,10 +27,13 @@ std::optional<Error> load_sectors(Programs& programs, const std::filesystem::pat
     if (path == SectorPath::geometry && !can)
         return Error{"this graphics driver has no geometry shaders; leave out --sectors=geometry"};
     programs.sectors_from_points = path == SectorPath::geometry || (path == SectorPath::automatic && can);
-    auto loaded = programs.sectors_from_points ? Program::load(folder, "sector.vert", "field.frag", "sector.geom")
-                                               : Program::load(folder, "field.vert", "field.frag");
-    if (!loaded) return loaded.error();
-    programs.field = std::move(*loaded);
+    for (const auto& [program, fragment] :
+         {std::pair{&programs.field, "field.frag"}, {&programs.outlined, "outlined.frag"}}) {
+        auto loaded = programs.sectors_from_points ? Program::load(folder, "sector.vert", fragment, "sector.geom")
+                                                   : Program::load(folder, "field.vert", fragment);
+        if (!loaded) return loaded.error();
+        *program = std::move(*loaded);
+    }
     return std::nullopt;
 }
 

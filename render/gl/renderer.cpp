@@ -48,6 +48,12 @@ bool has_rims(const std::vector<HullInstance>& hulls) {
     return std::any_of(hulls.begin(), hulls.end(), [](const HullInstance& hull) { return hull.look.x < 1; });
 }
 
+// Fields that end in a chord are cut off by the shader of outlines, too.
+bool need_outlines(const std::vector<FieldInstance>& fields) {
+    return std::any_of(fields.begin(), fields.end(),
+                       [](const FieldInstance& field) { return field.line.x > 0 || field.line.y < 0; });
+}
+
 void set_viewport(const Rect& window) {
     glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
                static_cast<GLsizei>(window.h));
@@ -82,7 +88,11 @@ struct Renderer::Parts {
                                        Batch{rim_shape(Role::predator), hulls[1].instances},
                                        Batch{rim_shape(Role::prey), hulls[2].instances}};
     Kit wheels = kit<WheelInstance>(wheel_shape());
-    Kit eyes = kit<EyeInstance>(eye_shape());
+    Kit eyes = kit<EyeInstance>(quad());
+    std::array<Batch, role_count> coarse_hulls{Batch{hull_shape(Role::none, Mesh::coarse), hulls[0].instances},
+                                               Batch{hull_shape(Role::predator, Mesh::coarse), hulls[1].instances},
+                                               Batch{hull_shape(Role::prey, Mesh::coarse), hulls[2].instances}};
+    Batch coarse_wheels{wheel_shape(Mesh::coarse), wheels.instances};
     std::array<Kit, role_count> bodies{kit<HullInstance>(fine_hull_shape(Role::none)),
                                        kit<HullInstance>(fine_hull_shape(Role::predator)),
                                        kit<HullInstance>(fine_hull_shape(Role::prey))};
@@ -90,6 +100,7 @@ struct Renderer::Parts {
     Kit eyeballs = kit<EyeballInstance>(eyeball_shape());
     Kit casts = kit<CastInstance>(quad());
     Kit wires = kit<WireInstance>(strip(12));
+    Batch coarse_wires{wire_strip(), wires.instances};
     Kit neurons = kit<NeuronInstance>(quad());
     Kit contours = kit<ContourInstance>(quad());
     Kit letters = kit<LetterInstance>(quad());
@@ -173,16 +184,17 @@ struct Renderer::Parts {
 
     void draw_solids(Quality quality) {
         draw(with.block, blocks);
-        for (const Kit& of_role : hulls) draw(with.hull, of_role);
+        for (std::size_t role = 0; role < hulls.size(); ++role)
+            draw(with.hull, list.coarse ? coarse_hulls[role] : hulls[role].batch, hulls[role].instances);
         for (const Kit& of_role : signs) draw(with.sign, of_role);
-        draw(with.wheel, wheels);
+        draw(with.wheel, list.coarse ? coarse_wheels : wheels.batch, wheels.instances);
         draw(with.eye, eyes);
         for (const Kit& of_role : bodies) draw(with.hull, of_role);
         draw(with.wheel, tyres);
         draw(with.eyeball, eyeballs);
         for (std::size_t i = 0; i < sources.size(); ++i)
             draw(with.source, quality == Quality::low ? sources[i].batch : fine_sources[i], sources[i].instances);
-        draw(with.wire, wires);
+        draw(with.wire, list.coarse && list.tyres.empty() ? coarse_wires : wires.batch, wires.instances);
         draw(with.neuron, neurons);
     }
 
@@ -207,15 +219,19 @@ struct Renderer::Parts {
         return ground != Backdrop::Ground::moves;
     }
 
+    // Draws the stored ground before all else: without a depth test, because a copy costs less than the test.
+    void draw_backdrop() {
+        glDisable(GL_DEPTH_TEST);
+        backdrop.bind();
+        draw(with.backdrop, floors);
+        glEnable(GL_DEPTH_TEST);
+    }
+
     // Draws the ground after all solid objects, so hidden parts of it are not shaded. It writes no depth: flat marks on
     // it do not flicker and halos that reach into it are not cut.
-    void draw_ground_below(bool in_backdrop) {
+    void draw_ground_below() {
         glDepthMask(GL_FALSE);
-        backdrop.bind();
-        if (in_backdrop)
-            draw(with.backdrop, floors);
-        else
-            draw_ground();
+        draw_ground();
         glDepthMask(GL_TRUE);
     }
 
@@ -258,7 +274,8 @@ struct Renderer::Parts {
         draw(with.cast, casts);
         draw(with.shade, marks);
         draw(with.trail, trail_strips);
-        draw(with.field, with.sectors_from_points ? field_points : fields.batch, fields.instances);
+        draw(need_outlines(list.fields) ? with.outlined : with.field,
+             with.sectors_from_points ? field_points : fields.batch, fields.instances);
         for (std::size_t role = 0; role < rims.size(); ++role)
             if (has_rims(list.hulls[role])) draw(with.rim, rims[role], hulls[role].instances);
         draw(with.mark, rings);
@@ -335,9 +352,10 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.upload_list(drawn);
     const bool in_backdrop = p.update_backdrop(drawn);
     if (!coarse && picture.quality == Quality::high) p.resampling.begin_smooth(window);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (in_backdrop) p.draw_backdrop();
     p.draw_solids(picture.quality);
-    p.draw_ground_below(in_backdrop);
+    if (!in_backdrop) p.draw_ground_below();
     p.draw_flat();
     p.resampling.end();
     if (coarse) {

@@ -66,7 +66,14 @@ void add_sign(Drawing& drawing, const Subject& s) {
          seen});
 }
 
+// True if the coarse mesh of a plain vehicle looks as its full mesh does.
+bool is_coarse(const Drawing& drawing, const Subject& s) {
+    constexpr float largest = 100;  // display pixels
+    return s.pixels * drawing.picture.pixel_scale <= largest;
+}
+
 void add_hull(Drawing& drawing, const Subject& s) {
+    if (!s.fine && !is_coarse(drawing, s)) drawing.list.coarse = false;
     const bool parked = s.view.driver == Driver::parked;
     auto& of_role = s.fine ? drawing.list.bodies : drawing.list.hulls;
     of_role[static_cast<std::size_t>(s.view.role)].push_back(
@@ -79,7 +86,7 @@ void add_hull(Drawing& drawing, const Subject& s) {
 void add_wheels(Drawing& drawing, const Subject& s) {
     for (const Wheel& wheel : s.kind.body.wheels) {
         const bool castor = wheel.motor == Motor::none;
-        if (castor && s.detail == 0) continue;  // hidden below the hull
+        if (castor && !s.fine && is_coarse(drawing, s)) continue;  // hidden below the hull
         const vec2 at = s.to_world({wheel.x, wheel.y});
         const float turned = castor ? 0 : s.view.wheel_angle[wheel.motor == Motor::right];
         // The mesh is closed on its left side: a wheel on the right is rotated by 180°, which reverses its rolling.

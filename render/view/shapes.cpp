@@ -61,18 +61,32 @@ void add_top(Shape& shape, const std::vector<vec2>& outline, float z, Paint pain
                  at(outline[count - 1 - i], z), paint);
 }
 
-// A plate with this left half from z0 to z1, its upper edge chamfered.
-void add_plate(Shape& shape, std::span<const vec2> left, float z0, float z1, float chamfer, Paint paint) {
+// A plate with this left half from z0 to z1, its upper edge chamfered. Coarse: with sloping sides instead.
+void add_plate(Shape& shape, std::span<const vec2> left, float z0, float z1, float chamfer, Paint paint,
+               Mesh mesh = Mesh::full) {
     const auto outer = mirrored(left), inner = inset(outer, chamfer);
     const std::size_t count = outer.size();
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t j = (i + 1) % count;
+        if (mesh == Mesh::coarse) {
+            add_quad(shape, at(outer[i], z0), at(outer[j], z0), at(inner[j], z1), at(inner[i], z1), paint);
+            continue;
+        }
         add_quad(shape, at(outer[i], z0), at(outer[j], z0), at(outer[j], z1 - chamfer), at(outer[i], z1 - chamfer),
                  paint);
         add_quad(shape, at(outer[i], z1 - chamfer), at(outer[j], z1 - chamfer), at(inner[j], z1), at(inner[i], z1),
                  paint);
     }
     add_top(shape, inner, z1, paint);
+}
+
+// The top of such a plate, without its sides where it is coarse: they are low.
+void add_low_plate(Shape& shape, std::span<const vec2> left, float z0, float z1, float chamfer, Paint paint,
+                   Mesh mesh) {
+    if (mesh == Mesh::full)
+        add_plate(shape, left, z0, z1, chamfer, paint);
+    else
+        add_top(shape, inset(mirrored(left), chamfer), z1, paint);
 }
 
 // An ellipsoid about `middle` with its poles on the z axis; `paint`: as a function of height −1..1.
@@ -130,7 +144,7 @@ std::vector<vec2> nose_of(Role role) {
 
 }  // namespace
 
-Shape hull_shape(Role role) {
+Shape hull_shape(Role role, Mesh mesh) {
     const std::vector<vec2> arch{{-0.215f, 0.47f}, {-0.195f, 0.325f}, {0.175f, 0.325f}};
     std::vector<vec2> hull = tail_of(role), deck{{-0.24f, 0.40f}, {-0.20f, 0.265f}, {0.17f, 0.265f}};
     const auto nose = nose_of(role);
@@ -143,11 +157,11 @@ Shape hull_shape(Role role) {
     else
         deck.insert(deck.end(), {{0.20f, 0.40f}, {0.33f, 0.40f}});
     Shape shape;
-    add_plate(shape, hull, 0.07f, 0.25f, 0.028f, Paint::body);
-    add_plate(shape, deck, 0.25f, 0.268f, 0.018f, Paint::deck);
+    add_plate(shape, hull, 0.07f, 0.25f, 0.028f, Paint::body, mesh);
+    add_low_plate(shape, deck, 0.25f, 0.268f, 0.018f, Paint::deck, mesh);
     add_top(shape, inset(mirrored(deck), 0.035f), 0.271f, Paint::inlay);
     const std::array<vec2, 2> gauge{{{-0.42f, 0.32f}, {-0.33f, 0.32f}}};
-    add_plate(shape, gauge, 0.25f, 0.262f, 0.012f, Paint::gauge);
+    add_low_plate(shape, gauge, 0.25f, 0.262f, 0.012f, Paint::gauge, mesh);
     // The arrowhead shows the front.
     add_triangle(shape, {0, -1, 0.254f}, {1, 0, 0.254f}, {0, 1, 0.254f}, Paint::mark);
     return shape;
@@ -201,11 +215,11 @@ Shape rim_shape(Role role) {
     return shape;
 }
 
-Shape wheel_shape() {
-    constexpr int facets = 12;
+Shape wheel_shape(Mesh mesh) {
+    const int facets = mesh == Mesh::full ? 12 : 9;
     // A circle in the x-z plane; index 0 at the top, then forwards.
-    const auto rim = [](int i, float radius, float y) {
-        const vec2 p = maths::direction(2 * maths::pi * static_cast<float>(i) / facets) * radius;
+    const auto rim = [facets](int i, float radius, float y) {
+        const vec2 p = maths::direction(2 * maths::pi * static_cast<float>(i) / static_cast<float>(facets)) * radius;
         return vec3{p.y, y, p.x};
     };
     Shape shape;
@@ -213,20 +227,11 @@ Shape wheel_shape() {
         const bool lug = i % 3 == 0;
         add_quad(shape, rim(i, 1, -0.5f), rim(i + 1, 1, -0.5f), rim(i + 1, 1, 0.5f), rim(i, 1, 0.5f),
                  lug ? Paint::mark : Paint::dark);
-        add_quad(shape, rim(i, 0.72f, 0.5f), rim(i, 1, 0.5f), rim(i + 1, 1, 0.5f), rim(i + 1, 0.72f, 0.5f),
-                 Paint::dark);
-        add_triangle(shape, {0, 0.5f, 0}, rim(i, 0.72f, 0.5f), rim(i + 1, 0.72f, 0.5f),
-                     lug ? Paint::mark : Paint::deck);
-    }
-    return shape;
-}
-
-Shape eye_shape() {
-    Shape shape;
-    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 10, 5, [](float) { return Paint::light; });
-    for (Corner& c : shape.corners) {  // pole along +x
-        c.place = {c.place.z, c.place.x, c.place.y};
-        c.normal = {c.normal.z, c.normal.x, c.normal.y};
+        if (mesh == Mesh::full)
+            add_quad(shape, rim(i, 0.72f, 0.5f), rim(i, 1, 0.5f), rim(i + 1, 1, 0.5f), rim(i + 1, 0.72f, 0.5f),
+                     Paint::dark);
+        const float hub = mesh == Mesh::full ? 0.72f : 1.0f;
+        add_triangle(shape, {0, 0.5f, 0}, rim(i, hub, 0.5f), rim(i + 1, hub, 0.5f), lug ? Paint::mark : Paint::deck);
     }
     return shape;
 }

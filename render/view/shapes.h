@@ -25,10 +25,13 @@ struct Shape {
     std::vector<std::uint16_t> indices;  // three per triangle
 };
 
+// Coarse meshes have no chamfers and fewer facets: for vehicles on whose picture these are about a pixel wide.
+enum class Mesh { full, coarse };
+
 // A hull: a wedge-shaped front for predators, round ends for prey, square ends for other roles. It has wheel arches, a
 // deck with an inlay below the wires, an energy gauge and an arrowhead. The corners of the arrowhead are 0..1 along and
 // −1..1 across; the shader scales them.
-Shape hull_shape(Role);
+Shape hull_shape(Role, Mesh = Mesh::full);
 
 // A flat outline of length 1 and width 1 with a rim, for a vehicle that is small on the screen. `paint` is the distance
 // inside the outline. The shader draws rim, wheels, sensors and arrowhead.
@@ -41,10 +44,7 @@ Shape rim_shape(Role);
 
 // A wheel of radius 1 with its axis along y from −0.5 to 0.5. The right side is open, because the hull hides it.
 // Lighter lugs and spokes make the rotation visible.
-Shape wheel_shape();
-
-// A ball of radius 1 with its lens along +x.
-Shape eye_shape();
+Shape wheel_shape(Mesh = Mesh::full);
 
 // A source of a channel, m, with its foot at the origin: a brazier for heat, a blossom for smell, bubbles for oxygen, a
 // lamp for all other channels.

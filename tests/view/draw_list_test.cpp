@@ -217,6 +217,20 @@ TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
     EXPECT_TRUE(rounded(Quality::medium, 0.7f, 0)) << "the selected vehicle keeps its wires and eyes";
 }
 
+TEST(DrawList, NeedsFullMeshesOnlyWhereAPlainVehicleIsLarge) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    EXPECT_TRUE(drawn(now, seen_at_zoom(1)).coarse);
+    EXPECT_FALSE(drawn(now, seen_at_zoom(4)).coarse);
+    Picture dense = seen_at_zoom(4);
+    dense.pixel_scale = 4;
+    EXPECT_FALSE(drawn(now, dense).coarse) << "display pixels count";
+    Picture rounded = seen_at_zoom(4);
+    rounded.settings.selection.vehicle = 0;
+    EXPECT_TRUE(drawn(now, rounded).coarse) << "rounded meshes do not count";
+    EXPECT_EQ(drawn(now, seen_at_zoom(1)).wheels.size(), 2U) << "castors are hidden below the hull";
+}
+
 TEST(DrawList, GivesVehiclesOfSimilarSizeTheSameMeshes) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (const float y : {-9.0f, 9.0f}) hand_made::add(now, 0, 0, y, 0);  // the near one is larger

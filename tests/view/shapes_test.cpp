@@ -14,9 +14,10 @@ using namespace render;
 using maths::vec3;
 
 std::vector<Shape> all_shapes() {
-    std::vector<Shape> shapes{wheel_shape(), eye_shape()};
+    std::vector<Shape> shapes{wheel_shape(), wheel_shape(Mesh::coarse)};
     for (const Role role : {Role::none, Role::predator, Role::prey}) {
         shapes.push_back(hull_shape(role));
+        shapes.push_back(hull_shape(role, Mesh::coarse));
         shapes.push_back(sign_shape(role));
     }
     for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
@@ -55,6 +56,12 @@ TEST(Shapes, HaveNormalsOfLengthOne) {
 
 TEST(Shapes, AreCheapEnoughForASoftwareRenderer) {
     for (const Shape& shape : all_shapes()) EXPECT_LT(shape.indices.size() / 3, 320U);
+}
+
+TEST(Shapes, HaveCoarseMeshesOfHalfTheTriangles) {
+    EXPECT_LT(wheel_shape(Mesh::coarse).indices.size() * 2, wheel_shape().indices.size());
+    for (const Role role : {Role::none, Role::predator, Role::prey})
+        EXPECT_LT(hull_shape(role, Mesh::coarse).indices.size() * 10, hull_shape(role).indices.size() * 6);
 }
 
 TEST(Shapes, HaveRoundedMeshesOfAThousandTrianglesAtMost) {
@@ -98,20 +105,20 @@ TEST(Shapes, KeepSignsToFewTriangles) {
     }
 }
 
-float width_at_the_nose(Role role, Shape (*shape)(Role) = hull_shape) {
+float width_at_the_nose(const Shape& shape) {
     float widest = 0;
-    for (const Corner& c : shape(role).corners)
+    for (const Corner& c : shape.corners)
         if (c.place.x > 0.46f && c.paint != static_cast<float>(Paint::mark)) widest = std::max(widest, c.place.y);
     return widest;
 }
 
 TEST(Shapes, GivePredatorsAWedgePreyARoundAndOthersASquareNose) {
-    EXPECT_LT(width_at_the_nose(Role::predator), 0.12f);
-    EXPECT_GT(width_at_the_nose(Role::prey), width_at_the_nose(Role::predator));
-    EXPECT_GT(width_at_the_nose(Role::none), width_at_the_nose(Role::prey));
-    EXPECT_LT(width_at_the_nose(Role::predator, fine_hull_shape), 0.25f);
-    EXPECT_GT(width_at_the_nose(Role::prey, fine_hull_shape), width_at_the_nose(Role::predator, fine_hull_shape));
-    EXPECT_GT(width_at_the_nose(Role::none, fine_hull_shape), width_at_the_nose(Role::prey, fine_hull_shape));
+    EXPECT_LT(width_at_the_nose(hull_shape(Role::predator)), 0.12f);
+    EXPECT_GT(width_at_the_nose(hull_shape(Role::prey)), width_at_the_nose(hull_shape(Role::predator)));
+    EXPECT_GT(width_at_the_nose(hull_shape(Role::none)), width_at_the_nose(hull_shape(Role::prey)));
+    EXPECT_LT(width_at_the_nose(fine_hull_shape(Role::predator)), 0.25f);
+    EXPECT_GT(width_at_the_nose(fine_hull_shape(Role::prey)), width_at_the_nose(fine_hull_shape(Role::predator)));
+    EXPECT_GT(width_at_the_nose(fine_hull_shape(Role::none)), width_at_the_nose(fine_hull_shape(Role::prey)));
 }
 
 TEST(Shapes, HaveRimsAroundTheWholeBody) {
