@@ -66,6 +66,15 @@ TEST_F(LookTest, KeepsTheHueOfTheFloorBesideALamp) {
     }
 }
 
+TEST_F(LookTest, MakesADarkFloorWarmNotGreyBetweenLightAndDark) {
+    look_down(1);
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add_source(now, Channel::light, -4.5f, 0.5f);
+    const Colour between = seen(now, {0.5f, 0.5f});  // 5 m from the lamp
+    EXPECT_GT(between.r, between.b + 0.03f);
+    EXPECT_GT(between.r, between.g + 0.03f);
+}
+
 TEST_F(LookTest, ShowsALampAsTheBrightestThingInBothThemes) {
     look_down(4);
     const Snapshot bare = hand_made::empty(hand_made::scene());
