@@ -387,6 +387,10 @@ TEST_F(LecturePages, TheSlidersTakeThePlaceOfAnAnsweredQuestion) {
         ASSERT_FALSE(desk.panels.card(Card::brain).folded);
         EXPECT_FALSE(overlap(desk.where("card.brain"), desk.where("viewport")));
         EXPECT_GT(desk.where("viewport").w, 0.45f * desk.layout.window.w);
+        for (const Shown& each : desk.shown)
+            if (each.id == "brain.picture") {
+                EXPECT_TRUE(is_inside(each.rect, desk.where("card.brain"))) << "whole or not at all";
+            }
         desk.panels.card(Card::brain).folded = true;
         desk.frame(3);
         EXPECT_TRUE(desk.anchors.find("lecture.question")) << "the lecturer has folded the card";

@@ -349,6 +349,12 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
     return lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
+// True if less than this height (layout pixels) is left in the column. Nobody scrolls a card in a lecture.
+bool would_be_cut(const Ui& ui, float height, Rect column) {
+    const float top = ImGui::GetCursorScreenPos().y + ImGui::GetScrollY();
+    return top + ui.px(height + spacing::medium) > column.y + column.h;
+}
+
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const std::string keys = key_name(Action::drive, ui.strings);
@@ -386,8 +392,10 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         else if (tells && view.settings.revealed.brain)
             equations(view, ui, *vehicle);
         // The wiring canvas shows the same brain larger.
-        if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind))
-            brain_picture(view, state, ui, *vehicle, column.h < ui.px(low_column) ? 90 : 116);
+        const float height = column.h < ui.px(low_column) ? 90 : 116;
+        if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
+            !(view.lecture && would_be_cut(ui, height, column)))
+            brain_picture(view, state, ui, *vehicle, height);
         const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
         ImGui::PopStyleVar();
         presets_menu(view, state, ui, *vehicle, wanted, {place.x + place.w - ui.px(16), place.y + ui.px(36)});
