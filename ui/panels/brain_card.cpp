@@ -65,7 +65,7 @@ float widest_chip(const Ui& ui) {
 // Role sign, name, and the recognised character as a chip.
 void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = line_height(ui, Face::title), size = ui.px(16), width = card_width(ui);
+    const float height = line_height(ui, Face::title), size = ui.px(spacing::large), width = card_width(ui);
     put_role(ui, {at.x + size / 2, at.y + height / 2}, size, vehicle.role, colour_of(ui.palette, *view.now, vehicle));
     std::string title = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
     if (const std::string own = own_name(view, vehicle); !own.empty()) title += " · " + own;
@@ -82,16 +82,17 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     const std::string_view label =
         secret ? ui.strings("brain.secret")
                : ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
-    const float left = at.x + size + ui.px(8), room = at.x + width - left - ui.px(8) - widest_chip(ui);
+    const float left = at.x + size + ui.px(spacing::small),
+                room = at.x + width - left - ui.px(spacing::small) - widest_chip(ui);
     const Face face = text_width(ui, Face::title, title) > room ? Face::strong : Face::title;
     const float name_width = text_width(ui, face, title);
     // Without room for the widest chip, the chip is below the name, so that another character does not move it.
     const bool below = name_width > room;
-    const float chip_middle = below ? height + ui.px(15) : height / 2;
+    const float chip_middle = below ? height + ui.px(spacing::large) : height / 2;
     put(ui, {left, at.y + (height - line_height(ui, face)) / 2}, shortened(ui, title, face, at.x + width - left),
         ui.palette.text, face);
-    chip(ui, {below ? left : left + name_width + ui.px(8), at.y + chip_middle}, label);
-    const Item row = item(ui, "brain.character", {width, below ? height + ui.px(28) : height}, false);
+    chip(ui, {below ? left : left + name_width + ui.px(spacing::small), at.y + chip_middle}, label);
+    const Item row = item(ui, "brain.character", {width, below ? height + ui.px(2 * spacing::large) : height}, false);
     if (row.hovered && secret) return tooltip(ui, row, ui.strings("brain.hidden"));
     if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
 }
@@ -162,7 +163,7 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
             std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& sensor) { return sensor.name == name; });
         return found == sensors.end() ? name : sensor_label(ui, sensors, *found);
     };
-    const float space = ui.px(4), right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    const float space = ui.px(spacing::tight), right = ImGui::GetCursorScreenPos().x + card_width(ui);
     const auto words_of = [&](const KindPair& pair) {
         std::string words(ui.strings("view.channel." + std::string(word(pair.channel))));
         if (const auto number = pair.name.find(' '); number != std::string::npos) words += pair.name.substr(number);
@@ -304,14 +305,14 @@ void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float wi
 // In an exercise that offers some controls: a button that shows all of them, or only the offered ones again.
 void free_play_row(const LabView& view, Ui& ui) {
     if (!view.lesson || offers_all(*view.lesson->exercise)) return;
-    gap(ui, 4);
+    gap(ui, spacing::tight);
     const bool free = view.lesson->free_play;
     const Item at = small_button(
         ui, {"button.free_play", {}, ui.strings(free ? "exercise.offered_only" : "exercise.free_play"), free});
     tooltip(ui, at, ui.strings("exercise.free_play_how"));
     if (at.pressed) ui.outbox.push_back(FreePlayRequest{!free});
     if (!offers(*view.lesson->exercise, offer_parts::wiring) || view.mode == Mode::wiring) return;
-    ImGui::SameLine(0, ui.px(4));
+    ImGui::SameLine(0, ui.px(spacing::tight));
     const Item open = small_button(ui, {"button.open_wiring", icon::wiring, ui.strings("exercise.open_wiring")});
     tooltip(ui, open, ui.strings("exercise.open_wiring_how"));
     if (open.pressed) ui.outbox.push_back(Action::wiring);
@@ -321,8 +322,8 @@ void driver_panel(PanelState& state, Ui& ui, const VehicleView& vehicle) {
     float width = card_width(ui);
     if (vehicle.driver == Driver::manual) {
         stick(state, ui, vehicle);
-        ImGui::SameLine(0, ui.px(12));
-        width -= ui.px(stick_size + 12);
+        ImGui::SameLine(0, ui.px(spacing::medium));
+        width -= ui.px(stick_size + spacing::medium);
     }
     driver_note(state, ui, vehicle, width);
 }
@@ -370,8 +371,8 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         title_row(view, state, ui, *vehicle);
         paragraph(ui, ui.strings(unrevealed ? "wiring.hidden" : "brain.hidden"), ui.palette.second_text);
     } else if (open && vehicle) {
-        const float between = ui.px(column.h < ui.px(lowest_column) ? 4 : 8);
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), between});
+        const float between = ui.px(column.h < ui.px(lowest_column) ? spacing::tight : spacing::small);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), between});
         if (buttons[1].pressed) {
             ui.outbox.push_back(Action::drive);
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
@@ -386,7 +387,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
         free_play_row(view, ui);
-        gap(ui, 8);
+        gap(ui, spacing::small);
         if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
         else if (tells && view.settings.revealed.brain)
@@ -398,7 +399,8 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             brain_picture(view, state, ui, *vehicle, height);
         const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
         ImGui::PopStyleVar();
-        presets_menu(view, state, ui, *vehicle, wanted, {place.x + place.w - ui.px(16), place.y + ui.px(36)});
+        presets_menu(view, state, ui, *vehicle, wanted,
+                     {place.x + place.w - ui.px(spacing::large), place.y + ui.px(spacing::medium + spacing::wide)});
     }
     end_card(state.card(Card::brain));
 }

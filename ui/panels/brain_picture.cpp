@@ -19,6 +19,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
@@ -219,8 +220,8 @@ private:
     void watch_button() {
         if (view_.lecture) return;
         const SmallButton look{"button.watch", icon::wiring, ui_.strings("button.watch"), view_.settings.watching};
-        const float left = all_.x + all_.w - small_button_width(ui_, look, false) - ui_.px(4);
-        ImGui::SetCursorScreenPos({left, all_.y + ui_.px(4)});
+        const float left = all_.x + all_.w - small_button_width(ui_, look, false) - ui_.px(spacing::tight);
+        ImGui::SetCursorScreenPos({left, all_.y + ui_.px(spacing::tight)});
         const Item at = small_button(ui_, look, false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
         if (at.pressed) ui_.outbox.push_back(Action::watch);

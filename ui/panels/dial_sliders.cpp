@@ -125,7 +125,7 @@ private:
         const SmallButton cross{"button.cross", icon::cross_over, ui_.strings("button.cross")};
         const SmallButton unfold{"button.thresholds", thresholds ? icon::unfolded : icon::folded,
                                  ui_.strings("brain.threshold"), thresholds};
-        const float space = ui_.px(4), unfold_x = at.x + width - small_button_width(ui_, unfold, true);
+        const float space = ui_.px(spacing::tight), unfold_x = at.x + width - small_button_width(ui_, unfold, true);
         const float room = unfold_x - space - at.x - text_width(ui_, Face::small, weight) - 2 * space;
         const bool words = small_button_width(ui_, mirror, true) + small_button_width(ui_, cross, true) + space <= room;
         const float cross_x = unfold_x - space - small_button_width(ui_, cross, words);
@@ -134,7 +134,7 @@ private:
         if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_, pair_));
         if (small(unfold, unfold_x, at.y, true, "tooltip.thresholds")) state_.thresholds_open = !thresholds;
         ImGui::SetCursorScreenPos(at);
-        ImGui::Dummy({1, height - ui_.px(2)});  // room for the focus ring of the first slider
+        ImGui::Dummy({1, height - ui_.px(spacing::hair)});  // room for the focus ring of the first slider
     }
 
     bool small(const SmallButton& which, float x, float y, bool words, std::string_view tip) {
@@ -236,7 +236,9 @@ private:
     }
 
     // Width in layout pixels of the words in front of a slider, with a gap.
-    float room_for(std::string_view words) const { return text_width(ui_, Face::strong, words) / ui_.px(1) + 12; }
+    float room_for(std::string_view words) const {
+        return text_width(ui_, Face::strong, words) / ui_.px(1) + spacing::medium;
+    }
 
     const LabView& view_;
     PanelState& state_;

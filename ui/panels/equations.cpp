@@ -25,7 +25,7 @@ namespace braitenlab::ui {
 namespace {
 
 // Between two parts of an equation, layout pixels. With factors, signs are between the numbers.
-constexpr float least_space = 4, least_factor_space = 2;
+constexpr float least_space = spacing::tight, least_factor_space = spacing::hair;
 
 // "0.42·1.50"; "0.20 < θ" for a reading that the threshold masks, as the picture of the brain shows the reading.
 std::string numbers_of(const Ui& ui, const Product& p) {
@@ -107,7 +107,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
 }
 
 // The numbers are below their names; window pixels.
-float below_name(const Ui& ui) { return line_height(ui, Face::label) + ui.px(2); }
+float below_name(const Ui& ui) { return line_height(ui, Face::label) + ui.px(spacing::hair); }
 
 // The cause of a turn is marked by a box in the colour of its sign.
 void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, float value) {
@@ -258,7 +258,7 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     if (x.factors && x.space < ui.px(least_factor_space)) x = columns(false);
     for (; x.space < ui.px(least_space) && term_columns(both) > 0; x = columns(false)) drop_last_column(both);
     const Cause why = cause(both);
-    const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(4);
+    const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(spacing::tight);
     const bool stopped = both[0].stopped || both[1].stopped;
     const Cause* shown = stopped || insight::are_alike(both[0].total, both[1].total) ? nullptr : &why;
     Equation(ui, both[0], x, at, shown).draw();
@@ -273,20 +273,22 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const SmallButton map{"button.map", icon::map, ui.strings("map.button"), view.settings.map};
     const SmallButton robots{"button.reality", icon::robot, ui.strings("reality.button"), view.settings.reality};
     const float robots_width = small_button_width(ui, robots, !has_icons(ui));
-    const float map_width = small_button_width(ui, map, !has_icons(ui)) + ui.px(4) + robots_width;
-    const float width = small_button_width(ui, more, !has_icons(ui)) + map_width + ui.px(4);
+    const float map_width = small_button_width(ui, map, !has_icons(ui)) + ui.px(spacing::tight) + robots_width;
+    const float width = small_button_width(ui, more, !has_icons(ui)) + map_width + ui.px(spacing::tight);
     paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)), ui.palette.text, Face::small,
-              card_width(ui) - width - ui.px(6));
+              card_width(ui) - width - ui.px(spacing::small));
     const ImVec2 after = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({below.x + card_width(ui) - width, below.y - ui.px(3)});
+    // The buttons are higher than the line beside them.
+    const float top = below.y - (ui.px(small_button_height) - line_height(ui, Face::small)) / 2;
+    ImGui::SetCursorScreenPos({below.x + card_width(ui) - width, top});
     const Item ask = small_button(ui, more, !has_icons(ui));
     tooltip(ui, ask, fill(ui.strings("tooltip.button_why"), {key_name(Action::why, ui.strings)}));
     if (ask.pressed) ui.outbox.push_back(Action::why);
-    ImGui::SetCursorScreenPos({below.x + card_width(ui) - map_width, below.y - ui.px(3)});
+    ImGui::SetCursorScreenPos({below.x + card_width(ui) - map_width, top});
     const Item show = small_button(ui, map, !has_icons(ui));
     tooltip(ui, show, fill(ui.strings("tooltip.button_map"), {key_name(Action::map, ui.strings)}));
     if (show.pressed) ui.outbox.push_back(Action::map);
-    ImGui::SetCursorScreenPos({below.x + card_width(ui) - robots_width, below.y - ui.px(3)});
+    ImGui::SetCursorScreenPos({below.x + card_width(ui) - robots_width, top});
     const Item real = small_button(ui, robots, !has_icons(ui));
     tooltip(ui, real, fill(ui.strings("tooltip.button_reality"), {key_name(Action::reality, ui.strings)}));
     if (real.pressed) ui.outbox.push_back(Action::reality);

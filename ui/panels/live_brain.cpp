@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t most_labelled = 2;  // eyes; the labels of more wires do not fit
 constexpr std::size_t most_eyes = 14;     // of a brain that is shown whole
 constexpr float words_share = 0.22f, eyes_share = 0.20f, wheels_share = 0.21f;  // of the width; the rest are wires
-constexpr float live_inset = 16, live_bar = 10, low_picture = 110;              // layout pixels
+constexpr float live_inset = spacing::large, live_bar = 10, low_picture = 110;  // layout pixels
 constexpr float name_share = 0.24f, number_share = 0.24f;                       // of a row that is one line
 
 // A node of the brain in its row.
@@ -43,7 +43,7 @@ public:
     LiveBrain(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect bar)
         : view_(view), ui_(ui), vehicle_(vehicle), brain_(*brain_of(*view.now, vehicle)), bar_(bar) {
         const float inset = ui.px(live_inset), from = bar.x + words_share * bar.w;
-        const float top = bar.y + ui.px(8), height = bar.h - 2 * ui.px(8);
+        const float top = bar.y + ui.px(spacing::small), height = bar.h - 2 * ui.px(spacing::small);
         const Rect eyes{from, top, eyes_share * bar.w, height};
         std::vector<std::string> read;
         for (const Sensor& sensor : sketch::read_sensors(brain_, kind_of(*view.now, vehicle)))
@@ -96,7 +96,7 @@ private:
     // Name and number above a bar. The bar of a wheel begins in its middle.
     void draw_row(const LiveRow& row, bool is_wheel) {
         const Palette& p = ui_.palette;
-        const float line = line_height(ui_, Face::title), gap = ui_.px(2), h = ui_.px(live_bar);
+        const float line = line_height(ui_, Face::title), gap = ui_.px(spacing::hair), h = ui_.px(live_bar);
         const float y = row.middle() - (line + gap + h) / 2;
         put(ui_, {row.place.x, y}, wiring::short_name(kind_of(*view_.now, vehicle_).sensors, row.name), p.second_text,
             Face::title);

@@ -110,11 +110,11 @@ struct CornerButton {
 std::vector<CornerButton> corner_buttons(const Ui& ui, Rect area, Pointer& pointer) {
     std::vector<CornerButton> buttons{{"canvas.fit", ui.strings("wiring.fit"), {}},
                                       {"canvas.arrange", ui.strings("wiring.arrange"), {}}};
-    float right = area.x + area.w - ui.px(12);
+    float right = area.x + area.w - ui.px(spacing::medium);
     for (CornerButton& button : buttons) {
-        const float width = text_width(ui, Face::text, button.words) + ui.px(24);
-        button.rect = {right - width, area.y + ui.px(12), width, ui.px(32)};
-        right -= width + ui.px(8);
+        const float width = text_width(ui, Face::text, button.words) + ui.px(spacing::wide);
+        button.rect = {right - width, area.y + ui.px(spacing::medium), width, ui.px(32)};
+        right -= width + ui.px(spacing::small);
         button.hovered = pointer.over && button.rect.contains(pointer.at.x, pointer.at.y);
         button.pressed = button.hovered && pointer.left_pressed;
     }

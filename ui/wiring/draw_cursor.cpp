@@ -18,17 +18,19 @@ using maths::vec2;
 
 namespace {
 
+constexpr vec2 note_padding{spacing::medium, spacing::small};
+
 // The size of a note, window pixels.
 ImVec2 note_size(const Ui& ui, std::string_view words) {
     ImFont* face = font(ui, Face::text);
     const char* end = words.data() + words.size();
     const ImVec2 extent = face->CalcTextSizeA(compat::size_of(face), 1e9f, 0, words.data(), end);
-    return {extent.x + ui.px(20), extent.y + ui.px(14)};
+    return {extent.x + ui.px(2 * note_padding.x), extent.y + ui.px(2 * note_padding.y)};
 }
 
 // The position inside the area that is nearest to `at`, for a note of this size.
 ImVec2 kept_inside(const Ui& ui, ImVec2 at, ImVec2 size, Rect area) {
-    const float rim = ui.px(4);
+    const float rim = ui.px(spacing::tight);
     const auto within = [rim](float wanted, float length, float low, float extent) {
         return std::floor(std::clamp(wanted, low + rim, std::max(low + rim, low + extent - length - rim)));
     };
@@ -38,7 +40,6 @@ ImVec2 kept_inside(const Ui& ui, ImVec2 at, ImVec2 size, Rect area) {
 // A note with its upper left corner at `at` (window pixels), moved inside the area.
 void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Colour edge) {
     const Ui& ui = pen.ui;
-    const float pad = ui.px(10);
     const auto [w, h] = note_size(ui, words);
     at = kept_inside(ui, at, {w, h}, area);
     const ImVec2 far{at.x + w, at.y + h};
@@ -50,7 +51,7 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     }
     pen.list.AddRectFilled(at, far, paint(p.raised), ui.px(8));
     compat::outline(pen.list, at, far, paint(edge), ui.px(8), ui.px(1.5f));
-    put_on(pen.list, ui, {at.x + pad, at.y + 0.7f * pad}, words, p.text, Face::text);
+    put_on(pen.list, ui, {at.x + ui.px(note_padding.x), at.y + ui.px(note_padding.y)}, words, p.text, Face::text);
 }
 
 // Below the card, above it or beside it, where the note covers fewer cards; its own card counts most.
@@ -66,7 +67,7 @@ ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape,
         }
         return count;
     };
-    constexpr float space = 14;
+    constexpr float space = spacing::medium;
     const ImVec2 low = pen.at(shape.centre - shape.size / 2 - vec2{space, space});
     const ImVec2 high = pen.at(shape.centre + shape.size / 2 + vec2{space, space});
     const float left = pen.at(shape.centre - shape.size / 2).x, middle = (low.y + high.y - note.y) / 2;
@@ -123,7 +124,9 @@ void draw_loose(const Pen& pen, const Picture& picture, const LooseWire& loose, 
     draw_end_sign(pen, b[3] - vec2{8, 0}, 15, true, colour);
 }
 
-ImVec2 beside(const Pen& pen, vec2 pixel) { return {pixel.x + pen.ui.px(18), pixel.y + pen.ui.px(14)}; }
+ImVec2 beside(const Pen& pen, vec2 pixel) {
+    return {pixel.x + pen.ui.px(spacing::large), pixel.y + pen.ui.px(spacing::medium)};
+}
 
 // From the pin to the pointer, or to the pin that it would be joined to.
 void draw_dragged_wire(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {

@@ -131,7 +131,7 @@ void show_many(Inspected& in) {
             ImGui::SameLine();
         const std::string name(row.words.substr(row.words.rfind('.') + 1));
         if (button(ui, "inspector." + name, look).pressed) in.state.hovered = {}, in.state.chosen_row = row;
-        x += width + ui.px(8);
+        x += width + ui.px(spacing::small);
     }
 }
 
@@ -168,7 +168,7 @@ void show(Inspected& in) {
 }  // namespace
 
 Rect inspector_rect(const Ui& ui, const CanvasState& state, Rect canvas) {
-    const float open = std::min(sheet_height(ui, canvas.w - ui.px(32)), canvas.h * 0.4f);
+    const float open = std::min(sheet_height(ui, canvas.w - ui.px(2 * spacing::large)), canvas.h * 0.4f);
     const float height = state.inspector.folded ? folded_height(ui) : open;
     return {canvas.x, canvas.y + canvas.h - height, canvas.w, height};
 }

@@ -18,7 +18,7 @@ using maths::vec2;
 
 namespace {
 
-constexpr float menu_row_height = 28, menu_padding = 6, menu_group_gap = 9, heading_room = 26,
+constexpr float menu_row_height = 28, menu_padding = spacing::small, menu_group_gap = spacing::small, heading_room = 26,
                 note_room = 20;  // layout pixels
 
 void add_kinds(std::vector<MenuRow>& rows) {
@@ -123,7 +123,7 @@ void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float width) {
     float height = 2 * menu_padding * ui_scale + heading_height(menu);
     for (const MenuRow& row : menu.rows)
         height += (menu_row_height + (row.begins_group ? menu_group_gap : 0)) * ui_scale;
-    const float room = 4 * ui_scale;
+    const float room = spacing::tight * ui_scale;
     const auto within = [room](float at, float size, float low, float extent) {
         return std::clamp(at, low + room, std::max(low + room, low + extent - size - room));
     };
@@ -148,7 +148,8 @@ int row_at(const CanvasMenu& menu, maths::vec2 pixel) {
 
 namespace {
 
-constexpr float curve_room = 34, menu_side = 12, key_gap = 28;  // layout pixels
+constexpr float curve_width = 24, curve_room = curve_width + spacing::small, menu_side = spacing::medium,
+                key_gap = spacing::wide;  // layout pixels
 
 std::string shortcut_of(const Ui& ui, const MenuRow& row) {
     if (!row.action) return {};
@@ -180,13 +181,15 @@ void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
     const Rect r = row_rect(menu, index);
     const float middle = r.y + r.h / 2;
     if (row.begins_group)
-        pen.list.AddLine({r.x + ui.px(menu_side), r.y - ui.px(4.5f)}, {r.x + r.w - ui.px(menu_side), r.y - ui.px(4.5f)},
-                         paint(p.line), ui.px(1));
+        pen.list.AddLine({r.x + ui.px(menu_side), r.y - ui.px(menu_group_gap / 2)},
+                         {r.x + r.w - ui.px(menu_side), r.y - ui.px(menu_group_gap / 2)}, paint(p.line), ui.px(1));
     const bool current = static_cast<int>(index) == menu.current;
-    if (current) fill_box(ui, {r.x + ui.px(4), r.y, r.w - ui.px(8), r.h}, mix(p.panel, p.accent, 0.28f));
+    if (current)
+        fill_box(ui, {r.x + ui.px(spacing::tight), r.y, r.w - ui.px(2 * spacing::tight), r.h},
+                 mix(p.panel, p.accent, 0.28f));
     float x = r.x + ui.px(menu_side);
     if (shows_curves(menu)) {
-        const Rect sign{x, middle - ui.px(8), ui.px(24), ui.px(16)};
+        const Rect sign{x, middle - ui.px(8), ui.px(curve_width), ui.px(16)};
         if (row.command == MenuCommand::add) draw_curve(pen.list, ui, sign, neuron_kinds[row.kind].curve, p.excites);
         x += ui.px(curve_room);
     }
@@ -199,11 +202,11 @@ void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
 }
 
 void draw_heading(const Ui& ui, const CanvasMenu& menu) {
-    const float x = menu.rect.x + ui.px(menu_side), y = menu.rect.y + ui.px(9);
+    const float x = menu.rect.x + ui.px(menu_side), y = menu.rect.y + ui.px(spacing::small);
     if (!menu.heading.empty()) put(ui, {x, y}, ui.strings(menu.heading), ui.palette.text, Face::strong);
     if (!menu.note.empty())
-        put(ui, {x, y + line_height(ui, Face::strong) + ui.px(2)}, ui.strings(menu.note), ui.palette.second_text,
-            Face::small);
+        put(ui, {x, y + line_height(ui, Face::strong) + ui.px(spacing::hair)}, ui.strings(menu.note),
+            ui.palette.second_text, Face::small);
 }
 
 }  // namespace

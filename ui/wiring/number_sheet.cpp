@@ -117,10 +117,11 @@ void draw_curve(ImDrawList& list, const Ui& ui, Rect rect, const Curve& curve, C
 namespace {
 
 constexpr float least_track = 110;  // layout pixels, with the space of the knob at both ends
-constexpr float plot_side = 104, kind_width = 44, kind_height = 30, column_space = 16;  // layout pixels
+constexpr float plot_side = 104, kind_width = 44, kind_height = 30, column_space = spacing::large;  // layout pixels
 constexpr float numbers_of_a_wire = 4;  // weight, threshold, learning, forgetting
 constexpr std::size_t curve_columns = 3;
-constexpr float curves_width = static_cast<float>(curve_columns) * kind_width + 8, room_for_plot = 680;
+constexpr float curves_width = static_cast<float>(curve_columns) * kind_width + (curve_columns - 1) * spacing::tight,
+                room_for_plot = 680;
 
 bool curve_button(Ui& ui, std::size_t index, const Curve& curve) {
     const Item at = item(ui, "inspector.kind." + std::to_string(index + 1), {ui.px(kind_width), ui.px(kind_height)});
@@ -129,7 +130,7 @@ bool curve_button(Ui& ui, std::size_t index, const Curve& curve) {
     const bool on = curve.response == response;
     fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.20f) : mix(p.raised, p.line, at.warmth * 0.6f));
     line_box(ui, at.rect, on ? p.accent : p.line);
-    const float inset = ui.px(6);
+    const float inset = ui.px(spacing::tight);
     draw_curve(*ImGui::GetWindowDrawList(), ui,
                {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset}, {response},
                on ? p.text : p.second_text);
@@ -143,7 +144,7 @@ float widest_words(const Ui& ui) {
     for (const char* key :
          {"inspector.weight", "inspector.threshold", "inspector.bias", "inspector.memory", "inspector.peak",
           "inspector.middle", "inspector.step_at", "inspector.width", "inspector.learning", "inspector.decay"})
-        widest = std::max(widest, text_width(ui, Face::text, ui.strings(key)) / ui.scale + 8);
+        widest = std::max(widest, text_width(ui, Face::text, ui.strings(key)) / ui.scale + spacing::small);
     return widest;
 }
 
@@ -164,7 +165,7 @@ bool has_room_for_plot(const Ui& ui, float width) { return width > ui.px(room_fo
 
 float room_for_sliders(const Ui& ui, float width) {
     const float plot = has_room_for_plot(ui, width) ? plot_side + column_space : 0;
-    return width - ui.px(plot + curves_width + column_space + 12);
+    return width - ui.px(plot + curves_width + column_space + spacing::medium);
 }
 
 float half_of(const Ui& ui, float room) { return (room - ui.px(column_space)) / 2; }
@@ -203,7 +204,7 @@ void NumberSheet::plot(const Curve& curve, float input) {
 void NumberSheet::choose_curve(Curve& curve, const SheetHead& head) {
     Ui& ui = in_.ui;
     ImGui::BeginGroup();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(4), ui.px(4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::tight), ui.px(spacing::tight)});
     for (std::size_t i = 0; i < responses.size(); ++i) {
         if (i % curve_columns != 0) ImGui::SameLine();
         if (!curve_button(ui, i, curve)) continue;
@@ -239,9 +240,9 @@ void NumberSheet::curve_numbers(Curve& curve, bool has_threshold) {
 }
 
 float sheet_height(const Ui& ui, float width) {
-    constexpr float around = 48, between = 8;  // of the card, layout pixels
+    constexpr float around = 48, between = spacing::small;  // of the card, layout pixels
     constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
-    const float curves = 44 + rows * (kind_height + 4);
+    const float curves = 44 + rows * (kind_height + spacing::tight);
     const float numbers = is_one_column(ui, room_for_sliders(ui, width)) ? numbers_of_a_wire : 2.0f;
     return ui.px(around + std::max(curves, numbers * (slider_height + between) - between));
 }

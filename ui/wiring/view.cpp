@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/theme.h"
+
 namespace braitenlab::wiring {
 
 using maths::vec2;
@@ -23,8 +25,8 @@ namespace {
 
 // Margins of a fitted brain, layout pixels. The buttons in the upper right corner take top_margin in height and
 // button_margin in width.
-constexpr float side_margin = 28, bottom_margin = 24, top_margin = 56, button_margin = 212;
-constexpr float bare_margin = 10;  // on all sides, without buttons
+constexpr float side_margin = spacing::wide, bottom_margin = spacing::wide, top_margin = 56, button_margin = 212;
+constexpr float bare_margin = spacing::small;  // on all sides, without buttons
 
 float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
     const float zoom = std::min(std::max(room.x, 1.0f) / size.x, std::max(room.y, 1.0f) / size.y) / ui_scale;
@@ -82,7 +84,7 @@ void reveal(CanvasCamera& camera, Rect area, float ui_scale, vec2 point) {
 }
 
 std::optional<Minimap> minimap_of(const Layout& layout, const View& view, Rect area, float ui_scale) {
-    constexpr float width = 176, height = 112, away = 12, margin = 6;  // layout pixels
+    constexpr float width = 176, height = 112, away = spacing::medium, margin = spacing::small;  // layout pixels
     if (layout.nodes.size() < minimap_from) return {};
     if (area.w < 2.5f * width * ui_scale || area.h < 2.5f * height * ui_scale) return {};
     const vec2 low = view.to_window(layout.low), high = view.to_window(layout.high);
