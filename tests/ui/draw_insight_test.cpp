@@ -65,6 +65,22 @@ TEST_F(DrawInsight, TheWholeLastRunIsDrawnWhileTheNewOneWaits) {
     EXPECT_TRUE(writes("Last run"));
 }
 
+TEST_F(DrawInsight, TheWordsOfTheLastRunCoverNoVehicle) {
+    desk.view.last_run = GhostView{path[100], 1, 0.7f, &path, 101};
+    const maths::vec2 ghost = pixel({path[100].x, path[100].y});
+    int covered = 0;
+    for (int k = 0; k < 12; ++k) {
+        const maths::vec2 away{k % 2 == 0 ? 60.0f : -60.0f, 10.0f * static_cast<float>(k) - 55};
+        const auto floor = unproject(camera_view, ghost + away);
+        ASSERT_TRUE(floor);
+        desk.now.vehicles[0].x = floor->x, desk.now.vehicles[0].y = floor->y;
+        desk.frame();
+        for (const ui::Written& w : desk.written)
+            if (w.words == "Last run") covered += w.rect.contains(ghost.x + away.x, ghost.y + away.y);
+    }
+    EXPECT_EQ(covered, 0);
+}
+
 TEST_F(DrawInsight, TheWordsOfBothPathsDoNotOverlap) {
     std::vector<Pose> before = path;
     for (const float apart : {-0.61f, 0.61f}) {

@@ -93,7 +93,7 @@ void draw_deck_wire(const LabView& view, const Ui& ui, Rect area, const VehicleV
     const std::string words = words_of(view, ui, vehicle, hit.ends, is_cut);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, {}};
-    draw_note(frame, ui, words, ui.palette.accent, {mouse.x, mouse.y}, true);
+    draw_note(frame, ui, words, ui.palette.accent, {mouse.x, mouse.y}, NoteSide::above);
 }
 
 // The words in the upper left corner of the wiring editor's inset, far from the pointer: they say what the path is.

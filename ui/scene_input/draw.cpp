@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -285,15 +286,50 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
     ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
 }
 
-void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside,
-               bool wants_above) {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const float w = text_width(ui, Face::small, words) + ui.px(16), h = line_height(ui, Face::small) + ui.px(8);
+namespace {
+
+int vehicles_below(const SceneInputFrame& frame, Rect note) {
+    const Snapshot& now = *frame.view.now;
+    return static_cast<int>(std::count_if(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& vehicle) {
+        const vec2 place{vehicle.x, vehicle.y};
+        const auto at = project(frame.camera_view, place);
+        if (!at) return false;
+        const float reach = 0.5f * kind_of(now, vehicle).body.length * pixels_per_metre(frame.camera_view, place);
+        const vec2 nearest{std::clamp(at->x, note.x, note.x + note.w), std::clamp(at->y, note.y, note.y + note.h)};
+        return maths::distance(*at, nearest) < reach;
+    }));
+}
+
+// Right of its position and on its side; elsewhere where it would leave the scene or cover a vehicle.
+Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, ImVec2 size, vec2 beside, NoteSide side) {
     const Rect& room = frame.area;
     const float gap = ui.px(18);
-    const bool left = beside.x + gap + w > room.x + room.w, above = wants_above || beside.y + gap + h > room.y + room.h;
-    const ImVec2 at{std::floor(std::max(room.x, left ? beside.x - gap - w : beside.x + gap)),
-                    std::floor(std::max(room.y, above ? beside.y - gap - h : beside.y + gap))};
+    std::optional<Rect> best;
+    int fewest = 0;
+    for (const bool left : {false, true})
+        for (const bool above : {false, true}) {
+            Rect note{std::floor(left ? beside.x - gap - size.x : beside.x + gap),
+                      std::floor(above ? beside.y - gap - size.y : beside.y + gap), size.x, size.y};
+            constexpr int worst = 1 << 20;  // more than any number of vehicles
+            const bool leaves = left ? note.x < room.x : note.x + note.w > room.x + room.w;
+            const bool leaves_too = above ? note.y < room.y : note.y + note.h > room.y + room.h;
+            note.x = std::max(room.x, note.x), note.y = std::max(room.y, note.y);
+            const bool other_side = above ? side == NoteSide::below : side == NoteSide::above;
+            const int covers = vehicles_below(frame, note) + worst * (leaves + leaves_too + other_side);
+            if (!best || covers < fewest) best = note, fewest = covers;
+        }
+    return *best;
+}
+
+}  // namespace
+
+void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside,
+               NoteSide side) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float w = text_width(ui, Face::small, words) + ui.px(spacing::large),
+                h = line_height(ui, Face::small) + ui.px(spacing::small);
+    const Rect place = place_of_note(frame, ui, {w, h}, beside, side);
+    const ImVec2 at{place.x, place.y};
     list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(6));
     compat::outline(list, at, {at.x + w, at.y + h}, paint(edge), ui.px(6), ui.px(1.25f));
     put_on(list, ui, {at.x + ui.px(8), at.y + ui.px(4)}, words, ui.palette.text, Face::small);

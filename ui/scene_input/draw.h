@@ -21,8 +21,9 @@ void draw_dot(const Ui&, ImVec2 at, float radius, Colour);
 // A handle, in its middle these words; the anchor is the square of handle_grip within which a press takes it.
 void draw_handle(const SceneInputFrame&, const Ui&, maths::vec2 place, bool warm, const std::string& anchor,
                  std::string_view words = {});
-// A note is below its position, or above it where there is no room or where that is wanted.
+// Where a note is. any: below its position, elsewhere beside it where it would leave the scene or cover a vehicle.
+enum class NoteSide { any, below, above };
 void draw_note(const SceneInputFrame&, const Ui&, std::string_view words, Colour edge, maths::vec2 beside,
-               bool wants_above = false);
+               NoteSide = NoteSide::any);
 
 }  // namespace braitenlab::ui

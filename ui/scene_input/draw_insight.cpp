@@ -32,11 +32,11 @@ std::vector<vec2> coming(const std::vector<Pose>& path, std::uint64_t first, std
 
 // Words at the end of a path.
 void name_end(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, std::string_view words,
-              Colour colour, bool above = false) {
+              Colour colour, NoteSide side = NoteSide::any) {
     const auto at = project(frame.camera_view, points.back());
     if (!at) return;
     draw_dot(ui, {at->x, at->y}, 4, colour);
-    draw_note(frame, ui, words, colour, *at, above);
+    draw_note(frame, ui, words, colour, *at, side);
 }
 
 // True if the first point is higher on the screen.
@@ -65,19 +65,22 @@ void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const Predictio
         draw_floor_line(frame, ui, coming(other, shown.tick, now), p.accent.with_alpha(0.35f), 1.25f);
     std::vector<vec2> points = coming(*shown.path, shown.tick, now);
     if (points.empty()) return;
-    bool above = false;  // the words of both ends do not overlap: one is above its end, the other one below
+    NoteSide side = NoteSide::any;  // the words of both ends do not overlap: one is above its end, the other one below
     if (shown.before) {
         const std::vector<vec2> before = coming(*shown.before, shown.before_tick, now);
         draw_floor_line(frame, ui, before, p.second_text.with_alpha(0.6f), 1.5f);
         constexpr float apart = 0.6f;  // m
-        if (!before.empty() && maths::distance(before.back(), points.back()) > apart)
-            above = is_higher(frame, points.back(), before.back()),
-            name_end(frame, ui, before, ui.strings("scene_input.before"), p.second_text, !above);
+        if (!before.empty() && maths::distance(before.back(), points.back()) > apart) {
+            const bool above = is_higher(frame, points.back(), before.back());
+            side = above ? NoteSide::above : NoteSide::below;
+            name_end(frame, ui, before, ui.strings("scene_input.before"), p.second_text,
+                     above ? NoteSide::below : NoteSide::above);
+        }
     }
     draw_dashes(frame, ui, points, colour);
     const std::uint64_t end = shown.tick + shown.path->size() - 1;
     const auto seconds = static_cast<int>(std::lround(static_cast<double>(end - now) / 60));
-    name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour, above);
+    name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour, side);
     if (const auto at = project(frame.camera_view, points.back())) {
         const float size = ui.px(16);
         ui.anchors.record("stage.prediction", {at->x - size / 2, at->y - size / 2, size, size});

@@ -51,7 +51,7 @@ void draw_trail_moment(const SceneInputFrame& frame, const Ui& ui, std::uint64_t
     draw.AddCircle({at->x, at->y}, ui.px(7), paint(ui.palette.panel), 0, ui.px(5));
     draw.AddCircle({at->x, at->y}, ui.px(7), paint(ui.palette.accent), 0, ui.px(2.5f));
     const std::string seconds = fixed(ui, static_cast<float>(tick) * tick_seconds, 1);
-    draw_note(frame, ui, fill(ui.strings("scene_input.why_at"), {seconds}), ui.palette.accent, *at, true);
+    draw_note(frame, ui, fill(ui.strings("scene_input.why_at"), {seconds}), ui.palette.accent, *at, NoteSide::above);
 }
 
 }  // namespace braitenlab::ui
