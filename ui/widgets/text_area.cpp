@@ -9,7 +9,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/text_field.h"
+#include "ui/widgets/text_box.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -78,27 +78,12 @@ void text_area(Ui& ui, TextField& field, std::string_view id, float width, int r
     // Before the field sees the key: Dear ImGui would restore the text from before the first key.
     if (std::exchange(field.ask_leave, false)) ImGui::ClearActiveID();
     input_area(ui, field, id, {box.w, box.h}, pad, begins);
-    const bool clicked = ImGui::IsItemHovered() && ImGui::IsMouseClicked(0);
-    field.active = ImGui::IsItemActive();
-    if (clicked && ui.keyboard) ui.keyboard->focus = id;
-    if (!clicked && ImGui::IsMouseClicked(0) && !ImGui::IsItemHovered()) leave(ui.keyboard, id);
-    if (field.active && !focused && !clicked) ImGui::ClearActiveID(), field.active = false;
-    takes_text(ui.keyboard, id, field.active);
+    const TextBox shown{id, box, pad, focused, ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)};
+    settle_focus(ui, field, shown);
     ImGui::PopStyleVar();
     ImGui::PopFont();
-    if (field.text.empty())
-        put(ui, {box.x + pad.x, box.y + pad.y}, shortened(ui, what, Face::text, width - 2 * pad.x),
-            ui.palette.second_text);
-    line_box(ui, box, focused ? ui.palette.accent : ui.palette.line, 6, focused ? 1.5f : 1.0f);
-    mark(ui, id, box);
-    Item area{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};
-    if (ui.shown) {
-        area.shown = static_cast<int>(ui.shown->size());
-        ui.shown->push_back({std::string(id), false, box, true});
-    }
-    tooltip(ui, area, how);
+    finish_text_box(ui, field, shown, what, how);
     field.entered = field.ask_enter = false;
-    field.drawn = true;
 }
 
 bool for_text_area(TextField& field, KeyPress press) {

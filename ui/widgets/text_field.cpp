@@ -9,6 +9,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/text_box.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -24,15 +25,39 @@ int grow(ImGuiInputTextCallbackData* data) {
 
 }  // namespace
 
+void settle_focus(Ui& ui, TextField& field, const TextBox& shown) {
+    field.active = ImGui::IsItemActive();
+    if (shown.clicked && ui.keyboard) ui.keyboard->focus = shown.id;
+    if (!shown.clicked && ImGui::IsMouseClicked(0) && !ImGui::IsItemHovered()) leave(ui.keyboard, shown.id);
+    if (field.active && !shown.focused && !shown.clicked) ImGui::ClearActiveID(), field.active = false;
+    takes_text(ui.keyboard, shown.id, field.active);
+}
+
+void finish_text_box(Ui& ui, TextField& field, const TextBox& shown, std::string_view what, std::string_view how) {
+    const Rect box = shown.box;
+    if (field.text.empty())
+        put(ui, {box.x + shown.pad.x, box.y + shown.pad.y}, shortened(ui, what, Face::text, box.w - 2 * shown.pad.x),
+            ui.palette.second_text);
+    line_box(ui, box, shown.focused ? ui.palette.accent : ui.palette.line, 6, shown.focused ? 1.5f : 1.0f);
+    mark(ui, shown.id, box);
+    Item item{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};
+    if (ui.shown) {
+        item.shown = static_cast<int>(ui.shown->size());
+        ui.shown->push_back({std::string(shown.id), false, box, true});
+    }
+    tooltip(ui, item, how);
+    field.drawn = true;
+}
+
 void text_field(Ui& ui, TextField& field, std::string_view id, float width, std::string_view what,
                 std::string_view how) {
     const float height = ui.px(button_height);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, width, height};
+    const ImVec2 pad{ui.px(spacing::small), (height - line_height(ui, Face::text)) / 2};
     const bool focused = stop_here(ui.keyboard, id);
     compat::push_font(font(ui, Face::text));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        {ui.px(spacing::small), (height - line_height(ui, Face::text)) / 2});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, pad);
     ImGui::SetNextItemWidth(width);
     // Not while a mouse button is down: the widget under the pointer would lose the press.
     if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) ImGui::SetKeyboardFocusHere();
@@ -40,27 +65,12 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     ImGui::InputText("##text", field.text.data(), field.text.capacity() + 1,
                      ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AutoSelectAll, grow, &field.text);
     ImGui::PopID();
-    const bool clicked = ImGui::IsItemClicked();
-    field.active = ImGui::IsItemActive();
-    if (clicked && ui.keyboard) ui.keyboard->focus = id;
-    if (!clicked && ImGui::IsMouseClicked(0) && !ImGui::IsItemHovered()) leave(ui.keyboard, id);
-    if (field.active && !focused && !clicked) ImGui::ClearActiveID(), field.active = false;
-    takes_text(ui.keyboard, id, field.active);
+    const TextBox shown{id, box, pad, focused, ImGui::IsItemClicked()};
+    settle_focus(ui, field, shown);
     ImGui::PopStyleVar();
     ImGui::PopFont();
-    if (field.text.empty())
-        put(ui, {box.x + ui.px(spacing::small), box.y + (height - line_height(ui, Face::text)) / 2},
-            shortened(ui, what, Face::text, width - ui.px(20)), ui.palette.second_text);
-    line_box(ui, box, focused ? ui.palette.accent : ui.palette.line, 6, focused ? 1.5f : 1.0f);
-    mark(ui, id, box);
-    Item field_item{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};
-    if (ui.shown) {
-        field_item.shown = static_cast<int>(ui.shown->size());
-        ui.shown->push_back({std::string(id), false, box, true});
-    }
-    tooltip(ui, field_item, how);
+    finish_text_box(ui, field, shown, what, how);
     field.entered = std::exchange(field.ask_enter, false);
-    field.drawn = true;
 }
 
 bool keep_drawn(TextField& field) {
