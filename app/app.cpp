@@ -167,24 +167,20 @@ void App::let_time_pass(double passed) {
 }
 
 void App::follow_jobs() {
-    constexpr std::chrono::milliseconds budget{4};  // of a frame, without threads
-    if (repeatable()) {
+    const auto update = [this] {
         update_grading(lab_, jobs_);
         update_exercise_check(lab_, jobs_);
         update_reference_runs(lab_, jobs_);
         update_children(lab_, jobs_);
         update_predictions(lab_, jobs_);
         update_slots(lab_, jobs_);
-        jobs_.finish();
-    } else {
+    };
+    constexpr std::chrono::milliseconds budget{4};  // of a frame, without threads
+    if (repeatable())
+        update(), jobs_.finish();
+    else
         jobs_.deliver(budget);
-    }
-    update_grading(lab_, jobs_);
-    update_exercise_check(lab_, jobs_);
-    update_reference_runs(lab_, jobs_);
-    update_children(lab_, jobs_);
-    update_predictions(lab_, jobs_);
-    update_slots(lab_, jobs_);
+    update();
     update_mystery(lab_, jobs_);
     update_explanation(lab_);
     update_map(lab_, jobs_);
