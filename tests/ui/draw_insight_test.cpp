@@ -151,12 +151,12 @@ TEST_F(DrawInsight, TheCauseOfTheTurnHasABarForEachSensorAndAddsUp) {
 TEST_F(DrawInsight, TheCauseOfTheTurnNamesWhatItsSensorReads) {
     const VehicleView& vehicle = desk.now.vehicles[0];
     const maths::vec2 ahead = maths::direction(vehicle.heading);
-    const maths::vec2 lamp = maths::vec2{vehicle.x, vehicle.y} + maths::rotate({3, -1.5f}, ahead);
+    const maths::vec2 source = maths::vec2{vehicle.x, vehicle.y} + maths::rotate({3, -1.5f}, ahead);
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->obstacles.clear();
-    scene->sources = {{.name = "lamp_2", .x = lamp.x, .y = lamp.y}};
+    scene->sources = {{.name = "lamp_2", .x = source.x, .y = source.y}};
     desk.now.scene = scene;
-    desk.now.sources = {{.source = 0, .x = lamp.x, .y = lamp.y}};
+    desk.now.sources = {{.source = 0, .x = source.x, .y = source.y}};
     insight::Why why{.vehicle = vehicle.id, .left = 0.6f, .right = 0.25f};
     why.sensors = {{"SR", 0.56f, -0.35f}};
     desk.view.why = &why;
