@@ -181,7 +181,9 @@ TEST_F(ExerciseCheckLab, ListsWhatTheCheckInTheTerminalPrints) {
     for (const Finding& each : lab.findings) {
         failed_starts += each.said.key == "findings.start_fails" && !each.measures.empty();
         lamps += each.said.error && each.said.error->what.find("outside the arena") != std::string::npos;
-        if (each.said.error) EXPECT_GT(each.said.error->line, 0);
+        if (each.said.error) {
+            EXPECT_GT(each.said.error->line, 0);
+        }
     }
     EXPECT_EQ(failed_starts, 10);
     EXPECT_EQ(lamps, 1);

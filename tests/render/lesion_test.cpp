@@ -100,8 +100,8 @@ TEST_F(LesionTest, DrawsAGapInACutWire) {
     const auto painted = [&] {
         renderer->draw(now, picture);
         int count = 0;  // pixels in the wire's colour
-        for (int y = 0; y < height; ++y)
-            for (int x = width / 2 - 120; x < width / 2 + 120; ++x) {
+        for (int y = 0; y < window_height; ++y)
+            for (int x = window_width / 2 - 120; x < window_width / 2 + 120; ++x) {
                 const Colour c = stage.pixel({static_cast<float>(x), static_cast<float>(y)});
                 count += c.r > 0.7f * excites.r && c.r > 2.5f * c.b && c.g > 0.5f * excites.g;
             }

@@ -193,7 +193,7 @@ TEST_F(RoundedTest, SmoothsEdgesAtHighQuality) {
         for (int y = 180; y < 300; ++y)
             for (int x = 260; x < 380; ++x) {
                 const auto at = [&](int px) {
-                    return static_cast<int>(all[static_cast<std::size_t>((y * width + px) * 3 + 2)]);
+                    return static_cast<int>(all[static_cast<std::size_t>((y * window_width + px) * 3 + 2)]);
                 };
                 jumps += std::abs(at(x + 1) - at(x)) > 60;
             }

@@ -11,8 +11,8 @@
 
 namespace braitenlab::render {
 
-inline constexpr int width = 640, height = 480;
-inline const Rect window{0, 0, width, height};
+inline constexpr int window_width = 640, window_height = 480;
+inline const Rect window{0, 0, window_width, window_height};
 
 inline float brightness(Colour c) { return (c.r + c.g + c.b) / 3; }
 
@@ -40,7 +40,7 @@ protected:
 
     void look_from(const Camera& camera) { picture.camera_view = look(camera, Arena{}, nullptr, window, window); }
 
-    Stage stage{width, height};
+    Stage stage{window_width, window_height};
     std::optional<Renderer> renderer;
     Picture picture;
 };

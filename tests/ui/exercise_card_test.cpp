@@ -673,7 +673,9 @@ TEST(ExerciseCard, TitleAndGoalStayInSightAndTheNewestHintIsBelowThemInTheWiring
                 EXPECT_TRUE(inside(goal->rect, goal->clip)) << language;
                 EXPECT_TRUE(inside(newest->rect, newest->clip)) << language << ": hint " << hint << " is cut";
                 EXPECT_GE(newest->rect.y, goal->rect.y + goal->rect.h) << language;
-                if (mode == Mode::wiring) EXPECT_LT(newest->rect.y, goal->rect.y + 130) << language;
+                if (mode == Mode::wiring) {
+                    EXPECT_LT(newest->rect.y, goal->rect.y + 130) << language;
+                }
             }
         }
     }
