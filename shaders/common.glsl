@@ -128,8 +128,10 @@ vec4 sector_edges(vec4 shape) {
 // `beside`: distance inside the nearer side, m; sides get softer with distance. `edges`: from sector_edges().
 float field_fill(vec2 own, float beside, vec4 edges) {
     float squared = dot(own, own), rest = max(1.0 - squared * edges.w, 0.0);
-    float answer = edges.z > 0.0 ? rest * rest / (1.0 + squared * edges.z) : 0.4 * min(rest * 8.0, 1.0);
-    return answer * clamp(beside / (0.02 + 0.06 * sqrt(squared)), 0.0, 1.0);
+    float answer = edges.z > 0.0 ? rest * rest : 0.4 * min(rest * 8.0, 1.0);
+    // About the distance from the sensor; a root costs a software renderer more.
+    float away = abs(own.x) + 0.4 * abs(own.y), soft = 0.02 + 0.06 * away;
+    return answer * clamp(beside, 0.0, soft) / ((1.0 + squared * max(edges.z, 0.0)) * soft);
 }
 
 // Distance inside the nearer side of a field, m; the sides are mirror images.

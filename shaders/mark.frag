@@ -1,5 +1,5 @@
 in vec2 v_own;
-in vec4 v_shape, v_base;
+flat in vec4 v_shape, v_base;
 
 out vec4 colour;
 

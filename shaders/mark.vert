@@ -6,7 +6,8 @@ layout(location = 5) in vec4 shape;  // half length, half width, softness or lin
 layout(location = 6) in vec4 base;
 
 out vec2 v_own;
-out vec4 v_shape, v_base;
+flat out vec4 v_shape, v_base;
+flat out float v_sharp;  // of shade.frag: shadow: 1 / width of the soft edge; pool: 1 / radius^2
 
 void main() {
     // The quad is larger than the mark: by the softness of a shadow, by the width of a line and a margin. The quad of a
@@ -16,5 +17,6 @@ void main() {
     v_own = corner.xy * (shape.xy + beyond);
     v_shape = shape;
     v_base = base;
+    v_sharp = shape.w < kind_pool - 0.5 ? 1.0 / (2.2 * shape.z) : 1.0 / (shape.x * shape.x);
     gl_Position = view_projection * vec4(to_gl(vec3(place.xy + turn(v_own, place.zw), 0.004)), 1.0);
 }

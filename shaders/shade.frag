@@ -1,22 +1,23 @@
 // Contact shadows and pools of light. Separate from mark.frag because they cover much of the floor and a software
 // renderer executes every branch.
 in vec2 v_own;
-in vec4 v_shape, v_base;
+flat in vec4 v_shape, v_base;
+flat in float v_sharp;
 
 out vec4 colour;
 
 const int kind_shadow = 0;
 
+float smooth_share(float t) { return t * t * (3.0 - 2.0 * t); }
+
 float shadow() {
-    float soft = v_shape.z;
-    vec2 q = abs(v_own) - v_shape.xy + soft;
-    float outside = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - soft;
-    float t = 1.0 - smoothstep(-soft * 1.2, soft, outside);
-    return t * t * (3.0 - 2.0 * t);
+    // From 1.2 times the softness inside the edge to the softness outside it, along both axes.
+    vec2 t = clamp((v_shape.xy + v_shape.z - abs(v_own)) * v_sharp, 0.0, 1.0);
+    return smooth_share(smooth_share(t.x) * smooth_share(t.y));
 }
 
 float pool() {
-    float t = max(0.0, 1.0 - dot(v_own, v_own) / (v_shape.x * v_shape.x));
+    float t = max(0.0, 1.0 - dot(v_own, v_own) * v_sharp);
     return t * t * t;
 }
 

@@ -1,7 +1,7 @@
 in float v_side;
 in float v_along;
-in vec4 v_base;
-in float v_signal;
+flat in vec4 v_base;
+flat in float v_signal;
 in float v_part;
 flat in float v_cut;
 flat in float v_round;

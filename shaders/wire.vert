@@ -8,8 +8,8 @@ layout(location = 7) in vec4 signal;  // x: 0..1; y: 1 cut; z: rise of its middl
 
 out float v_side;
 out float v_along;   // metres
-out vec4 v_base;
-out float v_signal;
+flat out vec4 v_base;
+flat out float v_signal;
 out float v_part;    // share of the length, 0..1
 flat out float v_cut;
 flat out float v_round;  // 1 for a cable
