@@ -74,6 +74,13 @@ std::string text_of(const Error& error, const Strings& strings) {
     return text;
 }
 
+std::string shown_name(const Strings& strings, std::string_view name) {
+    std::string words(name);
+    if (const std::string_view known = strings.find("name." + words, ""); !known.empty()) return std::string(known);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
 char decimal_mark(const Strings& strings) {
     const std::string_view mark = strings.find("number.decimal_mark", ".");
     return mark.empty() ? '.' : mark.front();

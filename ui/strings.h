@@ -42,6 +42,9 @@ private:
 // lead-in in that language.
 std::string text_of(const Error&, const Strings&);
 
+// The name of an object of a file as the scene shows it: "dim" as "schwach", "my_lamp" as "my lamp".
+std::string shown_name(const Strings&, std::string_view name);
+
 // The mark between the ones and the tenths of a number in this language.
 char decimal_mark(const Strings&);
 

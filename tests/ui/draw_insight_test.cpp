@@ -113,6 +113,10 @@ TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
     desk.now.vehicles[0].speed = 1;
     desk.frame();
     EXPECT_TRUE(writes("straight on"));
+    desk.now.vehicles[0].speed = 0.01f;
+    why.left = why.right = 0.02f;
+    desk.frame();
+    EXPECT_TRUE(writes("straight on")) << "its wheels hardly push: nothing is in its way";
 }
 
 TEST_F(DrawInsight, TheCauseOfTheTurnKeepsALampInSight) {

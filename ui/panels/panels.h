@@ -110,8 +110,9 @@ std::string words_of(const Offer&);  // of its slider: "LL = RR"
 void equations(const LabView&, Ui&, const VehicleView&);
 // True if the vehicle does not move. Not known in the first half second.
 bool stands_still(const LabView&, const VehicleView&);
-// True while it is played and does not move. Where its brain drives the wheels, something is then in the way. Not known
-// in the first half second.
+// True if these wheel commands move a vehicle, forwards or backwards, unless something is in the way.
+bool push(float left, float right);
+// True while it is played and does not move although its wheels push. Not known in the first half second.
 bool is_stuck(const LabView&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);

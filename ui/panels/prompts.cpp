@@ -110,9 +110,9 @@ void keep_time(double& since, bool holds, double now) {
 
 bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
 
-// True if the brain gives both wheels no speed; else something is in the way of a vehicle that stands.
+// True if the brain gives the wheels little or no speed; else something is in the way of a vehicle that stands.
 bool is_halted(const VehicleView& vehicle) {
-    constexpr float at_rest = 0.005f;
+    constexpr float at_rest = 0.05f;
     return std::fabs(vehicle.motor[0]) < at_rest && std::fabs(vehicle.motor[1]) < at_rest;
 }
 

@@ -70,10 +70,7 @@ std::string origin_words(const LabView& view, const Ui& ui, const VehicleView& v
         return kind_name(view, ui, *other) + " " + std::to_string(other->id + 1);
     const auto index = static_cast<std::size_t>(origin->source);
     if (index >= view.now->scene->sources.size()) return {};
-    std::string words = view.now->scene->sources[index].name;
-    if (const std::string_view known = ui.strings.find("name." + words, ""); !known.empty()) return std::string(known);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
+    return shown_name(ui.strings, view.now->scene->sources[index].name);
 }
 
 // "Mostly …" of the largest part towards the turn; empty if none is shown as more than 0.
@@ -97,8 +94,7 @@ std::string main_cause(const LabView& view, const Ui& ui, const VehicleView& veh
 
 // True if the wheels push the vehicle forwards or backwards and it does not move.
 bool is_blocked(const LabView& view, const VehicleView& vehicle, const insight::Why& why) {
-    constexpr float pushing = 0.1f;  // sum of the wheel commands
-    return stands_still(view, vehicle) && std::fabs(why.left + why.right) > pushing;
+    return stands_still(view, vehicle) && push(why.left, why.right);
 }
 
 WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
@@ -108,7 +104,8 @@ WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehi
     WhyCallout callout;
     callout.bars = why_bars(view, ui, vehicle, why, turns && difference < 0 ? -1.0f : 1.0f);
     const bool rests = std::fabs(why.left) < shown_as_zero && std::fabs(why.right) < shown_as_zero;
-    std::string sentence(ui.strings(rests ? "sums.still" : is_stuck(view, vehicle) ? "sums.stuck" : "sums.straight"));
+    const bool stuck = view.mode == Mode::playing && is_blocked(view, vehicle, why);
+    std::string sentence(ui.strings(rests ? "sums.still" : stuck ? "sums.stuck" : "sums.straight"));
     if (turns)
         sentence = fill(ui.strings(difference > 0 ? "why.turns_left" : "why.turns_right"),
                         {fixed(ui, std::fabs(difference), 2)});
