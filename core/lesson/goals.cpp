@@ -137,6 +137,12 @@ std::optional<float> needed_most(const G& goal) {
     return std::nullopt;
 }
 
+template <class G>
+std::string_view source_of(const G& goal) {
+    if constexpr (requires { goal.source; }) return goal.source;
+    return {};
+}
+
 // What a value must be so that the measure is not met: outside a range, the nearer of both sides.
 Measure opposite(Measure measure) {
     measure.best = false;
@@ -160,7 +166,7 @@ void add_measures(const Check& check, const CheckState& state, bool together, bo
                     add_measures(goal.checks[i], states[i], together, negated != std::is_same_v<G, goals::NoneOf>, all);
             } else {
                 add({state.value, goal.needed(), G::traits.unit, G::traits.at_most, shows_best<G>(together),
-                     needed_most(goal), G::traits.quantity});
+                     needed_most(goal), G::traits.quantity, source_of(goal)});
             }
         },
         check.goal);

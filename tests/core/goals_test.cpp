@@ -91,12 +91,12 @@ TEST(Goals, AHeldGoalShowsItsPresentValueAndItsTime) {
     const Exercise exercise = with({near_lamp, "", 0.5f});
     Referee referee(exercise);
     for (std::uint64_t tick = 0; tick < 13; ++tick) referee.watch(at(exercise, tick, 0.25f));
-    EXPECT_EQ(
-        referee.verdicts()[0].measures,
-        (std::vector<Measure>{{0.25f, 1, "m", true, false}, {12 * tick_seconds, 0.5f, "s", false, false, {}, "hold"}}));
-    referee.watch(at(exercise, 13, 2));
     EXPECT_EQ(referee.verdicts()[0].measures,
-              (std::vector<Measure>{{2, 1, "m", true, false}, {0, 0.5f, "s", false, false, {}, "hold"}}));
+              (std::vector<Measure>{{0.25f, 1, "m", true, false, {}, {}, "lamp"},
+                                    {12 * tick_seconds, 0.5f, "s", false, false, {}, "hold"}}));
+    referee.watch(at(exercise, 13, 2));
+    EXPECT_EQ(referee.verdicts()[0].measures, (std::vector<Measure>{{2, 1, "m", true, false, {}, {}, "lamp"},
+                                                                    {0, 0.5f, "s", false, false, {}, "hold"}}));
 }
 
 TEST(Goals, AllOfRequiresItsChecksAtTheSameTick) {
@@ -128,7 +128,8 @@ TEST(Goals, ACombinationShowsTheValuesOfItsChecks) {
     const Exercise exercise = with({goals::AllOf{{{near_lamp}, {goals::Runs{1}}}}});
     Referee referee(exercise);
     referee.watch(at(exercise, 0, 2));
-    EXPECT_EQ(referee.verdicts()[0].measures, (std::vector<Measure>{{2, 1, "m", true, false}, {0, 1, "s"}}));
+    EXPECT_EQ(referee.verdicts()[0].measures,
+              (std::vector<Measure>{{2, 1, "m", true, false, {}, {}, "lamp"}, {0, 1, "s"}}));
 }
 
 TEST(Goals, ASpeedUpStaysDecidedAsPartOfACombination) {
@@ -188,10 +189,11 @@ TEST(Goals, NoneOfShowsTheOppositeOfWhatItsChecksNeed) {
         for (std::size_t tick = 0; tick < positions.size(); ++tick) referee.watch(at(exercise, tick, positions[tick]));
         return referee.verdicts()[0].measures.front();
     };
-    EXPECT_EQ(shown(near_lamp, {2, 3}), (Measure{3, 1, "m", false, false})) << "the present distance, at least 1";
+    EXPECT_EQ(shown(near_lamp, {2, 3}), (Measure{3, 1, "m", false, false, {}, {}, "lamp"}))
+        << "the present distance, at least 1";
     EXPECT_EQ(shown(goals::Runs{1}, {2}), (Measure{0, 1, "s", true, false}));
-    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {3}), (Measure{3, 4, "m", true, false}));
-    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {7}), (Measure{7, 6, "m", false, false}));
+    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {3}), (Measure{3, 4, "m", true, false, {}, {}, "lamp"}));
+    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {7}), (Measure{7, 6, "m", false, false, {}, {}, "lamp"}));
 }
 
 TEST(Goals, ACheckIsJudgedOnlyInItsTime) {

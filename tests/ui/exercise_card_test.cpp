@@ -385,6 +385,19 @@ TEST(ExerciseCard, AHeldStepShowsItsPresentValueAndItsTime) {
     EXPECT_TRUE(says(desk, "now 2.0\u00a0s, need ≥\u00a05.0\u00a0s"));
 }
 
+TEST(ExerciseCard, NamesTheSourceOfADistanceAndTheSmallestOne) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    const Check near{goals::Touches{"dim", 0.5f}}, away{goals::Avoids{"red_lamp", 0.8f}};
+    desk.lesson.verdicts[0] = {false, measures(near, initial_state(near))};
+    desk.lesson.verdicts[1] = {false, measures(away, initial_state(away))};
+    desk.lesson.verdicts[0].measures[0].value = 2, desk.lesson.verdicts[1].measures[0].value = 0.5f;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Distance (dim) best 2.00\u00a0m"));
+    EXPECT_TRUE(says(desk, "Smallest distance (red lamp) now 0.50\u00a0m, need ≥\u00a00.80\u00a0m"));
+}
+
 TEST(ExerciseCard, NamesTimesAndDistancesThatTheUnitDoesNotTellApart) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();

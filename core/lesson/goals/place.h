@@ -17,8 +17,11 @@ struct Touches {
 
 // Combine it with `runs`: it is met as long as the vehicle has not come too near.
 struct Avoids {
-    static constexpr Traits traits{"avoids", "m", false, INFINITY,
-                                   "the vehicle's origin has never been nearer to the source than `metres`"};
+    static constexpr Traits traits{.word = "avoids",
+                                   .unit = "m",
+                                   .unmeasured = INFINITY,
+                                   .meaning = "the vehicle's origin has never been nearer to the source than `metres`",
+                                   .quantity = "nearest"};
     struct State {
         float nearest = -1;  // m; −1: not measured yet
     };

@@ -11,6 +11,7 @@ std::string_view quantity(const Measure& measure) {
     const std::string_view unit = measure.unit;
     if (measure.quantity == "rest") return "exercise.longest_rest";
     if (measure.quantity == "hold") return "exercise.time_held";
+    if (measure.quantity == "nearest") return "exercise.smallest_distance";
     if (measure.quantity == "path") return "exercise.distance_of_paths";
     if (unit == "m") return "exercise.distance";
     if (unit == "s") return "exercise.time";
@@ -26,7 +27,10 @@ std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
     const std::string_view what = quantity(measure);
     const bool is_rest_of_way = measure.at_most && measure.needed == 0;  // "1.44 m to go"
     if (done || what.empty() || words.empty() || is_rest_of_way) return words;
-    return std::string(ui.strings(what)) + " " + words;
+    // A scene's only source is "lamp" in most exercises; other names tell apart several sources.
+    const bool is_named = !measure.source.empty() && measure.source != "lamp";
+    const std::string of = is_named ? " (" + shown_name(ui.strings, measure.source) + ")" : std::string();
+    return std::string(ui.strings(what)) + of + " " + words;
 }
 
 }  // namespace braitenlab::ui
