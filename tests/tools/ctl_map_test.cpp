@@ -2,7 +2,9 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +30,19 @@ TEST(CtlMap, PrintsJsonThatDoesNotDependOnThreads) {
     ASSERT_EQ(map["cells"].size(), 6u);
     EXPECT_EQ(map["cells"][5][2], "touches");  // crossed wires
     EXPECT_EQ(map["cells"][0][5], "flees");    // straight wires
+}
+
+TEST(CtlMap, PrintsALetterPerCellWithTheLargestYInTheFirstLine) {
+    const Ran ran = ctl("map 2b-aggressor --size 6 --x LL=RR=-1:1 --y kind.aggressor.brain.LR=RL=-1:1.5");
+    EXPECT_EQ(ran.code, 0);
+    std::istringstream printed(ran.out);
+    std::vector<std::string> rows(6);
+    for (std::string& row : rows) std::getline(printed, row);
+    EXPECT_EQ(rows[0].substr(0, 8), "    1.50");
+    EXPECT_EQ(rows[5].substr(0, 8), "   -1.00");
+    for (const std::string& row : rows) ASSERT_EQ(row.size(), 16u) << row;
+    EXPECT_EQ(rows[0][10 + 2], 'T') << "crossed wires\n" << ran.out;
+    EXPECT_EQ(rows[5][10 + 5], 'F') << "straight wires\n" << ran.out;
 }
 
 TEST(CtlMap, HasNumbersNullsAndShares) {
