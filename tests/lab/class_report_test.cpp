@@ -106,7 +106,7 @@ TEST(ClassReport, AWrongAnswerWhoseSensorsDifferWinsOverTheShippedBrain) {
     for (Sensor& sensor : far_eyes.submission.sensors) sensor.range += 0.001f;
     HandIn made = hand_in("A", as_at_first);
     made.submission = far_eyes.submission;
-    ClassRow same = row("a", made);
+    ClassRow same = row("a", made), exact = same;
     made.submission.sensors[0].range += 0.002f;  // like it, and not it
     ClassRow alike = row("b", made);
     const Grade shipped = grade(exercise, as_shipped(exercise)), wrong = grade(exercise, far_eyes.submission);
@@ -119,6 +119,10 @@ TEST(ClassReport, AWrongAnswerWhoseSensorsDifferWinsOverTheShippedBrain) {
     EXPECT_EQ(same.resembles, exercise.wrong.size() - 1);
     EXPECT_FALSE(same.unchanged);
     EXPECT_TRUE(alike.unchanged || alike.resembles) << "it is near both";
+    exact.problem.reset();
+    judge(exercise, exact, wrong, wrong, grades);
+    EXPECT_EQ(exact.resembles, exercise.wrong.size() - 1) << "the shipped brain has the same grade";
+    EXPECT_FALSE(exact.unchanged);
 }
 
 TEST(ClassReport, EveryStudentWhoFailsIsInOneRowOfTheMistakes) {
