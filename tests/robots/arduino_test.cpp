@@ -1,4 +1,5 @@
 // The Arduino sketch: compiled with Debian's avr-gcc and Arduino core, and run in simavr with golden vectors.
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -41,6 +42,19 @@ TEST(Arduino, RefusesMoreSensorsThanThereArePins) {
 
 TEST(Arduino, RefusesARobotOfAnotherTarget) {
     EXPECT_FALSE(robots::export_brain(with_channel(Channel::light), Target::arduino, *robots::find_robot("any")));
+}
+
+TEST(Arduino, StandsForThreeSecondsAsItsReadmeSays) {
+    const auto files = exported(with_channel(Channel::light));
+    ASSERT_TRUE(files);
+    const auto file = [&](std::string_view ending) {
+        const auto found = std::find_if(files->begin(), files->end(),
+                                        [&](const robots::ExportedFile& each) { return each.name.ends_with(ending); });
+        return found == files->end() ? std::string() : found->text;
+    };
+    EXPECT_NE(file(".ino").find("START_DELAY = 3000;"), std::string::npos);
+    EXPECT_NE(file(".ino").find("while (millis() - start < START_DELAY && "), std::string::npos);
+    EXPECT_NE(file("README.md").find("the wheels stand for 3 s"), std::string::npos);
 }
 
 TEST(Arduino, ExportsOrRefusesEveryShippedBrainWithAReason) {
