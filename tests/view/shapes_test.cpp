@@ -58,7 +58,7 @@ TEST(Shapes, AreCheapEnoughForASoftwareRenderer) {
     for (const Shape& shape : all_shapes()) EXPECT_LT(shape.indices.size() / 3, 320U);
 }
 
-TEST(Shapes, HaveCoarseMeshesOfHalfTheTriangles) {
+TEST(Shapes, HaveCoarseMeshesOfLessThanSixtyPercentOfTheTriangles) {
     EXPECT_LT(wheel_shape(Mesh::coarse).indices.size() * 2, wheel_shape().indices.size());
     for (const Role role : {Role::none, Role::predator, Role::prey})
         EXPECT_LT(hull_shape(role, Mesh::coarse).indices.size() * 10, hull_shape(role).indices.size() * 6);
