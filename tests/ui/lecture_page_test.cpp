@@ -1,4 +1,6 @@
 // The parts of a page of a lecture file in the window: caption, question with counted hands, notes, and drawn marks.
+#include <cmath>
+
 #include "desk.h"
 #include "ui/panels/cards.h"
 #include "ui/widgets/drawn_text.h"
@@ -105,6 +107,43 @@ TEST_F(LecturePages, TheAnswerPushesNoOptionOutOfASmallWindow) {
                 EXPECT_GT(desk.where(last).h, 15) << "not clipped";
             }
         }
+}
+
+// Nobody scrolls a card in a lecture. The pages with sliders, each as its exercise begins.
+TEST_F(LecturePages, TheCardOfTheBrainIsShownWholeWithItsNamesApart) {
+    pages = opened("wheels-to-neurons");
+    for (const char* code : {"en", "de", "es"}) {
+        desk.strings = speaking(code);
+        for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+            const LecturePage& shown = pages.lecture->pages[static_cast<std::size_t>(page)];
+            if (!braitenlab::shows(shown, PagePart::sliders, static_cast<int>(shown.steps.size()))) continue;
+            SCOPED_TRACE(code + std::string(" ") + std::to_string(page + 1));
+            const auto exercise = load_exercise(shown.file);
+            ASSERT_TRUE(exercise);
+            World::create(exercise->scene, 1)->capture(desk.now);
+            desk.lesson.exercise = &*exercise;
+            desk.lesson.verdicts.assign(exercise->steps.size(), Verdict{});
+            desk.lesson.prediction = 0, desk.lesson.has_run = true;
+            desk.view.lesson = &desk.lesson;
+            desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+            desk.panels.card(Card::brain).folded = false;
+            show(page, static_cast<int>(shown.steps.size()));
+            desk.frame(20);
+            int texts = 0;
+            for (const Written& w : desk.written) {
+                if (!overlap(w.rect, desk.where("card.brain"))) continue;
+                ++texts;
+                EXPECT_FALSE(w.scrolls) << w.words;
+                for (const Written& other : desk.written) {
+                    const bool same_line = std::fabs(other.rect.y - w.rect.y) < 1 && other.rect.x > w.rect.x;
+                    EXPECT_FALSE(same_line && other.rect.x - w.rect.x - w.rect.w < 3)
+                        << w.words << " touches " << other.words;
+                }
+            }
+            EXPECT_GT(texts, 8);
+        }
+        desk.view.lesson = nullptr;
+    }
 }
 
 TEST_F(LecturePages, TheDiagramTakesThePlaceOfAnAnsweredQuestion) {

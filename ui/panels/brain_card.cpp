@@ -391,7 +391,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
         else if (tells && view.settings.revealed.brain)
-            equations(view, ui, *vehicle);
+            equations(view, ui, *vehicle, column);
         // The wiring canvas shows the same brain larger.
         const float height = column.h < ui.px(low_column) ? 90 : 116;
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&

@@ -1,6 +1,7 @@
 // The sums of both motors in numbers, and the cause of the difference between the wheels.
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -48,6 +49,14 @@ void drop_last_column(std::array<MotorSum, 2>& both) {
         sum.rest += sum.terms.back().value;
         sum.terms.pop_back();
     }
+}
+
+// "LR" for "greenR·LR": the sliders above have the same names.
+void name_by_wires(std::array<MotorSum, 2>& both) {
+    constexpr std::string_view dot = "·";
+    for (MotorSum& sum : both)
+        for (Product& p : sum.products)
+            if (const auto at = p.label.find(dot); at != std::string::npos) p.label.erase(0, at + dot.size());
 }
 
 // x of the parts, window pixels. Each part is as wide as its widest number, so that only a change of a weight moves
@@ -240,6 +249,50 @@ std::string explanation(const Ui& ui, const Explained& given, bool stuck) {
     return fill(ui.strings(why.by == Cause::By::rest ? "sums.because_rest" : "sums.because_bias"), {wheel});
 }
 
+// A button that opens a further analysis.
+struct Analysis {
+    SmallButton look;
+    Action action;
+    std::string_view tooltip;
+};
+
+std::array<Analysis, 3> analyses(const LabView& view, const Ui& ui) {
+    return {
+        Analysis{{"button.why", icon::notice, ui.strings("why.button"), view.why != nullptr},
+                 Action::why,
+                 "tooltip.button_why"},
+        Analysis{
+            {"button.map", icon::map, ui.strings("map.button"), view.settings.map}, Action::map, "tooltip.button_map"},
+        Analysis{{"button.reality", icon::robot, ui.strings("reality.button"), view.settings.reality},
+                 Action::reality,
+                 "tooltip.button_reality"}};
+}
+
+// The cause in words, and the buttons at its right. The buttons are left out where the words beside them would end
+// below `bottom` (window pixels, with the scroll of the card): each of them has a key.
+void explanation_row(Ui& ui, const std::string& words, const std::array<Analysis, 3>& buttons, float bottom) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float space = ui.px(spacing::tight), line = line_height(ui, Face::small);
+    float width = -space;
+    for (const Analysis& each : buttons) width += space + small_button_width(ui, each.look, !has_icons(ui));
+    const float room = card_width(ui) - width - ui.px(spacing::small);
+    const float lines = static_cast<float>(lines_of_words(ui, words, Face::small, room).size());
+    const bool fits = at.y + ImGui::GetScrollY() + lines * line + ui.px(spacing::large) <= bottom;
+    paragraph(ui, words, ui.palette.text, Face::small, fits ? room : 0);
+    if (!fits) return;
+    const ImVec2 after = ImGui::GetCursorScreenPos();
+    // The buttons are higher than the line beside them.
+    ImVec2 corner{at.x + card_width(ui) - width, at.y - (ui.px(small_button_height) - line) / 2};
+    for (const Analysis& each : buttons) {
+        ImGui::SetCursorScreenPos(corner);
+        const Item shown = small_button(ui, each.look, !has_icons(ui));
+        tooltip(ui, shown, fill(ui.strings(each.tooltip), {key_name(each.action, ui.strings)}));
+        if (shown.pressed) ui.outbox.push_back(each.action);
+        corner.x += small_button_width(ui, each.look, !has_icons(ui)) + space;
+    }
+    ImGui::SetCursorScreenPos({after.x, std::max(after.y, at.y + ui.px(small_button_height))});
+}
+
 }  // namespace
 
 bool stands_still(const LabView& view, const VehicleView& vehicle) {
@@ -252,13 +305,17 @@ bool is_stuck(const LabView& view, const VehicleView& vehicle) {
     return view.mode == Mode::playing && stands_still(view, vehicle) && push(vehicle.motor[0], vehicle.motor[1]);
 }
 
-void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
+void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect column) {
     std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const auto columns = [&](bool factors) { return equation_columns(ui, both, factors, at.x, card_width(ui)); };
     EquationColumns x = columns(!both[0].more_wires);
     if (x.factors && x.space < ui.px(least_factor_space)) x = columns(false);
     for (; x.space < ui.px(least_space) && term_columns(both) > 0; x = columns(false)) drop_last_column(both);
+    if (!x.factors && x.space < ui.px(least_space)) {
+        name_by_wires(both);
+        x = columns(false);
+    }
     const Cause why = cause(both);
     const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(spacing::tight);
     const bool stopped = both[0].stopped || both[1].stopped;
@@ -270,31 +327,8 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         tooltip(ui, area, ui.strings("sums.how"));
     else if (wants_tooltip(ui, area))
         tooltip(ui, area, std::string(ui.strings("sums.more_wires")) + legend(view, ui, vehicle, both));
-    const ImVec2 below = ImGui::GetCursorScreenPos();
-    const SmallButton more{"button.why", icon::notice, ui.strings("why.button"), view.why != nullptr};
-    const SmallButton map{"button.map", icon::map, ui.strings("map.button"), view.settings.map};
-    const SmallButton robots{"button.reality", icon::robot, ui.strings("reality.button"), view.settings.reality};
-    const float robots_width = small_button_width(ui, robots, !has_icons(ui));
-    const float map_width = small_button_width(ui, map, !has_icons(ui)) + ui.px(spacing::tight) + robots_width;
-    const float width = small_button_width(ui, more, !has_icons(ui)) + map_width + ui.px(spacing::tight);
-    paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)), ui.palette.text, Face::small,
-              card_width(ui) - width - ui.px(spacing::small));
-    const ImVec2 after = ImGui::GetCursorScreenPos();
-    // The buttons are higher than the line beside them.
-    const float top = below.y - (ui.px(small_button_height) - line_height(ui, Face::small)) / 2;
-    ImGui::SetCursorScreenPos({below.x + card_width(ui) - width, top});
-    const Item ask = small_button(ui, more, !has_icons(ui));
-    tooltip(ui, ask, fill(ui.strings("tooltip.button_why"), {key_name(Action::why, ui.strings)}));
-    if (ask.pressed) ui.outbox.push_back(Action::why);
-    ImGui::SetCursorScreenPos({below.x + card_width(ui) - map_width, top});
-    const Item show = small_button(ui, map, !has_icons(ui));
-    tooltip(ui, show, fill(ui.strings("tooltip.button_map"), {key_name(Action::map, ui.strings)}));
-    if (show.pressed) ui.outbox.push_back(Action::map);
-    ImGui::SetCursorScreenPos({below.x + card_width(ui) - robots_width, top});
-    const Item real = small_button(ui, robots, !has_icons(ui));
-    tooltip(ui, real, fill(ui.strings("tooltip.button_reality"), {key_name(Action::reality, ui.strings)}));
-    if (real.pressed) ui.outbox.push_back(Action::reality);
-    ImGui::SetCursorScreenPos({after.x, std::max(after.y, below.y + ui.px(small_button_height))});
+    explanation_row(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)), analyses(view, ui),
+                    view.lecture ? column.y + column.h : FLT_MAX);
 }
 
 }  // namespace braitenlab::ui

@@ -107,7 +107,8 @@ void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
 std::vector<std::string_view> numbered_sliders(const LabView&);
 std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
 std::string words_of(const Offer&);  // of its slider: "LL = RR"
-void equations(const LabView&, Ui&, const VehicleView&);
+// The sums of both motors and the cause of a turn; `column` is the height that the card has at most.
+void equations(const LabView&, Ui&, const VehicleView&, Rect column);
 // True if the vehicle does not move. Not known in the first half second.
 bool stands_still(const LabView&, const VehicleView&);
 // True if these wheel commands move a vehicle, forwards or backwards, unless something is in the way.
