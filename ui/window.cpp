@@ -178,8 +178,11 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.tooltips = &state.tooltips;
     ui.quiet = view.lecture;
     ui.least_type = view.lecture ? lecture_type_share * layout.window.h : 0;
-    if (const ImVec2 moved = ImGui::GetIO().MouseDelta; moved.x != 0 || moved.y != 0)
+    if (const ImVec2 moved = ImGui::GetIO().MouseDelta; moved.x != 0 || moved.y != 0) {
         state.tooltips.moved_at = ImGui::GetTime();
+        state.tooltips.hidden = false;
+    }
+    if (!ImGui::GetIO().InputQueueCharacters.empty()) state.tooltips.hidden = true;
     ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(double_click_seconds);
     follow_held_play(view, state);
     Prompt prompt = view.lecture ? Prompt{} : next_prompt(state.prompts, view);

@@ -197,6 +197,30 @@ TEST(Item, HidesItsTooltipAfterTheReadingTimeAndAfterAPress) {
     EXPECT_FALSE(shown()) << "no tooltip after a press";
 }
 
+// A key may move another widget below the resting pointer, as the search in the gallery does.
+TEST(Item, HidesItsTooltipAfterAKeyUntilThePointerMoves) {
+    Desk desk(1280, 800, 1, true);
+    desk.frame(3);
+    const auto shown = [&] {
+        for (const Written& w : desk.written)
+            if (w.words == desk.strings("tooltip.follow")) return true;
+        return false;
+    };
+    for (const bool typed : {false, true}) {
+        desk.point("button.follow", typed ? 0.4f : 0.5f);
+        desk.frame(60);
+        EXPECT_TRUE(shown());
+        desk.key({key::first_modifier});
+        desk.frame(2);
+        EXPECT_TRUE(shown()) << "Shift alone does nothing";
+        typed ? desk.type("x") : desk.key({key::down});
+        desk.frame(2);
+        EXPECT_FALSE(shown()) << typed;
+        desk.frame(120);
+        EXPECT_FALSE(shown()) << "the pointer rests " << typed;
+    }
+}
+
 TEST(Item, IsRecordedWithAndWithoutATooltip) {
     Desk desk;
     desk.frame(2);

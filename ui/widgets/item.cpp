@@ -154,7 +154,7 @@ void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 corner) {
 
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
     if (ui.shown && item.shown >= 0) (*ui.shown)[static_cast<std::size_t>(item.shown)].has_tooltip |= !words.empty();
-    if (ui.quiet || !item.hovered || item.held || words.empty()) return;
+    if (ui.quiet || !item.hovered || item.held || words.empty() || (ui.tooltips && ui.tooltips->hidden)) return;
     // Hidden after 9 s and after a click.
     constexpr float hide_after = 9;
     const float hovered = compat::hovered_seconds();
