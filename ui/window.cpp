@@ -99,7 +99,7 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const Rect &b = layout.border, &c = layout.canvas;
     const bool is_below = b.w > b.h;
-    draw.AddRectFilled({b.x, b.y}, {c.x + c.w, c.y + c.h}, paint(ui.palette.ground), ui.px(6));
+    draw.AddRectFilled({b.x, b.y}, {c.x + c.w, c.y + c.h}, paint(ui.palette.ground), ui.px(radius::outer));
     ImGui::SetNextWindowPos({b.x, b.y});
     ImGui::SetNextWindowSize({b.w, b.h});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -115,7 +115,8 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     const float length = ui.px(48), thickness = ui.px(4);
     const float w = is_below ? length : thickness, h = is_below ? thickness : length;
     fill_box(ui, {b.x + (b.w - w) / 2, b.y + (b.h - h) / 2, w, h},
-             mix(ui.palette.line, ui.palette.accent, border.held || border.focused ? 1.0f : border.warmth), 2);
+             mix(ui.palette.line, ui.palette.accent, border.held || border.focused ? 1.0f : border.warmth),
+             Corner::bar);
     if (border.focused) move_border_by_keys(view, *ui.keyboard, is_below, ui.outbox);
     if (border.held) ui.outbox.push_back(CanvasShareRequest{share_at_pointer(layout)});
     ImGui::End();

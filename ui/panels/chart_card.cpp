@@ -199,13 +199,13 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
         const float x = inner.x + width * static_cast<float>(i), gap = width > ui.px(5) ? ui.px(1.5f) : ui.px(0.5f);
         const ImVec2 top = plot_point(inner, place, energy, 0, v.energy);
         const Rect bar{x + gap, top.y, width - 2 * gap, inner.y + inner.h - top.y};
-        fill_box(ui, bar, colour_of(ui.palette, v.role), 2);
+        fill_box(ui, bar, colour_of(ui.palette, v.role), Corner::bar);
         if (width >= ui.px(6))
             put_role(ui, {x + width / 2, inner.y + inner.h + ui.px(8)}, std::min(width, ui.px(9)), v.role);
         if (v.id == view.settings.selection.vehicle)
-            line_box(ui, {x, inner.y, width, inner.h}, ui.palette.text, 2, 1.5f);
+            line_box(ui, {x, inner.y, width, inner.h}, ui.palette.text, Corner::bar, 1.5f);
         if (!over || mouse.x < x || mouse.x >= x + width) continue;
-        line_box(ui, {x, inner.y, width, inner.h}, ui.palette.second_text, 2, 1);
+        line_box(ui, {x, inner.y, width, inner.h}, ui.palette.second_text, Corner::bar, 1);
         ReadOut words;
         words.add(
             fill(ui.strings("info.one"), {kind_name(view, ui, v), std::to_string(v.id + 1), fixed(ui, v.energy, 2)}),

@@ -155,7 +155,7 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
     const Item at = item(ui, row.id, {card_width(ui), height});
     fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
     if (row.current)
-        fill_box(ui, {at.rect.x, at.rect.y + ui.px(6), ui.px(3), height - ui.px(12)}, ui.palette.accent, 2);
+        fill_box(ui, {at.rect.x, at.rect.y + ui.px(6), ui.px(3), height - ui.px(12)}, ui.palette.accent, Corner::bar);
     const Palette& p = ui.palette;
     const Colour quiet = row.broken ? legible(p.warning, p.panel, p.text) : p.second_text;
     float x = at.rect.x + ui.px(12);
@@ -164,7 +164,7 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
         const Rect place{x - ui.px(4), at.rect.y + (height - picture_height) / 2, picture, picture_height};
         if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}) &&
             !put_scene_picture(view, ui, row.path, place))
-            fill_box(ui, place, p.ground, 4);
+            fill_box(ui, place, p.ground, Corner::inner);
         x += picture + ui.px(6);
     } else if (!row.icon.empty() && has_icons(ui)) {
         put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);

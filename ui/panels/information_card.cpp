@@ -71,9 +71,11 @@ void ratio(const Snapshot& now, Ui& ui) {
     }
     const float y = at.y + h + ui.px(4), bar = ui.px(6);
     const float cut = width * static_cast<float>(now.predators) / static_cast<float>(all);
-    if (now.predators > 0) fill_box(ui, {at.x, y, std::max(bar, cut - ui.px(1)), bar}, ui.palette.predator, 3);
+    if (now.predators > 0)
+        fill_box(ui, {at.x, y, std::max(bar, cut - ui.px(1)), bar}, ui.palette.predator, Corner::round);
     if (now.prey > 0)
-        fill_box(ui, {at.x + cut + ui.px(1), y, std::max(bar, width - cut - ui.px(1)), bar}, ui.palette.prey, 3);
+        fill_box(ui, {at.x + cut + ui.px(1), y, std::max(bar, width - cut - ui.px(1)), bar}, ui.palette.prey,
+                 Corner::round);
     ImGui::Dummy({width, h + ui.px(4) + bar});
     mark(ui, "info.ratio", {at.x, at.y, width, h + ui.px(4) + bar});
 }
@@ -87,9 +89,9 @@ void inactivity(const Snapshot& now, Ui& ui) {
     put_right(ui, {at.x + width, at.y}, fill(ui.strings("time.seconds"), {fixed(ui, now.inactivity_left, 1)}),
               ui.palette.text, Face::small);
     const float y = at.y + h + ui.px(2), bar = ui.px(3);
-    fill_box(ui, {at.x, y, width, bar}, ui.palette.line, 1.5f);
+    fill_box(ui, {at.x, y, width, bar}, ui.palette.line, Corner::round);
     fill_box(ui, {at.x, y, width * std::clamp(now.inactivity_left / whole, 0.0f, 1.0f), bar}, ui.palette.second_text,
-             1.5f);
+             Corner::round);
     ImGui::Dummy({width, h + ui.px(2) + bar});
     mark(ui, "info.inactivity", {at.x, at.y, width, h + ui.px(5)});
 }
@@ -138,15 +140,16 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
         const float y = at.y + static_cast<float>(static_cast<int>(i) / per_row) * row_h;
         const Rect bar{x, y, bar_w, bar_h};
         const float filled = bar_h * std::clamp(vehicle.energy, 0.0f, 1.0f);
-        fill_box(ui, bar, ui.palette.line.with_alpha(0.7f), 2);
-        fill_box(ui, {x, y + bar_h - filled, bar_w, filled}, colour_of(ui.palette, vehicle.role), 2);
+        fill_box(ui, bar, ui.palette.line.with_alpha(0.7f), Corner::bar);
+        fill_box(ui, {x, y + bar_h - filled, bar_w, filled}, colour_of(ui.palette, vehicle.role), Corner::bar);
         put_role(ui, {x + bar_w / 2, y + bar_h + ui.px(5)}, std::min(bar_w, ui.px(6)), vehicle.role);
         const Rect around{x - space / 2, y, bar_w + space, row_h};
         const bool over = area.hovered && around.contains(mouse.x, mouse.y);
         if (over) under = &vehicle;
         if (vehicle.id == view.settings.selection.vehicle || over)
             line_box(ui, {x - ui.px(1.5f), y - ui.px(1.5f), bar_w + ui.px(3), bar_h + ui.px(3)},
-                     vehicle.id == view.settings.selection.vehicle ? ui.palette.text : ui.palette.second_text, 3, 1.5f);
+                     vehicle.id == view.settings.selection.vehicle ? ui.palette.text : ui.palette.second_text,
+                     Corner::bar, 1.5f);
     }
     if (under) {
         tooltip(ui, area,
@@ -160,7 +163,7 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
 }
 
 void strip_ground(const Ui& ui, Rect r) {
-    fill_box(ui, {r.x, r.y - ui.px(2), r.w, r.h + ui.px(4)}, ui.palette.ground.with_alpha(0.45f), 3);
+    fill_box(ui, {r.x, r.y - ui.px(2), r.w, r.h + ui.px(4)}, ui.palette.ground.with_alpha(0.45f), Corner::inner);
 }
 
 // One signal: its name, and a line on an axis from `low` to 1; the newest sample is at the right edge.

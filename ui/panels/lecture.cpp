@@ -61,7 +61,7 @@ float pressed_keys(const LabView& view, PanelState& state, Ui& ui, float right, 
         const std::string words = key_name(k->press, ui.strings);
         const float width = std::max(h, text_width(ui, Face::title, words) + ui.px(20));
         x -= width + space;
-        fill_box(ui, {x, y, width, h}, ui.palette.text, 8);
+        fill_box(ui, {x, y, width, h}, ui.palette.text);
         put_centred(ui, {x + width / 2, y + ui.px(4)}, words, ui.palette.ground, Face::title);
     }
     mark(ui, "lecture.keys", {x, y, right - space - x, h});
@@ -75,7 +75,7 @@ float past_sign(const LabView& view, Ui& ui, float left, Rect bar) {
     const std::string words = fill(ui.strings("lecture.past"), {fixed(ui, behind, 1)});
     const float h = line_height(ui, Face::title) + ui.px(8), w = text_width(ui, Face::title, words) + ui.px(24);
     const Rect sign{left, bar.y + (bar.h - h) / 2, w, h};
-    fill_box(ui, sign, ui.palette.text, 8);
+    fill_box(ui, sign, ui.palette.text);
     put(ui, {sign.x + ui.px(12), sign.y + ui.px(4)}, words, ui.palette.ground, Face::title);
     mark(ui, "lecture.past", sign);
     return sign.x + sign.w + ui.px(16);

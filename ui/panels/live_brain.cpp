@@ -103,14 +103,15 @@ private:
         put_right(ui_, {row.place.x + row.place.w, y},
                   is_wheel ? with_sign(ui_, row.value, 2) : fixed(ui_, row.value, 2), p.text, Face::title);
         const Rect track{row.place.x, y + line + gap, row.place.w, h};
-        fill_box(ui_, track, p.line.with_alpha(0.6f), 5);
+        fill_box(ui_, track, p.line.with_alpha(0.6f), Corner::round);
         const float reach = std::clamp(row.value, -1.0f, 1.0f) * track.w * (is_wheel ? 0.5f : 1.0f);
         const float zero = is_wheel ? track.x + track.w / 2 : track.x;
         const Colour colour = is_wheel ? colour_of_weight(p, row.value) : colour_of(p, channel_of(row.name));
         if (std::fabs(reach) >= 1)
-            fill_box(ui_, {std::min(zero, zero + reach), track.y, std::fabs(reach), track.h}, colour,
-                     std::min(5.0f, std::fabs(reach) / ui_.scale / 2));
-        if (is_wheel) fill_box(ui_, {zero - ui_.px(1), track.y - ui_.px(3), ui_.px(2), track.h + ui_.px(6)}, p.text, 0);
+            fill_box(ui_, {std::min(zero, zero + reach), track.y, std::fabs(reach), track.h}, colour, Corner::round);
+        if (is_wheel)
+            fill_box(ui_, {zero - ui_.px(1), track.y - ui_.px(3), ui_.px(2), track.h + ui_.px(6)}, p.text,
+                     Corner::square);
     }
 
     // Name, bar and number in one line; only the bar where lines are too close for text.
@@ -126,11 +127,9 @@ private:
             put_right(ui_, {row.place.x + row.place.w, y}, fixed(ui_, row.value, 2), p.text, Face::small);
             track.x += name_share * row.place.w, track.w *= 1 - name_share - number_share;
         }
-        fill_box(ui_, track, p.line.with_alpha(0.6f), 5);
+        fill_box(ui_, track, p.line.with_alpha(0.6f), Corner::round);
         const float reach = std::clamp(row.value, 0.0f, 1.0f) * track.w;
-        if (reach >= 1)
-            fill_box(ui_, {track.x, track.y, reach, h}, colour_of(p, channel_of(row.name)),
-                     std::min(5.0f, reach / ui_.scale / 2));
+        if (reach >= 1) fill_box(ui_, {track.x, track.y, reach, h}, colour_of(p, channel_of(row.name)), Corner::round);
     }
 
     // Beside the watched diagram, which shows all wires.
@@ -222,8 +221,8 @@ private:
         const std::string words = with_sign(ui_, wire.weight, 2);
         const float w = text_width(ui_, face, words) + ui_.px(14), h = line_height(ui_, face) + ui_.px(2);
         const Rect pill{at.x - w / 2, at.y - h / 2, w, h};
-        fill_box(ui_, pill, ui_.palette.raised, 8);
-        line_box(ui_, pill, colour_of_weight(ui_.palette, wire.weight), 8, 1.5f);
+        fill_box(ui_, pill, ui_.palette.raised);
+        line_box(ui_, pill, colour_of_weight(ui_.palette, wire.weight), Corner::outer, 1.5f);
         put_centred(ui_, {at.x, at.y - line_height(ui_, face) / 2}, words, ui_.palette.text, face);
         const Node *from = find_node(brain_, wire.from), *to = find_node(brain_, wire.to);
         mark(ui_, "lecture.weight." + from->name + "." + to->name, pill);

@@ -51,7 +51,7 @@ private:
     }
 
     void cells() const {
-        fill_box(ui_, field_, ui_.palette.ground, 0);
+        fill_box(ui_, field_, ui_.palette.ground, Corner::square);
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const MapScale scale = scale_of(map_.cells->cells, map_.measure);
         const bool is_kind = map_.measure == MapMeasure::behaviour;
@@ -67,7 +67,7 @@ private:
                 // Every second cell has its mark, so that a field of one kind stays quiet.
                 if (has_marks && (x + y) % 2 == 0) draw_map_mark(draw, r, cell->outcome.behaviour, colour);
             }
-        line_box(ui_, field_, ui_.palette.line, 0);
+        line_box(ui_, field_, ui_.palette.line, Corner::square);
     }
 
     MapPlace cell_at(float x, float y) const {
@@ -144,8 +144,8 @@ private:
         mark(ui_, "map.dot", {at.x - grip, at.y - grip, 2 * grip, 2 * grip});
         if (state_.hovered) {
             const Rect r = cell_rect(*state_.hovered);
-            line_box(ui_, {r.x - 1, r.y - 1, r.w + 2, r.h + 2}, {1, 1, 1, 1}, 0, 2);
-            line_box(ui_, {r.x - 2, r.y - 2, r.w + 4, r.h + 4}, {0, 0, 0, 1}, 0);
+            line_box(ui_, {r.x - 1, r.y - 1, r.w + 2, r.h + 2}, {1, 1, 1, 1}, Corner::square, 2);
+            line_box(ui_, {r.x - 2, r.y - 2, r.w + 4, r.h + 4}, {0, 0, 0, 1}, Corner::square);
         }
     }
 
@@ -153,8 +153,8 @@ private:
     void progress() const {
         if (map_.progress >= 1) return;
         const float height = ui_.px(4), y = field_.y + field_.h - height;
-        fill_box(ui_, {field_.x, y, field_.w, height}, ui_.palette.panel, 0);
-        fill_box(ui_, {field_.x, y, field_.w * map_.progress, height}, ui_.palette.accent, 0);
+        fill_box(ui_, {field_.x, y, field_.w, height}, ui_.palette.panel, Corner::square);
+        fill_box(ui_, {field_.x, y, field_.w * map_.progress, height}, ui_.palette.accent, Corner::square);
     }
 
     const MapFrame& frame_;

@@ -50,8 +50,8 @@ void draw_places(const std::vector<maths::vec2>& all, const FloorMap& map, Colou
 
 void start_of_mystery(const Scene& scene, const MysteryStart& start, std::size_t number, Ui& ui, ImVec2 size) {
     const Item at = item(ui, "mystery.start." + std::to_string(number + 1), size, false);
-    fill_box(ui, at.rect, ui.palette.raised, 4);
-    line_box(ui, at.rect, ui.palette.line, 4);
+    fill_box(ui, at.rect, ui.palette.raised, Corner::inner);
+    line_box(ui, at.rect, ui.palette.line, Corner::inner);
     const float inset = ui.px(3);
     const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
     const maths::vec2 half{scene.arena.width / 2, scene.arena.height / 2};
@@ -113,8 +113,8 @@ void progress_of_mystery(const MysteryView& view, Ui& ui) {
     paragraph(ui, ui.strings("mystery.computing"), ui.palette.second_text, Face::small);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = card_width(ui), height = ui.px(4);
-    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, 2);
-    if (view.progress > 0) fill_box(ui, {at.x, at.y, width * view.progress, height}, ui.palette.accent, 2);
+    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
+    if (view.progress > 0) fill_box(ui, {at.x, at.y, width * view.progress, height}, ui.palette.accent, Corner::bar);
     ImGui::Dummy({width, height});
 }
 

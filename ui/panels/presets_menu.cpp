@@ -31,7 +31,8 @@ Item preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
              {ui.px(preset_width), line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding)});
     fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
     if (current)
-        fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent, 2);
+        fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent,
+                 Corner::bar);
     const float x = row.rect.x + ui.px(spacing::medium);
     put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
     put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)}, ui.strings.find("preset_story." + key, ""),

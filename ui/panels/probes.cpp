@@ -53,8 +53,8 @@ Rect place_of_probe(const Ui& ui, Rect node, Rect area, const std::vector<Rect>&
 
 void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect r) {
     const Palette& p = ui.palette;
-    fill_box(ui, r, p.panel.with_alpha(0.94f), 5);
-    line_box(ui, r, p.accent.with_alpha(0.7f), 5);
+    fill_box(ui, r, p.panel.with_alpha(0.94f));
+    line_box(ui, r, p.accent.with_alpha(0.7f));
     if (history.signals.empty()) return;
     const float pad = ui.px(probe_pad), number = text_width(ui, Face::small, with_sign(ui, -1, 2)) + pad;
     const Rect plot{r.x + pad, r.y + pad, r.w - 2 * pad - number, r.h - 2 * pad};

@@ -207,8 +207,9 @@ private:
     void progress_bar(float width) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const Rect whole{at.x, at.y + ui_.px(10), width, ui_.px(4)};
-        fill_box(ui_, whole, ui_.palette.raised, 2);
-        fill_box(ui_, {whole.x, whole.y, width * std::max(0.02f, robots_.progress), whole.h}, ui_.palette.accent, 2);
+        fill_box(ui_, whole, ui_.palette.raised, Corner::bar);
+        fill_box(ui_, {whole.x, whole.y, width * std::max(0.02f, robots_.progress), whole.h}, ui_.palette.accent,
+                 Corner::bar);
         ImGui::Dummy({width, ui_.px(small_button_height)});
     }
 

@@ -137,8 +137,8 @@ bool surface_swatch(Ui& ui, Surface surface, bool chosen) {
     };
     if (chosen || at.warmth > 0)
         line_box(ui, square(frame), chosen ? ui.palette.text : ui.palette.second_text.with_alpha(at.warmth));
-    if (surface != Surface::none) fill_box(ui, square(half), colour_of(ui.palette, surface), 3);
-    line_box(ui, square(half), ui.palette.second_text, 3);
+    if (surface != Surface::none) fill_box(ui, square(half), colour_of(ui.palette, surface), Corner::bar);
+    line_box(ui, square(half), ui.palette.second_text, Corner::bar);
     tooltip(ui, at, ui.strings("field.surface." + name));
     return at.pressed;
 }

@@ -171,9 +171,10 @@ private:
         const float half = 0.32f * row.h, middle = row.y + row.h / 2;
         const float left = x_of(spread.lower, row), right = x_of(spread.upper, row), at = x_of(spread.median, row);
         const Colour tone = ui_.palette.accent;
-        draw.AddRectFilled({left, middle - half}, {right, middle + half}, paint(tone.with_alpha(0.28f)), ui_.px(2));
-        draw.AddRect({left, middle - half}, {right, middle + half}, paint(tone.with_alpha(0.8f)), ui_.px(2), 0,
-                     ui_.px(1));
+        draw.AddRectFilled({left, middle - half}, {right, middle + half}, paint(tone.with_alpha(0.28f)),
+                           ui_.px(radius::bar));
+        draw.AddRect({left, middle - half}, {right, middle + half}, paint(tone.with_alpha(0.8f)), ui_.px(radius::bar),
+                     0, ui_.px(1));
         draw.AddLine({at, middle - half - ui_.px(2)}, {at, middle + half + ui_.px(2)}, paint(tone), ui_.px(3));
     }
 
@@ -246,9 +247,9 @@ void progress(const StudyView& view, Ui& ui) {
               ui.palette.second_text, Face::small);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = card_width(ui), height = ui.px(4);
-    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, 2);
+    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
     const float share = static_cast<float>(done) / static_cast<float>(study.runs());
-    if (done > 0) fill_box(ui, {at.x, at.y, width * share, height}, ui.palette.accent, 2);
+    if (done > 0) fill_box(ui, {at.x, at.y, width * share, height}, ui.palette.accent, Corner::bar);
     ImGui::Dummy({width, height + ui.px(4)});
 }
 

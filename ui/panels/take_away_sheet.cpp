@@ -162,8 +162,8 @@ void clip_progress(float progress, Ui& ui) {
     paragraph(ui, fill(ui.strings("take.progress"), {percent}), ui.palette.text);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect bar{at.x, at.y, card_width(ui), ui.px(6)};
-    fill_box(ui, bar, ui.palette.raised, 3);
-    fill_box(ui, {bar.x, bar.y, bar.w * progress, bar.h}, ui.palette.accent, 3);
+    fill_box(ui, bar, ui.palette.raised, Corner::round);
+    fill_box(ui, {bar.x, bar.y, bar.w * progress, bar.h}, ui.palette.accent, Corner::round);
     ImGui::Dummy({bar.w, bar.h + ui.px(8)});
 }
 

@@ -135,7 +135,7 @@ void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect 
     const std::string_view words = ui.strings(playing ? "mode.playing" : wiring ? "mode.wiring" : "mode.paused");
     const float middle = bar.y + bar.h / 2;
     const Rect pill{x, middle - ui.px(13), ui.px(104), ui.px(26)};
-    fill_box(ui, pill, colour.with_alpha(0.14f), 13);
+    fill_box(ui, pill, colour.with_alpha(0.14f), Corner::round);
     const float icon_room = has_icons(ui) ? ui.px(18) : 0;
     const bool fits = icon_room + text_width(ui, Face::small, words) <= pill.w - ui.px(12);
     const Face face = fits ? Face::small : Face::label;

@@ -155,10 +155,10 @@ float bars_width(const Ui& ui, const WhyCallout& callout) {
 void draw_why_bar(const Ui& ui, Rect room, const WhyBar& bar, float longest) {
     const Palette& p = ui.palette;
     const float middle = room.x + room.w / 2, reach = room.w / 2 * bar.value / std::max(longest, 0.05f);
-    fill_box(ui, {middle, room.y, ui.px(1), room.h}, p.line, 0);
+    fill_box(ui, {middle, room.y, ui.px(1), room.h}, p.line, Corner::square);
     if (std::fabs(reach) >= 1)
         fill_box(ui, {std::min(middle, middle + reach), room.y + room.h * 0.2f, std::fabs(reach), room.h * 0.6f},
-                 colour_of_weight(p, bar.value), 2);
+                 colour_of_weight(p, bar.value), Corner::bar);
 }
 
 void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float width) {
@@ -186,7 +186,7 @@ void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float widt
         draw_why_bar(ui, {bars, y, room, height}, bar, longest);
         y += height + ui.px(callout_row);
     }
-    fill_box(ui, {at.x, y - ui.px(callout_row / 2), width, ui.px(1)}, p.line, 0);
+    fill_box(ui, {at.x, y - ui.px(callout_row / 2), width, ui.px(1)}, p.line, Corner::square);
     row({std::string(ui.strings("why.total")), sum}, p.second_text);
     for (const std::string& line : callout.footnote)
         put(ui, {at.x, y += height + ui.px(callout_row)}, line, p.second_text, Face::small);

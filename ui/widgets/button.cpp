@@ -91,7 +91,7 @@ Item small_button(Ui& ui, const SmallButton& look, bool words) {
     const Item at = item(ui, look.id, {small_button_width(ui, look, words), ui.px(small_button_height)});
     const Palette& p = ui.palette;
     fill_box(ui, at.rect,
-             look.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth), 5);
+             look.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth));
     line_box(ui, at.rect, look.on ? p.accent.with_alpha(0.8f) : p.line);
     if (!words && has_icons(ui)) {
         put_icon(ui, {at.middle_x(), at.middle_y()}, look.icon, p.text, Face::small);
@@ -222,8 +222,8 @@ float chip_width(const Ui& ui, std::string_view words) { return text_width(ui, F
 void chip(const Ui& ui, ImVec2 at, std::string_view words) {
     const float h = ui.px(22);
     const Rect r{at.x, at.y - h / 2, chip_width(ui, words), h};
-    fill_box(ui, r, ui.palette.raised, 11);
-    line_box(ui, r, ui.palette.line, 11);
+    fill_box(ui, r, ui.palette.raised, Corner::round);
+    line_box(ui, r, ui.palette.line, Corner::round);
     put_centred(ui, {r.x + r.w / 2, at.y - line_height(ui, Face::small) / 2}, words, ui.palette.text, Face::small);
 }
 

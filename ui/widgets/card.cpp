@@ -40,7 +40,7 @@ float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
     const Item at = item(ui, extra.id, {w, ui.px(24)});
     const Palette& p = ui.palette;
     fill_box(ui, at.rect,
-             extra.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth), 5);
+             extra.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth));
     line_box(ui, at.rect, extra.on ? p.accent.with_alpha(0.8f) : p.line);
     put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, Face::small) / 2}, extra.words, ui.palette.text,
                 Face::small);
@@ -77,16 +77,12 @@ float wanted_height(const Ui& ui, const CardState& state) {
     return ui.px(card_heading + bottom_padding) + head + state.content + state.footer;
 }
 
-void card_ground(const Ui& ui, Rect r, float rounding) {
+void card_ground(const Ui& ui, Rect r, Corner corner) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRectFullScreen();
-    for (int ring = 3; ring >= 1; --ring) {
-        const float grown = ui.px(static_cast<float>(ring) * 2), lowered = ui.px(2);
-        fill_box(ui, {r.x - grown, r.y - grown + lowered, r.w + 2 * grown, r.h + 2 * grown},
-                 ui.palette.shadow.with_alpha(ui.palette.shadow.a * 0.10f), rounding + static_cast<float>(ring) * 2);
-    }
-    fill_box(ui, r, ui.palette.panel.with_alpha(0.92f), rounding);
-    line_box(ui, r, ui.palette.line, rounding);
+    shadow_box(ui, draw, r, corner, {3, 2, 0.10f});
+    fill_box(ui, r, ui.palette.panel.with_alpha(0.92f), corner);
+    line_box(ui, r, ui.palette.line, corner);
     draw.PopClipRect();
 }
 
@@ -175,11 +171,11 @@ void end_card(CardState& state) {
     ImGui::End();
 }
 
-void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, float rounding) {
+void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, Corner corner) {
     begin_stops(ui.keyboard);
     if (covers_cards) ImGui::SetNextWindowFocus();
     begin_window(name, r, covers_cards ? plain_window & ~ImGuiWindowFlags_NoBringToFrontOnFocus : plain_window);
-    if (!covers_cards) card_ground(ui, r, rounding);
+    if (!covers_cards) card_ground(ui, r, corner);
 }
 
 void end_bar() { ImGui::End(); }
@@ -193,7 +189,7 @@ void begin_overlay(const Ui& ui, const char* name, Rect r, Colour border) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin(name, nullptr, only_drawn);
     fill_box(ui, r, ui.palette.panel.with_alpha(0.95f));
-    line_box(ui, r, border, 6, 1.25f);
+    line_box(ui, r, border, Corner::outer, 1.25f);
 }
 
 void end_overlay() {

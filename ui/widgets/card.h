@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "ui/widgets/paint.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
@@ -48,10 +49,10 @@ void begin_footer(Ui&, CardState&, Rect card);
 void end_footer(const Ui&, CardState&);
 
 // The background of a card: panel colour at 92 %, border and shadow.
-void card_ground(const Ui&, Rect, float layout_rounding = 6);
+void card_ground(const Ui&, Rect, Corner = Corner::outer);
 
 // A window without heading and padding, for bars. With `covers_cards` it comes to the front in each frame.
-void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false, float layout_rounding = 0);
+void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false, Corner = Corner::square);
 void end_bar();
 
 // A box with a border over the scene and behind the cards, for what is only drawn: the mouse reaches the scene through

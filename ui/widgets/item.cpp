@@ -28,8 +28,9 @@ void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
     const float reach = ui.px(12);
     draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
-    line_box(ui, {r.x - ui.px(gap), r.y - ui.px(gap), r.w + 2 * ui.px(gap), r.h + 2 * ui.px(gap)}, colour, 6 + gap / 2,
-             thickness);
+    const float out = ui.px(gap);
+    compat::outline(draw, {r.x - out, r.y - out}, {r.x + r.w + out, r.y + r.h + out}, paint(colour),
+                    ui.px(radius::outer) + out / 2, ui.px(thickness));
     draw.PopClipRect();
 }
 

@@ -109,7 +109,8 @@ int draw_entries(Ui& ui, std::span<const MenuEntry> entries, float width, float 
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (entries[i].rule_above) {
             const ImVec2 from = ImGui::GetCursorScreenPos();
-            fill_box(ui, {from.x, std::floor(from.y + ui.px(menu_rule) / 2), width, ui.px(1)}, ui.palette.line, 0);
+            fill_box(ui, {from.x, std::floor(from.y + ui.px(menu_rule) / 2), width, ui.px(1)}, ui.palette.line,
+                     Corner::square);
             ImGui::Dummy({width, ui.px(menu_rule)});
         }
         if (menu_entry(ui, entries[i], {width, height}, signs)) chosen = static_cast<int>(i);
@@ -146,7 +147,7 @@ void menu_titles(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles,
         const Item at = item(ui, title_anchor(title), {width, bar.h});
         const bool open = state.open == title.name;
         fill_box(ui, {at.rect.x, at.rect.y + ui.px(2), at.rect.w, at.rect.h - ui.px(4)},
-                 ui.palette.line.with_alpha(open ? 0.8f : 0.6f * at.warmth), 4);
+                 ui.palette.line.with_alpha(open ? 0.8f : 0.6f * at.warmth), Corner::inner);
         put(ui, {x + ui.px(title_pad), at.middle_y() - line_height(ui, Face::text) / 2}, title.words, ui.palette.text);
         if (!open) tooltip(ui, at, title.how, title.keys);
         if (at.pressed) state.open = title.name;

@@ -185,13 +185,43 @@ void put_icon(const Ui& ui, ImVec2 middle, std::string_view name, Colour colour,
     if (has_icons(ui)) put_centred(ui, {middle.x, middle.y - line_height(ui, face) / 2}, name, colour, face);
 }
 
-void fill_box(const Ui& ui, Rect r, Colour colour, float rounding) {
-    ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour), ui.px(rounding));
+namespace {
+
+float corner_radius(const Ui& ui, Rect r, Corner corner) {
+    switch (corner) {
+        case Corner::square:
+            return 0;
+        case Corner::bar:
+            return ui.px(radius::bar);
+        case Corner::inner:
+            return ui.px(radius::inner);
+        case Corner::outer:
+            return ui.px(radius::outer);
+        case Corner::round:
+            return std::min(r.w, r.h) / 2;
+    }
+    return 0;
 }
 
-void line_box(const Ui& ui, Rect r, Colour colour, float rounding, float thickness) {
-    compat::outline(*ImGui::GetWindowDrawList(), {r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour), ui.px(rounding),
-                    ui.px(thickness));
+}  // namespace
+
+void fill_box(const Ui& ui, Rect r, Colour colour, Corner corner) {
+    ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour),
+                                              corner_radius(ui, r, corner));
+}
+
+void line_box(const Ui& ui, Rect r, Colour colour, Corner corner, float thickness) {
+    compat::outline(*ImGui::GetWindowDrawList(), {r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour),
+                    corner_radius(ui, r, corner), ui.px(thickness));
+}
+
+void shadow_box(const Ui& ui, ImDrawList& draw, Rect r, Corner corner, Shadow look) {
+    const Colour shadow = ui.palette.shadow.with_alpha(ui.palette.shadow.a * look.share);
+    for (int ring = look.rings; ring > 0; --ring) {
+        const float grown = ui.px(look.step) * static_cast<float>(ring), lowered = ui.px(2);
+        draw.AddRectFilled({r.x - grown, r.y - grown + lowered}, {r.x + r.w + grown, r.y + r.h + grown + lowered},
+                           paint(shadow), corner_radius(ui, r, corner) + grown);
+    }
 }
 
 void put_role(const Ui& ui, ImVec2 middle, float size, Role role) {

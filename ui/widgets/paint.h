@@ -78,9 +78,20 @@ bool has_icons(const Ui&);
 // An icon with its middle at `middle`; does nothing without the icon font.
 void put_icon(const Ui&, ImVec2 middle, std::string_view, Colour, Face = Face::text);
 
+// The corners of a rectangle: by the radii of the theme, or round ends with half the shorter side as radius.
+enum class Corner { square, bar, inner, outer, round };
+
 // A filled and an outlined rectangle with rounded corners.
-void fill_box(const Ui&, Rect, Colour, float layout_rounding = 6);
-void line_box(const Ui&, Rect, Colour, float layout_rounding = 6, float layout_thickness = 1);
+void fill_box(const Ui&, Rect, Colour, Corner = Corner::outer);
+void line_box(const Ui&, Rect, Colour, Corner = Corner::outer, float layout_thickness = 1);
+
+// A soft shadow: so many rings, each `step` layout pixels wider than the last, each with this share of the palette's
+// shadow.
+struct Shadow {
+    int rings;
+    float step, share;
+};
+void shadow_box(const Ui&, ImDrawList&, Rect, Corner, Shadow);
 
 // The sign of a role: wedge for predators, disc for prey, square for others. `size` in window pixels.
 void put_role(const Ui&, ImVec2 middle, float size, Role);  // in the colour of the role

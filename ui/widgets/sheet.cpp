@@ -35,7 +35,7 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
 
     begin_bar(ui, std::string(id).c_str(), window, true);
     hold_keyboard(ui.keyboard);
-    fill_box(ui, window, ui.palette.ground.with_alpha(0.55f), 0);
+    fill_box(ui, window, ui.palette.ground.with_alpha(0.55f), Corner::square);
     card_ground(ui, r);
     fill_box(ui, r, ui.palette.panel);  // opaque, so that words below do not show through
     line_box(ui, r, ui.palette.line);

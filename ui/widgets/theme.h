@@ -28,6 +28,12 @@ namespace spacing {
 inline constexpr float hair = 2, tight = 4, small = 8, medium = 12, large = 16, wide = 24;
 }
 
+// The corner radius of a box, layout pixels: of a card, button, field or sheet; of a picture or row inside one; of a
+// bar that shows a value.
+namespace radius {
+inline constexpr float outer = 6, inner = 4, bar = 2;
+}
+
 // Sets Dear ImGui's style. Call again when the theme or the scale changes, between frames.
 void apply_theme(Theme, float scale);
 

@@ -44,13 +44,9 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     at = kept_inside(ui, at, {w, h}, area);
     const ImVec2 far{at.x + w, at.y + h};
     const Palette& p = ui.palette;
-    for (int i = 6; i > 0; --i) {
-        const float grow = ui.px(1.5f) * static_cast<float>(i);
-        pen.list.AddRectFilled({at.x - grow, at.y - grow + ui.px(2)}, {far.x + grow, far.y + grow + ui.px(2)},
-                               paint(p.shadow.with_alpha(p.shadow.a * 0.09f)), ui.px(8) + grow);
-    }
-    pen.list.AddRectFilled(at, far, paint(p.raised), ui.px(8));
-    compat::outline(pen.list, at, far, paint(edge), ui.px(8), ui.px(1.5f));
+    shadow_box(ui, pen.list, {at.x, at.y, w, h}, Corner::outer, {6, 1.5f, 0.09f});
+    pen.list.AddRectFilled(at, far, paint(p.raised), ui.px(radius::outer));
+    compat::outline(pen.list, at, far, paint(edge), ui.px(radius::outer), ui.px(1.5f));
     put_on(pen.list, ui, {at.x + ui.px(note_padding.x), at.y + ui.px(note_padding.y)}, words, p.text, Face::text);
 }
 
@@ -105,8 +101,8 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
 
 void draw_box(const Pen& pen, vec2 a, vec2 b) {
     const ImVec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
-    pen.list.AddRectFilled(low, high, paint(pen.palette().accent.with_alpha(0.14f)), pen.ui.px(4));
-    compat::outline(pen.list, low, high, paint(pen.palette().accent), pen.ui.px(4), pen.ui.px(1.5f));
+    pen.list.AddRectFilled(low, high, paint(pen.palette().accent.with_alpha(0.14f)), pen.ui.px(radius::inner));
+    compat::outline(pen.list, low, high, paint(pen.palette().accent), pen.ui.px(radius::inner), pen.ui.px(1.5f));
 }
 
 struct LooseWire {

@@ -217,11 +217,7 @@ void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
     const Palette& p = ui.palette;
     place_menu(menu, area, ui.scale, menu_width(ui, menu));
     const Rect& r = menu.rect;
-    for (int i = 6; i > 0; --i) {
-        const float grow = ui.px(1.5f) * static_cast<float>(i);
-        pen.list.AddRectFilled({r.x - grow, r.y - grow + ui.px(2)}, {r.x + r.w + grow, r.y + r.h + grow + ui.px(2)},
-                               paint(p.shadow.with_alpha(p.shadow.a * 0.09f)), ui.px(8) + grow);
-    }
+    shadow_box(ui, pen.list, r, Corner::outer, {6, 1.5f, 0.09f});
     fill_box(ui, r, mix(p.panel, p.raised, 0.5f));
     line_box(ui, r, p.line);
     draw_heading(ui, menu);

@@ -133,7 +133,7 @@ void hint_text(const LessonView& lesson, std::size_t index, PanelState& state, U
     ImGui::Unindent(ui.px(12));
     const float height = ImGui::GetCursorScreenPos().y - start.y - ui.px(8);
     ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
-                                              paint(ui.palette.accent), ui.px(1.5f));
+                                              paint(ui.palette.accent), ui.px(radius::bar));
 }
 
 // In the wiring editor the newest is the first, right below the goal, because the card is low there.

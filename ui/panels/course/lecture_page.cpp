@@ -63,8 +63,8 @@ void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colou
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0f, ImGui::GetWindowPos().x + card_width(ui) - at.x), h = ui.px(bar_thickness);
     const Rect bar{at.x, at.y + (row - h) / 2, width, h};
-    fill_box(ui, bar, ui.palette.line, 4);
-    if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, 4);
+    fill_box(ui, bar, ui.palette.line, Corner::round);
+    if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, Corner::round);
     mark(ui, option_id("lecture.share.", option), bar);
     ImGui::Dummy({width, row});
 }
