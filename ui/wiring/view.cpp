@@ -7,6 +7,7 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
 using maths::vec2;
 
 View view_of(const CanvasCamera& camera, Rect area, float ui_scale) {
