@@ -12,6 +12,7 @@
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/chart_data.h"
 #include "ui/panels/course/author_state.h"
+#include "ui/panels/course/exercise_rows.h"
 #include "ui/panels/course/glossary.h"
 #include "ui/panels/course/marks.h"
 #include "ui/panels/file_lists.h"
@@ -206,14 +207,15 @@ struct PanelState {
     std::string clipboard_at_copy;  // the system's clipboard when objects were copied last; a later link is opened
     std::vector<Action> chosen;     // with toolbar and menus, executed at the end of the frame
     bool presets_open = false, close_presets = false;
-    std::string preset_asked;    // the preset whose sensors the menu offers to use, too; empty: it lists the presets
-    bool open_presets = false;   // requested by a click on their button while another menu covered it
-    bool outcome_seen = false;   // the outcome of the prediction has been scrolled to
-    std::size_t hints_seen = 0;  // hints already scrolled to
-    bool hints_first = false;    // they were above the steps in the last frame
-    int hint_scrolls = 0;        // frames for which the card still scrolls to the newest one
+    std::string preset_asked;     // the preset whose sensors the menu offers to use, too; empty: it lists the presets
+    bool open_presets = false;    // requested by a click on their button while another menu covered it
+    bool outcome_seen = false;    // the outcome of the prediction has been scrolled to
+    std::size_t hints_seen = 0;   // hints already scrolled to
+    bool hints_first = false;     // they were above the steps in the last frame
+    bool outcome_newest = false;  // the outcome has been scrolled to after the newest hint, and is above the hints
     bool grade_seen = false;
-    std::string exercise_id;  // of the exercise that the three values above belong to
+    ExerciseRows exercise_rows;
+    std::string exercise_id;  // of the exercise that the values above belong to
     std::optional<BeforeLecture> before_lecture;
     std::vector<PressedKey> pressed;              // in a lecture, the newest last
     Marks marks;                                  // drawn in a lecture

@@ -9,6 +9,7 @@
 
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
+#include "ui/panels/course/exercise_rows.h"
 #include "ui/panels/course/lesson_text.h"
 #include "ui/panels/course/pages.h"
 #include "ui/panels/course/prediction.h"
@@ -33,11 +34,13 @@ bool all_steps_ticked(const LessonView& lesson) {
            std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
-void step(const LessonView& lesson, std::size_t index, Ui& ui) {
+void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& ui) {
     const Step& asked = lesson.exercise->steps[index];
     const bool known = index < lesson.verdicts.size();
     const bool done = known && lesson.verdicts[index].done;
     const std::string id = numbered("exercise.step.", index);
+    const float top = begin_row(rows);
+    if (!done && !rows.first_open_step) rows.first_open_step = top;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float left = ui.px(26);
     ImGui::BeginGroup();
@@ -126,6 +129,7 @@ void result(const LabView& view, Ui& ui) {
 
 void hint_text(const LessonView& lesson, std::size_t index, PanelState& state, Ui& ui) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
+    state.exercise_rows.newest_hint.top = begin_row(state.exercise_rows);
     ImGui::Indent(ui.px(12));
     paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(index + 1)}), ui.palette.second_text,
               Face::small);
@@ -149,13 +153,13 @@ void hints(const LabView& view, PanelState& state, Ui& ui) {
                   fill(ui.strings(shown < count ? "exercise.hint_in" : "exercise.show_me_in"),
                        {std::to_string(lesson.hint_in)}),
                   ui.palette.second_text, Face::small);
-    // Scrolls to a new hint, and to the newest where the order changes; for some frames, because rows around it appear
-    // in the next ones.
-    constexpr int settling = 4;
+    state.exercise_rows.newest_hint.end = ImGui::GetCursorPosY();
+    // Scrolls to a new hint, and to the newest where the order changes.
     const bool is_new = std::exchange(state.hints_seen, shown) < shown;
     const bool is_first_now = std::exchange(state.hints_first, newest_first) != newest_first && newest_first;
-    if (is_new || is_first_now) state.hint_scrolls = settling;
-    if (state.hint_scrolls > 0) --state.hint_scrolls, newest_first ? ImGui::SetScrollY(0) : ImGui::SetScrollHereY(1);
+    using Aim = ExerciseRows::Aim;
+    if (is_new) state.outcome_newest = false;
+    if (is_new || is_first_now) aim_at(state.exercise_rows, newest_first ? Aim::top : Aim::newest_hint);
 }
 
 // After the last hint: gives the vehicle the solution.
@@ -237,11 +241,12 @@ bool is_rewired(const LabView& view) {
 void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise_id == lesson.exercise->id) return;
     state.exercise_id = lesson.exercise->id;
-    state.outcome_seen = state.grade_seen = state.why_open = state.note_open = false;
+    state.outcome_seen = state.outcome_newest = state.grade_seen = state.why_open = state.note_open = false;
     state.hints_seen = 0;
+    state.exercise_rows.settling = 0;
 }
 
-void steps(const LabView& view, Ui& ui) {
+void steps(const LabView& view, ExerciseRows& rows, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const ImVec2 heading = ImGui::GetCursorScreenPos();
     subheading(ui, ui.strings("exercise.steps"));
@@ -257,7 +262,7 @@ void steps(const LabView& view, Ui& ui) {
         paragraph(ui, ui.strings("exercise.ticks_before"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     else if (has_passed(lesson) && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.ticks_of_run"), ui.palette.second_text, Face::small);
-    for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
+    for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, rows, ui);
     gap(ui, 12);
 }
 
@@ -307,8 +312,9 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 }
 
 // Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. Once the
-// outcome is known, the steps are above it: a change of the brain moves nothing. In the wiring editor the hints are
-// above the steps, which are judged while the scene plays. In a low window the rest scrolls.
+// outcome is known, the steps are above it: a change of the brain moves nothing. Of hints and outcome the newer one is
+// nearer to the steps. In the wiring editor the hints are above the steps, which are judged while the scene plays. In a
+// low window the rest scrolls.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
@@ -320,22 +326,26 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     if (open) {
         head(view, state, ui);
         end_head(ui, card, place);
+        ExerciseRows& rows = state.exercise_rows;
+        begin_rows(rows);
         const bool hints_first = view.mode == Mode::wiring && !passed;
         if (hints_first) hints(view, state, ui);
         result(view, ui);
-        if (passed) question(lesson, state, ui), steps(view, ui), goal(lesson, state, ui);
+        if (passed) question(lesson, state, ui), steps(view, rows, ui), goal(lesson, state, ui);
         reason(view, state, ui);
         if (!hides_outcome(view)) selection_button(view, state, ui);
         const bool steps_first = (rewired || lesson.outcome_known) && !hides_outcome(view);
-        if (!passed && steps_first) steps(view, ui);
-        if (!passed && steps_first && !hints_first) hints(view, state, ui);
+        if (!passed && steps_first) steps(view, rows, ui);
+        const bool hints_last = passed || !steps_first || state.outcome_newest;
+        if (!hints_first && !hints_last) hints(view, state, ui);
         prediction(view, state, rewired, ui);
-        if (!passed && !steps_first) steps(view, ui);
-        if ((passed || !steps_first) && !hints_first) hints(view, state, ui);
+        if (!passed && !steps_first) steps(view, rows, ui);
+        if (!hints_first && hints_last) hints(view, state, ui);
         kept_button(view, ui);
         note_field(view, state, ui);
-        if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0), state.hint_scrolls = 0;
+        if (lesson.grade && !state.grade_seen) aim_at(rows, ExerciseRows::Aim::top);
         state.grade_seen = lesson.grade.has_value();
+        scroll_to_aim(ui, rows);
         begin_footer(ui, card, place);
         exercise_buttons(view, state, ui, card_width(ui, place));
         end_footer(ui, card);

@@ -5,6 +5,7 @@
 
 #include "core/lesson/path_distance.h"
 #include "ui/panels/course/exercise_keys.h"
+#include "ui/panels/course/exercise_rows.h"
 #include "ui/panels/course/glossary.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/path_drawing.h"
@@ -144,6 +145,8 @@ void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
     const bool passed = lesson.grade && lesson.grade->good, is_open = !lesson.outcome_known && !passed;
     if (!is_asked(asked) || (!is_open && !has_predicted(lesson) && !lesson.outcome_known)) return;
     const ImVec2 start = ImGui::GetCursorScreenPos();
+    ExerciseRows& rows = state.exercise_rows;
+    const float top = begin_row(rows);
     subheading(ui, ui.strings("exercise.predict"));
     if (is_prediction_open(lesson)) {
         open_prediction(view, state, ui);
@@ -161,7 +164,9 @@ void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
     const ImVec2 end = ImGui::GetCursorScreenPos();
     if (std::exchange(state.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
-    if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known) ImGui::SetScrollHereY(1);
+    if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known)
+        aim_at(rows, ExerciseRows::Aim::outcome), state.outcome_newest = true;
+    rows.outcome = {rows.first_open_step.value_or(top), ImGui::GetCursorPosY()};
     gap(ui, 12);
 }
 

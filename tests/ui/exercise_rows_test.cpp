@@ -1,0 +1,121 @@
+// The rows at which the card of the exercise stops when it scrolls by itself.
+#include "ui/panels/course/exercise_rows.h"
+
+#include <algorithm>
+
+#include "desk.h"
+
+namespace braitenlab::tests::exercise_rows_test {
+
+using namespace ui;
+
+namespace {
+
+constexpr const char* languages_of_rows[]{"en", "de", "es"};
+
+// The text of the last frame; null: it has not been written.
+const Written* text_of(const Desk& desk, std::string_view words) {
+    for (const Written& each : desk.written)
+        if (each.words == words) return &each;
+    return nullptr;
+}
+
+bool is_in_sight(const Written* text) {
+    return text && text->rect.y >= text->clip.y && text->rect.y + text->rect.h <= text->clip.y + text->clip.h;
+}
+
+// The texts of the card's body that its upper edge cuts.
+std::string cut_above(const Desk& desk) {
+    const Rect card = desk.where("card.exercise");
+    std::string cut;
+    for (const Written& each : desk.written)
+        if (each.scrolls && card.contains(each.rect.x, each.clip.y) && each.rect.y < each.clip.y &&
+            each.rect.y + each.rect.h > each.clip.y)
+            cut += each.words + "\n";
+    return cut;
+}
+
+std::string sentences(const char* sentence, int count) {
+    std::string all;
+    for (; count > 0; --count) all += sentence;
+    return all;
+}
+
+// An exercise with more words than a window of 1024x768 has room for, while its first run is under way.
+struct LongExercise : ::testing::Test {
+    static void begin(Desk& desk, std::size_t done) {
+        desk.open_exercise();
+        desk.opened.prediction.outcome = sentences("It turned away from the lamp and left it behind. ", 7);
+        for (Step& step : desk.opened.steps) step.text += ", wherever the vehicle starts and however far away it is";
+        desk.lesson.prediction = 0;
+        desk.lesson.has_run = true;
+        for (std::size_t i = 0; i < done; ++i) desk.lesson.verdicts[i].done = true;
+        desk.frame(6);
+    }
+    static void end_run(Desk& desk) {
+        desk.lesson.outcome_known = true;
+        desk.frame(6);
+    }
+};
+
+}  // namespace
+
+TEST(ExerciseRows, TheCardStopsAtTheFirstRowThatShowsThePart) {
+    const std::vector<float> tops{100, 160, 220};
+    EXPECT_EQ(row_to_stop_at(tops, -20, 220), 0) << "the part is in sight";
+    EXPECT_EQ(row_to_stop_at(tops, 30, 220), 100);
+    EXPECT_EQ(row_to_stop_at(tops, 160, 220), 160);
+    EXPECT_EQ(row_to_stop_at(tops, 170, 220), 220);
+    EXPECT_EQ(row_to_stop_at(tops, 400, 220), 220) << "no further than the last row";
+    EXPECT_EQ(row_to_stop_at(tops, 400, 200), 160) << "the next row is too far down";
+    EXPECT_EQ(row_to_stop_at(tops, 400, 50), 0);
+    EXPECT_EQ(row_to_stop_at({}, 400, 500), 0);
+}
+
+TEST_F(LongExercise, TheFirstOpenStepStaysInSightWhenTheOutcomeAppears) {
+    for (const char* language : languages_of_rows)
+        for (const std::size_t done : {0u, 1u, 2u}) {
+            Desk desk(1024, 768, 1, true);
+            desk.strings = speaking(language);
+            begin(desk, done);
+            end_run(desk);
+            const std::string& open = desk.opened.steps[done].text;
+            EXPECT_TRUE(is_in_sight(text_of(desk, open))) << language << done;
+            EXPECT_EQ(cut_above(desk), "") << language << done;
+            if (done == 2) {
+                EXPECT_FALSE(is_in_sight(text_of(desk, desk.opened.steps[0].text))) << "the outcome needs its room";
+                EXPECT_TRUE(desk.anchors.find("exercise.came_true")) << language;
+            }
+        }
+}
+
+TEST_F(LongExercise, NoLineIsCutAboveTheOutcomeOnceEveryStepIsDone) {
+    for (const char* language : languages_of_rows)
+        for (const float height : {640.0f, 700.0f, 730.0f, 768.0f}) {
+            Desk desk(1024, height, 1, true);
+            desk.strings = speaking(language);
+            begin(desk, 3);
+            end_run(desk);
+            EXPECT_EQ(cut_above(desk), "") << language << height;
+            EXPECT_TRUE(desk.anchors.find("exercise.came_true")) << language << height;
+        }
+}
+
+TEST_F(LongExercise, NoLineIsCutAboveANewHint) {
+    for (const char* language : languages_of_rows)
+        for (const float height : {600.0f, 640.0f, 700.0f, 768.0f}) {
+            Desk desk(1024, height, 1, true);
+            desk.strings = speaking(language);
+            begin(desk, 1);
+            end_run(desk);
+            for (int hint = 1; hint <= 3; ++hint) {
+                desk.lesson.hints_shown = hint;
+                desk.frame(6);
+                const std::string& newest = desk.opened.hints[static_cast<std::size_t>(hint - 1)].text;
+                EXPECT_TRUE(is_in_sight(text_of(desk, newest))) << language << height << ": hint " << hint;
+                EXPECT_EQ(cut_above(desk), "") << language << height << ": hint " << hint;
+            }
+        }
+}
+
+}  // namespace braitenlab::tests::exercise_rows_test
