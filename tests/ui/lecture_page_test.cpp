@@ -109,7 +109,7 @@ TEST_F(LecturePages, TheAnswerPushesNoOptionOutOfASmallWindow) {
         }
 }
 
-// Nobody scrolls a card in a lecture. The pages with sliders, each as its exercise begins.
+// A card is not scrolled in a lecture. The pages with sliders, each as its exercise begins.
 TEST_F(LecturePages, TheCardOfTheBrainIsShownWholeWithItsNamesApart) {
     pages = opened("wheels-to-neurons");
     for (const char* code : {"en", "de", "es"}) {

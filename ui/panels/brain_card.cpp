@@ -350,7 +350,7 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
     return lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
-// True if less than this height (layout pixels) is left in the column. Nobody scrolls a card in a lecture.
+// True if less than this height (layout pixels) is left in the column. A card is not scrolled in a lecture.
 bool would_be_cut(const Ui& ui, float height, Rect column) {
     const float top = ImGui::GetCursorScreenPos().y + ImGui::GetScrollY();
     return top + ui.px(height + spacing::medium) > column.y + column.h;
