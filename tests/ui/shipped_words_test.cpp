@@ -1,5 +1,6 @@
 // Every text of shipped exercises, scenes and lectures has a translation in every language, and every translation has a
 // text.
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -107,6 +108,34 @@ TEST(ShippedWords, AreShownOnTheCardInTheChosenLanguage) {
         EXPECT_EQ(all.find(text.text.substr(0, 20)), std::string::npos) << text.text;
     }
     EXPECT_NE(all.find("Es berührt die Lampe"), std::string::npos);
+}
+
+TEST(ShippedWords, TheQuestionOfEachExerciseIsShownWholeInASmallWindow) {
+    for (const char* code : {"en", "de", "es"})
+        for (const auto& file : fs::directory_iterator(shipped / "guided")) {
+            SCOPED_TRACE(std::string(code) + " " + file.path().filename().string());
+            const auto exercise = load_exercise(file.path());
+            ASSERT_TRUE(exercise);
+            if (exercise->prediction.question.empty()) continue;
+            Desk desk(1024, 768, 1, true);
+            desk.strings = speaking(code);
+            if (code != std::string("en")) add_translations(desk.strings, texts_of(*exercise), words_of_shipped(code));
+            desk.opened = *exercise;
+            desk.open_exercise();
+            World::create(exercise->scene, 1)->capture(desk.now);
+            desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+            desk.frame(6);
+            const std::string question(desk.strings.find(exercise->prediction.question, exercise->prediction.question));
+            bool found = false;
+            for (Written w : desk.written) {
+                std::replace(w.words.begin(), w.words.end(), '\n', ' ');
+                if (w.words != question) continue;
+                found = true;
+                EXPECT_GE(w.rect.y, w.clip.y);
+                EXPECT_LE(w.rect.y + w.rect.h, w.clip.y + w.clip.h);
+            }
+            EXPECT_TRUE(found) << question;
+        }
 }
 
 }  // namespace braitenlab::tests::shipped_words_test

@@ -20,6 +20,22 @@ struct Screen {
 
 void with_lesson(Desk& desk) { desk.open_exercise(); }
 
+// As the check of an exercise of one's own and the reader of a broken file find them.
+void with_findings(Desk& desk) {
+    static const std::vector<Finding> found = [] {
+        const std::string file = "/home/student/braitenlab/exercises/a strike of mine.toml";
+        std::vector<Finding> all(3);
+        all[0].said = {NoticeKind::failure, "findings.not_offered", "LR"};
+        all[1].said = {NoticeKind::failure, "findings.start_fails", "3", "1. It touches the lamp"};
+        all[1].measures = {{.value = 1.25f, .needed = 0.6f, .unit = "m", .at_most = true, .best = true}};
+        const Error outside{"'lamp' is at (30, 0), outside the arena of 12 × 12 m; move it inside", file, 41};
+        all[2].said = {.kind = NoticeKind::notice, .words = outside.text(), .error = outside};
+        return all;
+    }();
+    with_lesson(desk);
+    desk.view.findings = &found;
+}
+
 void late_in_lesson(Desk& desk) {
     desk.open_exercise();
     desk.lesson.has_run = true;
@@ -244,6 +260,7 @@ std::vector<Screen> screens() {
         {"driven by hand", [](Desk& d) { d.now.vehicles[0].driver = Driver::manual; }},
         {"on a path", [](Desk& d) { d.now.vehicles[0].driver = Driver::path; }},
         {"wandering", [](Desk& d) { d.now.vehicles[0].driver = Driver::wander; }},
+        {"findings of a check", with_findings},
         {"lecture on a hunt", [](Desk& d) { d.view.lecture = true; }},
         {"lecture on an exercise", [](Desk& d) { with_lesson(d), d.view.lecture = true; }},
         {"after a crash", [](Desk& d) { d.view.recovery = &offer; }},

@@ -33,16 +33,20 @@ void begin_window(const char* name, Rect r, ImGuiWindowFlags flags = plain_windo
     ImGui::PopStyleVar(2);
 }
 
-// A button with its right end at `right`. Returns its left end.
-float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
-    const float w = text_width(ui, Face::small, extra.words) + ui.px(16);
+// A button with its right end at `right`; with its icon where its words would reach beyond `left`. Returns its left
+// end.
+float heading_button(Ui& ui, HeadingButton& extra, float left, float right, float y) {
+    const float with_words = text_width(ui, Face::small, extra.words) + ui.px(spacing::large);
+    const bool by_icon = has_icons(ui) && !extra.icon.empty() && right - with_words < left;
+    const std::string_view shown = by_icon ? extra.icon : extra.words;
+    const float w = by_icon ? ui.px(24) : with_words;
     ImGui::SetCursorScreenPos({right - w, y + ui.px(6)});
     const Item at = item(ui, extra.id, {w, ui.px(24)});
     const Palette& p = ui.palette;
     fill_box(ui, at.rect,
              extra.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth));
     line_box(ui, at.rect, extra.on ? p.accent.with_alpha(0.8f) : p.line);
-    put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, Face::small) / 2}, extra.words, ui.palette.text,
+    put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, Face::small) / 2}, shown, ui.palette.text,
                 Face::small);
     tooltip(ui, at, extra.tooltip, extra.shortcut);
     extra.pressed = at.pressed;
@@ -52,9 +56,10 @@ float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
 
 void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::span<HeadingButton> extras) {
     // Buttons first: of two widgets under the pointer Dear ImGui chooses the earlier one.
+    const float left = r.x + ui.px(side_padding) + text_width(ui, Face::small, words) + ui.px(spacing::small);
     float right = r.x + r.w - ui.px(side_padding + 16);
     if (!state.folded)
-        for (HeadingButton& extra : extras) right = heading_button(ui, extra, right, r.y) - ui.px(6);
+        for (HeadingButton& extra : extras) right = heading_button(ui, extra, left, right, r.y) - ui.px(6);
     ImGui::SetCursorScreenPos({r.x, r.y});
     const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(card_heading))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);

@@ -32,6 +32,7 @@ struct HeadingButton {
     std::string_view id, words, tooltip, shortcut{};
     bool on = false;  // a toggle that is on
     bool pressed = false, hovered = false;
+    std::string_view icon{};  // replaces the words where the heading leaves no room for them
 };
 
 // Begins a card in this rectangle. Anchors: `id` and `id`.fold for its heading. False when it is folded: draw nothing

@@ -44,7 +44,10 @@ void finding_row(const Finding& finding, Ui& ui) {
 }  // namespace
 
 void findings_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    std::array buttons{HeadingButton{"findings.close", ui.strings("findings.close"), ui.strings("findings.close_how")}};
+    std::array buttons{HeadingButton{.id = "findings.close",
+                                     .words = ui.strings("findings.close"),
+                                     .tooltip = ui.strings("findings.close_how"),
+                                     .icon = icon::cross}};
     if (open_card(state, ui, Card::findings, place, buttons))
         for (const Finding& finding : *view.findings) finding_row(finding, ui);
     end_card(state.card(Card::findings));
