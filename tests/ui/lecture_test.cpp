@@ -1,4 +1,6 @@
 // Lecture mode: shown widgets and restored settings.
+#include <algorithm>
+
 #include "desk.h"
 #include "ui/panels/cards.h"
 
@@ -98,6 +100,33 @@ TEST(Lecture, TheOpenBrainLeavesTheButtonsOfTheDiagramFree) {
         for (const char* button : {"canvas.fit", "canvas.arrange"})
             EXPECT_FALSE(overlap(desk.where(button), desk.where("card.brain"))) << button << ", folded " << folded;
     }
+}
+
+// A card is not scrolled in a lecture.
+TEST(Lecture, ShowsTheSumsOfTheOpenBrainWholeOrNotAtAll) {
+    int whole = 0, absent = 0;
+    for (float height = 600; height <= 900; height += 20) {
+        SCOPED_TRACE(height);
+        Desk desk(1280, height, 1.4f, true);
+        desk.now = shipped_scene("2b-aggressor");
+        desk.view.lecture = true;
+        desk.frame(3);
+        desk.panels.card(Card::brain).folded = false;
+        desk.frame(20);
+        const auto sums = std::find_if(desk.shown.begin(), desk.shown.end(),
+                                       [](const Shown& each) { return each.id == "equations"; });
+        if (sums == desk.shown.end()) {
+            ++absent;
+            continue;
+        }
+        ++whole;
+        ASSERT_TRUE(desk.anchors.find("equations"));
+        EXPECT_NEAR(desk.where("equations").h, sums->rect.h, 1);
+        for (const Written& w : desk.written)
+            EXPECT_FALSE(w.scrolls && overlap(w.rect, desk.where("card.brain"))) << w.words;
+    }
+    EXPECT_GT(whole, 2);
+    EXPECT_GT(absent, 2);
 }
 
 TEST(Lecture, ExtendsTheDiagramOverTheCardBelowIt) {

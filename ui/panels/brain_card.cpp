@@ -350,6 +350,8 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
     return lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
+constexpr float sums_height = 104;  // layout pixels: both equations and a line below them
+
 // True if less than this height (layout pixels) is left in the column. A card is not scrolled in a lecture.
 bool would_be_cut(const Ui& ui, float height, Rect column) {
     const float top = ImGui::GetCursorScreenPos().y + ImGui::GetScrollY();
@@ -390,7 +392,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         gap(ui, spacing::small);
         if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
-        else if (tells && view.settings.revealed.brain)
+        else if (tells && view.settings.revealed.brain && !(view.lecture && would_be_cut(ui, sums_height, column)))
             equations(view, ui, *vehicle, column);
         // The wiring canvas shows the same brain larger.
         const float height = column.h < ui.px(low_column) ? 90 : 116;

@@ -269,15 +269,20 @@ std::array<Analysis, 3> analyses(const LabView& view, const Ui& ui) {
 }
 
 // The cause in words, and the buttons at its right. The buttons are left out where the words beside them would end
-// below `bottom` (window pixels, with the scroll of the card): each of them has a key.
+// below `bottom` (window pixels, with the scroll of the card): each of them has a key. Words that would be cut then are
+// left out, too.
 void explanation_row(Ui& ui, const std::string& words, const std::array<Analysis, 3>& buttons, float bottom) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float space = ui.px(spacing::tight), line = line_height(ui, Face::small);
     float width = -space;
     for (const Analysis& each : buttons) width += space + small_button_width(ui, each.look, !has_icons(ui));
     const float room = card_width(ui) - width - ui.px(spacing::small);
-    const float lines = static_cast<float>(lines_of_words(ui, words, Face::small, room).size());
-    const bool fits = at.y + ImGui::GetScrollY() + lines * line + ui.px(spacing::large) <= bottom;
+    const auto fits_into = [&](float wrapped_at) {
+        const float lines = static_cast<float>(lines_of_words(ui, words, Face::small, wrapped_at).size());
+        return at.y + ImGui::GetScrollY() + lines * line + ui.px(spacing::large) <= bottom;
+    };
+    const bool fits = fits_into(room);
+    if (!fits && !fits_into(card_width(ui))) return;
     paragraph(ui, words, ui.palette.text, Face::small, fits ? room : 0);
     if (!fits) return;
     const ImVec2 after = ImGui::GetCursorScreenPos();
