@@ -102,6 +102,29 @@ TEST(Lecture, TheOpenBrainLeavesTheButtonsOfTheDiagramFree) {
     }
 }
 
+TEST(Lecture, KeepsTheTracksOfTheWeightsLongInTheSmallestWindow) {
+    Desk desk(1024, 768, 1.375f, true);  // the scale that fits
+    desk.now = shipped_scene("2b-aggressor");
+    desk.view.lecture = true;
+    desk.frame(3);
+    desk.panels.card(Card::brain).folded = false;
+    desk.frame(20);
+    for (const std::string name : {"LL", "LR", "RL", "RR"}) {
+        const Rect row = desk.where("slider." + name);
+        float track_from = row.x, track_to = row.x + row.w;
+        for (const Written& w : desk.written) {
+            if (!is_inside(w.rect, row)) continue;
+            if (w.words == name)
+                track_from = w.rect.x + w.rect.w;
+            else
+                track_to = w.rect.x;
+        }
+        EXPECT_GT(track_from, row.x) << name;
+        EXPECT_LT(track_to, row.x + row.w) << name << " has a number";
+        EXPECT_GT(track_to - track_from, 0.12f * desk.layout.window.w) << name;
+    }
+}
+
 // A card is not scrolled in a lecture.
 TEST(Lecture, ShowsTheSumsOfTheOpenBrainWholeOrNotAtAll) {
     int whole = 0, absent = 0;
