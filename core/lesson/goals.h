@@ -112,8 +112,8 @@ struct Measure {
     bool at_most = false;                // needs value <= needed; otherwise value >= needed
     bool best = false;                   // the value is the best so far; otherwise the present one
     std::optional<float> needed_most{};  // needs also value <= this
-    std::string_view
-        quantity{};  // what is measured, where the unit alone does not say it: "rest", "hold", "path", "nearest"
+    // What is measured, where the unit alone does not say it: "rest", "hold", "path", "nearest".
+    std::string_view quantity{};
     std::string_view source{};  // name of the source that the value is about; empty: none. Points into the exercise
     friend bool operator==(const Measure&, const Measure&) = default;
 };

@@ -167,7 +167,7 @@ struct DrawList {
     std::array<std::vector<SignInstance>, role_count> signs;  // vehicles of low detail
     std::vector<WheelInstance> wheels;
     std::vector<EyeInstance> eyes;
-    bool coarse = true;                                        // hulls, wheels and eyes need coarse meshes only
+    bool coarse = true;                                        // hulls, wheels and wires need coarse meshes only
     std::array<std::vector<HullInstance>, role_count> bodies;  // rounded, for vehicles that are large on the screen
     std::vector<WheelInstance> tyres;                          // of the rounded bodies
     std::vector<EyeballInstance> eyeballs;

@@ -304,10 +304,10 @@ bool stands_still(const LabView& view, const VehicleView& vehicle) {
     return view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
 }
 
-bool push(float left, float right) { return std::fabs(left + right) > 0.1f; }
+bool wheels_push(float left, float right) { return std::fabs(left + right) > 0.1f; }
 
 bool is_stuck(const LabView& view, const VehicleView& vehicle) {
-    return view.mode == Mode::playing && stands_still(view, vehicle) && push(vehicle.motor[0], vehicle.motor[1]);
+    return view.mode == Mode::playing && stands_still(view, vehicle) && wheels_push(vehicle.motor[0], vehicle.motor[1]);
 }
 
 void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect column) {

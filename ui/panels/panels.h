@@ -112,7 +112,7 @@ void equations(const LabView&, Ui&, const VehicleView&, Rect column);
 // True if the vehicle does not move. Not known in the first half second.
 bool stands_still(const LabView&, const VehicleView&);
 // True if these wheel commands move a vehicle, forwards or backwards, unless something is in the way.
-bool push(float left, float right);
+bool wheels_push(float left, float right);
 // True while it is played and does not move although its wheels push. Not known in the first half second.
 bool is_stuck(const LabView&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);

@@ -94,7 +94,7 @@ std::string main_cause(const LabView& view, const Ui& ui, const VehicleView& veh
 
 // True if the wheels push the vehicle forwards or backwards and it does not move.
 bool is_blocked(const LabView& view, const VehicleView& vehicle, const insight::Why& why) {
-    return stands_still(view, vehicle) && push(why.left, why.right);
+    return stands_still(view, vehicle) && wheels_push(why.left, why.right);
 }
 
 WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
