@@ -138,7 +138,7 @@ std::optional<float> needed_most(const G& goal) {
 }
 
 template <class G>
-std::string_view source_of(const G& goal) {
+std::string source_of(const G& goal) {
     if constexpr (requires { goal.source; }) return goal.source;
     return {};
 }

@@ -114,7 +114,7 @@ struct Measure {
     std::optional<float> needed_most{};  // needs also value <= this
     // What is measured, where the unit alone does not say it: "rest", "hold", "path", "nearest".
     std::string_view quantity{};
-    std::string_view source{};  // name of the source that the value is about; empty: none. Points into the exercise
+    std::string source{};  // name of the source that the value is about; empty: none
     friend bool operator==(const Measure&, const Measure&) = default;
 };
 
