@@ -32,7 +32,7 @@ std::string notes_page(const LectureView& at, const Strings& strings, const std:
     const std::string place = fmt::format("{}/{} · {}", at.page + 1, pages.size(), ui::time_words(at, strings));
     std::string body = html::element("p", place, "quiet") + "\n" +
                        html::element("h1", translated_text(strings, at.current().caption)) + "\n" +
-                       html::element("p", at.current().notes) + "\n";
+                       html::element("p", translated_text(strings, at.current().notes)) + "\n";
     if (next < pages.size())
         body += html::element("p", fill(strings("lecture.next_page"), {translated_text(strings, pages[next].caption)}),
                               "quiet") +

@@ -251,6 +251,7 @@ std::vector<TranslatableText> texts_of(const Lecture& lecture) {
         const LecturePage& page = lecture.pages[i];
         const std::string key = fmt::format("page.{}.", i + 1);
         add(key + "caption", page.caption);
+        add(key + "notes", page.notes);
         add(key + "question", page.question.text);
         for (std::size_t k = 0; k < page.question.options.size(); ++k)
             add(fmt::format("{}option.{}", key, k + 1), page.question.options[k]);

@@ -127,7 +127,7 @@ Result<Lecture> parse_lecture(std::string_view toml, const std::filesystem::path
 // every page can be opened.
 std::optional<Error> check_pages(const Lecture&);
 
-// Titles, captions and questions, with ids like "lecture.four-numbers.page.2.caption". Notes are not translated.
+// Titles, captions, notes and questions, with ids like "lecture.four-numbers.page.2.caption".
 std::vector<TranslatableText> texts_of(const Lecture&);
 
 // The tables of docs/lecture-format.md, in Markdown.

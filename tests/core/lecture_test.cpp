@@ -146,15 +146,16 @@ TEST(Lecture, APageNamesAFileBesideTheLecture) {
     fs::remove_all(folder);
 }
 
-TEST(Lecture, AllTextsThatTheAudienceReadsAreTranslated) {
+TEST(Lecture, AllItsTextsAreTranslated) {
     const auto lecture = read(scene_page +
-                              "caption = \"C\"\nnotes = \"not these\"\n[page.question]\ntext = \"Q\"\n"
+                              "caption = \"C\"\nnotes = \"N\"\n[page.question]\ntext = \"Q\"\n"
                               "options = [\"left\", \"right\"]\nanswer = \"right\"\nwhy = \"W\"\n");
     ASSERT_TRUE(lecture) << lecture.error().text();
     std::string found;
     for (const TranslatableText& each : texts_of(*lecture)) found += each.id + "=" + each.text + "\n";
     EXPECT_EQ(found,
-              "lecture.own.title=T\nlecture.own.page.1.caption=C\nlecture.own.page.1.question=Q\n"
+              "lecture.own.title=T\nlecture.own.page.1.caption=C\nlecture.own.page.1.notes=N\n"
+              "lecture.own.page.1.question=Q\n"
               "lecture.own.page.1.option.1=left\nlecture.own.page.1.option.2=right\nlecture.own.page.1.why=W\n");
 }
 

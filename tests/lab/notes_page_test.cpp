@@ -1,6 +1,8 @@
 // The lecturer's notes as a page for a browser.
 #include "app/course/notes_page.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lecture.h"
@@ -38,6 +40,16 @@ TEST_F(NotesPage, HasTheNotesTheTimeAndTheNextCaption) {
         EXPECT_NE(page.find(shown), std::string::npos) << shown;
     EXPECT_NE(page.find(lab.pages->current().notes.substr(0, 12)), std::string::npos);
     EXPECT_NE(page.find("reload"), std::string::npos);
+}
+
+TEST_F(NotesPage, HasTheNotesInTheLanguageOfTheWindow) {
+    const std::vector<TranslatableText> texts = texts_of(*lab.pages->lecture);
+    const auto notes = std::find_if(texts.begin(), texts.end(), [&](const TranslatableText& each) {
+        return each.text == lab.pages->current().notes;
+    });
+    ASSERT_NE(notes, texts.end());
+    strings.add(notes->text, "Laufen lassen");
+    EXPECT_NE(notes_page(*lab.pages, strings, "de").find("<p>Laufen lassen</p>"), std::string::npos);
 }
 
 TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {

@@ -167,7 +167,7 @@ void lecture_notes(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureView& page = *view.pages;
     const float width = r.w - 2 * ui.px(page_padding);
     const std::string time = time_words(page, ui.strings);
-    const auto lines = lines_of_words(ui, page.current().notes, Face::small, width);
+    const auto lines = lines_of_words(ui, translated(ui, page.current().notes), Face::small, width);
     const float line = line_height(ui, Face::small), strong = line_height(ui, Face::strong);
     const float heading = strong + ui.px(4);
     state.notes_height = heading + static_cast<float>(lines.size()) * line + 2 * ui.px(page_padding);
