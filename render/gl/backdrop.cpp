@@ -16,6 +16,11 @@ FrameBlock ground_of(FrameBlock frame) {
     return frame;
 }
 
+FrameBlock upside_down(FrameBlock frame) {
+    for (int column = 0; column < 4; ++column) frame.view_projection[column].y = -frame.view_projection[column].y;
+    return frame;
+}
+
 bool same(const std::optional<FrameBlock>& a, const FrameBlock& b) { return a && std::memcmp(&*a, &b, sizeof b) == 0; }
 
 }  // namespace
@@ -25,15 +30,17 @@ Backdrop::Backdrop() { glGenFramebuffers(1, &framebuffer_); }
 Backdrop::~Backdrop() { glDeleteFramebuffers(1, &framebuffer_); }
 
 Backdrop::Ground Backdrop::look(const FrameBlock& frame) {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound_);
+    if (mirrored_ != (bound_ == 0)) forget();
+    mirrored_ = bound_ == 0;
     const FrameBlock ground = ground_of(frame);
     const bool rests = same(last_, ground);
     last_ = ground;
     return same(painted_, ground) ? Ground::kept : rests ? Ground::rests : Ground::moves;
 }
 
-void Backdrop::begin_painting() {
+FrameBlock Backdrop::begin_painting() {
     const int width = static_cast<int>(last_->window.x), height = static_cast<int>(last_->window.y);
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound_before_);
     glGetIntegerv(GL_VIEWPORT, viewport_before_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
     if (width != width_ || height != height_) {
@@ -42,12 +49,23 @@ void Backdrop::begin_painting() {
         width_ = width, height_ = height;
     }
     glViewport(0, 0, width, height);
+    glFrontFace(mirrored_ ? GL_CW : GL_CCW);
+    return mirrored_ ? upside_down(*last_) : *last_;
 }
 
 void Backdrop::end_painting() {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound_before_));
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound_));
+    glFrontFace(GL_CCW);
     glViewport(viewport_before_[0], viewport_before_[1], viewport_before_[2], viewport_before_[3]);
     painted_ = last_;
+}
+
+void Backdrop::copy() const {
+    const int left = static_cast<int>(last_->window.z), low = static_cast<int>(last_->window.w);
+    const int first = mirrored_ ? height_ : 0, last = height_ - first;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glBlitFramebuffer(0, first, width_, last, left, low, left + width_, low + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound_));
 }
 
 void Backdrop::forget() { painted_.reset(); }

@@ -1,5 +1,6 @@
 #include "render/gl/frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace braitenlab::render {
@@ -48,7 +49,8 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
 
 FrameBlock at_resolution(FrameBlock block, float share) {
     block.eye.w *= share;
-    block.window = {block.window.x * share, block.window.y * share, 0, 0};
+    const auto side = [&](float pixels) { return std::max(1.0f, std::round(pixels * share)); };  // as in Resampling
+    block.window = {side(block.window.x), side(block.window.y), 0, 0};
     block.arena.w *= share;
     return block;
 }

@@ -10,8 +10,8 @@
 namespace braitenlab::render {
 
 struct Programs {
-    Program floor, lamplit, brink, backdrop, zone, contour, block, skirt, hull, sign, rim, wheel, eye, eyeball, cast,
-        wire, neuron, field, outlined, shade, mark, source, halo, trail, letter;
+    Program floor, lamplit, brink, zone, contour, block, skirt, hull, sign, rim, wheel, eye, eyeball, cast, wire,
+        neuron, field, outlined, shade, mark, source, halo, trail, letter;
     bool sectors_from_points = false;
 
     // Compiles all programs. After an error the set is incomplete.

@@ -59,6 +59,13 @@ void set_viewport(const Rect& window) {
                static_cast<GLsizei>(window.h));
 }
 
+// Whether a picture can be copied into a framebuffer with several samples per pixel.
+#ifdef BRAITENLAB_OPENGL_ES
+constexpr bool copies_to_samples = false;
+#else
+constexpr bool copies_to_samples = true;
+#endif
+
 struct ContourInstance {
     maths::vec4 place;   // half the arena's size; samples along x and y
     maths::vec4 colour;  // w: side of the texture, samples
@@ -211,20 +218,13 @@ struct Renderer::Parts {
     bool update_backdrop(const FrameBlock& frame) {
         const auto ground = backdrop.look(frame);
         if (ground == Backdrop::Ground::rests) {
-            backdrop.begin_painting();
+            upload(backdrop.begin_painting());
             glClear(GL_COLOR_BUFFER_BIT);
             draw_ground();
             backdrop.end_painting();
+            upload(frame);
         }
         return ground != Backdrop::Ground::moves;
-    }
-
-    // Draws the stored ground before all else: without a depth test, because a copy costs less than the test.
-    void draw_backdrop() {
-        glDisable(GL_DEPTH_TEST);
-        backdrop.bind();
-        draw(with.backdrop, floors);
-        glEnable(GL_DEPTH_TEST);
     }
 
     // Draws the ground after all solid objects, so hidden parts of it are not shaded. It writes no depth: flat marks on
@@ -350,10 +350,11 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     const FrameBlock drawn = coarse ? at_resolution(frame, picture.resolution) : frame;
     p.upload(drawn);
     p.upload_list(drawn);
-    const bool in_backdrop = p.update_backdrop(drawn);
-    if (!coarse && picture.quality == Quality::high) p.resampling.begin_smooth(window);
+    const bool smooth = !coarse && picture.quality == Quality::high && p.resampling.begin_smooth(window);
+    const bool in_backdrop = (copies_to_samples || !smooth) && p.update_backdrop(drawn);
+    // The copy comes first: a software renderer waits for the draw calls before it.
+    if (in_backdrop) p.backdrop.copy();
     glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (in_backdrop) p.draw_backdrop();
     p.draw_solids(picture.quality);
     if (!in_backdrop) p.draw_ground_below();
     p.draw_flat();

@@ -48,8 +48,14 @@ void Texture::resize(int width, int height) {
         GLint inside;
         GLenum channels, type;
     };
+#ifdef BRAITENLAB_OPENGL_ES
+    const Storage picture{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+#else
+    const Storage picture{GL_RGBA, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV};  // the format of most windows
+#endif
     const Storage storage = kind_ == Kind::bytes     ? Storage{GL_R8, GL_RED, GL_UNSIGNED_BYTE}
                             : kind_ == Kind::numbers ? Storage{GL_R16F, GL_RED, GL_FLOAT}
+                            : kind_ == Kind::picture ? picture
                                                      : Storage{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
     bind();
     glTexImage2D(GL_TEXTURE_2D, 0, storage.inside, std::max(width, 1), std::max(height, 1), 0, storage.channels,

@@ -10,8 +10,8 @@ public:
     enum class Kind {
         bytes,    // one channel of 0..1 in 8 bits
         numbers,  // one channel of half floats, interpolated linearly
-        picture,  // colours; a render target
-        smooth,   // as picture, interpolated between its smaller copies
+        picture,  // colours; a render target, in the format of the window where the driver has it
+        smooth,   // colours; a render target, interpolated between its smaller copies
     };
 
     // Precondition until destruction: a current GL context.

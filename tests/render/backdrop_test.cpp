@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/gl/offscreen.h"
 #include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
@@ -76,6 +77,38 @@ TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
     picture.camera_view = look(Camera{}, Arena{}, nullptr, part, part);
     const auto moving = drawn_afresh(now);
     for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
+}
+
+TEST_F(BackdropTest, FillsAPictureOfHalfAnOddNumberOfPixels) {
+    const Snapshot now = arena_with(Boundary::wall);
+    const Rect part{0, 0, 639, 479};
+    picture.camera_view = look(Camera{}, Arena{}, nullptr, part, part);
+    picture.resolution = 0.5f;
+    const auto moving = drawn_afresh(now);
+    for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
+}
+
+TEST_F(BackdropTest, ShowsTheSameGroundWithSeveralSamplesPerPixel) {
+    const Snapshot now = arena_with(Boundary::torus);
+    picture.quality = Quality::high;
+    const auto moving = drawn_afresh(now);
+    for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
+}
+
+// The rows of a window begin at the top, those of a framebuffer object at the bottom.
+TEST_F(BackdropTest, ShowsTheSameGroundInAWindowAndInAFramebufferObject) {
+    const Snapshot now = arena_with(Boundary::open);
+    const auto moving = drawn_afresh(now);
+    Offscreen elsewhere(window_width, window_height);
+    for (int turn = 0; turn < 2; ++turn) {
+        for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << "window, frame " << frame;
+        elsewhere.bind();
+        for (int frame = 0; frame < 3; ++frame) {
+            renderer->draw(now, picture);
+            EXPECT_TRUE(alike(elsewhere.pixels(), moving)) << "framebuffer object, frame " << frame;
+        }
+        elsewhere.release();
+    }
 }
 
 TEST_F(BackdropTest, StoresTheGroundAfterTwoEqualFrames) {

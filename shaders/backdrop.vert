@@ -1,9 +1,0 @@
-// The stored picture of the ground.
-layout(location = 0) in vec3 corner;
-
-out vec2 v_at;
-
-void main() {
-    v_at = corner.xy * 0.5 + 0.5;
-    gl_Position = vec4(corner.xy, 0.0, 1.0);
-}
