@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <imgui.h>
 
+#include "core/scene/driven_wheels.h"
 #include "core/scene/population.h"
 #include "core/scene/schema.h"
 #include "ui/panels/cards.h"
@@ -42,37 +42,6 @@ bool colour_swatch(Ui& ui, const std::string& id, std::string_view colour, bool 
         list.AddCircleFilled(middle, ui.px(7), paint(braitenlab::colour_of(colour).value_or(ui.palette.text)), 24);
     tooltip(ui, at, ui.strings(colour.empty() ? "values.colour_none" : "values.colour_how"));
     return at.pressed;
-}
-
-// Of the wheels with a motor: the distance (m) between the leftmost and the rightmost, and the largest radius (m). Both
-// are 0 for a body without such wheels.
-struct DrivenWheels {
-    float track = 0, radius = 0;
-};
-
-DrivenWheels driven_wheels(const Body& body) {
-    DrivenWheels driven;
-    float left = std::numeric_limits<float>::lowest(), right = std::numeric_limits<float>::max();
-    for (const Wheel& wheel : body.wheels) {
-        if (wheel.motor == Motor::none) continue;
-        left = std::max(left, wheel.y), right = std::min(right, wheel.y);
-        driven.radius = std::max(driven.radius, wheel.radius);
-    }
-    driven.track = std::max(0.0f, left - right);
-    return driven;
-}
-
-// The body whose driven wheels have this track and radius: each is moved across and scaled in proportion, within the
-// ranges of a wheel.
-Body with_driven_wheels(const Body& body, DrivenWheels wanted) {
-    const DrivenWheels now = driven_wheels(body);
-    Body to = body;
-    for (Wheel& wheel : to.wheels) {
-        if (wheel.motor == Motor::none) continue;
-        if (now.track > 0) wheel.y = std::clamp(wheel.y * (wanted.track / now.track), -10.0f, 10.0f);
-        if (now.radius > 0) wheel.radius = std::clamp(wheel.radius * (wanted.radius / now.radius), 0.005f, 5.0f);
-    }
-    return to;
 }
 
 // Editing of one kind. All changes of a frame are one EditKind: the press that leaves a text field can also be the
