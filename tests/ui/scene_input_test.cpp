@@ -132,6 +132,8 @@ TEST_F(SceneInput, RotatesTheSelectionByItsRing) {
     press();
     point({3, 9});  // from the east to the north of it
     EXPECT_NEAR(commands<MoveObstacle>().back().heading, maths::pi / 2, 0.02f);
+    EXPECT_EQ(commands<MoveObstacle>().back().heading, maths::to_degree_steps(commands<MoveObstacle>().back().heading))
+        << "a file has whole degrees";
     EXPECT_FLOAT_EQ(commands<MoveObstacle>().back().x, 3);
     ImGui::GetIO().KeyShift = true;
     point({2.8f, 9});
@@ -342,9 +344,10 @@ TEST_F(SceneInput, MovesAndTurnsAllSelectedObjectsByKeysAsOneStep) {
 }
 
 TEST_F(SceneInput, TurnsTheChosenVehicleByAKeyAndNoLamp) {
+    desk.now.vehicles[0].heading = maths::radians(-1.3f);
     desk.key({'Z'});
     ASSERT_EQ(commands<MoveVehicle>().size(), 1u);
-    EXPECT_NEAR(commands<MoveVehicle>()[0].heading, maths::radians(5), 1e-4f);
+    EXPECT_EQ(commands<MoveVehicle>()[0].heading, maths::from_degrees(4)) << "a file has whole degrees";
     take(lamp);
     desk.key({'Z'});
     EXPECT_TRUE(commands<MoveSource>().empty());

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "core/maths/angle.h"
+#include "core/maths/degrees.h"
 #include "core/scene/enums.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/chart_data.h"
@@ -122,7 +123,8 @@ void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) 
     } else {
         paragraph(ui, fill(ui.strings("thing.corners"), {std::to_string(now.corners.size())}), ui.palette.second_text);
     }
-    number(obstacle_heading, maths::degrees(now.heading), [](Obstacle& o, float v) { o.heading = maths::radians(v); });
+    number(obstacle_heading, maths::degrees(now.heading),
+           [](Obstacle& o, float v) { o.heading = maths::from_degrees(static_cast<double>(v)); });
     number(obstacle_mass, now.mass, [](Obstacle& o, float v) { o.mass = v; });
     if (to) ui.outbox.push_back(EditRequest{EditObstacle{index, *to}, gesture});
 }

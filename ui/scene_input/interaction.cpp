@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/angle.h"
+#include "core/maths/degrees.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/scene_input/tools.h"
@@ -16,8 +17,8 @@ using maths::vec2;
 
 namespace {
 
-constexpr float drag_threshold = 4;          // layout pixels
-constexpr float turn_step = maths::pi / 12;  // with Shift
+constexpr float drag_threshold = 4;  // layout pixels
+constexpr double turn_step = 15;     // degrees, with Shift
 
 void request(Outbox& outbox, Command command, std::uint64_t gesture = 0) {
     outbox.push_back(EditRequest{std::move(command), gesture});
@@ -200,8 +201,8 @@ void continue_drag(SceneInputState& state, const SceneInputFrame& frame, Outbox&
     }
     if (drag.phase == SceneInputPhase::turn && floor) {
         Pose to = drag.began;
-        to.heading = maths::wrap_angle(to.heading + bearing_from(to, *floor) - drag.bearing);
-        if (frame.pointer.shift) to.heading = maths::wrap_angle(std::round(to.heading / turn_step) * turn_step);
+        const float turned = maths::wrap_angle(to.heading + bearing_from(to, *floor) - drag.bearing);
+        to.heading = maths::wrap_angle(maths::to_degree_steps(turned, frame.pointer.shift ? turn_step : 1));
         put(drag, frame.view, to, outbox);
     }
 }

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "core/maths/angle.h"
+#include "core/maths/degrees.h"
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/draw_insight.h"
 #include "ui/scene_input/draw_lesson.h"
@@ -105,7 +106,7 @@ bool turn_by_key(const LabView& view, SceneInputState& state, float by, Outbox& 
     return put_by_key(
         view, state,
         [by](Pose at) {
-            return Pose{at.x, at.y, maths::wrap_angle(at.heading + by)};
+            return Pose{at.x, at.y, maths::wrap_angle(maths::to_degree_steps(at.heading + by))};
         },
         outbox);
 }

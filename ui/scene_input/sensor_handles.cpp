@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/angle.h"
+#include "core/maths/degrees.h"
 #include "core/scene/sensor_edits.h"
 #include "ui/scene_input/handles.h"
 
@@ -19,7 +20,7 @@ constexpr float edge_distance = 56;     // of a handle from the border of the sc
 constexpr float decides_after = 5;      // of movement: whether the axis turns or changes the range
 constexpr float mount_from_scale = 45;  // pixels per metre; below, the vehicle is too small for the handle `mount`
 
-constexpr float shift_step = maths::radians(15);
+constexpr double shift_step = 15;  // degrees
 constexpr float full_circle = 2 * maths::pi;
 
 bool has_field(const Sensor& sensor) { return sensor.channel != Channel::energy && sensor.channel != Channel::floor; }
@@ -66,7 +67,7 @@ SensorHandle handle_at(const SensorHandlePlaces& places, const SceneInputFrame& 
     return search.found;
 }
 
-float rounded(float value, float step) { return std::round(value / step) * step; }
+float rounded(float value, float steps_per_unit) { return std::round(value * steps_per_unit) / steps_per_unit; }
 
 // The pointer from the mount at the press, in the vehicle's frame.
 vec2 from_mount(const VehicleView& vehicle, const Sensor& sensor, vec2 floor) {
@@ -88,25 +89,25 @@ void decide_axis(SensorDrag& drag, const Sensor& began, const SceneInputFrame& f
 // The sensor after the drag up to this pointer, given from the mount at the press.
 Sensor dragged(const SensorDrag& drag, Sensor sensor, const Body& body, vec2 pointer, bool snaps) {
     const auto bearing = [](vec2 v) { return maths::arctangent2(v.y, v.x); };
-    constexpr float degree = maths::radians(1);
+    const float least = maths::from_degrees(1);
     if (drag.handle == SensorHandle::mount) {
         const vec2 moved = pointer - drag.press;
         const float far_x = body.length / 2 + 0.3f, far_y = body.width / 2 + 0.3f;
-        sensor.x = std::clamp(rounded(sensor.x + moved.x, 0.01f), -far_x, far_x);
-        sensor.y = std::clamp(rounded(sensor.y + moved.y, 0.01f), -far_y, far_y);
+        sensor.x = std::clamp(rounded(sensor.x + moved.x, 100), -far_x, far_x);
+        sensor.y = std::clamp(rounded(sensor.y + moved.y, 100), -far_y, far_y);
     } else if (drag.handle == SensorHandle::axis && drag.axis == AxisDrag::angle) {
         const float turned = sensor.angle + bearing(pointer) - bearing(drag.press);
-        sensor.angle = rounded(maths::wrap_angle(turned), snaps ? shift_step : degree);
+        sensor.angle = maths::to_degree_steps(maths::wrap_angle(turned), snaps ? shift_step : 1);
     } else if (drag.handle == SensorHandle::axis && drag.axis == AxisDrag::range) {
         const vec2 axis = maths::direction(bearing(drag.press));
         const float grown = std::max(0.0f, maths::dot(axis, pointer)) / std::max(1e-3f, maths::length(drag.press));
-        sensor.range = std::clamp(rounded(sensor.range * grown, 0.1f), 0.1f, 100.0f);
+        sensor.range = std::clamp(rounded(sensor.range * grown, 10), 0.1f, 100.0f);
     } else if (drag.handle == SensorHandle::left || drag.handle == SensorHandle::right) {
         const float side = drag.handle == SensorHandle::left ? 1.0f : -1.0f;
         float half = side * maths::wrap_angle(bearing(pointer) - sensor.angle);
         if (half < 0) half = half < -maths::pi / 2 ? maths::pi : 0;
         const float most = sensor.shape == SensorShape::triangle ? maths::radians(179) : full_circle;
-        sensor.fov = std::clamp(rounded(2 * half, snaps ? shift_step : degree), degree, most);
+        sensor.fov = std::clamp(maths::to_degree_steps(2 * half, snaps ? shift_step : 1), least, most);
     }
     return sensor;
 }

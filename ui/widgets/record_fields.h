@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/maths/angle.h"
+#include "core/maths/degrees.h"
 #include "core/scene/enums.h"
 #include "core/scene/schema.h"
 #include "ui/strings.h"
@@ -135,7 +136,7 @@ public:
     }
     void angle(const char* key, float T::*member, Range degrees, const char*) {
         turn({key, "°", degrees, maths::degrees(now_.*member), maths::degrees(home_.*member)},
-             [&](T& to, float value) { to.*member = maths::radians(value); });
+             [&](T& to, float value) { to.*member = maths::from_degrees(static_cast<double>(value)); });
     }
     void flag(const char* key, bool T::*member, const char*) {
         if (!is_shown(key)) return;
