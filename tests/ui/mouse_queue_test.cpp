@@ -98,6 +98,17 @@ TEST(MouseQueue, AddsTurnsOfTheWheelUnlessThePointerMovesAway) {
     EXPECT_EQ(moved.wheel, vec2{}) << "it turns in one frame only";
 }
 
+TEST(MouseQueue, APressAfterATurnOfTheWheelIsInTheNextFrame) {
+    MouseQueue queue;
+    queue.move(here);
+    queue.turn_wheel({0, 1});
+    queue.press(left, 1, {});
+    const MouseOfAFrame turned = queue.take(), pressed = queue.take();
+    EXPECT_EQ(turned.wheel, (vec2{0, 1}));
+    EXPECT_FALSE(turned.down[left]);
+    EXPECT_TRUE(pressed.down[left]);
+}
+
 TEST(MouseQueue, GivesModifiersAtThePressAndNoneLater) {
     MouseQueue queue;
     queue.press(right, 1, {.shift = true});
