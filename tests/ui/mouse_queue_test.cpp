@@ -172,20 +172,26 @@ TEST_F(MovedOn, AClickOnAButtonCounts) {
     EXPECT_EQ(desk.actions(), std::vector<Action>(8, Action::play_pause));
 }
 
-TEST_F(MovedOn, ADragOnASliderSetsItsValue) {
-    const Rect track = desk.where("slider.LL");
-    const vec2 from{track.x + track.w * 0.4f, track.y + track.h / 2};
-    queue.move(from);
-    queue.press(left, 1, {});
-    queue.move(from + vec2{60, 0});
-    queue.release(left);
-    queue.move(there);
-    see(5);
-    const auto edits = desk.edits();
-    ASSERT_FALSE(edits.empty());
-    desk.all.clear();
-    see(3);
-    EXPECT_TRUE(desk.edits().empty()) << "the slider does not follow the pointer after the release";
+TEST_F(MovedOn, ADragOnASliderSetsTheValueOfItsEndAndNoLaterOne) {
+    std::vector<float> weights;
+    for (const float way : {60.0f, 90.0f}) {
+        const Rect track = desk.where("slider.LL");
+        const vec2 from{track.x + track.w * 0.4f, track.y + track.h / 2};
+        queue.move(from);
+        queue.press(left, 1.0 + static_cast<double>(way), {});
+        queue.move(from + vec2{way, 0});
+        queue.release(left);
+        queue.move(there);
+        see(5);
+        const auto edits = desk.edits();
+        ASSERT_FALSE(edits.empty()) << way;
+        weights.push_back(turned(edits.back()).value);
+        desk.all.clear();
+        see(3);
+        EXPECT_TRUE(desk.edits().empty()) << "the slider does not follow the pointer after the release";
+        desk.rest();
+    }
+    EXPECT_GT(weights[1], weights[0] + 0.1f);
 }
 
 }  // namespace braitenlab::tests::mouse_queue_test
