@@ -156,8 +156,8 @@ void App::frame(float passed) {
     if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
     window_.want_text(ImGui::GetIO().WantTextInput);
     const float twist = window_.take_twist();
-    if (!title_ && !ImGui::GetIO().WantCaptureMouse && !rides(lab_.view.camera.mode))
-        orbit(lab_.view.camera, -twist, 0);
+    if (twist != 0 && !title_ && !ImGui::GetIO().WantCaptureMouse && !rides(lab_.view.camera.mode))
+        orbit(lab_.view.camera = viewport_.framing.raised(lab_.view.camera), -twist, 0);
     if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     window_.bind();
     if (repeatable() && !picture_is_due(0))

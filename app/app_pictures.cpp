@@ -60,6 +60,7 @@ void App::take_screenshot() {
 
 SceneLook App::scene_look(int width, int height) const {
     SceneLook look{scene_picture(hidden_brains(view_of(lab_))), viewport_.framed};
+    look.picture.settings.camera = viewport_.framing.raised(look.picture.settings.camera);
     look.picture.pixel_scale = pixel_scale_of(width, height);
     look.picture.quality = options_.quality.value_or(Quality::high);
     return look;
@@ -156,6 +157,7 @@ std::optional<Error> App::write_clip(const Options& options) {
     if (!data) return data.error();
     SceneLook look = scene_look(options.width, options.height);
     look.framed.reset();  // there is no run yet: the action of the whole clip
+    look.picture.settings.camera = lab_.view.camera;
     const auto tick = [](double seconds) {
         return static_cast<std::uint64_t>(std::llround(seconds * static_cast<double>(clip_second)));
     };

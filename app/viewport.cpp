@@ -79,8 +79,8 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
                                    .held = held,
                                    .close_up = paths_of_change(lab)});
-    const CameraView wanted =
-        look(lab.view.camera, now.scene->arena, followed, window, free_area, &state.framed, ride_scale(now, followed));
+    const CameraView wanted = look(state.framing.raised(lab.view.camera), now.scene->arena, followed, window, free_area,
+                                   &state.framed, ride_scale(now, followed));
     state.age = jumped(state, lab) ? 0 : state.age + seconds;
     state.last = lab.view.camera;
     state.last_followed = lab.view.selection.vehicle;
@@ -101,6 +101,8 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
                           scene_input.drag.phase == ui::SceneInputPhase::pan ||
                           (!io.WantCaptureMouse && io.MouseWheel != 0);
     if (keys || by_mouse || rides(lab.view.camera.mode)) lab.view.orbits = false;
+    // What the user sees is where a movement begins.
+    if (keys || by_mouse || lab.view.orbits) lab.view.camera = state.framing.raised(lab.view.camera);
     if (lab.view.orbits && !lab.preferences.reduce_motion) orbit_slowly(lab.view.camera, seconds);
     orbit(lab.view.camera, keys.turn * turn_rate * seconds, keys.raise * raise_rate * seconds);
     if (keys.zoom != 0)

@@ -91,11 +91,11 @@ Stand overview(const Camera& camera, const Arena& arena, const FloorBox& box, Re
     }
 
     const float focal = window.h / (2 * std::tan(overview_field / 2));
-    // Margin for the walls' thickness and the labels of metres outside them, where the box reaches the edge of the
-    // arena.
+    // Margin for the walls' thickness and, with the room beside the free area, for the labels of metres outside them,
+    // where the box reaches the edge of the arena.
     const bool at_edge = box.high.x >= arena.width / 2 || box.high.y >= arena.height / 2 ||
                          box.low.x <= -arena.width / 2 || box.low.y <= -arena.height / 2;
-    const float margin = at_edge ? 0.032f * std::min(area.w, area.h) + 8 : 6;
+    const float margin = at_edge ? 0.016f * std::min(area.w, area.h) + 8 : 6;
     const float room_x = (area.w - 2 * margin) / focal, room_y = (area.h - 2 * margin) / focal;
     const auto fits = [&](float distance) {
         const Extent e = extent_from(distance, corners);

@@ -1,7 +1,9 @@
 #include "render/view/framing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/scene/scene.h"
 
@@ -12,13 +14,20 @@ using maths::vec2;
 namespace {
 
 // All but the time and the border for the walls are for an arena of full scale; see scale_of().
-constexpr float around_vehicle = 0.9f, around_source = 1.0f;  // m
-constexpr float enough_share = 0.6f;                          // of the wanted length of a vehicle on the screen
-constexpr float beside_action = 1.2f;                         // m: an obstacle closer than this may be met
-constexpr float beyond_edge = 0.3f;                           // m, the walls
-constexpr float least_side = 4;                               // m
-constexpr float whole_ahead_of_action = 1.5f;                 // m: the box grows by so much more, and then rests
-constexpr float time_constant = 0.5f;                         // s
+constexpr float around_vehicle = 0.85f, around_source = 0.95f;  // m
+constexpr float enough_on_table = 0.6f;                         // of the wanted length of a vehicle on the screen
+constexpr float enough_with_source = 0.5f;                      // of it: the nearest source then stays in the picture
+constexpr float enough_with_all = 0.9f;                         // of it: all sources then stay
+constexpr float nearer = 0.8f;                                  // of the distance: another source is then the nearest
+constexpr float least_part = 0.6f;                              // of the box around the action
+constexpr std::array elevations{1.0f, 1.1f, 0.9f, 1.2f, 0.8f, 1.25f, 0.7f, 0.6f, 0.5f};  // rad
+constexpr float beside_action = 1.2f;          // m: an obstacle closer than this may be met
+constexpr float beyond_edge = 0.3f;            // m, the walls
+constexpr float least_side = 4;                // m
+constexpr float whole_ahead_of_action = 1.5f;  // m: the box grows by so much more, and then rests
+constexpr float time_constant = 0.5f;          // s
+
+constexpr FloorBox nothing{{1e9f, 1e9f}, {-1e9f, -1e9f}};
 
 void include(FloorBox& box, vec2 place, float radius) {
     box.low = {std::min(box.low.x, place.x - radius), std::min(box.low.y, place.y - radius)};
@@ -105,47 +114,154 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
     return box;
 }
 
-// Shrinks the box around the vehicle until the vehicle has this length on the screen, px, or until another vehicle or
-// the other run is at its edge. All sources stay inside where the vehicle has at least `enough_share` of this length
-// then, and so does a whole arena: the walls of a table and the numbers beside them are not cut off for a slightly
-// larger robot.
-FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, float pixels, const FramingInput& in) {
+float share_of(const FloorBox& box, const Snapshot& now, const VehicleView& vehicle, const FramingInput& in) {
+    const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
+    const float wanted = std::max(in.least_share * in.free_area.w, 1.0f);
+    return kind_of(now, vehicle).body.length * pixels_per_metre(seen, {vehicle.x, vehicle.y}) / wanted;
+}
+
+// Shrinks the box around the vehicle to a part, but for what belongs to the action, and further until the vehicle has
+// its wanted length on the screen, or until another vehicle, the other run or one of the sources is at its edge.
+FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, const FramingInput& in, float part,
+                  const FloorBox& action, const std::vector<vec2>& sources) {
     const vec2 place{vehicle.x, vehicle.y};
     const float scale = scale_of(now.scene->arena), around = scale * around_vehicle;
-    const float length = kind_of(now, vehicle).body.length;
-    const auto share_in = [&](const FloorBox& shown) {
-        const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &shown);
-        return length * pixels_per_metre(seen, place) / pixels;
-    };
-    if (contains(box, whole(now.scene->arena)) && share_in(box) >= enough_share) return box;
-    for (int i = 0; i < 4; ++i) {
-        const float share = share_in(box);
-        if (share >= 1) break;
-        const vec2 half = (box.high - box.low) * (share * 0.5f), middle = (box.low + box.high) / 2.0f;
+    const auto shrink = [&](float by) {
+        const vec2 half = (box.high - box.low) * (by * 0.5f), middle = (box.low + box.high) / 2.0f;
         const vec2 room{std::max(0.0f, half.x - around), std::max(0.0f, half.y - around)};
         const vec2 kept{std::clamp(middle.x, place.x - room.x, place.x + room.x),
                         std::clamp(middle.y, place.y - room.y, place.y + room.y)};
         box = {kept - half, kept + half};
+    };
+    if (part < 1) shrink(part), box = both(box, action);
+    for (int i = 0; i < 4; ++i) {
+        const float share = share_of(box, now, vehicle, in);
+        if (share >= 1) break;
+        shrink(share);
     }
     for (const VehicleView& other : now.vehicles) include(box, {other.x, other.y}, around);
     if (in.other_run) box = both(box, *in.other_run);
-    FloorBox with_sources = box;
-    for (const SourceView& s : now.sources) include(with_sources, {s.x, s.y}, scale * around_source);
-    return share_in(with_sources) >= enough_share ? with_sources : box;
+    for (const vec2 source : sources) include(box, source, scale * around_source);
+    return box;
 }
+
+// False if there is neither a source nor tape: the whole floor is the aim.
+bool include_action(FloorBox& box, const Snapshot& now) {
+    const float scale = scale_of(now.scene->arena);
+    for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, scale * around_vehicle);
+    for (const SourceView& s : now.sources) include(box, {s.x, s.y}, scale * around_source);
+    const bool has_aim = include_tape(box, *now.scene) || !now.sources.empty();
+    include_obstacles(box, now);
+    return has_aim;
+}
+
+bool is_default_elevation(const Camera& camera) { return camera.elevation == Camera{}.elevation; }
 
 }  // namespace
 
 FloorBox action_of(const Snapshot& now) {
     if (!now.scene) return whole(Arena{});
-    FloorBox box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
-    const float scale = scale_of(now.scene->arena);
-    for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, scale * around_vehicle);
-    for (const SourceView& s : now.sources) include(box, {s.x, s.y}, scale * around_source);
-    const bool has_aim = include_tape(box, *now.scene) || !now.sources.empty();
-    if (!has_aim) return whole(now.scene->arena);
-    include_obstacles(box, now);
-    return within(box, now.scene->arena);
+    FloorBox box = nothing;
+    const bool has_aim = include_action(box, now);
+    return has_aim ? within(box, now.scene->arena) : whole(now.scene->arena);
+}
+
+float floor_cover(const CameraView& seen, const Arena& arena, Rect area) {
+    constexpr int points = 32;  // each way
+    const float wall = arena.edge == Boundary::wall ? wall_of(arena).thickness : 0;
+    const vec2 half{arena.width / 2 + wall, arena.height / 2 + wall};
+    int covered = 0;
+    for (int i = 0; i < points * points; ++i) {
+        const vec2 at{(static_cast<float>(i % points) + 0.5f) / points,
+                      (static_cast<float>(i / points) + 0.5f) / points};
+        const auto place = unproject(seen, {area.x + at.x * area.w, area.y + at.y * area.h});
+        if (place && std::fabs(place->x) <= half.x && std::fabs(place->y) <= half.y) ++covered;
+    }
+    return static_cast<float>(covered) / (points * points);
+}
+
+Camera Framing::raised(Camera camera) const {
+    if (is_default_elevation(camera)) camera.elevation = elevation_;
+    return camera;
+}
+
+// The nearest source that shines; another one only once it is clearly nearer.
+std::optional<int> Framing::nearest_source(const Snapshot& now, vec2 place) const {
+    const SourceView* best = nullptr;
+    const auto distance = [&](const SourceView& s) {
+        return maths::distance(place, {s.x, s.y}) * (nearest_ == s.source ? nearer : 1.0f);
+    };
+    for (const SourceView& s : now.sources)
+        if (s.strength != 0 && (!best || distance(s) < distance(*best))) best = &s;
+    return best ? std::optional(best->source) : std::nullopt;
+}
+
+FloorBox Framing::wanted(const Snapshot& now, FramingInput in, const Choice& choice) const {
+    const Arena arena = now.scene ? now.scene->arena : Arena{};
+    if (is_default_elevation(in.camera)) in.camera.elevation = choice.elevation;
+    const FloorBox box = widened(in.close_up ? within(*in.close_up, arena) : *grown_, in, arena);
+    const VehicleView* vehicle = find_vehicle(now, in.selected);
+    if (in.close_up || !vehicle || !now.scene || now.vehicles.size() > few_vehicles) return box;
+    // The walls of a table and the numbers beside them are not cut off for a slightly larger robot.
+    const bool is_table = scale_of(arena) < 1 && contains(box, whole(arena));
+    if (is_table && share_of(box, now, *vehicle, in) >= enough_on_table) return box;
+    std::vector<vec2> sources;
+    for (const SourceView& s : now.sources)
+        if (choice.sources == Sources::all || (choice.sources == Sources::nearest && nearest_ == s.source))
+            sources.push_back({s.x, s.y});
+    return enlarged(box, now, *vehicle, in, choice.part, within(*driven_, arena), sources);
+}
+
+// The elevation and the part of the box with which the vehicle has its size and the floor covers its share of the free
+// area, as nearly as possible. Sources farther than the nearest one are left out only if the vehicle is larger then,
+// the nearest one only if the vehicle is very small with it.
+Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) const {
+    const Arena arena = now.scene ? now.scene->arena : Arena{};
+    const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
+    struct Rated {
+        Choice choice;
+        float share = 1, cover = 0, worth = -1;
+    };
+    const auto rate = [&](Choice choice) {
+        constexpr float slack = 0.02f;  // the vehicle moves
+        Rated r{choice};
+        FramingInput tilted = in;
+        if (is_default_elevation(in.camera)) tilted.camera.elevation = choice.elevation;
+        const FloorBox box = wanted(now, in, choice);
+        if (vehicle && now.scene) r.share = std::min(1.0f, share_of(box, now, *vehicle, tilted));
+        const CameraView seen = look(tilted.camera, arena, nullptr, in.window, in.free_area, &box);
+        r.cover = std::min(1.0f, floor_cover(seen, arena, in.free_area) / (wanted_cover + slack));
+        r.worth = 2 * r.share + r.cover - 0.1f * std::fabs(choice.elevation - Camera{}.elevation);
+        return r;
+    };
+    // The largest part that covers enough, or the whole.
+    const auto best_part = [&](Choice choice) {
+        const Rated whole_box = rate(choice);
+        choice.part = least_part;
+        Rated best = rate(choice);
+        float enough = least_part, too_much = 1;
+        for (int i = 0; best.cover >= 1 && whole_box.cover < 1 && i < 5; ++i) {
+            choice.part = (enough + too_much) / 2;
+            const Rated between = rate(choice);
+            (between.cover >= 1 ? enough : too_much) = choice.part;
+            if (between.cover >= 1) best = between;
+        }
+        return whole_box.cover < 1 && best.worth > whole_box.worth + 0.02f ? best : whole_box;
+    };
+    const auto best_with = [&](Sources sources) {
+        Rated best;
+        for (const float elevation : elevations) {
+            const Rated r = best_part({elevation, 1, sources});
+            if (r.worth > best.worth) best = r;
+            if (!is_default_elevation(in.camera)) break;
+        }
+        return best;
+    };
+    Rated best = best_with(Sources::all);
+    if (best.share >= enough_with_all || now.sources.empty()) return best.choice;
+    const Rated nearest = best_with(Sources::nearest);
+    if (nearest.share > best.share + 0.02f) best = nearest;
+    return best.share < enough_with_source ? best_with(Sources::none).choice : best.choice;
 }
 
 FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
@@ -156,22 +272,31 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     if (shown_ && (in.held || moved)) return *shown_;
 
     const Arena arena = now.scene ? now.scene->arena : Arena{};
+    const VehicleView* vehicle = find_vehicle(now, in.selected);
     FloorBox action = action_of(now);
     if (in.other_run) action = within(both(action, *in.other_run), arena);
+    const std::optional<FloorBox> before = grown_;
     if (!grown_)
-        grown_ = action;
+        grown_ = action, driven_ = nothing, nearest_.reset();
     else if (!contains(*grown_, action))
         grown_ = both(both(*grown_, action), within(beyond(*grown_, action, scale_of(arena)), arena));
-    FloorBox wanted = widened(in.close_up ? within(*in.close_up, arena) : *grown_, in, arena);
-    const VehicleView* vehicle = find_vehicle(now, in.selected);
-    if (!in.close_up && vehicle && now.scene && now.vehicles.size() <= few_vehicles)
-        wanted = enlarged(wanted, now, *vehicle, in.least_share * in.free_area.w, in);
-    if (!shown_ || in.seconds <= 0) return *(shown_ = wanted);
+    if (now.scene) include_action(*driven_, now);
+    const auto nearest = vehicle ? nearest_source(now, {vehicle->x, vehicle->y}) : std::nullopt;
+    const Reason reason{in.free_area,   in.selected,        in.camera.elevation,
+                        in.camera.mode, in.least_share,     in.close_up.has_value(),
+                        nearest,        now.vehicles.size()};
+    if (!shown_ || before != grown_ || !(reason == reason_)) {
+        nearest_ = nearest, reason_ = reason;
+        choice_ = choose(now, in);
+    }
+    const FloorBox goal = wanted(now, in, choice_);
+    if (!shown_ || in.seconds <= 0) return elevation_ = choice_.elevation, *(shown_ = goal);
     const float t = 1 - std::exp(-in.seconds / time_constant);
     const auto step = [&](vec2 from, vec2 to) {
         return maths::distance(from, to) < 0.003f ? to : from + (to - from) * t;
     };
-    return *(shown_ = FloorBox{step(shown_->low, wanted.low), step(shown_->high, wanted.high)});
+    elevation_ += (choice_.elevation - elevation_) * t;
+    return *(shown_ = FloorBox{step(shown_->low, goal.low), step(shown_->high, goal.high)});
 }
 
 }  // namespace braitenlab

@@ -25,18 +25,55 @@ struct FramingInput {
     std::optional<FloorBox> close_up{};   // framed in place of the action
 };
 
+// The share of the free area that the arena's floor should cover.
+inline constexpr float wanted_cover = 0.75f;
+
+// The share of the free area that the arena with its walls covers.
+float floor_cover(const CameraView&, const Arena&, Rect free_area);
+
 // Follows the action of a run: the box grows with it and does not shrink. While the user has zoomed or moved the
-// camera, the box stays.
+// camera, the box stays. A camera of the default elevation is lower over a box that is deep for the free area and
+// higher over one that is wide for it.
 class Framing {
 public:
     // The box of this frame.
     FloorBox follow(const Snapshot&, const FramingInput&);
 
+    // A camera with the elevation of this frame, if its own is the default.
+    Camera raised(Camera) const;
+
     // Fits the box to the present action at the next call.
     void start_over() { shown_.reset(), grown_.reset(); }
 
 private:
+    enum class Sources { all, nearest, none };  // that stay in the picture
+    // What is chosen anew when the action has grown or the reason has changed, and else rests.
+    struct Choice {
+        float elevation = Camera{}.elevation;
+        float part = 1;  // of the sides of the box around the action
+        Sources sources = Sources::all;
+    };
+    struct Reason {
+        Rect free_area;
+        VehicleId selected = no_vehicle;
+        float elevation = 0;  // of the user's camera
+        CameraMode mode = CameraMode::overview;
+        float least_share = 0;
+        bool close_up = false;
+        std::optional<int> nearest;
+        std::size_t vehicles = 0;
+        friend bool operator==(const Reason&, const Reason&) = default;
+    };
+    Choice choose(const Snapshot&, const FramingInput&) const;
+    FloorBox wanted(const Snapshot&, FramingInput, const Choice&) const;
+    std::optional<int> nearest_source(const Snapshot&, maths::vec2 place) const;
+
     std::optional<FloorBox> shown_, grown_;  // displayed box; box around the action since the start
+    std::optional<FloorBox> driven_;         // the same, also where the whole floor is the action
+    Choice choice_;
+    Reason reason_;
+    float elevation_ = Camera{}.elevation;  // displayed
+    std::optional<int> nearest_;            // the source that stays in the picture
     std::uint64_t seed_ = 0;
     int generation_ = 0;
     std::string scene_;

@@ -247,7 +247,9 @@ TEST(DrawList, GivesVehiclesOfSimilarSizeTheSameMeshes) {
 }
 
 TEST(DrawList, DrawsSignsOfAllVehiclesOfSimilarSizeOrOfNone) {
-    Snapshot now = hand_made::empty(hand_made::scene());
+    auto scene = hand_made::scene();
+    scene->kinds[0].body = resized(scene->kinds[0].body, 0.9f, 0.6f);
+    Snapshot now = hand_made::empty(scene);
     for (const float y : {-9.0f, 9.0f}) hand_made::add(now, 0, 0, y, 0);  // the near one is larger
     for (const Quality quality : {Quality::medium, Quality::high}) {
         int signs = 0, solid = 0;

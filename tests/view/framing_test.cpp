@@ -142,9 +142,16 @@ TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
                 hand_made::add_source(now, Channel::light, x, -x), hand_made::add_source(now, Channel::light, x, x);
             FramingInput in = input();
             in.least_share = least;
-            const FloorBox box = Framing{}.follow(now, in);
-            const CameraView seen = look({}, now.scene->arena, nullptr, window, free_area, &box);
-            EXPECT_GE(pixels_per_metre(seen, place), 0.98f * least * free_area.w) << place;
+            Framing framing;
+            const FloorBox box = framing.follow(now, in);
+            const CameraView seen = look(framing.raised({}), now.scene->arena, nullptr, window, free_area, &box);
+            // The nearest source, if the vehicle has half of its size with it, stays in the picture.
+            const bool with_lamp = std::any_of(now.sources.begin(), now.sources.end(), [&](const SourceView& s) {
+                const auto lamp = project(seen, {s.x, s.y});
+                return free_area.contains(lamp->x, lamp->y);
+            });
+            EXPECT_GE(pixels_per_metre(seen, place), (with_lamp ? 0.5f : 0.98f) * least * free_area.w) << place;
+            EXPECT_TRUE(with_lamp || place == vec2{}) << place;
             const auto at = project(seen, place);
             EXPECT_TRUE(free_area.contains(at->x, at->y)) << place;
             for (int i = 0; i < 5; ++i) hand_made::add(now, 0, place.x, place.y, 0);
@@ -169,6 +176,70 @@ TEST(Framing, KeepsLampsInThePictureWhereTheVehicleStaysLargeEnough) {
     EXPECT_TRUE(in.free_area.contains(lamp->x, lamp->y)) << lamp->x << ", " << lamp->y;
     EXPECT_TRUE(in.free_area.contains(vehicle->x, vehicle->y));
     EXPECT_GE(pixels_per_metre(seen, {-3, 0}), 0.6f * in.least_share * in.free_area.w);
+}
+
+TEST(Framing, LowersTheCameraOverADeepActionAndRaisesItOverAWideOne) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, -6, 0);
+    hand_made::add_source(now, Channel::light, 0, 6);
+    FramingInput in = input();
+    in.least_share = 0.08f;
+    const auto elevation = [&](Rect area, Camera camera = {}) {
+        in.free_area = area, in.camera = camera;
+        Framing framing;
+        framing.follow(now, in);
+        return framing.raised(camera).elevation;
+    };
+    const Rect wide{16, 95, 1248, 499};
+    EXPECT_LT(elevation(wide), 0.8f * Camera{}.elevation);
+    EXPECT_GE(elevation(wide), 0.5f);
+    EXPECT_FLOAT_EQ(elevation(wide, {.elevation = 1.3f}), 1.3f) << "the user's own stays";
+    auto scene = hand_made::scene();
+    scene->arena.height = 6;
+    now = hand_made::empty(scene);
+    hand_made::add(now, 0, -8, 0, 0);
+    hand_made::add_source(now, Channel::light, 8, 0);
+    EXPECT_GT(elevation(free_area), Camera{}.elevation);
+    EXPECT_LE(elevation(free_area), 1.25f);
+}
+
+TEST(Framing, LeavesOutFartherLampsInFavourOfTheVehicleButKeepsTheNearest) {
+    auto scene = hand_made::scene();
+    scene->arena.width = scene->arena.height = 40;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 0, 0, 0);
+    hand_made::add_source(now, Channel::light, 4, 1);
+    hand_made::add_source(now, Channel::light, -18, 15);
+    now.sources[1].source = 1;
+    FramingInput in = input();
+    in.least_share = 0.08f;
+    Framing framing;
+    FloorBox box = framing.follow(now, in);
+    EXPECT_TRUE(holds(box, {4, 1}));
+    EXPECT_FALSE(holds(box, {-18, 15}));
+    now.vehicles[0].x = -15, now.vehicles[0].y = 12;
+    box = framing.follow(now, in);
+    EXPECT_TRUE(holds(box, {-18, 15})) << "it is now the nearest one";
+    in.least_share = 0.01f;
+    box = framing.follow(now, in);
+    EXPECT_TRUE(holds(box, {4, 1}) && holds(box, {-18, 15})) << "a small vehicle leaves room for all";
+}
+
+TEST(Framing, KeepsTheNearestLampUntilAnotherOneIsClearlyNearer) {
+    auto scene = hand_made::scene();
+    scene->arena.width = scene->arena.height = 40;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, -0.5f, 0, 0);
+    for (const float x : {-9.0f, 9.0f}) hand_made::add_source(now, Channel::light, x, 0);
+    now.sources[1].source = 1;
+    FramingInput in = input();
+    in.least_share = 0.08f;
+    Framing framing;
+    EXPECT_TRUE(holds(framing.follow(now, in), {-9, 0}));
+    now.vehicles[0].x = 0.5f;
+    EXPECT_TRUE(holds(framing.follow(now, in), {-9, 0})) << "the other one is only a little nearer";
+    now.vehicles[0].x = 4;
+    EXPECT_TRUE(holds(framing.follow(now, in), {9, 0}));
 }
 
 TEST(Framing, KeepsTheVehicleOfTheOtherRunInThePicture) {
