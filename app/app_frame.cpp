@@ -256,7 +256,11 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     picture.camera_view = viewport_.camera_view;
     picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height())};
-    if (!title_) picture.covered = covered_parts(layout);
+    if (!title_) {
+        picture.covered = covered_parts(layout);
+        for (const Rect& r : panels_.scene_input.labels.labels())
+            picture.covered.push_back({r.x * density(), r.y * density(), r.w * density(), r.h * density()});
+    }
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.resolution = resolution();
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;

@@ -256,7 +256,7 @@ struct Renderer::Parts {
     void prepare_letters(const Picture& picture) {
         type.clear();
         if (!lettering) return;
-        set_type(type, list.labels, *lettering, picture);
+        set_type(type, list.labels, *lettering, picture, list.label_space);
         const auto [first, end] = lettering->take_changes();
         if (first < end)
             characters.fill(first, Lettering::side, end - first,

@@ -5,38 +5,37 @@
 
 namespace braitenlab::render {
 
-namespace {
-
-bool overlap(const Rect& a, const Rect& b) {
-    return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
-}
-
-}  // namespace
-
 void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& labels, Lettering& lettering,
-              const Picture& picture) {
+              const Picture& picture, LabelSpace space) {
     constexpr float grown = Lettering::room;
     letters.clear();
     std::vector<const Label*> in_order;
     for (const Label& label : labels) in_order.push_back(&label);
     std::stable_sort(in_order.begin(), in_order.end(), [](auto* a, auto* b) { return a->rank < b->rank; });
-    std::vector<Rect> taken = picture.covered;
+    for (const Rect& covered : picture.covered) space.take(covered);
     const Rect& window = picture.camera_view.window;
+    const auto height = static_cast<float>(lettering.pixels());
     for (const Label* label : in_order) {
-        const auto at = project(picture.camera_view, label->place, label->height);
-        if (!at) continue;
-        const maths::vec2 middle = *at + label->offset * picture.pixel_scale;
-        if (!window.contains(middle.x, middle.y)) continue;
         const SetLine line = set_line(lettering, label->text);
-        // Half the extent of the text in the direction `away`, so that the text does not cover its position.
         const maths::vec2 half{static_cast<float>(line.width) / 2, static_cast<float>(lettering.cap_height()) / 2};
-        const float reach = std::fabs(label->away.x) * half.x + std::fabs(label->away.y) * half.y;
-        const maths::vec2 centre = middle + label->away * reach;
-        const float left = std::round(centre.x - half.x), base = std::round(centre.y + half.y);
-        const auto height = static_cast<float>(lettering.pixels());
-        const Rect box{left - 3, base - height, static_cast<float>(line.width) + 6, height * 1.3f};
-        if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(box, other); })) continue;
-        taken.push_back(box);
+        float left = 0, base = 0;
+        const auto fits = [&](const LabelSpot& spot) {
+            const auto at = project(picture.camera_view, label->place, spot.height);
+            if (!at) return false;
+            const maths::vec2 middle = *at + spot.offset * picture.pixel_scale;
+            if (!window.contains(middle.x, middle.y)) return false;
+            // Half the extent of the text in the direction `away`, so that the text does not cover its position.
+            const float reach = std::fabs(spot.away.x) * half.x + std::fabs(spot.away.y) * half.y;
+            const maths::vec2 centre = middle + spot.away * reach;
+            left = std::round(centre.x - half.x), base = std::round(centre.y + half.y);
+            const Rect box{left - 3, base - height, static_cast<float>(line.width) + 6, height * 1.3f};
+            if (!space.is_free(box)) return false;
+            space.take(box);
+            return true;
+        };
+        if (!fits({label->height, label->offset, label->away}) &&
+            std::none_of(label->elsewhere.begin(), label->elsewhere.end(), fits))
+            continue;
         for (const auto& [glyph, x] : line.characters) {
             if (glyph.width == 0) continue;
             letters.push_back(

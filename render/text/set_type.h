@@ -17,9 +17,10 @@ struct LetterInstance {
     maths::vec4 colour;
 };
 
-// Places each label centred on its position, or beside it in the direction Label::away. Of overlapping labels only the
-// one of lowest rank is kept. Labels behind the camera or outside the window are omitted. Rectangles are
-// Lettering::room larger on every side, for the outline.
-void set_type(std::vector<LetterInstance>&, const std::vector<Label>&, Lettering&, const Picture&);
+// Places each label centred on its position, or beside it in the direction Label::away, or at one of the spots
+// elsewhere: the first at which it covers neither what is in the label space nor a label of lower rank. It is omitted
+// if there is none. Labels behind the camera or outside the window are omitted. Rectangles are Lettering::room larger
+// on every side, for the outline.
+void set_type(std::vector<LetterInstance>&, const std::vector<Label>&, Lettering&, const Picture&, LabelSpace = {});
 
 }  // namespace braitenlab::render

@@ -4,10 +4,12 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/scene/arena.h"
 #include "core/sensing/intensity.h"
 #include "render/view/drawing.h"
+#include "render/view/label_space.h"
 #include "render/view/pick.h"
 
 namespace braitenlab::render {
@@ -73,37 +75,35 @@ void add_metres(Drawing& drawing, const Arena& arena) {
     along(arena.height, [&](float n) { return std::pair{vec2{-arena.width / 2, n}, vec2{-1, 0}}; });
 }
 
-// True if the text, centred at this offset (layout pixels) from a place at this height (m), would be over a vehicle.
-bool covers_vehicle(const Drawing& drawing, vec2 place, float height, vec2 offset, const std::string& text) {
-    constexpr std::size_t many = 200;                      // in a crowd every place is covered
-    constexpr float half_letter = 4.5f, half_line = 9.0f;  // layout pixels, approximately
-    const auto at = project(drawing.picture.camera_view, place, height);
-    if (!at || drawing.now.vehicles.size() > many) return false;
-    const float scale = drawing.picture.pixel_scale;
-    const vec2 middle = *at + offset * scale;
-    const vec2 half{half_letter * static_cast<float>(text.size()) * scale, half_line * scale};
-    return std::any_of(drawing.now.vehicles.begin(), drawing.now.vehicles.end(), [&](const VehicleView& vehicle) {
-        const auto body = project(drawing.picture.camera_view, {vehicle.x, vehicle.y});
-        const float reach = reach_of(drawing.now, vehicle_object(vehicle.id)) *
-                            pixels_per_metre(drawing.picture.camera_view, {vehicle.x, vehicle.y});
-        return body && std::fabs(body->x - middle.x) < half.x + reach && std::fabs(body->y - middle.y) < half.y + reach;
-    });
+// Above, beside and below a rectangle of the picture that is around a place at this height.
+std::vector<LabelSpot> spots_around(const Drawing& drawing, const Rect& thing, float height) {
+    constexpr float line = 6, letter = 5;  // layout pixels between a text and the rectangle
+    const float half_w = thing.w / (2 * drawing.picture.pixel_scale),
+                half_h = thing.h / (2 * drawing.picture.pixel_scale);
+    return {{height, {0, -half_h - line}, {0, -1}},
+            {height, {half_w + letter, 0}, {1, 0}},
+            {height, {-half_w - letter, 0}, {-1, 0}},
+            {height, {0, half_h + line}, {0, 1}}};
 }
 
-// Below the source; above it while a vehicle is below it.
+// Below the source; elsewhere while something else is below it.
 void add_source_names(Drawing& drawing, const Scene& scene) {
-    constexpr vec2 below{0, 16}, above{0, -18};  // layout pixels
+    constexpr vec2 below{0, 16};                 // layout pixels
     if (drawing.now.sources.size() < 2) return;  // a single source has no label
-    const float bulb = bulb_height * drawing.scale;
+    const CameraView& camera_view = drawing.picture.camera_view;
     for (const SourceView& source : drawing.now.sources) {
         const auto i = static_cast<std::size_t>(source.source);
         if (i >= scene.sources.size()) continue;
-        const std::string name = in_words(drawing.picture, scene.sources[i].name);
         const vec2 place{source.x, source.y};
-        const bool moves_up =
-            covers_vehicle(drawing, place, 0, below, name) && !covers_vehicle(drawing, place, bulb, above, name);
-        drawing.list.labels.push_back(
-            {place, moves_up ? bulb : 0, moves_up ? above : below, name, drawing.colours.text, rank_source});
+        std::vector<LabelSpot> spots =
+            spots_around(drawing, picture_of(drawing.now, camera_view, source), bulb_height * drawing.scale);
+        std::rotate(spots.begin(), spots.end() - 1, spots.end());
+        drawing.list.labels.push_back({.place = place,
+                                       .offset = below,
+                                       .text = in_words(drawing.picture, scene.sources[i].name),
+                                       .colour = drawing.colours.text,
+                                       .rank = rank_source,
+                                       .elsewhere = std::move(spots)});
     }
 }
 
@@ -117,12 +117,11 @@ void add_zone_names(Drawing& drawing, const Scene& scene) {
     if (!drawing.picture.settings.overlays.surfaces) return;
     for (const Zone& zone : scene.zones) {
         if (is_only_tape(zone)) continue;
-        drawing.list.labels.push_back({{zone.x, zone.y},
-                                       0,
-                                       {},
-                                       in_words(drawing.picture, zone.name),
-                                       drawing.colours.text.with_alpha(0.9f),
-                                       rank_zone});
+        drawing.list.labels.push_back({.place = {zone.x, zone.y},
+                                       .text = in_words(drawing.picture, zone.name),
+                                       .colour = drawing.colours.text.with_alpha(0.9f),
+                                       .rank = rank_zone,
+                                       .elsewhere = {{0, {0, 20}}, {0, {0, -20}}, {0, {0, 40}}, {0, {0, -40}}}});
     }
 }
 
@@ -136,12 +135,18 @@ void add_numbers(Drawing& drawing) {
         if (v.id == drawing.picture.driver || (!chosen && drawing.now.vehicles.size() > few)) continue;
         const float pixels = pixels_per_metre(drawing.picture.camera_view, {v.x, v.y}) / drawing.picture.pixel_scale;
         if (!chosen && pixels < least_pixels) continue;
-        drawing.list.labels.push_back({{v.x, v.y},
-                                       0.45f * drawing.scale,
-                                       {0, -std::min(0.45f * pixels, 24.0f) - 10},
-                                       std::to_string(v.id + 1),
-                                       chosen ? drawing.colours.text : drawing.colours.second_text,
-                                       chosen ? rank_chosen : rank_vehicle});
+        const Rect body = picture_of(drawing.now, drawing.picture.camera_view, v);
+        std::vector<LabelSpot> spots = spots_around(drawing, body, vehicle_middle * drawing.scale);
+        const LabelSpot first = spots.front();
+        spots.erase(spots.begin());
+        drawing.list.labels.push_back({.place = {v.x, v.y},
+                                       .height = first.height,
+                                       .offset = first.offset,
+                                       .text = std::to_string(v.id + 1),
+                                       .colour = chosen ? drawing.colours.text : drawing.colours.second_text,
+                                       .rank = chosen ? rank_chosen : rank_vehicle,
+                                       .away = first.away,
+                                       .elsewhere = std::move(spots)});
     }
 }
 
@@ -149,6 +154,7 @@ void add_numbers(Drawing& drawing) {
 
 void add_labels(Drawing& drawing) {
     if (!drawing.picture.settings.overlays.labels || !drawing.now.scene) return;
+    drawing.list.label_space.keep_free(drawing.now, drawing.picture.camera_view);
     add_numbers(drawing);
     add_source_names(drawing, *drawing.now.scene);
     add_zone_names(drawing, *drawing.now.scene);

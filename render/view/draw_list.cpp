@@ -14,8 +14,8 @@ void DrawList::clear() {
     for (auto& of_role : bodies) of_role.clear();
     tyres.clear(), eyeballs.clear(), casts.clear();
     floor_lamps = 0, coarse = true;
-    wheels.clear(), eyes.clear(), wires.clear(), neurons.clear(), labels.clear(), fields.clear(), blocks.clear(),
-        zones.clear();
+    wheels.clear(), eyes.clear(), wires.clear(), neurons.clear(), labels.clear(), label_space = {}, fields.clear(),
+                                                                                  blocks.clear(), zones.clear();
     marks.clear(), rings.clear(), halos.clear(), trails.clear(), lamps.clear();
 }
 

@@ -14,6 +14,7 @@
 
 #include "core/maths/vec.h"
 #include "render/view/deck.h"
+#include "render/view/label_space.h"
 #include "render/view/palette.h"
 #include "render/view/picture.h"
 #include "render/view/trails.h"
@@ -151,6 +152,13 @@ private:
     std::map<std::pair<std::shared_ptr<const BrainGraph>, std::size_t>, Entry> entries_;  // by brain and kind
 };
 
+// Where a text is relative to its place.
+struct LabelSpot {
+    float height = 0;      // m above the floor
+    maths::vec2 offset{};  // layout pixels on the screen, y down
+    maths::vec2 away{};    // unit vector on the screen: the text is on this side of its position; 0: centred
+};
+
 // A text in the picture, upright and with a constant size on the screen.
 struct Label {
     maths::vec2 place;
@@ -160,6 +168,7 @@ struct Label {
     Colour colour;
     int rank = 0;        // of overlapping labels the lowest rank is kept
     maths::vec2 away{};  // unit vector on the screen: the text is on this side of its position; 0: centred
+    std::vector<LabelSpot> elsewhere{};  // where it is if something is in its place, in this order
 };
 
 struct DrawList {
@@ -186,6 +195,7 @@ struct DrawList {
     int floor_lamps = 0;              // the first of them light the floor by its shader; others by a pool
     LightLaw law;
     std::vector<Label> labels;
+    LabelSpace label_space;  // vehicles and bulbs
     DeckPlans decks;
 
     void clear();

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/view/hand_made.h"
+
 namespace braitenlab::tests::set_type_test {
 namespace {
 
@@ -72,6 +74,48 @@ TEST_F(SetType, OmitsTheLessImportantOfTwoOverlappingLabels) {
     const std::vector<Label> labels{{{0, 0}, 0, {}, "metres", {}, 5}, {{0.1f, 0}, 0, {}, "x", {}, 0}};
     EXPECT_EQ(set(labels).size(), 1U);
     EXPECT_EQ(set({{{0, 0}, 0, {}, "far", {}, 5}, {{5, 0}, 0, {}, "x", {}, 0}}).size(), 4U);
+}
+
+TEST_F(SetType, PutsALabelElsewhereWhereItWouldCoverSomething) {
+    const Label label{.place = {2, 3}, .text = "lamp", .elsewhere = {{0, {0, 40}}, {0, {0, -40}}}};
+    const maths::vec2 at = *project(picture.camera_view, {2, 3});
+    const auto row = [&](const LabelSpace& space, const std::vector<Label>& labels) {
+        std::vector<LetterInstance> letters;
+        set_type(letters, labels, lettering, picture, space);
+        const Rect box = around(letters);
+        return letters.empty() ? -1000.0f : box.y + box.h / 2 - at.y;
+    };
+    LabelSpace space;
+    EXPECT_NEAR(row(space, {label}), 0, 4);
+    space.keep_free(Rect{at.x - 10, at.y - 5, 20, 10});
+    EXPECT_NEAR(row(space, {label}), 40, 4);
+    space.keep_free(Rect{at.x - 10, at.y + 35, 20, 10});
+    EXPECT_NEAR(row(space, {label}), -40, 4);
+    space.take({at.x - 10, at.y - 45, 20, 10});
+    EXPECT_EQ(row(space, {label}), -1000) << "no place is left";
+}
+
+TEST_F(SetType, NamesCoverNeitherVehiclesNorBulbs) {
+    auto scene = hand_made::scene();
+    scene->sources = {{"left", Channel::light, -3, 0}, {"right", Channel::light, 3, 0}};
+    for (const float y : {-1.5f, -1.0f, -0.6f, -0.3f, 0.4f, 0.8f}) {
+        Snapshot now = hand_made::empty(scene);
+        now.sources = {{0, Channel::light, -3, 0, 1}, {1, Channel::light, 3, 0, 1}};
+        hand_made::add(now, 0, -3, y, 0), hand_made::add(now, 0, -2.2f, y, 0);
+        DrawList list;
+        fill(list, now, picture, Trails{});
+        std::vector<LetterInstance> letters;
+        set_type(letters, list.labels, lettering, picture, list.label_space);
+        EXPECT_GT(letters.size(), 10U);
+        for (const LetterInstance& letter : letters)
+            for (const Rect& thing : list.label_space.things()) {
+                constexpr float halo = Lettering::room;
+                const float x = letter.box.x + halo, y0 = letter.box.y + halo;
+                const bool apart = x + letter.box.z - 2 * halo <= thing.x || x >= thing.x + thing.w ||
+                                   y0 + letter.box.w - 2 * halo <= thing.y || y0 >= thing.y + thing.h;
+                EXPECT_TRUE(apart) << y;
+            }
+    }
 }
 
 TEST_F(SetType, OmitsLabelsOutsideTheWindow) {

@@ -36,6 +36,21 @@ TEST_F(DrawInsight, ThePredictedPathEndsWhereTheVehicleWillBe) {
     EXPECT_NEAR(at.y + at.h / 2, end.y, 1);
 }
 
+TEST_F(DrawInsight, ASourceOutsideThePictureHasAMarkAtTheEdge) {
+    EXPECT_FALSE(desk.anchors.find("stage.outside.0"));
+    Camera close;
+    close.zoom = 4, close.pan = {4, -4};  // the lamp is to the upper left
+    camera_view = look(close, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+    desk.frame();
+    const Rect area = desk.layout.scene, at = desk.where("stage.outside.0");
+    EXPECT_LT(at.y, area.y + 10);
+    EXPECT_GE(at.y, area.y);
+    EXPECT_LT(at.x + at.w, area.x + area.w / 2);
+    desk.now.sources[0].strength = 0;
+    desk.frame();
+    EXPECT_FALSE(desk.anchors.find("stage.outside.0")) << "it is off";
+}
+
 TEST_F(DrawInsight, APathFromALaterTickIsNotDrawn) {
     desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 101};
     desk.frame();
@@ -95,6 +110,34 @@ TEST_F(DrawInsight, TheWordsOfBothPathsDoNotOverlap) {
         }
         ASSERT_TRUE(coming && earlier) << apart;
         EXPECT_GE(std::fabs(coming->rect.y - earlier->rect.y), coming->rect.h + 8) << apart;
+    }
+}
+
+TEST_F(DrawInsight, WordsCoverNeitherOtherWordsNorVehiclesNorBulbs) {
+    const std::vector<Pose> before = path;
+    desk.now.tick = 0;
+    desk.view.mode = Mode::playing;
+    desk.view.slots.a = GhostView{path[0], 1, 0.7f, &path, 1};
+    desk.view.slots.b = GhostView{{-5.7f, -3, 0}, 1, 0.7f, &path, 20};
+    for (const maths::vec2 end : {maths::vec2{-3, 6}, {-4, 0}, {-2.4f, 5.4f}, {0, -4}}) {
+        desk.view.last_run = GhostView{{end.x + 0.3f, end.y, 0}, 1, 0.7f, &path, 101};
+        path.back() = {end.x, end.y, 0};
+        desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 0, .before = &before};
+        desk.frame();
+        const LabelSpace& labels = scene_input().labels;
+        std::vector<Rect> words;
+        for (const ui::Written& one : desk.written)
+            if (one.words == "before" || one.words == "Last run" || one.words == "A" || one.words == "B" ||
+                one.words.starts_with("in "))
+                words.push_back(one.rect);
+        ASSERT_EQ(words.size(), 5U) << end;
+        const auto apart = [](const Rect& a, const Rect& b) {
+            return a.x + a.w <= b.x || b.x + b.w <= a.x || a.y + a.h <= b.y || b.y + b.h <= a.y;
+        };
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) EXPECT_TRUE(apart(words[i], words[k])) << end << i << k;
+            for (const Rect& thing : labels.things()) EXPECT_TRUE(apart(words[i], thing)) << end << i;
+        }
     }
 }
 

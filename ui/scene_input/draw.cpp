@@ -288,37 +288,31 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
 
 namespace {
 
-int vehicles_below(const SceneInputFrame& frame, Rect note) {
-    const Snapshot& now = *frame.view.now;
-    return static_cast<int>(std::count_if(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& vehicle) {
-        const vec2 place{vehicle.x, vehicle.y};
-        const auto at = project(frame.camera_view, place);
-        if (!at) return false;
-        const float reach = 0.5f * kind_of(now, vehicle).body.length * pixels_per_metre(frame.camera_view, place);
-        const vec2 nearest{std::clamp(at->x, note.x, note.x + note.w), std::clamp(at->y, note.y, note.y + note.h)};
-        return maths::distance(*at, nearest) < reach;
-    }));
-}
-
-// Right of its position and on its side; elsewhere where it would leave the scene or cover a vehicle.
-Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, ImVec2 size, vec2 beside, NoteSide side) {
+// Right of its position and on its side; elsewhere, and farther away, where it would leave the area free of cards or
+// cover a label, a vehicle or a bulb.
+Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, const LabelSpace& labels, ImVec2 size, vec2 beside,
+                   NoteSide side) {
+    constexpr float outside = 1e7f, on_other_side = 300;  // px² of a covered vehicle that are as bad
     const Rect& room = frame.area;
-    const float gap = ui.px(18);
-    std::optional<Rect> best;
-    int fewest = 0;
-    for (const bool left : {false, true})
-        for (const bool above : {false, true}) {
-            Rect note{std::floor(left ? beside.x - gap - size.x : beside.x + gap),
-                      std::floor(above ? beside.y - gap - size.y : beside.y + gap), size.x, size.y};
-            constexpr int worst = 1 << 20;  // more than any number of vehicles
-            const bool leaves = left ? note.x < room.x : note.x + note.w > room.x + room.w;
-            const bool leaves_too = above ? note.y < room.y : note.y + note.h > room.y + room.h;
-            note.x = std::max(room.x, note.x), note.y = std::max(room.y, note.y);
-            const bool other_side = above ? side == NoteSide::below : side == NoteSide::above;
-            const int covers = vehicles_below(frame, note) + worst * (leaves + leaves_too + other_side);
-            if (!best || covers < fewest) best = note, fewest = covers;
-        }
-    return *best;
+    Rect best;
+    float least = -1;
+    for (const float layout_gap : {18.0f, 30.0f, 46.0f, 70.0f, 100.0f})
+        for (const float across : {1.0f, -1.0f, 0.0f})
+            for (const bool above : {false, true}) {
+                const float gap = ui.px(layout_gap);
+                const float x = across > 0   ? beside.x + gap
+                                : across < 0 ? beside.x - gap - size.x
+                                             : beside.x - size.x / 2;
+                Rect note{std::floor(x), std::floor(above ? beside.y - gap - size.y : beside.y + gap), size.x, size.y};
+                const bool leaves = note.x < room.x || note.x + note.w > room.x + room.w || note.y < room.y ||
+                                    note.y + note.h > room.y + room.h;
+                note.x = std::max(room.x, std::min(note.x, room.x + room.w - note.w));
+                note.y = std::max(room.y, std::min(note.y, room.y + room.h - note.h));
+                const bool is_other = above ? side == NoteSide::below : side == NoteSide::above;
+                const float cost = labels.cost(note) + (leaves ? outside : 0) + (is_other ? on_other_side : 0);
+                if (least < 0 || cost < least) best = note, least = cost;
+            }
+    return best;
 }
 
 }  // namespace
@@ -328,7 +322,11 @@ void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view word
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float w = text_width(ui, Face::small, words) + ui.px(spacing::large),
                 h = line_height(ui, Face::small) + ui.px(spacing::small);
-    const Rect place = place_of_note(frame, ui, {w, h}, beside, side);
+    LabelSpace own;
+    if (!frame.labels) own.keep_free(*frame.view.now, frame.camera_view);
+    LabelSpace& labels = frame.labels ? *frame.labels : own;
+    const Rect place = place_of_note(frame, ui, labels, {w, h}, beside, side);
+    labels.take(place);
     const ImVec2 at{place.x, place.y};
     list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(radius::outer));
     compat::outline(list, at, {at.x + w, at.y + h}, paint(edge), ui.px(radius::outer), ui.px(1.25f));

@@ -21,7 +21,8 @@ void draw_dot(const Ui&, ImVec2 at, float radius, Colour);
 // A handle, in its middle these words; the anchor is the square of handle_grip within which a press takes it.
 void draw_handle(const SceneInputFrame&, const Ui&, maths::vec2 place, bool warm, const std::string& anchor,
                  std::string_view words = {});
-// Where a note is. any: below its position, elsewhere beside it where it would leave the scene or cover a vehicle.
+// Where a note is. any: below its position; elsewhere where it would leave the scene or cover another label, a vehicle
+// or the bulb of a source.
 enum class NoteSide { any, below, above };
 void draw_note(const SceneInputFrame&, const Ui&, std::string_view words, Colour edge, maths::vec2 beside,
                NoteSide = NoteSide::any);

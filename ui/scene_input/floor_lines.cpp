@@ -44,8 +44,11 @@ void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView&
     for (std::size_t tick = last / ticks_per_dot * ticks_per_dot; tick + most_ticks > last; tick -= ticks_per_dot) {
         const Pose& pose = (*ghost.path)[tick];
         const float age = static_cast<float>(last - tick) / static_cast<float>(most_ticks);
-        if (const auto at = project(frame.camera_view, {pose.x, pose.y}))
+        if (const auto at = project(frame.camera_view, {pose.x, pose.y})) {
+            const float size = ui.px(6);
+            if (frame.labels) frame.labels->take({at->x - size / 2, at->y - size / 2, size, size});
             draw_dot(ui, {at->x, at->y}, 2, colour.with_alpha(0.8f - 0.6f * age));
+        }
         if (tick == 0) break;
     }
 }
@@ -106,8 +109,12 @@ void draw_ghost(const SceneInputFrame& frame, const Ui& ui, const GhostView& gho
     const std::vector<vec2> arrow{corner(0, 0.4f * y), corner(0.7f * x, 0), corner(0, -0.4f * y)};
     for (std::size_t i = 1; i < arrow.size(); ++i)
         floor_segment(frame, ui, arrow[i - 1], arrow[i], deck, deck, look.colour, ghost_dashes.width);
-    draw_name(frame, ui, {ghost.pose.x, ghost.pose.y}, deck, look.words, look.edge);
     const auto at = project(frame.camera_view, {ghost.pose.x, ghost.pose.y});
+    if (at && frame.labels) {
+        const float half = 0.5f * ghost.length * pixels_per_metre(frame.camera_view, {ghost.pose.x, ghost.pose.y});
+        frame.labels->take({at->x - half, at->y - half, 2 * half, 2 * half});
+    }
+    draw_name(frame, ui, {ghost.pose.x, ghost.pose.y}, deck, look.words, look.edge);
     const float size = ui.px(24);
     if (at) ui.anchors.record(std::string(look.anchor), {at->x - size / 2, at->y - size / 2, size, size});
 }

@@ -23,6 +23,7 @@ struct SceneInputFrame {
     float scale = 1;  // window pixels per layout pixel
     Rect area;        // free of cards
     SceneInputPointer pointer;
+    LabelSpace* labels = nullptr;  // of this frame; null: a note avoids vehicles and bulbs only
 };
 
 // One frame: turns mouse input into view state and requests.

@@ -10,6 +10,7 @@
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/draw_insight.h"
 #include "ui/scene_input/draw_lesson.h"
+#include "ui/scene_input/draw_outside.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/interaction.h"
 #include "ui/scene_input/polygon_tool.h"
@@ -188,9 +189,12 @@ bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) 
 void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
     follow_document(state, view);
     if (!view.camera_view) return;
-    const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area)};
+    state.labels = {};
+    state.labels.keep_free(*view.now, *view.camera_view);
+    const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area), &state.labels};
     interact(state, frame, ui.outbox);
     show_cursor(state);
+    draw_sources_outside(frame, ui);
     draw_insight(frame, ui);
     if (state.trail_moment && state.drag.phase == SceneInputPhase::idle)
         draw_trail_moment(frame, ui, *state.trail_moment);

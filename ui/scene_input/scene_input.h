@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/view/label_space.h"
 #include "render/view/pick.h"
 #include "ui/lab_view.h"
 #include "ui/scene_input/path_drawing.h"
@@ -98,6 +99,7 @@ struct SceneInputState {
     SensorHandleState sensors;
     PointHandleState points;
     PathDrawing path;
+    LabelSpace labels;        // what is written over the scene in this frame, window pixels
     bool below_menu = false;  // the view menu is open over the whole window; a right click into the scene closes it
     std::uint64_t gesture = 0;
     SceneObject nudged;        // by arrow keys; presses within a second are one gesture
