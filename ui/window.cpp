@@ -99,7 +99,7 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const Rect &b = layout.border, &c = layout.canvas;
     const bool is_below = b.w > b.h;
-    draw.AddRectFilled({b.x, b.y}, {c.x + c.w, c.y + c.h}, paint(ui.palette.ground), ui.px(radius::outer));
+    draw.AddRectFilled({b.x, b.y}, {c.x + c.w, c.y + c.h}, paint(ui.palette.ground), ui.px(radius::box));
     ImGui::SetNextWindowPos({b.x, b.y});
     ImGui::SetNextWindowSize({b.w, b.h});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

@@ -57,7 +57,7 @@ public:
     void draw() {
         fill_box(ui_, all_, ui_.palette.ground.with_alpha(0.45f));
         fill_box(ui_, parts_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f));
-        line_box(ui_, parts_.chassis, colour_of(ui_.palette, vehicle_.role), Corner::outer, 1.5f);
+        line_box(ui_, parts_.chassis, colour_of(ui_.palette, vehicle_.role), Corner::box, 1.5f);
         for (const NodeMark& sensor : parts_.sensors)
             node(sensor, {ui_.px(24), ui_.px(24)}, "lesion.eye", "lesion.eye_hurt");
         for (const NodeMark& motor : parts_.motors)

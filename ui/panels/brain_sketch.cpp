@@ -122,14 +122,14 @@ void wheel(const Ui& ui, ImVec2 c, float outward, float motor, float angle, bool
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float w = ui.px(8), h = ui.px(22);
     const ImVec2 low{c.x - w, c.y - h}, high{c.x + w, c.y + h};
-    draw.AddRectFilled(low, high, paint(ui.palette.wheel), ui.px(radius::inner));
+    draw.AddRectFilled(low, high, paint(ui.palette.wheel), ui.px(radius::box));
     draw.PushClipRect(low, high, true);
     const float spacing = ui.px(9), phase = std::fmod(std::fmod(angle * 0.16f * ui.px(60), spacing) + spacing, spacing);
     for (float y = low.y - phase + spacing; y < high.y + spacing; y += spacing)
         draw.AddLine({low.x + ui.px(3), y}, {high.x - ui.px(3), y}, paint(ui.palette.second_text.with_alpha(0.7f)),
                      ui.px(1.5f));
     draw.PopClipRect();
-    compat::outline(draw, low, high, paint(mix(ui.palette.second_text, ui.palette.text, warmth)), ui.px(radius::inner),
+    compat::outline(draw, low, high, paint(mix(ui.palette.second_text, ui.palette.text, warmth)), ui.px(radius::box),
                     ui.px(1));
     if (stopped) return lesion_cross(ui, c, ui.px(6), ui.palette.text);
     const float reach = h * std::clamp(motor, -1.0f, 1.0f), x = c.x + outward * ui.px(18);

@@ -38,7 +38,7 @@ bool row_button(Ui& ui, Rect row, const RowButton& look) {
     ImGui::SetCursorScreenPos({row.x + row.w - size, row.y + (row.h - size) / 2});
     const Item at = item(ui, look.anchor, {size, size});
     const Colour colour = look.on ? ui.palette.accent : mix(ui.palette.second_text, ui.palette.text, at.warmth);
-    if (at.warmth > 0) fill_box(ui, at.rect, ui.palette.raised.with_alpha(at.warmth), Corner::inner);
+    if (at.warmth > 0) fill_box(ui, at.rect, ui.palette.raised.with_alpha(at.warmth), Corner::box);
     const ImVec2 middle{at.middle_x(), at.middle_y()};
     if (has_icons(ui))
         put_icon(ui, middle, look.icon, colour, Face::small);
@@ -62,7 +62,7 @@ void signal_strip(const History& history, const Signal& signal, Ui& ui, const St
     const float y = r.y + (r.h - line_height(ui, Face::small)) / 2;
     put(ui, {r.x, y}, shortened(ui, place.name, Face::small, room - ui.px(6)), ui.palette.second_text, Face::small);
     const Rect plot{r.x + room, r.y + ui.px(2), r.w - room - number, r.h - ui.px(4)};
-    fill_box(ui, plot, ui.palette.ground.with_alpha(0.45f), Corner::inner);
+    fill_box(ui, plot, ui.palette.ground.with_alpha(0.45f), Corner::box);
     const SignalRange range = range_of(history, signal);
     const Axis value{range.low, range.high};
     plot_line(ui, plot, place.time, value, history.signals.size(), ui.palette.accent, 1.5f, [&](std::size_t k) {

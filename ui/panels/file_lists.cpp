@@ -164,7 +164,7 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
         const Rect place{x - ui.px(4), at.rect.y + (height - picture_height) / 2, picture, picture_height};
         if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}) &&
             !put_scene_picture(view, ui, row.path, place))
-            fill_box(ui, place, p.ground, Corner::inner);
+            fill_box(ui, place, p.ground, Corner::box);
         x += picture + ui.px(6);
     } else if (!row.icon.empty() && has_icons(ui)) {
         put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);

@@ -50,7 +50,7 @@ void two_lines(const Ui& ui, ImVec2 at, std::string_view words, float width) {
 
 void card_picture(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const ExerciseProgress* progress,
                   Rect place) {
-    fill_box(ui, place, ui.palette.ground, Corner::inner);
+    fill_box(ui, place, ui.palette.ground, Corner::box);
     ImGui::PushClipRect({place.x, place.y}, {place.x + place.w, place.y + place.h}, true);
     if (!put_scene_picture(view, ui, entry.path, place) && entry.exercise) {
         const FloorMap map(occupied_area(entry.exercise->scene), place);
@@ -70,7 +70,7 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
     const Item at = item(ui, std::string(gallery_stem) + entry.name, {width, height});
     const bool is_open = entry.name == view.opened;
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.14f * at.warmth));
-    line_box(ui, at.rect, is_open ? ui.palette.accent : ui.palette.line, Corner::outer, is_open ? 2.0f : 1.0f);
+    line_box(ui, at.rect, is_open ? ui.palette.accent : ui.palette.line, Corner::box, is_open ? 2.0f : 1.0f);
     if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}))
         card_picture(view, ui, entry, progress, {at.rect.x + inset, at.rect.y + inset, inner, picture});
     const ImVec2 words{at.rect.x + inset, at.rect.y + inset + picture + ui.px(4)};
@@ -147,7 +147,7 @@ bool put_scene_picture(const LabView& view, const Ui& ui, const std::string& pat
     // Rows of the texture are from the bottom.
     ImGui::GetWindowDrawList()->AddImageRounded(compat::texture(found->second), {place.x, place.y},
                                                 {place.x + place.w, place.y + place.h}, {0, 1}, {1, 0}, IM_COL32_WHITE,
-                                                ui.px(radius::inner));
+                                                ui.px(radius::box));
     return true;
 }
 

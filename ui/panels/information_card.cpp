@@ -163,7 +163,7 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
 }
 
 void strip_ground(const Ui& ui, Rect r) {
-    fill_box(ui, {r.x, r.y - ui.px(2), r.w, r.h + ui.px(4)}, ui.palette.ground.with_alpha(0.45f), Corner::inner);
+    fill_box(ui, {r.x, r.y - ui.px(2), r.w, r.h + ui.px(4)}, ui.palette.ground.with_alpha(0.45f), Corner::box);
 }
 
 // One signal: its name, and a line on an axis from `low` to 1; the newest sample is at the right edge.

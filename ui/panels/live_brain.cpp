@@ -222,7 +222,7 @@ private:
         const float w = text_width(ui_, face, words) + ui_.px(14), h = line_height(ui_, face) + ui_.px(2);
         const Rect pill{at.x - w / 2, at.y - h / 2, w, h};
         fill_box(ui_, pill, ui_.palette.raised);
-        line_box(ui_, pill, colour_of_weight(ui_.palette, wire.weight), Corner::outer, 1.5f);
+        line_box(ui_, pill, colour_of_weight(ui_.palette, wire.weight), Corner::box, 1.5f);
         put_centred(ui_, {at.x, at.y - line_height(ui_, face) / 2}, words, ui_.palette.text, face);
         const Node *from = find_node(brain_, wire.from), *to = find_node(brain_, wire.to);
         mark(ui_, "lecture.weight." + from->name + "." + to->name, pill);

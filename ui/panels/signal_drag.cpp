@@ -57,14 +57,13 @@ void draw_signal_drag(const Ui& ui, std::string_view name, Rect target) {
     const Palette& p = ui.palette;
     if (target.w > 0)
         compat::outline(draw, {target.x, target.y}, {target.x + target.w, target.y + target.h},
-                        paint(p.accent.with_alpha(is_pointer_in(target) ? 1.0f : 0.5f)), ui.px(radius::outer),
-                        ui.px(2));
+                        paint(p.accent.with_alpha(is_pointer_in(target) ? 1.0f : 0.5f)), ui.px(radius::box), ui.px(2));
     const ImVec2 mouse = ImGui::GetIO().MousePos, pad{ui.px(8), ui.px(4)};
     const ImVec2 low{mouse.x + ui.px(14), mouse.y + ui.px(8)};
     const ImVec2 high{low.x + text_width(ui, Face::small, name) + 2 * pad.x,
                       low.y + line_height(ui, Face::small) + 2 * pad.y};
-    draw.AddRectFilled(low, high, paint(p.raised), ui.px(radius::outer));
-    compat::outline(draw, low, high, paint(p.accent), ui.px(radius::outer), ui.px(1));
+    draw.AddRectFilled(low, high, paint(p.raised), ui.px(radius::box));
+    compat::outline(draw, low, high, paint(p.accent), ui.px(radius::box), ui.px(1));
     put_on(draw, ui, {low.x + pad.x, low.y + pad.y}, name, p.text, Face::small);
 }
 

@@ -123,7 +123,7 @@ void reading(const LabView& view, Ui& ui, Rect place) {
 
 void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     if (strip.w < ui.px(80)) return;
-    begin_bar(ui, "timeline", strip, false, Corner::outer);
+    begin_bar(ui, "timeline", strip, false, Corner::box);
     const bool is_roomy = strip.w >= ui.px(roomy);
     // All parts are on one line, below the flags.
     const float middle = strip.y + ui.px(flag_side + 7), button_top = middle - ui.px(button_height) / 2;

@@ -77,7 +77,7 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
     if (!view.camera_view || view.mode == Mode::wiring) return;
     const float size = ui.px(tool_size), inset = ui.px(tool_pad);
     const Rect bar{scene.x, scene.y, tool_looks.size() * size + 2 * inset, size + 2 * inset};
-    begin_bar(ui, "tools", bar, false, Corner::outer);
+    begin_bar(ui, "tools", bar, false, Corner::box);
     const Palette& p = ui.palette;
     float x = bar.x + inset;
     for (const ToolLook& look : tool_looks) {

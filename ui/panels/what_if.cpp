@@ -103,7 +103,7 @@ void name_inset(const Ui& ui, Rect inset, std::string_view words) {
     const std::string shown = shortened(ui, words, Face::small, inset.w - 2 * (edge + beside));
     const Rect box{inset.x + edge, inset.y + edge, text_width(ui, Face::small, shown) + 2 * beside, height};
     draw.AddRectFilled({box.x, box.y}, {box.x + box.w, box.y + box.h}, paint(ui.palette.panel.with_alpha(0.95f)),
-                       ui.px(radius::outer));
+                       ui.px(radius::box));
     put_on(draw, ui, {box.x + beside, box.y + ui.px(4)}, shown, ui.palette.text, Face::small);
     ui.anchors.record("what_if", box);
 }

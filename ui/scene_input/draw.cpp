@@ -328,8 +328,8 @@ void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view word
     const Rect place = place_of_note(frame, ui, labels, {w, h}, beside, side);
     labels.take(place);
     const ImVec2 at{place.x, place.y};
-    list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(radius::outer));
-    compat::outline(list, at, {at.x + w, at.y + h}, paint(edge), ui.px(radius::outer), ui.px(1.25f));
+    list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(radius::box));
+    compat::outline(list, at, {at.x + w, at.y + h}, paint(edge), ui.px(radius::box), ui.px(1.25f));
     put_on(list, ui, {at.x + ui.px(8), at.y + ui.px(4)}, words, ui.palette.text, Face::small);
 }
 

@@ -194,7 +194,7 @@ void begin_overlay(const Ui& ui, const char* name, Rect r, Colour border) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin(name, nullptr, only_drawn);
     fill_box(ui, r, ui.palette.panel.with_alpha(0.95f));
-    line_box(ui, r, border, Corner::outer, 1.25f);
+    line_box(ui, r, border, Corner::box, 1.25f);
 }
 
 void end_overlay() {

@@ -50,7 +50,7 @@ void begin_footer(Ui&, CardState&, Rect card);
 void end_footer(const Ui&, CardState&);
 
 // The background of a card: panel colour at 92 %, border and shadow.
-void card_ground(const Ui&, Rect, Corner = Corner::outer);
+void card_ground(const Ui&, Rect, Corner = Corner::box);
 
 // A window without heading and padding, for bars. With `covers_cards` it comes to the front in each frame.
 void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false, Corner = Corner::square);

@@ -30,7 +30,7 @@ void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
     const float out = ui.px(gap);
     compat::outline(draw, {r.x - out, r.y - out}, {r.x + r.w + out, r.y + r.h + out}, paint(colour),
-                    ui.px(radius::outer) + out / 2, ui.px(thickness));
+                    ui.px(radius::box) + out / 2, ui.px(thickness));
     draw.PopClipRect();
 }
 

@@ -147,7 +147,7 @@ void menu_titles(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles,
         const Item at = item(ui, title_anchor(title), {width, bar.h});
         const bool open = state.open == title.name;
         fill_box(ui, {at.rect.x, at.rect.y + ui.px(2), at.rect.w, at.rect.h - ui.px(4)},
-                 ui.palette.line.with_alpha(open ? 0.8f : 0.6f * at.warmth), Corner::inner);
+                 ui.palette.line.with_alpha(open ? 0.8f : 0.6f * at.warmth), Corner::box);
         put(ui, {x + ui.px(title_pad), at.middle_y() - line_height(ui, Face::text) / 2}, title.words, ui.palette.text);
         if (!open) tooltip(ui, at, title.how, title.keys);
         if (at.pressed) state.open = title.name;

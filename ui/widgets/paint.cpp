@@ -193,10 +193,8 @@ float corner_radius(const Ui& ui, Rect r, Corner corner) {
             return 0;
         case Corner::bar:
             return ui.px(radius::bar);
-        case Corner::inner:
-            return ui.px(radius::inner);
-        case Corner::outer:
-            return ui.px(radius::outer);
+        case Corner::box:
+            return ui.px(radius::box);
         case Corner::round:
             return std::min(r.w, r.h) / 2;
     }

@@ -79,11 +79,11 @@ bool has_icons(const Ui&);
 void put_icon(const Ui&, ImVec2 middle, std::string_view, Colour, Face = Face::text);
 
 // The corners of a rectangle: by the radii of the theme, or round ends with half the shorter side as radius.
-enum class Corner { square, bar, inner, outer, round };
+enum class Corner { square, bar, box, round };
 
 // A filled and an outlined rectangle with rounded corners.
-void fill_box(const Ui&, Rect, Colour, Corner = Corner::outer);
-void line_box(const Ui&, Rect, Colour, Corner = Corner::outer, float layout_thickness = 1);
+void fill_box(const Ui&, Rect, Colour, Corner = Corner::box);
+void line_box(const Ui&, Rect, Colour, Corner = Corner::box, float layout_thickness = 1);
 
 // A soft shadow: so many rings, each `step` layout pixels wider than the last, each with this share of the palette's
 // shadow.

@@ -48,7 +48,7 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
         std::max(text_width(ui, Face::label, number(ui, y.high, y)), text_width(ui, Face::label, number(ui, y.low, y)));
     const float aside = (y.numbers ? numbers : 0) + ui.px(6);
     const Rect inner{outer.x + aside, outer.y + line / 2, outer.w - aside - ui.px(6), outer.h - 1.5f * line - ui.px(3)};
-    fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), Corner::inner);
+    fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), Corner::box);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float y_step = step_of(y, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
     for (float v = first_on(y, y_step); y.numbers && v <= y.high + y_step * 1e-3f; v += y_step) {

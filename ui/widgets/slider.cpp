@@ -139,7 +139,7 @@ std::optional<std::string> edit_text(Ui& ui, SliderState& state, std::string_vie
     const bool active = ImGui::IsItemActive();
     ImGui::PopFont();
     ImGui::PopStyleVar();
-    line_box(ui, box, ui.palette.accent, Corner::outer, 1.5f);
+    line_box(ui, box, ui.palette.accent, Corner::box, 1.5f);
     const bool left = state.text_opened && !active;  // after Esc, Dear ImGui has restored the old number
     if (active) state.text_opened = true;
     takes_text(ui.keyboard, id, active);

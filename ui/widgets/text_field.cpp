@@ -38,7 +38,7 @@ void finish_text_box(Ui& ui, TextField& field, const TextBox& shown, std::string
     if (field.text.empty())
         put(ui, {box.x + shown.pad.x, box.y + shown.pad.y}, shortened(ui, what, Face::text, box.w - 2 * shown.pad.x),
             ui.palette.second_text);
-    line_box(ui, box, shown.focused ? ui.palette.accent : ui.palette.line, Corner::outer, shown.focused ? 1.5f : 1.0f);
+    line_box(ui, box, shown.focused ? ui.palette.accent : ui.palette.line, Corner::box, shown.focused ? 1.5f : 1.0f);
     mark(ui, shown.id, box);
     Item item{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};
     if (ui.shown) {

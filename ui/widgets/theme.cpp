@@ -127,8 +127,8 @@ void apply_theme(Theme theme, float scale) {
     style.ItemInnerSpacing = {8, 4};
     style.ScrollbarSize = 8;
     style.GrabMinSize = 24;
-    style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = radius::outer;
-    style.ScrollbarRounding = style.GrabRounding = radius::inner;
+    style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = radius::box;
+    style.ScrollbarRounding = style.GrabRounding = radius::box;
     style.WindowBorderSize = 0;
     style.PopupBorderSize = scale;
     style.ScaleAllSizes(scale);

@@ -28,10 +28,10 @@ namespace spacing {
 inline constexpr float hair = 2, tight = 4, small = 8, medium = 12, large = 16, wide = 24;
 }
 
-// The corner radius of a box, layout pixels: of a card, button, field or sheet; of a picture or row inside one; of a
-// bar that shows a value.
+// The one corner radius of all boxes, layout pixels: of cards, buttons, fields, sheets, and of rows and pictures inside
+// them. A bar that shows a value is a mark: a larger radius would hide its end.
 namespace radius {
-inline constexpr float outer = 6, inner = 4, bar = 2;
+inline constexpr float box = 6, bar = 2;
 }
 
 // Sets Dear ImGui's style. Call again when the theme or the scale changes, between frames.

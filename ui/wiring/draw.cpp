@@ -173,7 +173,7 @@ Detail detail_of(const Pen& pen) {
 void draw_ground(const Pen& pen, Rect area) {
     const Palette& p = pen.palette();
     pen.list.AddRectFilled({area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.ground),
-                           pen.ui.px(radius::outer));
+                           pen.ui.px(radius::box));
     float gap = 32 * pen.view.scale;
     while (gap < pen.ui.px(18)) gap *= 2;
     const float radius = pen.ui.px(1.1f);

@@ -44,9 +44,9 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     at = kept_inside(ui, at, {w, h}, area);
     const ImVec2 far{at.x + w, at.y + h};
     const Palette& p = ui.palette;
-    shadow_box(ui, pen.list, {at.x, at.y, w, h}, Corner::outer, {6, 1.5f, 0.09f});
-    pen.list.AddRectFilled(at, far, paint(p.raised), ui.px(radius::outer));
-    compat::outline(pen.list, at, far, paint(edge), ui.px(radius::outer), ui.px(1.5f));
+    shadow_box(ui, pen.list, {at.x, at.y, w, h}, Corner::box, {6, 1.5f, 0.09f});
+    pen.list.AddRectFilled(at, far, paint(p.raised), ui.px(radius::box));
+    compat::outline(pen.list, at, far, paint(edge), ui.px(radius::box), ui.px(1.5f));
     put_on(pen.list, ui, {at.x + ui.px(note_padding.x), at.y + ui.px(note_padding.y)}, words, p.text, Face::text);
 }
 
@@ -101,8 +101,8 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
 
 void draw_box(const Pen& pen, vec2 a, vec2 b) {
     const ImVec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
-    pen.list.AddRectFilled(low, high, paint(pen.palette().accent.with_alpha(0.14f)), pen.ui.px(radius::inner));
-    compat::outline(pen.list, low, high, paint(pen.palette().accent), pen.ui.px(radius::inner), pen.ui.px(1.5f));
+    pen.list.AddRectFilled(low, high, paint(pen.palette().accent.with_alpha(0.14f)), pen.ui.px(radius::box));
+    compat::outline(pen.list, low, high, paint(pen.palette().accent), pen.ui.px(radius::box), pen.ui.px(1.5f));
 }
 
 struct LooseWire {

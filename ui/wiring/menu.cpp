@@ -217,7 +217,7 @@ void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
     const Palette& p = ui.palette;
     place_menu(menu, area, ui.scale, menu_width(ui, menu));
     const Rect& r = menu.rect;
-    shadow_box(ui, pen.list, r, Corner::outer, {6, 1.5f, 0.09f});
+    shadow_box(ui, pen.list, r, Corner::box, {6, 1.5f, 0.09f});
     fill_box(ui, r, mix(p.panel, p.raised, 0.5f));
     line_box(ui, r, p.line);
     draw_heading(ui, menu);

@@ -51,8 +51,8 @@ void write_seconds(const Ui& ui, const Exercise& exercise, const StartResult& ru
 void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const StartResult& run, std::string_view label,
                 bool longest) {
     const float line = line_height(ui, Face::text), inset = ui.px(4);
-    fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), Corner::inner);
-    line_box(ui, at.rect, longest ? ui.palette.success : ui.palette.line, Corner::inner);
+    fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), Corner::box);
+    line_box(ui, at.rect, longest ? ui.palette.success : ui.palette.line, Corner::box);
     const Colour tone = legible(ui.palette.accent, ui.palette.panel, ui.palette.text);
     const maths::vec2 half{exercise.scene.arena.width / 2, exercise.scene.arena.height / 2};
     const FloorMap map({-half, half},

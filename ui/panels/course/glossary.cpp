@@ -129,7 +129,7 @@ std::vector<Mention> mentions_in(const Strings& strings, std::string_view text, 
 void draw_entry(const LabView& view, Ui& ui, const GlossaryTerm& term, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect frame{at.x, at.y, width, std::min(ui.px(150), width * 0.6f)};
-    fill_box(ui, frame, ui.palette.raised, Corner::inner);
+    fill_box(ui, frame, ui.palette.raised, Corner::box);
     ImGui::PushClipRect({frame.x, frame.y}, {frame.x + frame.w, frame.y + frame.h}, true);
     const float inset = ui.px(8);
     term.draw(ui, {frame.x + inset, frame.y + inset, frame.w - 2 * inset, frame.h - 2 * inset},

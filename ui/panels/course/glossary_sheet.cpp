@@ -25,7 +25,7 @@ void term_row(Ui& ui, GlossaryState& state, const GlossaryTerm& term, bool focus
     const bool chosen = state.shown == term.id;
     if (chosen || at.warmth > 0)
         fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, chosen ? 0.25f : 0.15f * at.warmth),
-                 Corner::inner);
+                 Corner::box);
     put(ui, {at.rect.x + ui.px(8), at.middle_y() - line_height(ui, Face::text) / 2},
         shortened(ui, name, chosen ? Face::strong : Face::text, at.rect.w - ui.px(16)), ui.palette.text,
         chosen ? Face::strong : Face::text);

@@ -104,7 +104,7 @@ void sign_of_pen(Ui& ui, Rect scene, Rect window) {
     const float w = text_width(ui, Face::strong, words) + ui.px(24), h = line_height(ui, Face::strong) + ui.px(12);
     const float x = std::clamp(scene.x + (scene.w - w) / 2, window.x, std::max(window.x, window.x + window.w - w));
     const Rect sign{x, scene.y + scene.h - h - ui.px(8), w, h};
-    draw.AddRectFilled({sign.x, sign.y}, {sign.x + w, sign.y + h}, paint(ui.palette.warning), ui.px(radius::outer));
+    draw.AddRectFilled({sign.x, sign.y}, {sign.x + w, sign.y + h}, paint(ui.palette.warning), ui.px(radius::box));
     put_on(draw, ui, {sign.x + ui.px(12), sign.y + ui.px(6)}, words, ui.palette.ground, Face::strong);
     ui.anchors.record("marks.sign", sign);
 }
