@@ -22,8 +22,11 @@ Rect inside_clip(Rect r) {
     return {x0, y0, std::max(0.0f, x1 - x0), std::max(0.0f, y1 - y0)};
 }
 
-// A ring around a widget; it may extend beyond the card's clip rectangle.
-void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
+// A ring around the visible part of a widget, closed also where the card cuts the widget off; the ring itself may
+// extend beyond the card's clip rectangle.
+void ring(const Ui& ui, Rect whole, Colour colour, float gap, float thickness) {
+    const Rect r = inside_clip(whole);
+    if (r.w <= 0 || r.h <= 0) return;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
     const float reach = ui.px(12);
