@@ -31,8 +31,8 @@ std::optional<Error> write_wiring(const Lab& lab, const Strings& strings, const 
     if (!vehicle) return Error{std::string(strings("unavailable.no_vehicle")), path.string()};
     const Snapshot& now = lab.document.session.snapshot();
     const Kind& kind = kind_of(now, *vehicle);
-    const std::string heading = now.scene->title + ": " + kind.name;
-    return write_whole(path, brain_file(*brain_of(now, *vehicle), kind.sensors, heading, strings));
+    return write_whole(path,
+                       brain_file(*brain_of(now, *vehicle), kind.sensors, brain_heading(*now.scene, kind), strings));
 }
 
 std::optional<Error> write_paths(const Lab& lab, const Strings& strings, const std::filesystem::path& path) {

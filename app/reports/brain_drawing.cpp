@@ -219,6 +219,10 @@ std::string brain_drawing(const BrainGraph& brain, const std::vector<Sensor>& se
     return Drawing(brain, sensors, strings).svg();
 }
 
+std::string brain_heading(const Scene& scene, const Kind& kind) {
+    return scene.kinds.size() > 1 ? scene.title + ": " + kind.name : scene.title;
+}
+
 std::string brain_file(const BrainGraph& brain, const std::vector<Sensor>& sensors, std::string_view heading,
                        const Strings& strings) {
     constexpr float margin = 20, heading_height = 40, scale = 1.5f;

@@ -16,7 +16,10 @@ namespace braitenlab {
 // silenced node is crossed out. Wires of weight 0 that do not learn are left out. Above 40 wires there are no weights.
 std::string brain_drawing(const BrainGraph&, const std::vector<Sensor>&, const Strings&);
 
-// The same as the text of an SVG file, larger and with a heading.
+// The heading of a kind's brain: the scene's title, and the kind's name where the scene has several kinds.
+std::string brain_heading(const Scene&, const Kind&);
+
+// The same drawing as the text of an SVG file, larger and with a heading.
 std::string brain_file(const BrainGraph&, const std::vector<Sensor>&, std::string_view heading, const Strings&);
 
 }  // namespace braitenlab

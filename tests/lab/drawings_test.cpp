@@ -84,6 +84,12 @@ TEST(BrainFile, IsAFileOfItsOwnWithHeadingAndText) {
     EXPECT_NE(svg.find("xmlns"), std::string::npos);
 }
 
+TEST(BrainFile, IsHeadedByTheSceneAndByTheKindWhereThereAreSeveral) {
+    const Session one = shipped("2b-aggressor"), two = shipped("moth-and-hunter");
+    EXPECT_EQ(brain_heading(one.scene(), one.scene().kinds.front()), "Vehicle 2b: Aggressor");
+    EXPECT_EQ(brain_heading(two.scene(), two.scene().kinds.front()), two.scene().title + ": moth");
+}
+
 TEST(BrainFile, IsWideEnoughForManySensors) {
     const Session session = shipped("moth-and-hunter");
     const Kind& moth = session.scene().kinds.front();
