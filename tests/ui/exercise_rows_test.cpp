@@ -2,8 +2,10 @@
 #include "ui/panels/course/exercise_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "desk.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::tests::exercise_rows_test {
 
@@ -99,6 +101,41 @@ TEST_F(LongExercise, NoLineIsCutAboveTheOutcomeOnceEveryStepIsDone) {
             EXPECT_EQ(cut_above(desk), "") << language << height;
             EXPECT_TRUE(desk.anchors.find("exercise.came_true")) << language << height;
         }
+}
+
+// Whether an edge of the card cuts letters of a paragraph of its body. Its lines are as high as its face.
+bool cuts_letters(const Written& w) {
+    constexpr float above = 0.2f, below = 0.04f, rounding = 1;  // of the height of a line; window pixels
+    const float line = w.size * line_height_em;
+    const auto cuts = [&](float edge) {
+        if (edge <= w.rect.y || edge >= w.rect.y + w.rect.h) return false;
+        const float into = std::fmod(edge - w.rect.y, line);
+        return into > above * line + rounding && into < line - below * line - rounding;
+    };
+    return cuts(w.clip.y) || cuts(w.clip.y + w.clip.h);
+}
+
+TEST_F(LongExercise, NoLetterIsCutWhereverTheCardIsScrolledAndHoweverLowItIs) {
+    int left_out = 0;
+    for (const float height : {620.0f, 653.0f, 701.0f, 768.0f}) {
+        Desk desk(1024, height, 1, true);
+        begin(desk, 1);
+        end_run(desk);
+        desk.lesson.hints_shown = 2;
+        desk.frame(6);
+        const Rect card = desk.where("card.exercise");
+        desk.point(card.x + card.w / 2, card.y + card.h / 2);
+        for (int step = 0; step < 12; ++step) {
+            ImGui::GetIO().MouseWheel = -0.23f;
+            desk.frame(2);
+            for (const Written& each : desk.written) {
+                if (!each.scrolls || !card.contains(each.rect.x, each.rect.y)) continue;
+                EXPECT_FALSE(cuts_letters(each)) << height << ": " << each.words;
+                left_out += each.clip.h <= 0;
+            }
+        }
+    }
+    EXPECT_GT(left_out, 0) << "lines at an edge are left out";
 }
 
 TEST_F(LongExercise, NoLineIsCutAboveANewHint) {

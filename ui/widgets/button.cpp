@@ -8,6 +8,7 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -200,8 +201,11 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     const ImVec2 dot{at.rect.x + ui.px(18), at.rect.y + top + line_height(ui, Face::text) / 2};
     draw.AddCircle(dot, ui.px(7), paint(chosen ? p.accent : p.second_text), 0, ui.px(1.5f));
     if (chosen) draw.AddCircleFilled(dot, ui.px(3.5f), paint(p.accent));
-    put_on(draw, ui, {at.rect.x + left, at.rect.y + top}, lines, enabled || chosen ? p.text : p.second_text, Face::text,
-           wrap);
+    {
+        const WholeLines whole(at.rect.y + top, line_height(ui, Face::text));
+        put_on(draw, ui, {at.rect.x + left, at.rect.y + top}, lines, enabled || chosen ? p.text : p.second_text,
+               Face::text, wrap);
+    }
     if (cap > 0) key_cap(ui, {at.rect.x + width - cap, at.middle_y()}, key);
     tooltip(ui, at, how);
     return at.pressed;
@@ -210,6 +214,7 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
 bool fold_row(Ui& ui, std::string_view id, std::string_view words, bool& open, std::string_view how) {
     const Item at = item(ui, id, {card_width(ui), ui.px(24)});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, at.warmth);
+    const WholeLines whole(at.middle_y() - line_height(ui, Face::text) / 2, line_height(ui, Face::text));
     put_icon(ui, {at.rect.x + ui.px(8), at.middle_y()}, open ? icon::unfolded : icon::folded, colour);
     put(ui, {at.rect.x + ui.px(20), at.middle_y() - line_height(ui, Face::text) / 2}, words, colour);
     tooltip(ui, at, how);

@@ -8,6 +8,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -155,6 +156,7 @@ std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Fa
 
 void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
     const float room = width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
+    const WholeLines whole(ImGui::GetCursorScreenPos().y, line_height(ui, face));
     const std::string text = wrapped_at_spaces(ui, face, words, room);
     compat::push_font(font(ui, face));
     ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));

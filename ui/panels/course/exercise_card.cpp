@@ -20,6 +20,7 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -60,7 +61,6 @@ void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& u
     const float height = ImGui::GetItemRectSize().y;
     check_mark(ui, {start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2}, ui.px(8), done,
                eased(ui, id, done ? 1.0f : 0.0f, 0.2f));
-    mark(ui, id, {start.x, start.y, card_width(ui), height});
 }
 
 // After passing: the tested starts at once in the scene, and back to the exercise.
@@ -69,6 +69,8 @@ void together_button(const LessonView& lesson, Ui& ui) {
     ButtonLook look{on ? icon::undo : icon::play, ui.strings(on ? "exercise.back" : "exercise.together")};
     look.emphasis = on ? Emphasis::primary : Emphasis::plain;
     const Item at = button(ui, "exercise.together", look);
+    mark(ui, id, {start.x, start.y, card_width(ui), height});
+    const WholeLines whole(start.y, line_height(ui, Face::text));
     tooltip(ui, at, ui.strings(on ? "exercise.back_how" : "exercise.together_how"));
     if (at.pressed) ui.outbox.emplace_back(TogetherRequest{!on});
 }

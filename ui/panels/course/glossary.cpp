@@ -15,6 +15,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -145,6 +146,7 @@ void paragraph_with_terms(Ui& ui, GlossaryState& state, std::string_view text, C
     if (mentions.empty()) return paragraph(ui, text, colour);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float line_step = line_height(ui, Face::text), width = card_width(ui) - ImGui::GetCursorPosX();
+    const WholeLines whole(start.y, line_step);
     const auto lines = lines_of_paragraph(ui, text, width);
     float y = start.y;
     for (const auto& [begin, end] : lines) {

@@ -17,6 +17,7 @@
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -32,6 +33,8 @@ void came_true(const LessonView& lesson, Ui& ui) {
     ImGui::Indent(left);
     paragraph(ui, ui.strings(right ? "exercise.came_true" : "exercise.not_true"), ui.palette.text, Face::strong);
     ImGui::Unindent(left);
+    mark(ui, "exercise.came_true", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
+    const WholeLines whole(start.y, line_height(ui, Face::text));
     if (right) {
         check_mark(ui, middle, radius, true, 1);
     } else {
@@ -42,7 +45,6 @@ void came_true(const LessonView& lesson, Ui& ui) {
         draw.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, ink, ui.px(1.8f));
         draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, ink, ui.px(1.8f));
     }
-    mark(ui, "exercise.came_true", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
 }
 
 // The button that begins the drawing of a path, and what has been drawn.
