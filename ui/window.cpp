@@ -243,7 +243,10 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         state.marks = {};
         timeline(view, state, ui, layout.timeline);
         const std::string tool = hint_of_tool(state.scene_input, view);
-        hint_bar(view, ui, layout.hint_bar, tool.empty() ? shown_hint(prompt, ui) : std::string_view(tool));
+        const std::string_view hint = !state.sliders.dragged.empty() ? "hint.slider_drag"
+                                      : tool.empty()                 ? shown_hint(prompt, ui)
+                                                                     : std::string_view(tool);
+        hint_bar(view, ui, layout.hint_bar, hint);
         toolbar(view, state, ui, layout.toolbar);
         menu_bar(state, ui, layout.menu_bar);
     }

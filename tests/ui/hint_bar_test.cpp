@@ -101,6 +101,29 @@ TEST(HintBar, SaysHowToPlayWhileAPausedSliderHasTheFocus) {
     EXPECT_TRUE(says(desk, "The brain was changed")) << "more urgent than the keys";
 }
 
+TEST(HintBar, SaysWhileTheMouseDragsASliderHowItMovesFinely) {
+    for (const char* language : {"en", "de", "es"}) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(language);
+        desk.frame(3);
+        const auto says = [&] {
+            const Rect bar = desk.where("hint.bar");
+            return std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+                return bar.contains(w.rect.x, w.rect.y) && w.words == desk.strings("key.shift");
+            });
+        };
+        EXPECT_FALSE(says()) << language;
+        desk.point("slider.LL", 0.5f);
+        desk.frame(2);
+        desk.button(0, true);
+        desk.frame(2);
+        EXPECT_TRUE(says()) << language;
+        desk.button(0, false);
+        desk.frame(2);
+        EXPECT_FALSE(says()) << language;
+    }
+}
+
 // The slider that pulses is the prompt's; the hint names the key that focuses this one.
 TEST(HintBar, NamesTheKeyOfTheSliderThatPulses) {
     Desk desk(1280, 800, 1, true);

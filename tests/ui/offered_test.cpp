@@ -1,5 +1,8 @@
 #include "ui/panels/offered.h"
 
+#include <cmath>
+#include <set>
+
 #include "desk.h"
 
 namespace braitenlab::tests::offered_test {
@@ -44,6 +47,31 @@ TEST(Offered, PeakAndWidthAreSlidersOfAllWires) {
         EXPECT_EQ(wire.curve.width, 0.1f);
     }
     EXPECT_TRUE(desk.has("curve.width"));
+}
+
+TEST(Offered, TheMouseMovesPeakAndWidthByHundredths) {
+    Offering desk({"curves"});
+    BrainGraph brain = make_graph({.LR = 1, .RL = 1});
+    for (Wire& wire : brain.wires) wire.curve = {Response::hump, 0.5f, 0.1f};
+    desk.now.brains.assign(desk.now.brains.size(), std::make_shared<BrainGraph>(brain));
+    desk.frame(2);
+    const Rect r = desk.where("curve.peak");
+    desk.point(r.x + 0.6f * r.w, r.y + r.h / 2);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    std::set<long> hundredths;
+    for (float x = r.x + 0.6f * r.w; x > r.x + 0.4f * r.w; x -= 1) {
+        desk.point(x, r.y + r.h / 2);
+        desk.frame();
+        if (desk.edits().empty()) continue;
+        const float peak = std::get<SetBrain>(desk.edits().back().command).brain.wires[0].curve.peak;
+        EXPECT_NEAR(100 * peak, std::round(100 * peak), 1e-3f);
+        hundredths.insert(std::lround(100 * peak));
+    }
+    ASSERT_GE(hundredths.size(), 10u);
+    EXPECT_EQ(*hundredths.rbegin() - *hundredths.begin() + 1, static_cast<long>(hundredths.size()))
+        << "none is skipped";
 }
 
 TEST(Offered, ARightClickRestoresThePeakOfTheFile) {

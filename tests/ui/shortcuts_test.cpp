@@ -45,7 +45,8 @@ TEST(Shortcuts, InTheHintBarHaveAnAction) {
         if (!key.starts_with("hint.")) continue;
         for (std::size_t open = words.find('['); open != words.npos; open = words.find('[', open + 1)) {
             const std::string inside = words.substr(open + 1, words.find(']', open) - open - 1);
-            if (inside == "F1") continue;
+            if (inside == "F1" || key == "hint.slider_drag")
+                continue;  // the gap of the latter is a key held while dragging
             const auto action = action_named(inside);
             ASSERT_TRUE(action) << key << ": " << inside;
             EXPECT_FALSE(key_name(*action, strings).empty()) << key << ": " << inside;

@@ -224,6 +224,7 @@ private:
         look.words = ui_.strings(words);
         look.tooltip = ui_.strings("dial.together");
         look.low = low, look.high = 1;
+        look.mouse = 1;  // a hundredth of a signal moves an orbit visibly
         look.home = curve_home_.*member;
         look.signed_number = look.meaning = false;
         look.words_width = room_for(look.words);

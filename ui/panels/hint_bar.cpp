@@ -80,6 +80,10 @@ bool is_slider_focused(const Ui& ui) {
 }
 
 void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
+    if (hint == "hint.slider_drag") {
+        hint_line(ui, fill(ui.strings(hint), {ui.strings("key.shift")}), ui.palette.text, x, bar);
+        return;
+    }
     if (mode_hint(view, ui, x, bar)) return;
     if (is_slider_focused(ui) && hint != "hint.changed_since") {
         const std::string_view keys = view.mode == Mode::paused ? "hint.slider_keys_paused" : "hint.slider_keys";

@@ -18,7 +18,6 @@ namespace {
 
 constexpr float knob_radius = 7;
 constexpr float zero_reach = 3;      // layout pixels; a drag without Shift snaps to 0 within this distance
-constexpr float mouse_steps = 5;     // per movement of the mouse
 constexpr int most_decimals = 4;     // shown
 constexpr double gesture_pause = 1;  // seconds without a key end a gesture
 
@@ -101,7 +100,7 @@ std::optional<float> drag_knob(const Ui& ui, SliderState& state, const Item& at,
     }
     const float wanted = track.value_at(io.MousePos.x + state.grip);
     const bool meets_zero = track.low < 0 && std::fabs(track.at(wanted) - track.at(0)) <= ui.px(zero_reach);
-    return meets_zero ? 0 : rounded_to(wanted, look.wide ? step_at(wanted, look) : mouse_steps * look.step);
+    return meets_zero ? 0 : rounded_to(wanted, look.wide ? step_at(wanted, look) : look.mouse * look.step);
 }
 
 std::optional<float> nudge_knob(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value,

@@ -46,7 +46,8 @@ struct SliderLook {
     std::string_view tooltip;
     float low = -2, high = 2;       // filled from 0 when 0 is between them, else from `low`
     float home = 0;                 // value restored by a right click
-    float step = 0.01f;             // 1/n; mouse and arrow keys give multiples. The mouse moves by 5 steps
+    float step = 0.01f;             // 1/n; mouse and arrow keys give multiples
+    float mouse = 5;                // steps per movement of the mouse; with Shift one
     float nudge = 5;                // steps per press of an arrow key; with Shift one
     int decimals = 2;               // shown at least, up to 4 where the value has them; 10^-decimals <= step
     bool whole = false;             // a count: typed numbers are rounded
