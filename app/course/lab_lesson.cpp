@@ -30,10 +30,8 @@ bool has_sensors(const Snapshot& now, std::size_t kind, const std::vector<Sensor
            });
 }
 
-// `except`: number of a kind that may differ; -1: none.
-bool is_as_shipped(const Snapshot& now, const Scene& shipped, int except) {
+bool is_as_shipped(const Snapshot& now, const Scene& shipped) {
     for (std::size_t k = 0; k < shipped.kinds.size(); ++k) {
-        if (static_cast<int>(k) == except) continue;
         const Kind& kind = shipped.kinds[k];
         if (!is_as_shipped(now, k, kind.brain) || !has_sensors(now, k, kind.sensors)) return false;
         if (now.scene->kinds[k].body != kind.body) return false;
@@ -41,24 +39,12 @@ bool is_as_shipped(const Snapshot& now, const Scene& shipped, int except) {
     return true;
 }
 
-// True if the prediction is about a vehicle that the student does not change: its first check names one of another kind
-// than the subject's.
-bool is_about_another(const Exercise& exercise) {
-    const auto& shows = exercise.prediction.shows;
-    if (shows.empty()) return false;
-    const auto& starts = exercise.scene.starts;
-    const auto named = std::find_if(starts.begin(), starts.end(),
-                                    [&](const Start& start) { return start.name == shows.front().check.vehicle; });
-    return named != starts.end() && find_kind(exercise.scene, named->kind) != subject_kind(exercise.scene);
-}
-
-// True if this moment of a run shows what the prediction asks for: what the shipped brain does with the shipped sensors
-// and body, with nothing moved. If the question is about another vehicle, the student may have changed the own one.
+// True if this moment of a run shows what the prediction asks for: what the scene does as given, with every brain,
+// sensor and body of the file and with nothing moved. A run with the student's changes does not show it, also where the
+// question is about another vehicle, because its options may compare both.
 bool shows_outcome(const Lesson& lesson, const Snapshot& now) {
-    const Prediction& asked = lesson.exercise->prediction;
-    return now.tick > 0 && now.seconds >= static_cast<double>(asked.after) && !lesson.referee.by_hand() &&
-           is_as_shipped(now, lesson.exercise->scene,
-                         is_about_another(*lesson.exercise) ? subject_kind(lesson.exercise->scene) : -1);
+    return now.tick > 0 && now.seconds >= static_cast<double>(lesson.exercise->prediction.after) &&
+           !lesson.referee.by_hand() && is_as_shipped(now, lesson.exercise->scene);
 }
 
 // Passes a run to the referee. At keyframes uses the stored state.

@@ -450,7 +450,7 @@ TEST(ExerciseCard, SaysThatTheOutcomeIsOlderThanTheChangesOfTheBrain) {
     desk.frame(3);
     EXPECT_TRUE(says(desk, "What happened: It turned away."));
     rewire({.LL = 0.3f});
-    EXPECT_TRUE(says(desk, "Before your changes: It turned away."));
+    EXPECT_TRUE(says(desk, "Without your changes: It turned away."));
 }
 
 TEST(ExerciseCard, TellsNoneSomeAndAllOfTheStartsApart) {

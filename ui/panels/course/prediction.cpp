@@ -126,6 +126,13 @@ void made_prediction(const LessonView& lesson, Ui& ui) {
     if (lesson.path_reversed) paragraph(ui, ui.strings("exercise.path_reversed"), ui.palette.text);
 }
 
+// Runs with the student's changes do not judge the prediction.
+void ask_for_a_run_as_given(Ui& ui) {
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    paragraph(ui, ui.strings("exercise.as_given"), colour_of(NoticeKind::notice, ui.palette), Face::small);
+    mark(ui, "exercise.as_given", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
+}
+
 }  // namespace
 
 void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) {
@@ -141,28 +148,32 @@ void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) 
     draw.PathStroke(paint(ui.palette.on_accent), 0, ui.px(1.8f));
 }
 
-void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
+void prediction(const LabView& view, PanelState& state, bool changed, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
     const bool passed = lesson.grade && lesson.grade->good, is_open = !lesson.outcome_known && !passed;
     if (!is_asked(asked) || (!is_open && !has_predicted(lesson) && !lesson.outcome_known)) return;
+    const bool asks_for_a_run = changed && is_open && !offers_selection(*lesson.exercise);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ExerciseRows& rows = state.exercise_rows;
     const float top = begin_row(rows);
     subheading(ui, ui.strings("exercise.predict"));
     if (is_prediction_open(lesson)) {
         open_prediction(view, state, ui);
+        if (asks_for_a_run) ask_for_a_run_as_given(ui);
     } else {
         if (ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
-        if (is_open)
+        if (asks_for_a_run)
+            ask_for_a_run_as_given(ui);
+        else if (is_open)
             paragraph(ui, translated(ui, asked.question), ui.palette.text);  // the steps need the room of the options
         made_prediction(lesson, ui);
     }
     if (lesson.outcome_known && !asked.outcome.empty())
         paragraph_with_terms(
             ui, state.glossary,
-            fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
-            rewired ? ui.palette.second_text : ui.palette.text);
+            fill(ui.strings(changed ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
+            changed ? ui.palette.second_text : ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     if (std::exchange(state.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
