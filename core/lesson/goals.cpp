@@ -114,6 +114,8 @@ bool is_step_done(const std::vector<bool>& done, int number) {
            (static_cast<std::size_t>(number) <= done.size() && done[static_cast<std::size_t>(number) - 1]);
 }
 
+std::int64_t ticks_of_hold(const Check& check) { return std::lround(check.hold / tick_seconds); }
+
 bool judge(const Check& check, CheckState& state, CheckContext context) {
     const double seconds = context.tick.now.seconds;
     const bool is_over = check.latest > 0 && seconds > static_cast<double>(check.latest);
@@ -128,7 +130,7 @@ bool judge(const Check& check, CheckState& state, CheckContext context) {
     if (!met) state.met_since = -1;
     if (met && state.met_since < 0) state.met_since = tick;
     state.held = met ? tick - state.met_since : 0;
-    return met && state.held >= std::lround(check.hold / tick_seconds);
+    return met && state.held >= ticks_of_hold(check);
 }
 
 template <class G>
@@ -138,14 +140,17 @@ std::optional<float> needed_most(const G& goal) {
 }
 
 template <class G>
-std::string source_of(const G& goal) {
+std::string source_of(const G& goal, [[maybe_unused]] const Check& check) {
     if constexpr (requires { goal.source; }) return goal.source;
+    if constexpr (std::is_same_v<G, goals::Follows>)
+        return check.vehicle.empty() ? goal.other : check.vehicle + " → " + goal.other;
     return {};
 }
 
 // What a value must be so that the measure is not met: outside a range, the nearer of both sides.
 Measure opposite(Measure measure) {
     measure.best = false;
+    measure.met = !measure.met;
     measure.at_most = !measure.at_most;
     if (!measure.needed_most) return measure;
     measure.at_most = measure.value < (measure.needed + *measure.needed_most) / 2;
@@ -166,11 +171,14 @@ void add_measures(const Check& check, const CheckState& state, bool together, bo
                     add_measures(goal.checks[i], states[i], together, negated != std::is_same_v<G, goals::NoneOf>, all);
             } else {
                 add({state.value, goal.needed(), G::traits.unit, G::traits.at_most, shows_best<G>(together),
-                     needed_most(goal), G::traits.quantity, source_of(goal)});
+                     needed_most(goal), G::traits.quantity, source_of(goal, check), state.met_since >= 0});
             }
         },
         check.goal);
-    if (check.hold > 0) add({static_cast<float>(state.held) * tick_seconds, check.hold, "s", false, false, {}, "hold"});
+    if (check.hold <= 0) return;
+    const float held = static_cast<float>(state.held) * tick_seconds;
+    const bool is_held = state.met_since >= 0 && state.held >= ticks_of_hold(check);
+    add({held, check.hold, "s", false, false, {}, "hold", {}, is_held});
 }
 
 }  // namespace

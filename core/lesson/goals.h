@@ -112,9 +112,10 @@ struct Measure {
     bool at_most = false;                // needs value <= needed; otherwise value >= needed
     bool best = false;                   // the value is the best so far; otherwise the present one
     std::optional<float> needed_most{};  // needs also value <= this
-    // What is measured, where the unit alone does not say it: "rest", "hold", "path", "nearest".
+    // What is measured, where the unit alone does not say it: "rest", "hold", "path", "nearest", "steady".
     std::string_view quantity{};
-    std::string source{};  // name of the source that the value is about; empty: none
+    std::string source{};  // name of what the value is about: a source, or two vehicles as "one → two"; empty: none
+    bool met = false;      // its goal is met at present, or the hold time has passed
     friend bool operator==(const Measure&, const Measure&) = default;
 };
 

@@ -92,7 +92,7 @@ TEST(Goals, AHeldGoalShowsItsPresentValueAndItsTime) {
     Referee referee(exercise);
     for (std::uint64_t tick = 0; tick < 13; ++tick) referee.watch(at(exercise, tick, 0.25f));
     EXPECT_EQ(referee.verdicts()[0].measures,
-              (std::vector<Measure>{{0.25f, 1, "m", true, false, {}, {}, "lamp"},
+              (std::vector<Measure>{{0.25f, 1, "m", true, false, {}, {}, "lamp", true},
                                     {12 * tick_seconds, 0.5f, "s", false, false, {}, "hold"}}));
     referee.watch(at(exercise, 13, 2));
     EXPECT_EQ(referee.verdicts()[0].measures, (std::vector<Measure>{{2, 1, "m", true, false, {}, {}, "lamp"},
@@ -189,11 +189,34 @@ TEST(Goals, NoneOfShowsTheOppositeOfWhatItsChecksNeed) {
         for (std::size_t tick = 0; tick < positions.size(); ++tick) referee.watch(at(exercise, tick, positions[tick]));
         return referee.verdicts()[0].measures.front();
     };
-    EXPECT_EQ(shown(near_lamp, {2, 3}), (Measure{3, 1, "m", false, false, {}, {}, "lamp"}))
+    EXPECT_EQ(shown(near_lamp, {2, 3}), (Measure{3, 1, "m", false, false, {}, {}, "lamp", true}))
         << "the present distance, at least 1";
-    EXPECT_EQ(shown(goals::Runs{1}, {2}), (Measure{0, 1, "s", true, false}));
-    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {3}), (Measure{3, 4, "m", true, false, {}, {}, "lamp"}));
-    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {7}), (Measure{7, 6, "m", false, false, {}, {}, "lamp"}));
+    EXPECT_EQ(shown(goals::Runs{1}, {2}), (Measure{0, 1, "s", true, false, {}, {}, {}, true}));
+    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {3}), (Measure{3, 4, "m", true, false, {}, {}, "lamp", true}));
+    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {7}), (Measure{7, 6, "m", false, false, {}, {}, "lamp", true}));
+}
+
+TEST(Goals, MeasuresTellWhichValuesAreAsNeeded) {
+    Check check{goals::AllOf{{{near_lamp}, {goals::Runs{60}}}}};
+    check.hold = 2 / 60.0f;
+    const Exercise exercise = with(check);
+    Referee referee(exercise);
+    const auto met = [&] {
+        std::vector<bool> all;
+        const std::vector<Verdict> verdicts = referee.verdicts();
+        for (const Measure& each : verdicts[0].measures) all.push_back(each.met);
+        return all;
+    };
+    referee.watch(at(exercise, 0, 3));
+    EXPECT_EQ(met(), (std::vector<bool>{false, false, false}));
+    referee.watch(at(exercise, 1, 0));
+    EXPECT_EQ(met(), (std::vector<bool>{true, false, false})) << "at the lamp, too early";
+}
+
+TEST(Goals, ADistanceToAnotherVehicleNamesBoth) {
+    const auto source_of = [](const Check& check) { return measures(check, initial_state(check)).front().source; };
+    EXPECT_EQ(source_of({goals::Follows{"two", 1, 9}, "one"}), "one → two");
+    EXPECT_EQ(source_of({goals::Follows{"two", 1, 9}}), "two") << "by the first one";
 }
 
 TEST(Goals, ACheckIsJudgedOnlyInItsTime) {

@@ -1,4 +1,6 @@
 // The card of the open exercise.
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "desk.h"
@@ -414,6 +416,45 @@ TEST(ExerciseCard, NamesTimesAndDistancesThatTheUnitDoesNotTellApart) {
     EXPECT_TRUE(says(desk, "Time held now 0.0\u00a0s, need ≥\u00a02.0\u00a0s"));
     EXPECT_TRUE(says(desk, "Longest rest now 0.0\u00a0s, need ≤\u00a05.0\u00a0s"));
     EXPECT_TRUE(says(desk, "Distance of the paths now 2.00\u00a0m, need ≤\u00a00.55\u00a0m"));
+}
+
+TEST(ExerciseCard, NamesBothVehiclesOfADistanceAndTheTimeThatADistanceIsSteady) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    Check follows{goals::Follows{"2", 6, 20}, "1"};
+    const Check steady{goals::SteadyDistance{"lamp", 10, 30}};
+    desk.lesson.verdicts[0] = {false, measures(follows, initial_state(follows))};
+    desk.lesson.verdicts[0].measures[0].value = 4;
+    desk.lesson.verdicts[1] = {false, measures(steady, initial_state(steady))};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Distance (1 → 2) best 4.00\u00a0m"));
+    EXPECT_TRUE(says(desk, "Steady now 0.0\u00a0s, need ≥\u00a030.0\u00a0s"));
+}
+
+TEST(ExerciseCard, MarksTheValuesOfAnOpenStepThatAreAsNeeded) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    Measure steady{46, 30, "s"}, far{2.3f, 3, "m", false, false, 4.0f};
+    steady.met = true;
+    desk.lesson.verdicts[0] = {false, {steady, far}};
+    desk.frame(3);
+    const auto signs_beside = [&](std::string_view words) {
+        const auto at = std::find_if(desk.written.begin(), desk.written.end(),
+                                     [&](const Written& each) { return each.words.find(words) != std::string::npos; });
+        return at == desk.written.end()
+                   ? -1
+                   : std::count_if(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+                         return w.words == icon::check && w.rect.x < at->rect.x &&
+                                std::fabs(w.rect.y - at->rect.y) < at->rect.h / 2;
+                     });
+    };
+    EXPECT_EQ(signs_beside("now 46.0"), 1);
+    EXPECT_EQ(signs_beside("now 2.30"), 0) << "this is what is missing";
+    desk.lesson.verdicts[0].done = true;
+    desk.frame(3);
+    EXPECT_EQ(signs_beside("reached 46.0"), 0) << "the sign of the step says it";
 }
 
 TEST(ExerciseCard, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfTheCard) {

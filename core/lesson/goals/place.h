@@ -56,8 +56,11 @@ struct Circles {
 
 // The variation is (largest − smallest) / largest distance since it was last larger than `percent`.
 struct SteadyDistance {
-    static constexpr Traits traits{"steady_distance", "s", false, 0,
-                                   "the distance to the source has varied by at most `percent` for `seconds`"};
+    static constexpr Traits traits{
+        .word = "steady_distance",
+        .unit = "s",
+        .meaning = "the distance to the source has varied by at most `percent` for `seconds`",
+        .quantity = "steady"};
     struct State {
         float since = -1;  // s; −1: not begun
         float nearest = 0, furthest = 0;

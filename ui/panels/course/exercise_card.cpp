@@ -35,6 +35,19 @@ bool all_steps_ticked(const LessonView& lesson) {
            std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
+// A value of a step. While the step is not done, a sign left of it tells that this value is as needed, so that those
+// without one are what is missing.
+void step_value(const Measure& measure, bool done, float left, Ui& ui) {
+    const std::string words = measure_text(ui, measure, done);
+    if (words.empty()) return;
+    const float line = line_height(ui, Face::small), y = ImGui::GetCursorScreenPos().y;
+    if (measure.met && !done) {
+        const WholeLines whole(y, line);
+        put_icon(ui, {left + ui.px(15), y + line / 2}, icon::check, ui.palette.success, Face::small);
+    }
+    paragraph(ui, words, ui.palette.second_text, Face::small);
+}
+
 void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& ui) {
     const Step& asked = lesson.exercise->steps[index];
     const bool known = index < lesson.verdicts.size();
@@ -50,15 +63,15 @@ void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& u
     paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
     if (known && lesson.has_run)
         for (const Measure& measure : lesson.verdicts[index].measures)
-            if (const std::string words = measure_text(ui, measure, done);
-                std::isfinite(measure.value) && !words.empty())
-                paragraph(ui, words, ui.palette.second_text, Face::small);
+            if (std::isfinite(measure.value)) step_value(measure, done, start.x, ui);
     if (known && lesson.has_run && lesson.verdicts[index].lost)
         paragraph(ui, ui.strings("exercise.lost"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     ImGui::PopStyleVar();
     ImGui::Unindent(left);
     ImGui::EndGroup();
     const float height = ImGui::GetItemRectSize().y;
+    mark(ui, id, {start.x, start.y, card_width(ui), height});
+    const WholeLines whole(start.y, line_height(ui, Face::text));
     check_mark(ui, {start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2}, ui.px(8), done,
                eased(ui, id, done ? 1.0f : 0.0f, 0.2f));
 }
@@ -69,8 +82,6 @@ void together_button(const LessonView& lesson, Ui& ui) {
     ButtonLook look{on ? icon::undo : icon::play, ui.strings(on ? "exercise.back" : "exercise.together")};
     look.emphasis = on ? Emphasis::primary : Emphasis::plain;
     const Item at = button(ui, "exercise.together", look);
-    mark(ui, id, {start.x, start.y, card_width(ui), height});
-    const WholeLines whole(start.y, line_height(ui, Face::text));
     tooltip(ui, at, ui.strings(on ? "exercise.back_how" : "exercise.together_how"));
     if (at.pressed) ui.outbox.emplace_back(TogetherRequest{!on});
 }

@@ -12,6 +12,7 @@ std::string_view quantity(const Measure& measure) {
     if (measure.quantity == "rest") return "exercise.longest_rest";
     if (measure.quantity == "hold") return "exercise.time_held";
     if (measure.quantity == "nearest") return "exercise.smallest_distance";
+    if (measure.quantity == "steady") return "exercise.time_steady";
     if (measure.quantity == "path") return "exercise.distance_of_paths";
     if (unit == "m") return "exercise.distance";
     if (unit == "s") return "exercise.time";
