@@ -164,6 +164,14 @@ TEST_F(Gallery, MenuAndRecentFilesTellNoOutcomeEither) {
     EXPECT_FALSE(says("Aggressor"));
 }
 
+TEST_F(Gallery, TheMenuShowsTheFirstSentenceOfAGoal) {
+    ASSERT_NE(catalogue[2].exercise->goal.find(". "), std::string::npos);
+    desk.click("menu.exercises");
+    desk.frame(2);
+    EXPECT_TRUE(says("Ignore the dim lamp, strike the bright one."));
+    EXPECT_FALSE(says("threshold of both wires"));
+}
+
 TEST_F(Gallery, TheCheckMarkInTheMenuSaysPassedOnly) {
     desk.view.opened = "05-aggressor";
     desk.click("menu.exercises");

@@ -211,9 +211,9 @@ TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
     }
 }
 
-TEST_F(MenuBar, ALongNameOfAnExerciseIsItsLastSentenceOrEndsBeforeAComma) {
+TEST_F(MenuBar, ALongNameOfAnExerciseIsItsFirstSentenceOrEndsBeforeAComma) {
     const std::string rest = " and so on without an end that fits into any menu of this window, however wide it is";
-    const std::vector<CatalogueEntry> catalogue{{"a", "/a", "It turns" + rest + ". It rests at the lamp.", "", 1},
+    const std::vector<CatalogueEntry> catalogue{{"a", "/a", "It rests at the lamp. It turns" + rest, "", 1},
                                                 {"b", "/b", "It circles the red lamp, 3.5 m away" + rest, "", 2}};
     desk.view.catalogue = &catalogue;
     desk.frame(2);

@@ -276,7 +276,8 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
             const std::string number =
                 exercises ? ui::number_words(view, shipped.number, shipped.name) + "  " : std::string();
             const float room = ui.px(longest_exercise) - text_width(ui, Face::text, number);
-            row.entry.words = number + shortened_at_clause(ui, exercise_words(view, ui, shipped), Face::text, room);
+            row.entry.words =
+                number + shortened_first_sentence(ui, exercise_words(view, ui, shipped), Face::text, room);
             row.entry.how = translated(ui, shipped.exercise ? shipped.exercise->goal : shipped.story);
             row.entry.keys = passed_words(view, ui, shipped);
             row.entry.open = shipped.name == view.opened;

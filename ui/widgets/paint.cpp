@@ -93,10 +93,9 @@ std::string shortened(const Ui& ui, std::string_view words, Face face, float wid
     return std::string(words.data(), end) + "…";
 }
 
-std::string shortened_at_clause(const Ui& ui, std::string_view words, Face face, float width) {
+std::string shortened_first_sentence(const Ui& ui, std::string_view words, Face face, float width) {
     const auto fits = [&](std::string_view part) { return text_width(ui, face, part) <= width; };
-    for (std::size_t stop = words.find(". "); !fits(words) && stop != std::string_view::npos; stop = words.find(". "))
-        words.remove_prefix(stop + 2);
+    words = words.substr(0, std::min(words.size(), words.find(". ")) + 1);
     if (fits(words)) return std::string(words);
     for (std::size_t end = words.find_last_of(",:;"); end != std::string_view::npos && end > 0;
          end = words.find_last_of(",:;", end - 1)) {
@@ -156,8 +155,8 @@ std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Fa
 
 void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
     const float room = width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
-    const WholeLines whole(ImGui::GetCursorScreenPos().y, line_height(ui, face));
     const std::string text = wrapped_at_spaces(ui, face, words, room);
+    const WholeLines whole(ImGui::GetCursorScreenPos().y, line_height(ui, face));
     compat::push_font(font(ui, face));
     ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));
     ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));

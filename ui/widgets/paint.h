@@ -55,9 +55,9 @@ void record_text(const Ui&, const ImDrawList&, Rect, std::string_view, float pix
 
 // The text, shortened with an ellipsis to `width` window pixels.
 std::string shortened(const Ui&, std::string_view, Face, float width);
-// The same, but of several sentences the first ones are left out; one sentence ends before the last comma, colon or
-// semicolon that fits, unless less than a third of the width is used then.
-std::string shortened_at_clause(const Ui&, std::string_view, Face, float width);
+// The same for the first sentence only; it ends before the last comma, colon or semicolon that fits, unless less than a
+// third of the width is used then.
+std::string shortened_first_sentence(const Ui&, std::string_view, Face, float width);
 
 // The words with a line break wherever a line would become wider than `width` window pixels: at spaces only, where
 // Dear ImGui would also break a number after its decimal mark. Words without such a number are returned as they are.
