@@ -8,14 +8,21 @@
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "core/lesson/lecture.h"
+#include "core/scene/file_kind.h"
 
 namespace braitenlab {
 
 int check_lecture(const std::filesystem::path& path, bool json) {
     constexpr float tolerated = 0.1f;  // of the lecture's minutes
+    const auto data = data_folder();
+    if (!data) return complain(data.error());
+    const auto text = read_text(path);
+    if (!text) return complain(text.error());
+    const std::vector<Error> errors = errors_of_lecture(*text, path, *data / "exercises");
+    for (const Error& error : errors) complain(error);
+    if (!errors.empty()) return exit_code::bad_input;
     const auto lecture = read_lecture(path);
     if (!lecture) return complain(lecture.error());
-    if (const auto error = check_pages(*lecture)) return complain(*error);
     const float sum = minutes_of_pages(*lecture);
     const bool fits = std::fabs(sum - lecture->minutes) <= tolerated * lecture->minutes;
     if (json)

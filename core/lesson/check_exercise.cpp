@@ -260,12 +260,22 @@ void check_numbers(TomlTable& top, const Exercise& exercise) {
         top.fail("median", message_of("key_missing", "step", "step = 1"));
 }
 
+// True if an unknown key of the table at this path has been reported with `key` as the nearest one.
+bool is_misspelt(const TomlFile& file, const std::string& table, const char* key) {
+    const Phrase nearest{"nearest", {in_quotes(key)}};
+    return std::any_of(file.faults.begin(), file.faults.end(), [&](const TomlFault& fault) {
+        const auto& phrases = fault.error.phrases;
+        return fault.path.starts_with(table + ".") && !phrases.empty() && phrases.front().id == "unknown_key" &&
+               phrases.back() == nearest;
+    });
+}
+
 // Every step and hint has a text.
 void check_texts(TomlTable& top, const Exercise& exercise) {
     TomlFile& file = top.file();
     const auto check = [&](const char* list, const auto& elements, const char* id) {
         for (std::size_t i = 0; i < elements.size(); ++i)
-            if (elements[i].text.empty())
+            if (elements[i].text.empty() && !is_misspelt(file, fmt::format("{}.{}", list, i + 1), "text"))
                 file.fail(fmt::format("{}.{}.text", list, i + 1), &top.content().get(list)->as_list()->at(i),
                           message_of(id));
     };
@@ -277,15 +287,17 @@ void check_texts(TomlTable& top, const Exercise& exercise) {
 
 void check_exercise(TomlTable& top, const Exercise& exercise) {
     TomlFile& file = top.file();
+    const auto is_missing = [&](const char* key) { return !top.has(key) && !top.fail_if_misspelt(key, {}, {}); };
     for (const char* key : {"title", "goal"})
-        if (!top.has(key))
+        if (is_missing(key))
             file.add(key, error_of(message_of("key_missing", key, std::string(key) + " = \"…\""), file.name, 1));
     check_prediction(top, exercise.prediction);
     check_shown_options(top, exercise.prediction);
     check_offers(top, exercise);
     check_numbers(top, exercise);
-    if (!top.has("solution")) file.add("solution", error_of(message_of("solution_missing"), file.name));
-    if (exercise.steps.empty()) file.add("step", error_of(message_of("step_missing"), file.name));
+    if (is_missing("solution")) file.add("solution", error_of(message_of("solution_missing"), file.name));
+    if (exercise.steps.empty() && (top.has("step") || is_missing("step")))
+        file.add("step", error_of(message_of("step_missing"), file.name));
     check_texts(top, exercise);
     for_each_check(top, exercise, check_check);
 }

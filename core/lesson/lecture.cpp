@@ -92,6 +92,7 @@ public:
         : file_(file), table_(table), path_(std::move(path)), page_(page) {}
 
     void find_file(const fs::path& lecture, const fs::path& exercises) {
+        if (page_.scene.empty() && page_.exercise.empty() && file_.failed_at(path_)) return;  // perhaps misspelt
         if (page_.scene.empty() == page_.exercise.empty())
             return fail(page_.scene.empty() ? "scene" : "exercise", message_of("scene_or_exercise"));
         const bool is_scene = page_.exercise.empty();
@@ -171,11 +172,12 @@ private:
 void check_lecture(TomlTable& top, Lecture& lecture, const fs::path& path, const fs::path& exercises) {
     TomlFile& file = top.file();
     for (const char* needed : {"title", "minutes", "page"})
-        if (!top.has(needed)) file.add(needed, error_of(message_of("missing_in_lecture", needed), file.name));
-    if (file.failed()) return;
+        if (!top.has(needed) && !top.fail_if_misspelt(needed, {}, {}))
+            file.add(needed, error_of(message_of("missing_in_lecture", needed), file.name));
+    if (!top.has("page") || (file.failed_at("page") && lecture.pages.empty())) return;
     if (lecture.pages.empty()) return top.fail("page", message_of("page_missing"));
     const TomlNode::List& pages = *top.content().get("page")->as_list();
-    for (std::size_t i = 0; i < lecture.pages.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(lecture.pages.size(), pages.size()); ++i) {
         PageChecker page(file, pages[i], fmt::format("page.{}", i + 1), lecture.pages[i]);
         lecture.pages[i].line = static_cast<int>(pages[i].place.line);
         page.find_file(path, exercises);
@@ -199,19 +201,28 @@ float minutes_of_pages(const Lecture& lecture) {
     return sum;
 }
 
-Result<Lecture> parse_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
-    auto file = parse_toml(toml, path.string());
-    if (!file) return file.error();
-    check_format(*file);
+namespace {
+
+Lecture read_lecture_file(TomlFile& file, const fs::path& path, const fs::path& exercises) {
+    check_format(file);
     Lecture lecture;
     lecture.id = path.stem().string();
     lecture.path = path;
-    TomlTable top(*file, file->root, "");
+    TomlTable top(file, file.root, "");
     top.find("format");
     TomlReader<Lecture> reader(top, lecture);
     describe(reader, Of<Lecture>{});
     top.done();
-    if (!file->failed()) check_lecture(top, lecture, path, exercises);
+    check_lecture(top, lecture, path, exercises);
+    return lecture;
+}
+
+}  // namespace
+
+Result<Lecture> parse_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
+    auto file = parse_toml(toml, path.string());
+    if (!file) return file.error();
+    Lecture lecture = read_lecture_file(*file, path, exercises);
     if (file->failed()) return file->error();
     return lecture;
 }
@@ -222,23 +233,45 @@ Result<Lecture> load_lecture(const fs::path& path, const fs::path& exercises) {
     return parse_lecture(*text, path, exercises);
 }
 
-std::optional<Error> check_pages(const Lecture& lecture) {
-    for (const LecturePage& page : lecture.pages) {
-        Result<Scene> scene = Error{};
-        if (page.exercise.empty()) {
-            scene = load_scene(page.file, page.settings);
-        } else {
-            auto exercise = load_exercise(page.file, page.settings);
-            scene = exercise ? Result<Scene>(std::move(exercise->scene)) : exercise.error();
-        }
-        if (!scene) return scene.error();
-        std::vector<std::string_view> names;
-        for (const Start& start : scene->starts) names.emplace_back(start.name);
-        if (!page.select.empty() && std::find(names.begin(), names.end(), page.select) == names.end())
-            return error_of(message_of("no_vehicle_to_select", in_quotes(page.select)) + nearest_of(page.select, names),
-                            lecture.path.string(), page.line);
+namespace {
+
+// The first error of the page's scene or exercise, or a selected vehicle that it does not have.
+std::optional<Error> error_of_page(const Lecture& lecture, const LecturePage& page) {
+    Result<Scene> scene = Error{};
+    if (page.exercise.empty()) {
+        scene = load_scene(page.file, page.settings);
+    } else {
+        auto exercise = load_exercise(page.file, page.settings);
+        scene = exercise ? Result<Scene>(std::move(exercise->scene)) : exercise.error();
     }
+    if (!scene) return scene.error();
+    std::vector<std::string_view> names;
+    for (const Start& start : scene->starts) names.emplace_back(start.name);
+    if (page.select.empty() || std::find(names.begin(), names.end(), page.select) != names.end()) return std::nullopt;
+    return error_of(message_of("no_vehicle_to_select", in_quotes(page.select)) + nearest_of(page.select, names),
+                    lecture.path.string(), page.line);
+}
+
+}  // namespace
+
+std::optional<Error> check_pages(const Lecture& lecture) {
+    for (const LecturePage& page : lecture.pages)
+        if (auto error = error_of_page(lecture, page)) return error;
     return std::nullopt;
+}
+
+std::vector<Error> errors_of_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
+    auto file = parse_toml(toml, path.string());
+    if (!file) return {file.error()};
+    const Lecture lecture = read_lecture_file(*file, path, exercises);
+    std::vector<Error> errors;
+    for (TomlFault& fault : file->faults) errors.push_back(std::move(fault.error));
+    for (std::size_t i = 0; i < lecture.pages.size(); ++i)
+        if (!file->failed_at(fmt::format("page.{}", i + 1)))
+            if (auto error = error_of_page(lecture, lecture.pages[i])) errors.push_back(std::move(*error));
+    const auto order = [&](const Error& error) { return std::pair(error.file != path.string(), error.line); };
+    std::stable_sort(errors.begin(), errors.end(), [&](const Error& a, const Error& b) { return order(a) < order(b); });
+    return errors;
 }
 
 std::vector<TranslatableText> texts_of(const Lecture& lecture) {

@@ -127,6 +127,11 @@ Result<Lecture> parse_lecture(std::string_view toml, const std::filesystem::path
 // every page can be opened.
 std::optional<Error> check_pages(const Lecture&);
 
+// Every error of the file, by line, and the first one of each page's scene or exercise. Pages with an error of their
+// own are not opened.
+std::vector<Error> errors_of_lecture(std::string_view toml, const std::filesystem::path& file,
+                                     const std::filesystem::path& exercises);
+
 // Titles, captions, notes and questions, with ids like "lecture.four-numbers.page.2.caption".
 std::vector<TranslatableText> texts_of(const Lecture&);
 

@@ -241,8 +241,7 @@ TEST(Exercise, EveryIndependentErrorIsReportedWithItsLine) {
     change("anchor = \"slider.LR\"", "anchor = \"slider.XY\"");
     change("[solution]\nLR = 1.5", "[solution]\nLR = 99");
     change("[solution]", "[solution]\nLQ = 1");
-    const std::vector<std::string> wanted{"'title' is missing",
-                                          "no key 'titel'",
+    const std::vector<std::string> wanted{"no key 'titel'",
                                           "'LLL' is no control",
                                           "'seconds' is 6000",
                                           "'starts' should be",
@@ -252,20 +251,30 @@ TEST(Exercise, EveryIndependentErrorIsReportedWithItsLine) {
                                           "no widget 'slider.XY'; the nearest is",
                                           "'LQ'",
                                           "'LR' is 99"};
-    const std::vector<std::string> places{
-        "title", "titel",    "offers",    "seconds", "starts", "[[step]]\ngoal = \"touches\"",
-        "lampp", "speedsup", "slider.XY", "LQ = 1",  "LR = 99"};
+    const std::vector<std::string> places{"titel", "offers",   "seconds",   "starts", "[[step]]\ngoal = \"touches\"",
+                                          "lampp", "speedsup", "slider.XY", "LQ = 1", "LR = 99"};
     const auto found = errors_in(text);
     ASSERT_EQ(found.size(), wanted.size()) << testing::PrintToString(found);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         EXPECT_NE(found[i].find(wanted[i]), std::string::npos) << found[i];
-        const int line = i == 0 ? 1 : line_of(text, places[i]);  // of a missing key that of its table
+        const int line = line_of(text, places[i]);  // of a missing key that of its table
         EXPECT_TRUE(found[i].starts_with(std::to_string(line) + ": ")) << found[i] << ", wanted line " << line;
     }
     EXPECT_FALSE(parse_exercise(text, guided / "x.toml"));
 }
 
 TEST(Exercise, AFileWithoutFaultsHasNoErrors) { EXPECT_EQ(errors_in(aggressor()), std::vector<std::string>{}); }
+
+TEST(Exercise, AMisspeltKeyIsReportedOnce) {
+    for (const auto& [right, wrong] : {std::pair{"title = \"Agg", "titel = \"Agg"},
+                                       {"goal = \"Make", "gaol = \"Make"},
+                                       {"[solution]", "[soluton]"},
+                                       {"text = \"It touches", "txet = \"It touches"}}) {
+        const auto found = errors_in(changed(aggressor(), right, wrong));
+        ASSERT_EQ(found.size(), 1u) << wrong << testing::PrintToString(found);
+        EXPECT_NE(found[0].find("no key '"), std::string::npos) << found[0];
+    }
+}
 
 TEST(Exercise, AnErrorThatFollowsFromAnotherIsNotReported) {
     const auto only = [](const std::string& from, const std::string& to, const std::string& told) {

@@ -79,6 +79,28 @@ TEST(Lecture, ErrorsNameTheLineAndTheNearestWord) {
     EXPECT_EQ(error_of(scene_page + "minutes = -1\n"), "/nowhere/own.toml:6: 'minutes' is -1, outside 0 .. 240");
 }
 
+TEST(Lecture, EveryErrorIsReportedOnceByLine) {
+    const auto errors_in = [](const std::string& pages) {
+        std::vector<std::string> lines;
+        for (const Error& each :
+             errors_of_lecture("format = 1\ntitel = \"T\"\nminutes = 5\n" + pages, "/nowhere/own.toml", shipped))
+            lines.push_back(each.text());
+        return lines;
+    };
+    const std::vector<std::string> wanted{":2: no key 'titel' at the top of the file; the nearest is 'title'",
+                                          ":5: there is no file and no shipped scene called '2a-cowerd'",
+                                          ":7: no key 'scen' in [page.2]; the nearest is 'scene'",
+                                          ":10: 'hide' has no part 'brian'; the nearest is 'brain'",
+                                          ":11: 'select' names 'two'"};
+    const auto found = errors_in(
+        "[[page]]\nscene = \"2a-cowerd\"\n[[page]]\nscen = \"2a-coward\"\n[[page]]\nscene = \"2a-coward\"\n"
+        "hide = [\"brian\"]\n[[page]]\nscene = \"2a-coward\"\nselect = \"two\"\n");
+    ASSERT_EQ(found.size(), wanted.size()) << testing::PrintToString(found);
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NE(found[i].find(wanted[i]), std::string::npos) << found[i];
+    EXPECT_EQ(errors_in(scene_page).size(), 1u) << "the title only";
+    EXPECT_EQ(errors_in("page = 3\n").size(), 2u);
+}
+
 TEST(Lecture, ChecksThatEveryPageCanBeOpened) {
     const auto page = [](const std::string& more) { return check_pages(*read(scene_page + more)); };
     EXPECT_FALSE(page(""));
