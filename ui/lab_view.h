@@ -54,7 +54,8 @@ struct LessonView {
     int prediction = -1;                       // the option chosen, 0-based; −1: none yet
     bool has_run = false;                      // played at least once since it was opened
     int runs = 0;                              // begun since it was opened
-    bool outcome_known = false;                // a run with the shipped brain has shown what was to be predicted
+    bool outcome_known = false;                // a run of the scene as given has shown what was to be predicted
+    bool as_given = true;                      // every brain, sensor and body is that of the exercise's file
     int hints_shown = 0;                       // of exercise->hints
     bool hint_ready = true;                    // the next hint, after the last one the solution, may be shown now
     int hint_in = 0;                           // seconds until it may be without a run, while it may not be now

@@ -44,7 +44,7 @@ bool is_as_shipped(const Snapshot& now, const Scene& shipped) {
 // question is about another vehicle, because its options may compare both.
 bool shows_outcome(const Lesson& lesson, const Snapshot& now) {
     return now.tick > 0 && now.seconds >= static_cast<double>(lesson.exercise->prediction.after) &&
-           !lesson.referee.by_hand() && is_as_shipped(now, lesson.exercise->scene);
+           !lesson.referee.by_hand() && lesson.view.as_given;
 }
 
 // Passes a run to the referee. At keyframes uses the stored state.
@@ -131,6 +131,7 @@ void watch(Lab& lab) {
     lesson.referee.watch(lab.document.session.snapshot());
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
+    lesson.view.as_given = is_as_shipped(lab.document.session.snapshot(), lesson.exercise->scene);
     // A prediction about a selection is about its end, not about the first run.
     if (!lesson.view.outcome_known && !offers_selection(*lesson.exercise))
         lesson.view.outcome_known = shows_outcome(lesson, lab.document.session.snapshot());

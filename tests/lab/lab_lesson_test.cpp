@@ -98,6 +98,29 @@ TEST(LabLesson, JudgesAPredictionAboutTwoVehiclesOnlyByARunWithBothAsGiven) {
     }
 }
 
+TEST(LabLesson, KnowsThatTheSceneIsNotAsGivenAfterAChangeOfBrainSensorsOrBody) {
+    const auto changed_by = [](const Request& request) {
+        Lab lab = aggressor();
+        EXPECT_TRUE(lesson_of(lab).as_given);
+        handle(lab, request);
+        const bool changed = !lesson_of(lab).as_given;
+        handle(lab, Action::undo);
+        EXPECT_TRUE(lesson_of(lab).as_given);
+        return changed;
+    };
+    const Lab lab = aggressor();
+    const Snapshot& now = lab.document.session.snapshot();
+    Kind heavy = now.scene->kinds[0];
+    heavy.body.mass *= 2;
+    std::vector<Sensor> turned = now.scene->kinds[0].sensors;
+    turned[0].angle += 0.1f;
+    EXPECT_TRUE(changed_by(EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.3f}}));
+    EXPECT_TRUE(changed_by(EditRequest{TurnDial{{.vehicle = now.vehicles[0].id}, Dial::LL, 0.3f}}))
+        << "the brain of one vehicle, not of its kind";
+    EXPECT_TRUE(changed_by(EditRequest{SetSensors{{.kind = 0}, turned}}));
+    EXPECT_TRUE(changed_by(EditRequest{EditKind{0, heavy}}));
+}
+
 TEST(LabLesson, DoesNotKnowTheOutcomeOfARunWithoutTheKindOfTheExercise) {
     Lab lab = aggressor();
     handle(lab, EditRequest{RemoveVehicle{}});

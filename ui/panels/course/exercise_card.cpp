@@ -243,17 +243,6 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
     exercise_files(view, state, ui, width);
 }
 
-// True if a kind has another brain, other sensors or another body than in the exercise's file.
-bool is_changed(const LabView& view) {
-    const auto& kinds = view.lesson->exercise->scene.kinds;
-    const auto& kinds_now = view.now->scene->kinds;
-    for (std::size_t k = 0; k < std::min({kinds.size(), kinds_now.size(), view.now->kind_brains.size()}); ++k)
-        if (*view.now->kind_brains[k] != kinds[k].brain || kinds_now[k].sensors != kinds[k].sensors ||
-            kinds_now[k].body != kinds[k].body)
-            return true;
-    return false;
-}
-
 // Forgets what the card of another exercise has scrolled to.
 void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise_id == lesson.exercise->id) return;
@@ -334,7 +323,7 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 // low window the rest scrolls.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
-    const bool changed = is_changed(view), passed = has_passed(lesson);
+    const bool passed = has_passed(lesson);
     follow_exercise(lesson, state);
     CardState& card = state.card(Card::exercise);
     card.footer = std::max(card.footer, ui.px(button_height + 8));
@@ -351,11 +340,11 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (passed) question(lesson, state, ui), steps(view, rows, ui), goal(lesson, state, ui);
         reason(view, state, ui);
         if (!hides_outcome(view)) selection_button(view, state, ui);
-        const bool steps_first = (changed || lesson.outcome_known) && !hides_outcome(view);
+        const bool steps_first = (!lesson.as_given || lesson.outcome_known) && !hides_outcome(view);
         if (!passed && steps_first) steps(view, rows, ui);
         const bool hints_last = passed || !steps_first || state.outcome_newest;
         if (!hints_first && !hints_last) hints(view, state, ui);
-        prediction(view, state, changed, ui);
+        prediction(view, state, ui);
         if (!passed && !steps_first) steps(view, rows, ui);
         if (!hints_first && hints_last) hints(view, state, ui);
         kept_button(view, ui);

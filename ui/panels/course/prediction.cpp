@@ -148,12 +148,12 @@ void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) 
     draw.PathStroke(paint(ui.palette.on_accent), 0, ui.px(1.8f));
 }
 
-void prediction(const LabView& view, PanelState& state, bool changed, Ui& ui) {
+void prediction(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
     const bool passed = lesson.grade && lesson.grade->good, is_open = !lesson.outcome_known && !passed;
     if (!is_asked(asked) || (!is_open && !has_predicted(lesson) && !lesson.outcome_known)) return;
-    const bool asks_for_a_run = changed && is_open && !offers_selection(*lesson.exercise);
+    const bool asks_for_a_run = !lesson.as_given && is_open && !offers_selection(*lesson.exercise);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ExerciseRows& rows = state.exercise_rows;
     const float top = begin_row(rows);
@@ -170,10 +170,10 @@ void prediction(const LabView& view, PanelState& state, bool changed, Ui& ui) {
         made_prediction(lesson, ui);
     }
     if (lesson.outcome_known && !asked.outcome.empty())
-        paragraph_with_terms(
-            ui, state.glossary,
-            fill(ui.strings(changed ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
-            changed ? ui.palette.second_text : ui.palette.text);
+        paragraph_with_terms(ui, state.glossary,
+                             fill(ui.strings(lesson.as_given ? "exercise.outcome" : "exercise.outcome_before"),
+                                  {translated(ui, asked.outcome)}),
+                             lesson.as_given ? ui.palette.text : ui.palette.second_text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     if (std::exchange(state.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});

@@ -10,10 +10,10 @@
 namespace braitenlab::ui {
 
 // The question with its options and the button that begins a drawing, or both once made; then the outcome, whether the
-// chosen option came true, and how much a drawn path differs. Only a run of the scene as given shows the outcome;
-// `changed`: brain, sensors or body are not as given any more. Anchors: exercise.predict, exercise.predict.N,
-// exercise.draw, exercise.came_true, exercise.as_given. Precondition: view.lesson.
-void prediction(const LabView&, PanelState&, bool changed, Ui&);
+// chosen option came true, and how much a drawn path differs. Only a run of the scene as given shows the outcome.
+// Anchors: exercise.predict, exercise.predict.N, exercise.draw, exercise.came_true, exercise.as_given. Precondition:
+// view.lesson.
+void prediction(const LabView&, PanelState&, Ui&);
 
 // The button that shows the run with the solution, at the right end of the heading that begins at `heading`, and what
 // is seen then, at the cursor. Nothing while can_compare() is false. Anchor: exercise.compare. Precondition:
