@@ -59,13 +59,6 @@ void set_viewport(const Rect& window) {
                static_cast<GLsizei>(window.h));
 }
 
-// Whether a picture can be copied into a framebuffer with several samples per pixel.
-#ifdef BRAITENLAB_OPENGL_ES
-constexpr bool copies_to_samples = false;
-#else
-constexpr bool copies_to_samples = true;
-#endif
-
 struct ContourInstance {
     maths::vec4 place;   // half the arena's size; samples along x and y
     maths::vec4 colour;  // w: side of the texture, samples
@@ -351,7 +344,8 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.upload(drawn);
     p.upload_list(drawn);
     const bool smooth = !coarse && picture.quality == Quality::high && p.resampling.begin_smooth(window);
-    const bool in_backdrop = (copies_to_samples || !smooth) && p.update_backdrop(drawn);
+    // OpenGL 3.3 copies into several samples per pixel only from an identical format, OpenGL ES 3.0 not at all.
+    const bool in_backdrop = !smooth && p.update_backdrop(drawn);
     // The copy comes first: a software renderer waits for the draw calls before it.
     if (in_backdrop) p.backdrop.copy();
     glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
