@@ -21,7 +21,7 @@ int check_lecture(const std::filesystem::path& path, bool json) {
     const std::vector<Error> errors = errors_of_lecture(*text, path, *data / "exercises");
     for (const Error& error : errors) complain(error);
     if (!errors.empty()) return exit_code::bad_input;
-    const auto lecture = read_lecture(path);
+    const auto lecture = parse_lecture(*text, path, *data / "exercises");
     if (!lecture) return complain(lecture.error());
     const float sum = minutes_of_pages(*lecture);
     const bool fits = std::fabs(sum - lecture->minutes) <= tolerated * lecture->minutes;

@@ -111,7 +111,7 @@ public:
 
     void check_question() {
         const LectureQuestion& asked = page_.question;
-        if (!table_.contains("question")) return;
+        if (!table_.contains("question") || file_.failed_at(path_ + ".question")) return;  // perhaps misspelt
         if (asked.options.size() < 2) return fail("question", message_of("few_options"));
         if (!table_.get("question")->contains("answer")) fail("question", message_of("answer_missing"));
     }

@@ -99,6 +99,9 @@ TEST(Lecture, EveryErrorIsReportedOnceByLine) {
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NE(found[i].find(wanted[i]), std::string::npos) << found[i];
     EXPECT_EQ(errors_in(scene_page).size(), 1u) << "the title only";
     EXPECT_EQ(errors_in("page = 3\n").size(), 2u);
+    EXPECT_EQ(errors_in(scene_page + "[page.question]\noptoins = [\"left\", \"right\"]\n").size(), 2u);
+    EXPECT_EQ(errors_in(scene_page + "[page.question]\noptions = [\"left\", \"right\"]\nanwser = \"left\"\n").size(),
+              2u);
 }
 
 TEST(Lecture, ChecksThatEveryPageCanBeOpened) {
