@@ -292,7 +292,8 @@ namespace {
 // cover a label, a vehicle or a bulb.
 Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, const LabelSpace& labels, ImVec2 size, vec2 beside,
                    NoteSide side) {
-    constexpr float outside = 1e7f, on_other_side = 300;  // px² of a covered vehicle that are as bad
+    constexpr float outside = 1e7f;
+    const float on_other_side = ui.px(17) * ui.px(17);  // px² of a covered vehicle that are as bad
     const Rect& room = frame.area;
     Rect best;
     float least = -1;
@@ -311,6 +312,7 @@ Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, const LabelSpace&
                 const bool is_other = above ? side == NoteSide::below : side == NoteSide::above;
                 const float cost = labels.cost(note) + (leaves ? outside : 0) + (is_other ? on_other_side : 0);
                 if (least < 0 || cost < least) best = note, least = cost;
+                if (least <= 0) return best;
             }
     return best;
 }

@@ -188,8 +188,8 @@ bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) 
 
 void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
     follow_document(state, view);
-    if (!view.camera_view) return;
     state.labels = {};
+    if (!view.camera_view) return;
     state.labels.keep_free(*view.now, *view.camera_view);
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area), &state.labels};
     interact(state, frame, ui.outbox);
