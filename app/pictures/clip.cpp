@@ -63,11 +63,12 @@ struct Clip::Parts {
     }
 
     void frame_action() {
+        if (look.framed) return;
         const Rect all{0, 0, static_cast<float>(plan.width), static_cast<float>(plan.height)};
         framed = framing.follow(
             run.snapshot(),
             {.camera = camera, .selected = look.picture.settings.selection.vehicle, .window = all, .free_area = all});
-        if (!look.framed) look.picture.settings.camera = framing.raised(camera);
+        look.picture.settings.camera = framing.raised(camera);
     }
 
     void prepare() {

@@ -1,4 +1,4 @@
-// Where the labels of one picture are: none is over another one, a vehicle or the bulb of a source.
+// Where the labels of one picture are, and the vehicles and bulbs that they leave free where a free place is near.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@ namespace braitenlab {
 // Rectangles are in the pixels of the camera view's window.
 class LabelSpace {
 public:
-    // Vehicles and bulbs, which no label covers. In a crowd every place is covered, so it is left out.
+    // Vehicles and bulbs. In a crowd every place is covered, so it is left out.
     void keep_free(const Snapshot&, const CameraView&);
-    // Something else that no label covers.
+    // Something else to leave free.
     void keep_free(Rect thing) { things_.push_back(thing); }
     // A label or a card.
     void take(Rect label) { labels_.push_back(label); }

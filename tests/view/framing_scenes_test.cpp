@@ -127,25 +127,29 @@ void expect_framed(const Scene& scene, const std::string& name, const Place& pla
 }
 
 template <class Expect>
-int each_shipped(Expect expect) {
+void each_shipped(Expect expect) {
     const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises";
     int scenes = 0;
-    for (const auto& file : fs::directory_iterator(shipped / "scenes"))
-        if (const auto scene = load_scene(file.path())) expect(*scene, file.path().stem().string()), ++scenes;
-    for (const auto& file : fs::directory_iterator(shipped / "guided"))
-        if (const auto lesson = load_exercise(file.path()))
-            expect(lesson->scene, file.path().stem().string()), ++scenes;
-    return scenes;
+    for (const auto& file : fs::directory_iterator(shipped / "scenes")) {
+        const auto scene = load_scene(file.path());
+        ASSERT_TRUE(scene) << file.path();
+        expect(*scene, file.path().stem().string()), ++scenes;
+    }
+    for (const auto& file : fs::directory_iterator(shipped / "guided")) {
+        const auto lesson = load_exercise(file.path());
+        ASSERT_TRUE(lesson) << file.path();
+        expect(lesson->scene, file.path().stem().string()), ++scenes;
+    }
+    EXPECT_GT(scenes, 40);
 }
 
 }  // namespace
 
 TEST(Framing, CoversTheFreeAreaBesideCardsWithTheFloorOfEachShippedScene) {
-    const int scenes = each_shipped([](const Scene& scene, const std::string& name) {
+    each_shipped([](const Scene& scene, const std::string& name) {
         expect_framed(scene, name, two_cards, least_of(covered_between_cards, name, wanted_cover),
                       least_of(small_between_cards, name, two_cards.least_share));
     });
-    EXPECT_GT(scenes, 40);
 }
 
 TEST(Framing, ShowsTheVehicleOfEachShippedSceneLargeInALecture) {
