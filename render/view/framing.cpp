@@ -19,13 +19,16 @@ constexpr float enough_on_table = 0.6f;                         // of the wanted
 constexpr float enough_with_source = 0.5f;                      // of it: the nearest source then stays in the picture
 constexpr float enough_with_all = 0.9f;                         // of it: all sources then stay
 constexpr float nearer = 0.8f;                                  // of the distance: another source is then the nearest
-constexpr float least_part = 0.6f;                              // of the box around the action
+constexpr float worth_of_rest = 0.08f;                          // by so much another elevation must be better
+constexpr float share_of_rest = 0.1f;  // of the wanted length: so much less is enough for sources in the picture
+constexpr float least_part = 0.6f;     // of the box around the action
 constexpr std::array elevations{1.0f, 1.1f, 0.9f, 1.2f, 0.8f, 1.25f, 0.7f, 0.6f, 0.5f};  // rad
 constexpr float beside_action = 1.2f;          // m: an obstacle closer than this may be met
 constexpr float beyond_edge = 0.3f;            // m, the walls
 constexpr float least_side = 4;                // m
 constexpr float whole_ahead_of_action = 1.5f;  // m: the box grows by so much more, and then rests
-constexpr float time_constant = 0.5f;          // s
+constexpr float left_free = 0.2f;              // m: so much of the place around a vehicle may be outside the box
+constexpr float time_constant = 0.3f;          // s
 
 constexpr FloorBox nothing{{1e9f, 1e9f}, {-1e9f, -1e9f}};
 
@@ -57,6 +60,10 @@ FloorBox within(FloorBox box, const Arena& arena) {
         return vec2{std::clamp(p.x, -half.x, half.x), std::clamp(p.y, -half.y, half.y)};
     };
     return {inside(box.low), inside(box.high)};
+}
+
+FloorBox with_border(const FloorBox& box, float border) {
+    return {box.low - vec2{border, border}, box.high + vec2{border, border}};
 }
 
 bool contains(const FloorBox& a, const FloorBox& b) {
@@ -155,6 +162,47 @@ bool include_action(FloorBox& box, const Snapshot& now) {
     return has_aim;
 }
 
+float size_of(float value) { return std::fabs(value); }
+float size_of(vec2 value) { return maths::length(value); }
+
+// Moves `value` to `goal` without a jump of its speed (per second): a spring with critical damping.
+template <class Value>
+void glide(Value& value, Value& speed, Value goal, float seconds) {
+    constexpr float near = 0.003f, slow = 0.01f;
+    const float t = seconds / time_constant, rest = std::exp(-t);
+    const Value away = value - goal, pull = speed + away * (1 / time_constant);
+    value = goal + (away + pull * seconds) * rest;
+    speed = (speed - pull * t) * rest;
+    if (size_of(value - goal) < near && size_of(speed) < slow) value = goal, speed = {};
+}
+
+// The side of a line at which dot(normal, p) is at least `least`.
+struct Edge {
+    vec2 normal;
+    float least = 0;
+};
+
+// The part of a convex polygon on this side of the line.
+std::vector<vec2> cut(const std::vector<vec2>& polygon, const Edge& edge) {
+    std::vector<vec2> part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const vec2 from = polygon[i], to = polygon[(i + 1) % polygon.size()];
+        const float a = maths::dot(edge.normal, from) - edge.least, b = maths::dot(edge.normal, to) - edge.least;
+        if (a >= 0) part.push_back(from);
+        if ((a >= 0) != (b >= 0)) part.push_back(from + (to - from) * (a / (a - b)));
+    }
+    return part;
+}
+
+float area_of(const std::vector<vec2>& polygon) {
+    float twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return std::fabs(twice) / 2;
+}
+
 bool is_default_elevation(const Camera& camera) { return camera.elevation == Camera{}.elevation; }
 
 }  // namespace
@@ -167,17 +215,19 @@ FloorBox action_of(const Snapshot& now) {
 }
 
 float floor_cover(const CameraView& seen, const Arena& arena, Rect area) {
-    constexpr int points = 32;  // each way
     const float wall = arena.edge == Boundary::wall ? wall_of(arena).thickness : 0;
     const vec2 half{arena.width / 2 + wall, arena.height / 2 + wall};
-    int covered = 0;
-    for (int i = 0; i < points * points; ++i) {
-        const vec2 at{(static_cast<float>(i % points) + 0.5f) / points,
-                      (static_cast<float>(i / points) + 0.5f) / points};
-        const auto place = unproject(seen, {area.x + at.x * area.w, area.y + at.y * area.h});
-        if (place && std::fabs(place->x) <= half.x && std::fabs(place->y) <= half.y) ++covered;
+    // The part of the floor that lies below the area. The view of a plane is a plane's: its corners decide.
+    std::vector<vec2> floor;
+    for (const vec2 corner : {vec2{-half.x, -half.y}, {half.x, -half.y}, half, {-half.x, half.y}}) {
+        const auto at = project(seen, corner);
+        if (!at) return 0;
+        floor.push_back(*at);
     }
-    return static_cast<float>(covered) / (points * points);
+    for (const Edge& edge :
+         {Edge{{1, 0}, area.x}, {{-1, 0}, -area.x - area.w}, {{0, 1}, area.y}, {{0, -1}, -area.y - area.h}})
+        floor = cut(floor, edge);
+    return area_of(floor) / std::max(area.w * area.h, 1.0f);
 }
 
 Camera Framing::raised(Camera camera) const {
@@ -232,6 +282,7 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
         const CameraView seen = look(tilted.camera, arena, nullptr, in.window, in.free_area, &box);
         r.cover = std::min(1.0f, floor_cover(seen, arena, in.free_area) / (wanted_cover + slack));
         r.worth = 2 * r.share + r.cover - 0.1f * std::fabs(choice.elevation - Camera{}.elevation);
+        if (shown_ && choice.elevation == choice_.elevation) r.worth += worth_of_rest;
         return r;
     };
     // The largest part that covers enough, or the whole.
@@ -257,11 +308,15 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
         }
         return best;
     };
+    // The sources in the picture stay the same, too, unless another choice is clearly better.
+    const auto is_enough = [&](const Rated& r, float enough) {
+        return r.share >= enough - (shown_ && r.choice.sources == choice_.sources ? share_of_rest : 0);
+    };
     Rated best = best_with(Sources::all);
-    if (best.share >= enough_with_all || now.sources.empty()) return best.choice;
+    if (is_enough(best, enough_with_all) || now.sources.empty()) return best.choice;
     const Rated nearest = best_with(Sources::nearest);
     if (nearest.share > best.share + 0.02f) best = nearest;
-    return best.share < enough_with_source ? best_with(Sources::none).choice : best.choice;
+    return is_enough(best, enough_with_source) ? best.choice : best_with(Sources::none).choice;
 }
 
 FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
@@ -269,7 +324,7 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     if (now.seed != seed_ || now.generation != generation_ || name != scene_) start_over();
     seed_ = now.seed, generation_ = now.generation, scene_ = name;
     const bool moved = in.camera.zoom != 1 || !(in.camera.pan == vec2{});
-    if (shown_ && (in.held || moved)) return *shown_;
+    if (shown_ && (in.held || moved)) return speed_ = {}, turning_ = 0, *shown_;
 
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     const VehicleView* vehicle = find_vehicle(now, in.selected);
@@ -278,7 +333,7 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     const std::optional<FloorBox> before = grown_;
     if (!grown_)
         grown_ = action, driven_ = nothing, nearest_.reset();
-    else if (!contains(*grown_, action))
+    else if (!contains(with_border(*grown_, scale_of(arena) * left_free), action))
         grown_ = both(both(*grown_, action), within(beyond(*grown_, action, scale_of(arena)), arena));
     if (now.scene) include_action(*driven_, now);
     const auto nearest = vehicle ? nearest_source(now, {vehicle->x, vehicle->y}) : std::nullopt;
@@ -290,13 +345,14 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
         choice_ = choose(now, in);
     }
     const FloorBox goal = wanted(now, in, choice_);
-    if (!shown_ || in.seconds <= 0) return elevation_ = choice_.elevation, *(shown_ = goal);
-    const float t = 1 - std::exp(-in.seconds / time_constant);
-    const auto step = [&](vec2 from, vec2 to) {
-        return maths::distance(from, to) < 0.003f ? to : from + (to - from) * t;
-    };
-    elevation_ += (choice_.elevation - elevation_) * t;
-    return *(shown_ = FloorBox{step(shown_->low, goal.low), step(shown_->high, goal.high)});
+    if (!shown_ || in.seconds <= 0) {
+        speed_ = {}, turning_ = 0, elevation_ = choice_.elevation;
+        return *(shown_ = goal);
+    }
+    glide(shown_->low, speed_.low, goal.low, in.seconds);
+    glide(shown_->high, speed_.high, goal.high, in.seconds);
+    glide(elevation_, turning_, choice_.elevation, in.seconds);
+    return *shown_;
 }
 
 }  // namespace braitenlab

@@ -28,12 +28,12 @@ struct FramingInput {
 // The share of the free area that the arena's floor should cover.
 inline constexpr float wanted_cover = 0.75f;
 
-// The share of the free area that the arena with its walls covers.
+// The share of the free area that the arena with its walls covers; 0 where a corner is behind the camera.
 float floor_cover(const CameraView&, const Arena&, Rect free_area);
 
-// Follows the action of a run: the box grows with it and does not shrink. While the user has zoomed or moved the
-// camera, the box stays. A camera of the default elevation is lower over a box that is deep for the free area and
-// higher over one that is wide for it.
+// Follows the action of a run: the box grows with it and does not shrink, and moves without a jump of its speed. While
+// the user has zoomed or moved the camera, the box stays. A camera of the default elevation is lower over a box that is
+// deep for the free area and higher over one that is wide for it.
 class Framing {
 public:
     // The box of this frame.
@@ -47,7 +47,8 @@ public:
 
 private:
     enum class Sources { all, nearest, none };  // that stay in the picture
-    // What is chosen anew when the action has grown or the reason has changed, and else rests.
+    // What is chosen anew when the action has grown or the reason has changed, and else rests. A present elevation and
+    // the sources in the picture stay unless others are clearly better.
     struct Choice {
         float elevation = Camera{}.elevation;
         float part = 1;  // of the sides of the box around the action
@@ -73,6 +74,8 @@ private:
     Choice choice_;
     Reason reason_;
     float elevation_ = Camera{}.elevation;  // displayed
+    FloorBox speed_{};                      // of the displayed box, m/s
+    float turning_ = 0;                     // of the displayed elevation, rad/s
     std::optional<int> nearest_;            // the source that stays in the picture
     std::uint64_t seed_ = 0;
     int generation_ = 0;
