@@ -65,6 +65,7 @@ Picture picture_of(const Snapshot& now, bool is_exercise, Theme theme) {
                                               .window = all,
                                               .free_area = all,
                                               .least_share = least_vehicle});
+    picture.settings.camera = framing.raised(picture.settings.camera);
     picture.camera_view = look(picture.settings.camera, now.scene->arena, nullptr, all, all, &box);
     return picture;
 }

@@ -101,9 +101,11 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
                           scene_input.drag.phase == ui::SceneInputPhase::pan ||
                           (!io.WantCaptureMouse && io.MouseWheel != 0);
     if (keys || by_mouse || rides(lab.view.camera.mode)) lab.view.orbits = false;
+    const bool orbits = lab.view.orbits && !lab.preferences.reduce_motion;
     // What the user sees is where a movement begins.
-    if (keys || by_mouse || lab.view.orbits) lab.view.camera = state.framing.raised(lab.view.camera);
-    if (lab.view.orbits && !lab.preferences.reduce_motion) orbit_slowly(lab.view.camera, seconds);
+    if ((keys || by_mouse || orbits) && lab.view.camera.mode == CameraMode::overview)
+        lab.view.camera = state.framing.raised(lab.view.camera);
+    if (orbits) orbit_slowly(lab.view.camera, seconds);
     orbit(lab.view.camera, keys.turn * turn_rate * seconds, keys.raise * raise_rate * seconds);
     if (keys.zoom != 0)
         zoom_about(lab.view.camera, shown_snapshot(lab).scene->arena, window, free_area, middle,

@@ -152,14 +152,12 @@ FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle,
     return box;
 }
 
-// False if there is neither a source nor tape: the whole floor is the aim.
+// Vehicles, sources and tape. False if there is neither a source nor tape: the whole floor is the aim.
 bool include_action(FloorBox& box, const Snapshot& now) {
     const float scale = scale_of(now.scene->arena);
     for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, scale * around_vehicle);
     for (const SourceView& s : now.sources) include(box, {s.x, s.y}, scale * around_source);
-    const bool has_aim = include_tape(box, *now.scene) || !now.sources.empty();
-    include_obstacles(box, now);
-    return has_aim;
+    return include_tape(box, *now.scene) || !now.sources.empty();
 }
 
 float size_of(float value) { return std::fabs(value); }
@@ -211,6 +209,7 @@ FloorBox action_of(const Snapshot& now) {
     if (!now.scene) return whole(Arena{});
     FloorBox box = nothing;
     const bool has_aim = include_action(box, now);
+    include_obstacles(box, now);
     return has_aim ? within(box, now.scene->arena) : whole(now.scene->arena);
 }
 
@@ -259,7 +258,9 @@ FloorBox Framing::wanted(const Snapshot& now, FramingInput in, const Choice& cho
     for (const SourceView& s : now.sources)
         if (choice.sources == Sources::all || (choice.sources == Sources::nearest && nearest_ == s.source))
             sources.push_back({s.x, s.y});
-    return enlarged(box, now, *vehicle, in, choice.part, within(*driven_, arena), sources);
+    FloorBox action = *driven_;
+    include_obstacles(action, now);
+    return enlarged(box, now, *vehicle, in, choice.part, within(action, arena), sources);
 }
 
 // The elevation and the part of the box with which the vehicle has its size and the floor covers its share of the free
@@ -314,9 +315,12 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
     };
     Rated best = best_with(Sources::all);
     if (is_enough(best, enough_with_all) || now.sources.empty()) return best.choice;
-    const Rated nearest = best_with(Sources::nearest);
-    if (nearest.share > best.share + 0.02f) best = nearest;
-    return is_enough(best, enough_with_source) ? best.choice : best_with(Sources::none).choice;
+    const auto take_if_larger = [&](const Rated& other) {
+        if (other.share > best.share + 0.02f) best = other;
+    };
+    take_if_larger(best_with(Sources::nearest));
+    if (!is_enough(best, enough_with_source)) take_if_larger(best_with(Sources::none));
+    return best.choice;
 }
 
 FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
@@ -336,10 +340,16 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     else if (!contains(with_border(*grown_, scale_of(arena) * left_free), action))
         grown_ = both(both(*grown_, action), within(beyond(*grown_, action, scale_of(arena)), arena));
     if (now.scene) include_action(*driven_, now);
-    const auto nearest = vehicle ? nearest_source(now, {vehicle->x, vehicle->y}) : std::nullopt;
-    const Reason reason{in.free_area,   in.selected,        in.camera.elevation,
-                        in.camera.mode, in.least_share,     in.close_up.has_value(),
-                        nearest,        now.vehicles.size()};
+    const bool are_few = now.vehicles.size() <= few_vehicles;
+    const auto nearest = vehicle && are_few ? nearest_source(now, {vehicle->x, vehicle->y}) : std::nullopt;
+    const Reason reason{in.free_area,
+                        in.selected,
+                        in.camera.elevation,
+                        in.camera.mode,
+                        in.least_share,
+                        in.close_up.has_value(),
+                        nearest,
+                        std::min(now.vehicles.size(), few_vehicles + 1)};
     if (!shown_ || before != grown_ || !(reason == reason_)) {
         nearest_ = nearest, reason_ = reason;
         choice_ = choose(now, in);

@@ -155,8 +155,9 @@ Point start_in_window(const LabWindow& lab, std::size_t vehicle) {
     }
     const Json& v = all[vehicle];
     const Rect window{0, 0, 1280, 800}, area{free[0], free[1], free[2], free[3]};
-    const FloorBox box = Framing{}.follow(start, {.camera = {}, .window = window, .free_area = area});
-    const CameraView camera_view = look(Camera{}, scene->arena, nullptr, window, area, &box);
+    Framing framing;
+    const FloorBox box = framing.follow(start, {.camera = {}, .window = window, .free_area = area});
+    const CameraView camera_view = look(framing.raised({}), scene->arena, nullptr, window, area, &box);
     const auto at = project(camera_view, {v["x"], v["y"]}, 0.1f);
     return {static_cast<int>(at->x), static_cast<int>(at->y)};
 }
