@@ -6,8 +6,6 @@
 namespace braitenlab::tests::ctl_export_test {
 namespace {
 
-Ran ctl(const std::string& arguments) { return shell(BRAITENLAB_BINARY "/braitenctl " + arguments); }
-
 std::set<std::string> files_in(const fs::path& folder) {
     std::set<std::string> names;
     if (!fs::exists(folder)) return names;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -12,7 +11,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include "app/files/data.h"
 #include "core/brain/presets.h"
@@ -20,21 +18,9 @@
 #include "core/export/vectors.h"
 #include "core/scene/scene_file.h"
 #include "tests/folder.h"
+#include "tests/shell.h"
 
 namespace braitenlab::tests {
-
-struct Ran {
-    int code = -1;
-    std::string out;  // standard output and errors
-};
-inline Ran shell(const std::string& command) {
-    Ran ran;
-    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
-    char buffer[4096];
-    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
-    ran.code = WEXITSTATUS(pclose(pipe));
-    return ran;
-}
 
 // Every preset, and the brain of every kind of the shipped scenes.
 inline std::vector<robots::BrainToExport> shipped_brains() {

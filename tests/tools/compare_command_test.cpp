@@ -1,34 +1,19 @@
 // braitenctl compare and mystery: brains from the same starts.
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "core/scene/scene_file.h"
+#include "tests/tools/ctl.h"
 
 namespace braitenlab::tests::compare_command_test {
 namespace {
 
-using Json = nlohmann::json;
+using ctl_runs::Json;
 
-struct Ran {
-    int code = -1;
-    std::string out;
-};
-Ran ctl_of_brains(const std::string& arguments) {
-    Ran ran;
-    FILE* pipe = popen((BRAITENLAB_BINARY "/braitenctl " + arguments + " 2>&1").c_str(), "r");
-    char buffer[4096];
-    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
-    ran.code = WEXITSTATUS(pclose(pipe));
-    return ran;
-}
-
-Ran compare(const std::string& arguments) { return ctl_of_brains("compare " + arguments); }
+Ran compare(const std::string& arguments) { return ctl("compare " + arguments); }
 
 TEST(CtlCompare, PrintsTheMeasuresOfBothBrainsAndTheirDifference) {
     const std::string both = "2b-aggressor --a 2b-aggressor --b 2a-coward --seconds 20 --json";
@@ -62,8 +47,7 @@ TEST(CtlCompare, NamesWhatIsWrong) {
 
 // A scene with a hidden brain, written by hand but for the sealed brain.
 struct CtlMystery : testing::Test {
-    std::string scene =
-        (std::filesystem::temp_directory_path() / ("mystery-" + std::to_string(getpid()) + ".toml")).string();
+    std::string scene = ctl_runs::scratch("mystery.toml");
     CtlMystery() {
         auto made = load_scene(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/scenes/2b-aggressor.toml");
         made->kinds[0].hidden = true;
@@ -73,27 +57,27 @@ struct CtlMystery : testing::Test {
 };
 
 TEST_F(CtlMystery, ScoresTheSameBrainWith100AndAnotherWithLess) {
-    const Ran same = ctl_of_brains("mystery " + scene + " --brain 2b-aggressor --json");
+    const Ran same = ctl("mystery " + scene + " --brain 2b-aggressor --json");
     ASSERT_EQ(same.code, 0) << same.out;
     EXPECT_EQ(Json::parse(same.out)["score"], 100);
     EXPECT_EQ(Json::parse(same.out)["starts"].size(), 10u);
-    const Ran other = ctl_of_brains("mystery " + scene + " --brain 2a-coward --json --threads 2");
+    const Ran other = ctl("mystery " + scene + " --brain 2a-coward --json --threads 2");
     EXPECT_LT(Json::parse(other.out)["score"].get<int>(), 70);
-    EXPECT_EQ(ctl_of_brains("mystery " + scene + " --brain 2a-coward --json --threads 1").out, other.out);
+    EXPECT_EQ(ctl("mystery " + scene + " --brain 2a-coward --json --threads 1").out, other.out);
 }
 
 TEST_F(CtlMystery, NoCommandPrintsTheHiddenBrain) {
-    EXPECT_NE(ctl_of_brains("show " + scene).out.find("hidden"), std::string::npos);
-    EXPECT_EQ(ctl_of_brains("show " + scene).out.find("1.5"), std::string::npos);
-    EXPECT_EQ(ctl_of_brains("mystery " + scene + " --brain " + scene).code, 2);
-    EXPECT_EQ(ctl_of_brains("mystery 2b-aggressor --brain 2a-coward").code, 2) << "nothing is hidden there";
+    EXPECT_NE(ctl("show " + scene).out.find("hidden"), std::string::npos);
+    EXPECT_EQ(ctl("show " + scene).out.find("1.5"), std::string::npos);
+    EXPECT_EQ(ctl("mystery " + scene + " --brain " + scene).code, 2);
+    EXPECT_EQ(ctl("mystery 2b-aggressor --brain 2a-coward").code, 2) << "nothing is hidden there";
     const std::string run = scene + ".run";
-    ASSERT_EQ(ctl_of_brains("run " + scene + " --seconds 1 --save " + run).code, 0);
-    EXPECT_EQ(ctl_of_brains("run " + run + " --seconds 1").code, 0) << "a run can be saved and continued";
-    EXPECT_EQ(ctl_of_brains("show " + run).out.find("1.5"), std::string::npos);
+    ASSERT_EQ(ctl("run " + scene + " --seconds 1 --save " + run).code, 0);
+    EXPECT_EQ(ctl("run " + run + " --seconds 1").code, 0) << "a run can be saved and continued";
+    EXPECT_EQ(ctl("show " + run).out.find("1.5"), std::string::npos);
     for (const std::string& file : {scene, run})
         for (const char* choice : {"", " --vehicle one", " --kind aggressor"}) {
-            const Ran refused = ctl_of_brains("think " + file + choice + " --vectors -");
+            const Ran refused = ctl("think " + file + choice + " --vectors -");
             EXPECT_EQ(refused.code, 2) << file << choice;
             EXPECT_NE(refused.out.find("is hidden"), std::string::npos) << refused.out;
         }

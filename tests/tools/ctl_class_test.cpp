@@ -1,5 +1,4 @@
 // braitenctl grade with a folder: what is in it that is no hand-in, and the table for Excel.
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -10,22 +9,13 @@
 #include "core/lesson/hand_in.h"
 #include "core/lesson/submission.h"
 #include "tests/folder.h"
+#include "tests/shell.h"
 
 namespace braitenlab::tests::ctl_class_test {
 namespace {
 
-struct Graded {
-    int code = -1;
-    std::string out;
-};
-Graded grade_in(const fs::path& folder, const std::string& arguments) {
-    Graded ran;
-    const std::string command = "cd " + folder.string() + " && " BRAITENLAB_BINARY "/braitenctl grade " + arguments;
-    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
-    char buffer[4096];
-    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
-    ran.code = WEXITSTATUS(pclose(pipe));
-    return ran;
+Ran grade_in(const fs::path& folder, const std::string& arguments) {
+    return shell("cd " + folder.string() + " && " BRAITENLAB_BINARY "/braitenctl grade " + arguments);
 }
 
 void hand_in(const fs::path& file, const std::string& exercise) {
@@ -42,7 +32,7 @@ TEST(CtlGrade, TakesAHandInForACopyOfTheExercise) {
     text.replace(text.find(relative), relative.size(), find_shipped("2b-aggressor")->string());
     put_text(folder / "charge (1).toml", text);
     hand_in(folder / "class" / "ana.braiten-handin.toml", "charge");
-    const Graded ran = grade_in(folder.path, "'charge (1).toml' class");
+    const Ran ran = grade_in(folder.path, "'charge (1).toml' class");
     EXPECT_EQ(ran.code, 0) << ran.out;
     EXPECT_NE(ran.out.find("\nAna,ana.braiten-handin.toml,yes,"), std::string::npos) << ran.out;
 }
@@ -54,7 +44,7 @@ TEST(CtlGrade, SaysOfADocumentAndOfAnEmptyFileWhatTheyAre) {
     put_text(folder / "class" / "picture.toml", std::string("\x89PNG\0\0", 6));
     put_text(folder / "class" / "notes.txt", "My vehicle turns.");
     put_text(folder / "class" / "empty.toml", "");
-    const Graded ran = grade_in(folder.path, "05-aggressor class --csv t.csv");
+    const Ran ran = grade_in(folder.path, "05-aggressor class --csv t.csv");
     EXPECT_EQ(ran.code, 2);
     for (const char* line : {"essay.docx: not a hand-in\n", "picture.toml: not a hand-in\n",
                              "notes.txt: not a hand-in\n", "empty.toml: the file is empty\n"})
@@ -67,7 +57,7 @@ TEST(CtlGrade, AMistypedFolderIsAnErrorAndNoStudent) {
     const Folder folder;
     hand_in(folder / "class" / "ana.braiten-handin.toml", "05-aggressor");
     for (const char* arguments : {"05-aggressor clas", "05-aggressor class clas", "05-aggressor clas --html t.html"}) {
-        const Graded ran = grade_in(folder.path, arguments);
+        const Ran ran = grade_in(folder.path, arguments);
         EXPECT_EQ(ran.code, 2) << arguments;
         EXPECT_EQ(ran.out, "braitenctl: clas: there is no such file or folder, and no shipped scene of this name\n");
     }
