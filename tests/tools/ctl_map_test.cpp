@@ -85,31 +85,14 @@ TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
     std::filesystem::remove(svg);
 }
 
-TEST(Braitenctl, RefusesAFileNameOfAnotherFormat) {
-    for (const char* arguments : {"map 2b-aggressor --png x.svg", "map 2b-aggressor --svg x.png",
-                                  "picture 3a-love --paths x.png", "picture 3a-love --wiring x.pdf"}) {
-        const Ran ran = ctl(arguments);
-        EXPECT_EQ(ran.code, 2) << arguments;
-        EXPECT_NE(ran.out.find(" writes a file ."), std::string::npos) << ran.out;
-    }
-    EXPECT_EQ(ctl("picture 3a-love --wiring x.pdf").out,
-              "braitenctl: x.pdf: --wiring writes a file .svg; end its name "
-              "with it\n");
-}
-
 TEST(CtlMap, SaysWhatIsWrongWithAnArgument) {
-    const auto fails = [](const std::string& arguments, const std::string& words) {
-        const Ran ran = ctl("map 2b-aggressor " + arguments);
-        EXPECT_EQ(ran.code, 2) << arguments;
-        EXPECT_NE(ran.out.find(words), std::string::npos) << ran.out;
-    };
-    fails("--x LL=1", "an axis is PATH=A:B");
-    fails("--x LX=0:1", "the nearest is 'LL'");
-    fails("--x LL=-3:3", "from -2 to 2");
-    fails("--x arena.gripp=0:1", "the nearest is 'arena.grip'");
-    fails("--y LL=0:1", "both axes");
-    fails("--measure kinds", "the nearest is 'kind'");
-    fails("--size 1", "2 to 128");
+    expect_refused("map 2b-aggressor --x LL=1", "an axis is PATH=A:B");
+    expect_refused("map 2b-aggressor --x LX=0:1", "the nearest is 'LL'");
+    expect_refused("map 2b-aggressor --x LL=-3:3", "from -2 to 2");
+    expect_refused("map 2b-aggressor --x arena.gripp=0:1", "the nearest is 'arena.grip'");
+    expect_refused("map 2b-aggressor --y LL=0:1", "both axes");
+    expect_refused("map 2b-aggressor --measure kinds", "the nearest is 'kind'");
+    expect_refused("map 2b-aggressor --size 1", "2 to 128");
     EXPECT_EQ(ctl("map 05-aggressor").code, 2);
 }
 
