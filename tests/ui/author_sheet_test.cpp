@@ -21,11 +21,6 @@ struct AuthorSheet : ::testing::Test {
         desk.type(text);
         desk.frame(2);
     }
-    bool says(std::string_view words) const {
-        for (const Written& written : desk.written)
-            if (written.words.find(words) != std::string::npos) return true;
-        return false;
-    }
     void page(int number) { desk.click("author.page." + std::to_string(number)); }
     // Everything that an exercise needs.
     void fill_in() {
@@ -44,14 +39,14 @@ struct AuthorSheet : ::testing::Test {
 
 TEST_F(AuthorSheet, SaysWhatIsMissingUntilItCanBeSaved) {
     ASSERT_TRUE(desk.anchors.find("card.author"));
-    EXPECT_FALSE(says("The goal is missing")) << "there was no try to save";
+    EXPECT_FALSE(desk.says("The goal is missing")) << "there was no try to save";
     desk.click("author.save");
-    EXPECT_TRUE(says("The goal is missing"));
+    EXPECT_TRUE(desk.says("The goal is missing"));
     EXPECT_FALSE(desk.last<SaveExerciseRequest>());
     type("author.goal", "Touch the lamp.");
-    EXPECT_TRUE(says("Look at the steps first"));
+    EXPECT_TRUE(desk.says("Look at the steps first"));
     page(3);
-    EXPECT_FALSE(says("Look at the steps first"));
+    EXPECT_FALSE(desk.says("Look at the steps first"));
     EXPECT_EQ(saved().draft->goal, "Touch the lamp.");
 }
 
@@ -120,10 +115,10 @@ TEST_F(AuthorSheet, APredictionHasItsTrueAnswer) {
     page(4);
     type("author.question", "Where does it drive?");
     desk.click("author.save");
-    EXPECT_TRUE(says("The question needs two answers"));
+    EXPECT_TRUE(desk.says("The question needs two answers"));
     type("author.option.2", "To the lamp");
     type("author.option.4", "Away");
-    EXPECT_TRUE(says("The true answer is empty"));
+    EXPECT_TRUE(desk.says("The true answer is empty"));
     desk.click("author.option.4.answer");
     const Prediction asked = saved().draft->prediction;
     EXPECT_EQ(asked.options, (std::vector<std::string>{"To the lamp", "Away"}));
@@ -178,7 +173,7 @@ TEST_F(AuthorSheet, TakesThePresentBrainAsAWrongAnswerOnce) {
     EXPECT_EQ(saved().draft->wrong[0].name, "second") << "the name goes with its brain";
     desk.panels.author.wrong_names[0].text.clear();
     desk.click("author.save");
-    EXPECT_TRUE(says("A wrong answer has no name"));
+    EXPECT_TRUE(desk.says("A wrong answer has no name"));
 }
 
 TEST_F(AuthorSheet, ShowsARefusalAndReplacesAfterASecondPress) {
@@ -186,7 +181,7 @@ TEST_F(AuthorSheet, ShowsARefusalAndReplacesAfterASecondPress) {
     (void)saved();
     files.refused = Error{"there is a file of this name"};
     desk.frame(2);
-    EXPECT_TRUE(says("here is a file of this name"));
+    EXPECT_TRUE(desk.says("here is a file of this name"));
     EXPECT_TRUE(saved().replace);
     files.refused.reset(), ++files.done;
     desk.frame(2);
@@ -212,7 +207,7 @@ TEST_F(AuthorSheet, AStepNeedsAText) {
     fill_in();
     desk.panels.author.step_texts[0].text.clear();
     desk.click("author.save");
-    EXPECT_TRUE(says("A step has no text"));
+    EXPECT_TRUE(desk.says("A step has no text"));
     EXPECT_FALSE(desk.last<SaveExerciseRequest>());
 }
 

@@ -1,10 +1,12 @@
 // The user interface without a window: Dear ImGui with synthetic input over a hand-made snapshot.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -238,6 +240,13 @@ public:
         frame(2);
     }
 
+    // True if the last frame has these words; a line ends with "\n".
+    bool says(std::string_view words) const {
+        std::string text;
+        for (const ui::Written& each : written) text += each.words + "\n";
+        return text.find(words) != std::string::npos;
+    }
+
     std::vector<EditRequest> edits() const {
         std::vector<EditRequest> found;
         for (const Request& request : all)
@@ -277,7 +286,6 @@ private:
     ui::Fonts fonts_;
 };
 
-// The dial that an edit changes.
 // A grade of starts that passed or not.
 inline Grade graded(const std::vector<bool>& passed, bool good) {
     Grade grade{{}, static_cast<int>(std::count(passed.begin(), passed.end(), true)), good};
@@ -285,6 +293,7 @@ inline Grade graded(const std::vector<bool>& passed, bool good) {
     return grade;
 }
 
+// The dial that an edit changes.
 inline TurnDial turned(const EditRequest& edit) { return std::get<TurnDial>(edit.command); }
 
 }  // namespace braitenlab::tests

@@ -20,10 +20,6 @@ struct DrawInsight : SceneOnDesk {
         desk.now.tick = 100;
         desk.frame(2);
     }
-    bool writes(std::string_view words) const {
-        return std::any_of(desk.written.begin(), desk.written.end(),
-                           [&](const ui::Written& one) { return one.words.find(words) != std::string::npos; });
-    }
 };
 
 TEST_F(DrawInsight, ThePredictedPathEndsWhereTheVehicleWillBe) {
@@ -77,7 +73,7 @@ TEST_F(DrawInsight, TheWholeLastRunIsDrawnWhileTheNewOneWaits) {
     desk.frame();
     const Rect at = desk.where("stage.last_run");
     EXPECT_NEAR(at.x + at.w / 2, pixel({path.back().x, path.back().y}).x, 1);
-    EXPECT_TRUE(writes("Last run"));
+    EXPECT_TRUE(desk.says("Last run"));
 }
 
 TEST_F(DrawInsight, TheWordsOfTheLastRunCoverNoVehicle) {
@@ -151,15 +147,15 @@ TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
     std::string all;
     for (const ui::Written& one : desk.written) all += one.words + " ";
     EXPECT_NE(all.find("something is in its way"), std::string::npos);
-    EXPECT_FALSE(writes("straight on"));
-    EXPECT_FALSE(writes("Wheel difference")) << "nothing but zeros";
+    EXPECT_FALSE(desk.says("straight on"));
+    EXPECT_FALSE(desk.says("Wheel difference")) << "nothing but zeros";
     desk.now.vehicles[0].speed = 1;
     desk.frame();
-    EXPECT_TRUE(writes("straight on"));
+    EXPECT_TRUE(desk.says("straight on"));
     desk.now.vehicles[0].speed = 0.01f;
     why.left = why.right = 0.02f;
     desk.frame();
-    EXPECT_TRUE(writes("straight on")) << "its wheels hardly push: nothing is in its way";
+    EXPECT_TRUE(desk.says("straight on")) << "its wheels hardly push: nothing is in its way";
 }
 
 TEST_F(DrawInsight, TheCauseOfTheTurnKeepsALampInSight) {
@@ -188,11 +184,11 @@ TEST_F(DrawInsight, TheCauseOfTheTurnHasABarForEachSensorAndAddsUp) {
     ASSERT_TRUE(desk.anchors.find("why"));
     for (const char* words :
          {"Turns right", "faster by 0.35", "reads 0.56", "+0.28", "−0.03", "+0.06", "+0.04", "+0.35"})
-        EXPECT_TRUE(writes(words)) << words;
+        EXPECT_TRUE(desk.says(words)) << words;
     why.left = 0.1f, why.right = 0.3f, why.sensors = {}, why.bias = 0.2f, why.rest = 0;
     desk.frame();
-    EXPECT_TRUE(writes("Turns left"));
-    EXPECT_TRUE(writes("Mostly the bias"));
+    EXPECT_TRUE(desk.says("Turns left"));
+    EXPECT_TRUE(desk.says("Mostly the bias"));
 }
 
 TEST_F(DrawInsight, TheCauseOfTheTurnNamesWhatItsSensorReads) {
@@ -219,7 +215,7 @@ TEST_F(DrawInsight, TheCauseOfTheTurnShowsWholeNamesOfSensors) {
     desk.view.why = &why;
     desk.frame(2);
     ASSERT_TRUE(desk.anchors.find("why"));
-    EXPECT_TRUE(writes("a sensor with a long name"));
+    EXPECT_TRUE(desk.says("a sensor with a long name"));
     EXPECT_EQ(desk.shortened, 0);
 }
 
@@ -259,7 +255,7 @@ TEST_F(DrawInsight, AWireOnTheDeckUnderThePointerIsTriedOut) {
         BrainGraph without = brain;
         without.wires[each.wire].cut = true;
         EXPECT_EQ(std::get<SetBrain>(desk.panels.what_if.front()).brain, without);
-        EXPECT_TRUE(writes("The path without"));
+        EXPECT_TRUE(desk.says("The path without"));
     }
     EXPECT_TRUE(desk.edits().empty()) << "nothing is changed";
     desk.point(5, 400);
@@ -311,7 +307,7 @@ TEST_F(DrawInsight, TheInsetOfTheWiringEditorSaysWhichWireIsTriedOut) {
     const std::string name = wire_name(brain, {wire.from, wire.to});
     desk.point("wire." + name);
     desk.frame(2);
-    EXPECT_TRUE(writes("The path without " + name));
+    EXPECT_TRUE(desk.says("The path without " + name));
     const Rect inset = desk.where("viewport"), words = desk.where("what_if");
     EXPECT_TRUE(inset.contains(words.x, words.y));
     EXPECT_TRUE(inset.contains(words.x + words.w, words.y + words.h));
@@ -366,8 +362,8 @@ TEST_F(DrawInsight, ALegendTellsValueAndUnitOfColouredTrails) {
     const Rect scene = desk.where("viewport"), legend = desk.where("trail_legend");
     EXPECT_TRUE(scene.contains(legend.x, legend.y));
     EXPECT_TRUE(scene.contains(legend.x + legend.w, legend.y + legend.h));
-    EXPECT_TRUE(writes("m/s"));
-    EXPECT_TRUE(writes("3.0")) << "top speed";
+    EXPECT_TRUE(desk.says("m/s"));
+    EXPECT_TRUE(desk.says("3.0")) << "top speed";
     desk.view.settings.overlays.trails = false;
     desk.frame();
     EXPECT_FALSE(desk.anchors.find("trail_legend")) << "no trails";

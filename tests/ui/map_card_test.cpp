@@ -46,11 +46,6 @@ struct MapCard : SceneOnDesk {
         desk.frame(2);
     }
     void press(bool down) { desk.button(0, down), desk.frame(2); }
-    bool says(std::string_view words) const {
-        for (const Written& written : desk.written)
-            if (written.words.find(words) != std::string::npos) return true;
-        return false;
-    }
 };
 
 }  // namespace
@@ -63,7 +58,7 @@ TEST_F(MapCard, HasTheDotOfThePresentBrain) {
 }
 
 TEST_F(MapCard, SaysThatTheKindOfACoarseCellMayChange) {
-    EXPECT_FALSE(says("coarse"));
+    EXPECT_FALSE(desk.says("coarse"));
     MapCells coarse{8};
     const auto levels = insight::map_levels(8);
     for (const insight::MapPlace place : levels.front()) coarse.at(place) = cells.at(place);
@@ -71,7 +66,7 @@ TEST_F(MapCard, SaysThatTheKindOfACoarseCellMayChange) {
     ASSERT_TRUE(coarse.shown({6, 4})) << "the cell of the dot";
     ASSERT_FALSE(coarse.at({6, 4}));
     desk.frame(2);
-    EXPECT_TRUE(says("coarse"));
+    EXPECT_TRUE(desk.says("coarse"));
 }
 
 TEST_F(MapCard, InALectureTheLegendIsBesideTheField) {
@@ -133,11 +128,11 @@ TEST_F(MapCard, APressThatLeavesTheCellTakesNothing) {
 }
 
 TEST_F(MapCard, NamesTheKindUnderThePointerAndElseThatOfTheBrain) {
-    EXPECT_TRUE(says("Now:"));
+    EXPECT_TRUE(desk.says("Now:"));
     point_at(0.3f, 0.8f);
     ASSERT_TRUE(desk.panels.map.hovered);
     EXPECT_EQ(*desk.panels.map.hovered, (insight::MapPlace{2, 6}));
-    EXPECT_TRUE(says("LL = RR \u22120.86, LR = RL 1.43"));
+    EXPECT_TRUE(desk.says("LL = RR \u22120.86, LR = RL 1.43"));
     desk.point(5, 5);
     desk.frame(2);
     EXPECT_FALSE(desk.panels.map.hovered);
@@ -145,11 +140,11 @@ TEST_F(MapCard, NamesTheKindUnderThePointerAndElseThatOfTheBrain) {
 
 TEST_F(MapCard, HasALegendOfEveryKindOrOfTheNumbers) {
     for (const auto& row : insight::behaviour_table)
-        EXPECT_TRUE(says(desk.strings("map.kind." + std::string(row.word)))) << row.word;
+        EXPECT_TRUE(desk.says(desk.strings("map.kind." + std::string(row.word)))) << row.word;
     desk.view.map->measure = MapMeasure::closest;
     desk.frame(2);
-    EXPECT_FALSE(says(desk.strings("map.kind.circles")));
-    EXPECT_TRUE(says("3.5 m"));
+    EXPECT_FALSE(desk.says(desk.strings("map.kind.circles")));
+    EXPECT_TRUE(desk.says("3.5 m"));
 }
 
 TEST(MapLegend, ShowsWholeWordsInEveryLanguageAndInALecture) {

@@ -16,11 +16,6 @@ struct MysterySheet : SceneOnDesk {
         desk.panels.sheet = Sheet::mystery;
         desk.frame(3);
     }
-    bool says(std::string_view words) const {
-        for (const Written& written : desk.written)
-            if (written.words.find(words) != std::string::npos) return true;
-        return false;
-    }
     std::vector<MysteryEdit> asked() const {
         std::vector<MysteryEdit> all;
         for (const MysteryRequest& each : requests<MysteryRequest>()) all.push_back(each.edit);
@@ -60,9 +55,9 @@ TEST_F(MysterySheet, ShowsTheScoreAndBothPathsOfEachStart) {
     desk.view.mystery.hidden = 1;
     desk.view.mystery.score = &score, desk.view.mystery.scene = desk.now.scene.get();
     desk.frame(3);
-    EXPECT_TRUE(says("72 of 100"));
-    EXPECT_TRUE(says("0.60 m"));
-    EXPECT_TRUE(says("2.15 m"));
+    EXPECT_TRUE(desk.says("72 of 100"));
+    EXPECT_TRUE(desk.says("0.60 m"));
+    EXPECT_TRUE(desk.says("2.15 m"));
     for (int i = 1; i <= 10; ++i) EXPECT_TRUE(desk.anchors.find("mystery.start." + std::to_string(i))) << i;
     desk.view.mystery.is_computing = true;
     desk.frame(2);

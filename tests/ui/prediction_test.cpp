@@ -12,12 +12,6 @@ using maths::vec2;
 
 namespace {
 
-bool says(const Desk& desk, std::string_view words) {
-    std::string all;
-    for (const Written& written : desk.written) all += written.words + "\n";
-    return all.find(words) != std::string::npos;
-}
-
 // An exercise that asks for the path of the first vehicle, which is at (0, 0).
 struct PathPrediction : SceneOnDesk {
     PathPrediction() {
@@ -115,21 +109,21 @@ TEST(PredictionPart, SaysWhetherTheChosenOptionCameTrueAndHowFarAPathIsOff) {
     EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "the outcome is not known";
     desk.lesson.outcome_known = true;
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "Your prediction came true."));
+    EXPECT_TRUE(desk.says("Your prediction came true."));
     desk.lesson.prediction = 0;
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "Your prediction did not come true."));
-    EXPECT_FALSE(says(desk, "on average"));
+    EXPECT_TRUE(desk.says("Your prediction did not come true."));
+    EXPECT_FALSE(desk.says("on average"));
     desk.lesson.prediction = -1;
     desk.lesson.drawn_path = desk.lesson.real_path = {{0, 0}, {1, 0}};
     desk.lesson.path_difference = 0.62f;
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "differ by 0.6\u00a0m on average"));
-    EXPECT_TRUE(says(desk, "the vehicle is 1.0\u00a0m long")) << "what the number means";
-    EXPECT_FALSE(says(desk, "the other way round"));
+    EXPECT_TRUE(desk.says("differ by 0.6\u00a0m on average"));
+    EXPECT_TRUE(desk.says("the vehicle is 1.0\u00a0m long")) << "what the number means";
+    EXPECT_FALSE(desk.says("the other way round"));
     desk.lesson.path_reversed = true;
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "the other way round"));
+    EXPECT_TRUE(desk.says("the other way round"));
     EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "no option was chosen";
 }
 
@@ -144,7 +138,7 @@ TEST(PredictionPart, AsksForARunOfTheSceneAsGivenOnceTheStudentHasChangedIt) {
     desk.lesson.prediction = 1;
     desk.lesson.has_run = true;
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "Start over, then Play"));
+    EXPECT_TRUE(desk.says("Start over, then Play"));
     EXPECT_FALSE(desk.anchors.find("exercise.came_true"));
     desk.lesson.outcome_known = true;
     desk.frame(3);
@@ -160,8 +154,8 @@ TEST(PredictionPart, TheFirstPlayPointsToTheQuestionAndTheSecondSkipsIt) {
         desk.key(key);
         desk.frame(2);
         EXPECT_TRUE(desk.actions().empty());
-        EXPECT_TRUE(says(desk, "Answer first"));
-        EXPECT_TRUE(says(desk, "Answer the question of the exercise first"));
+        EXPECT_TRUE(desk.says("Answer first"));
+        EXPECT_TRUE(desk.says("Answer the question of the exercise first"));
         ASSERT_TRUE(desk.anchors.find("exercise.answer_first"));
         EXPECT_GT(desk.where("exercise.predict.3").h, 30) << "the whole question is in sight";
         desk.key(key);
@@ -230,7 +224,7 @@ TEST_F(PathPrediction, TheFirstPlayPointsToTheDrawing) {
     desk.frame(2);
     desk.key({' '});
     desk.frame(2);
-    EXPECT_TRUE(says(desk, "Draw the path first"));
+    EXPECT_TRUE(desk.says("Draw the path first"));
     EXPECT_EQ(desk.panels.keyboard.focus, "exercise.draw");
     desk.key({key::enter});
     desk.frame(2);
@@ -254,10 +248,10 @@ TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {
     EXPECT_TRUE(desk.last<CompareRequest>()->on);
     desk.lesson.compares = true;
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "Dashed outline"));
+    EXPECT_TRUE(desk.says("Dashed outline"));
     desk.lesson.by_hand = true;
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "changed by hand"));
+    EXPECT_TRUE(desk.says("changed by hand"));
     desk.click("exercise.compare");
     EXPECT_FALSE(desk.last<CompareRequest>()->on);
 }

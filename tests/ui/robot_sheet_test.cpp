@@ -21,11 +21,6 @@ struct RobotSheet : ::testing::Test {
         desk.choose("file", "export_robot");
         desk.frame(3);
     }
-    bool says(std::string_view words) const {
-        for (const Written& written : desk.written)
-            if (written.words.find(words) != std::string::npos) return true;
-        return false;
-    }
     // The selected vehicle's brain with a threshold of 0.2 on its first wire.
     void give_threshold() {
         auto brain = *brain_of(desk.now, desk.now.vehicles[0]);
@@ -37,7 +32,7 @@ struct RobotSheet : ::testing::Test {
 
 TEST_F(RobotSheet, RequestsTheFilesForTheChosenRobot) {
     ASSERT_TRUE(desk.anchors.find("card.robot"));
-    EXPECT_TRUE(says("wiring.svg")) << "the Arduino is chosen at first";
+    EXPECT_TRUE(desk.says("wiring.svg")) << "the Arduino is chosen at first";
     EXPECT_FALSE(desk.last<WriteFilesRequest>());
     for (const robots::Robot& robot : robots::robots()) {
         desk.click("robot.target." + std::string(robot.word()));
@@ -50,7 +45,7 @@ TEST_F(RobotSheet, RequestsTheFilesForTheChosenRobot) {
         for (std::size_t i = 0; i < made->size(); ++i) {
             EXPECT_EQ((*request->files)[i].name, (*made)[i].name);
             EXPECT_EQ((*request->files)[i].text, (*made)[i].text);
-            EXPECT_TRUE(says((*made)[i].name)) << (*made)[i].name;
+            EXPECT_TRUE(desk.says((*made)[i].name)) << (*made)[i].name;
         }
         EXPECT_EQ(request->folder, "mine-" + std::string(robot.word()));
         EXPECT_FALSE(request->replace);
@@ -61,13 +56,13 @@ TEST_F(RobotSheet, NamesThePartThatTheTargetCannotHold) {
     desk.key({key::escape});
     give_threshold();
     open();
-    EXPECT_TRUE(says("brain.h")) << "an Arduino holds thresholds";
+    EXPECT_TRUE(desk.says("brain.h")) << "an Arduino holds thresholds";
     desk.click("robot.target.opamp");
     const BrainGraph& brain = *brain_of(desk.now, desk.now.vehicles[0]);
     const std::string from = find_node(brain, brain.wires[0].from)->name;
-    EXPECT_TRUE(says("The wire from '" + from + "'")) << from;
-    EXPECT_TRUE(says("has a threshold"));
-    EXPECT_FALSE(says("brain.cir"));
+    EXPECT_TRUE(desk.says("The wire from '" + from + "'")) << from;
+    EXPECT_TRUE(desk.says("has a threshold"));
+    EXPECT_FALSE(desk.says("brain.cir"));
     desk.click("robot.export");
     EXPECT_FALSE(desk.last<WriteFilesRequest>());
 }
@@ -81,14 +76,14 @@ TEST_F(RobotSheet, ReplacesExistingFilesAfterASecondPress) {
     EXPECT_EQ(desk.last<WriteFilesRequest>()->folder, "there");
     files.refused = error_of(message_of("files_exist", "brain.h"), "/home/there");
     desk.frame(2);
-    EXPECT_TRUE(says("brain.h; export once more"));
-    EXPECT_TRUE(says("Replace"));
+    EXPECT_TRUE(desk.says("brain.h; export once more"));
+    EXPECT_TRUE(desk.says("Replace"));
     desk.click("robot.export");
     EXPECT_TRUE(desk.last<WriteFilesRequest>()->replace);
     desk.click("robot.folder");
     desk.type("elsewhere");
     desk.frame(2);
-    EXPECT_FALSE(says("Replace")) << "another folder";
+    EXPECT_FALSE(desk.says("Replace")) << "another folder";
     desk.click("robot.export");
     EXPECT_FALSE(desk.last<WriteFilesRequest>()->replace);
 }
@@ -99,9 +94,9 @@ TEST_F(RobotSheet, SaysWhereTheFilesAreAndWhatToDoNext) {
     ++files.done;
     files.exported_to = "/home/mine-thymio";
     desk.frame(2);
-    EXPECT_TRUE(says("Written to /home/mine-thymio"));
-    EXPECT_TRUE(says("brain.aesl"));
-    EXPECT_TRUE(says("Aseba Studio"));
+    EXPECT_TRUE(desk.says("Written to /home/mine-thymio"));
+    EXPECT_TRUE(desk.says("brain.aesl"));
+    EXPECT_TRUE(desk.says("Aseba Studio"));
     EXPECT_FALSE(desk.anchors.find("robot.export"));
     desk.click("robot.close");
     EXPECT_EQ(desk.panels.sheet, Sheet::none);
@@ -120,10 +115,10 @@ TEST_F(RobotSheet, NeedsAVehicleWhoseBrainIsShown) {
 }
 
 TEST_F(RobotSheet, AnnouncesDownloadsInABrowser) {
-    EXPECT_FALSE(says("The browser downloads"));
+    EXPECT_FALSE(desk.says("The browser downloads"));
     desk.view.uploads = true;
     desk.frame(2);
-    EXPECT_TRUE(says("The browser downloads"));
+    EXPECT_TRUE(desk.says("The browser downloads"));
 }
 
 }  // namespace braitenlab::tests::robot_sheet_test

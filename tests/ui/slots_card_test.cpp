@@ -29,11 +29,6 @@ struct SlotsCard : SceneOnDesk {
         desk.view.slots.seconds = 30;
         desk.view.slots.slots[0].numbers = &of_a, desk.view.slots.slots[1].numbers = &of_b;
     }
-    bool says(std::string_view words) const {
-        for (const Written& written : desk.written)
-            if (written.words.find(words) != std::string::npos) return true;
-        return false;
-    }
 };
 
 }  // namespace
@@ -41,8 +36,8 @@ struct SlotsCard : SceneOnDesk {
 TEST_F(SlotsCard, IsThereOnceABrainIsStored) {
     desk.frame(4);
     EXPECT_TRUE(desk.anchors.find("card.slots"));
-    EXPECT_TRUE(says("aggressor"));
-    EXPECT_TRUE(says("empty"));
+    EXPECT_TRUE(desk.says("aggressor"));
+    EXPECT_TRUE(desk.says("empty"));
     desk.view.slots = {};
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.slots"));
@@ -77,16 +72,16 @@ TEST_F(SlotsCard, ShowsTheNumbersOfBothRunsAndTheirDifference) {
     compared();
     desk.frame(4);
     for (const char* words : {"0.4 m", "3.1 m", "+2.7 m", "5.3 s", "never", "+5.0 m", "30 s"})
-        EXPECT_TRUE(says(words)) << words;
-    EXPECT_TRUE(says("3.0 s"));
+        EXPECT_TRUE(desk.says(words)) << words;
+    EXPECT_TRUE(desk.says("3.0 s"));
     EXPECT_TRUE(desk.anchors.find("slots.in_light"));
 }
 
 TEST_F(SlotsCard, HidesWhatTheBrainsDoBeforeThePrediction) {
     desk.view.settings.revealed.character = false;
     desk.frame(4);
-    EXPECT_FALSE(says("aggressor"));
-    EXPECT_TRUE(says("stored"));
+    EXPECT_FALSE(desk.says("aggressor"));
+    EXPECT_TRUE(desk.says("stored"));
 }
 
 TEST_F(SlotsCard, BothPathsAndTheVehicleOfBAreOverTheScene) {
@@ -115,7 +110,7 @@ TEST_F(SlotsCard, TheCardIsBesideTheSceneOfALecture) {
     desk.frame(4);
     const Rect card = desk.where("card.slots");
     EXPECT_LE(card.x + card.w, desk.layout.scene.x);
-    EXPECT_TRUE(says("+2.7 m"));
+    EXPECT_TRUE(desk.says("+2.7 m"));
 }
 
 TEST_F(SlotsCard, KeysStoreAndCompare) {

@@ -27,11 +27,6 @@ struct StudentSheet : testing::Test {
         if (!request) throw std::runtime_error("nothing asked");
         return *request;
     }
-    bool says(std::string_view words) const {
-        for (const Written& written : desk.written)
-            if (written.words.find(words) != std::string::npos) return true;
-        return false;
-    }
 };
 
 }  // namespace

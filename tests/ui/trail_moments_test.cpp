@@ -19,10 +19,6 @@ struct TrailMoments : SceneOnDesk {
         desk.view.path = &path;
     }
     maths::vec2 at(std::size_t tick) const { return {path[tick].x, path[tick].y}; }
-    bool shows(std::string_view words) const {
-        return std::any_of(desk.written.begin(), desk.written.end(),
-                           [&](const Written& w) { return w.words.find(words) != std::string::npos; });
-    }
 };
 
 TEST_F(TrailMoments, AClickOnTheTrailAsksForTheCauseAtThatMoment) {
@@ -36,10 +32,10 @@ TEST_F(TrailMoments, AClickOnTheTrailAsksForTheCauseAtThatMoment) {
 TEST_F(TrailMoments, ThePointerOverTheTrailShowsTheTimeAndAHand) {
     point(at(30));
     EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_Hand);
-    EXPECT_TRUE(shows("0.5 s: why?"));
+    EXPECT_TRUE(desk.says("0.5 s: why?"));
     rest_pointer();
     EXPECT_NE(ImGui::GetMouseCursor(), ImGuiMouseCursor_Hand);
-    EXPECT_FALSE(shows("why?"));
+    EXPECT_FALSE(desk.says("why?"));
 }
 
 TEST_F(TrailMoments, ADragThatBeginsOnTheTrailMovesTheCamera) {

@@ -25,20 +25,15 @@ struct UnsavedSheets : ::testing::Test {
             if (const auto* leave = std::get_if<LeaveRequest>(&request)) found.push_back(leave->answer);
         return found;
     }
-    bool says(std::string_view words) const {
-        for (const Written& written : desk.written)
-            if (written.words.find(words) != std::string::npos) return true;
-        return false;
-    }
 };
 
 TEST_F(UnsavedSheets, NamesTheUnsavedDocumentAndTheNextOne) {
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
     ask();
     EXPECT_TRUE(desk.anchors.find("card.leaving"));
-    EXPECT_TRUE(says("Coward"));
-    EXPECT_TRUE(says("Values"));
-    EXPECT_FALSE(says("other.toml")) << "a title, not the name of a file";
+    EXPECT_TRUE(desk.says("Coward"));
+    EXPECT_TRUE(desk.says("Values"));
+    EXPECT_FALSE(desk.says("other.toml")) << "a title, not the name of a file";
     files.leaving.reset();
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
@@ -47,8 +42,8 @@ TEST_F(UnsavedSheets, NamesTheUnsavedDocumentAndTheNextOne) {
 TEST_F(UnsavedSheets, SayThatAPassedExerciseIsKept) {
     files.leaving = Leaving{.title = "Coward", .next = "/home/me/other.toml", .next_title = "Values", .passed = true};
     desk.frame(3);
-    EXPECT_TRUE(says("You have passed this exercise"));
-    EXPECT_FALSE(says("changes that no file has yet"));
+    EXPECT_TRUE(desk.says("You have passed this exercise"));
+    EXPECT_FALSE(desk.says("changes that no file has yet"));
 }
 
 TEST_F(UnsavedSheets, TellTheTimeOfTheKeptWorkAndItsFile) {
@@ -58,11 +53,11 @@ TEST_F(UnsavedSheets, TellTheTimeOfTheKeptWorkAndItsFile) {
     const RecoveryOffer offer{"Drive", "/home/me/exercises/drive.toml", "2026-02-28 14:05:42"};
     desk.view.recovery = &offer;
     desk.frame(3);
-    EXPECT_TRUE(says("drive.toml"));
-    EXPECT_FALSE(says("/home/me"));
+    EXPECT_TRUE(desk.says("drive.toml"));
+    EXPECT_FALSE(desk.says("/home/me"));
     desk.point("recovery.file");
     desk.frame(60);
-    EXPECT_TRUE(says("/home/me/exercises"));
+    EXPECT_TRUE(desk.says("/home/me/exercises"));
 }
 
 TEST_F(UnsavedSheets, SavesOnEnterIfTheSceneHasAFile) {
