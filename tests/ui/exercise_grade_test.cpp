@@ -1,0 +1,195 @@
+// The grade on the exercise card, and the button for the next exercise.
+#include <utility>
+
+#include "exercise_on_desk.h"
+
+namespace braitenlab::tests::exercise_grade_test {
+
+using namespace ui;
+
+TEST(ExerciseGrade, CountsTheTestedStartsUntilTheGradeIsComplete) {
+    Desk desk;
+    pass(desk);
+    desk.lesson.grade.reset();
+    desk.lesson.starts_tested = 4;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Testing the starts: 4 of 10"));
+    EXPECT_FALSE(desk.anchors.find("exercise.grade"));
+    pass(desk);
+    desk.lesson.starts_tested.reset();
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("Testing"));
+    EXPECT_TRUE(desk.anchors.find("exercise.grade"));
+}
+
+TEST(ExerciseGrade, ANoteIsShownWhenARunDoesNotCount) {
+    Desk desk;
+    desk.open_exercise();
+    const auto said = [&] {
+        desk.frame(3);
+        std::string all;
+        for (const Written& w : desk.written) all += w.words + " ";
+        return all.find("moved or steered") != std::string::npos;
+    };
+    EXPECT_FALSE(said());
+    desk.lesson.by_hand = true;
+    EXPECT_TRUE(said());
+    for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
+    EXPECT_FALSE(said()) << "no start is left to test";
+}
+
+TEST(ExerciseGrade, AStartsPictureReplaysIt) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.grade = graded({true, false, true}, false);
+    desk.lesson.grade->starts[1].verdicts = {Verdict{true, {}}, Verdict{false, {{1.25f, 0.6f, "m", true, true}}}};
+    desk.frame(5);
+    desk.click("exercise.start.2");
+    const auto* seed = desk.last<SeedRequest>();
+    ASSERT_TRUE(seed);
+    EXPECT_EQ(seed->seed, 2u);
+    desk.point("exercise.reset");
+    desk.frame(2);
+    desk.point("exercise.start.2");
+    desk.frame(60);
+    EXPECT_TRUE(desk.says("Start 2 fails: Touch the lamp"));
+    EXPECT_TRUE(desk.says("now 1.25\u00a0m") || desk.says("best 1.25\u00a0m"));
+}
+
+TEST(ExerciseGrade, TellsNoneSomeAndAllOfTheStartsApart) {
+    Desk desk(1280, 1000, 1, true);
+    pass(desk);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("It works from every start."));
+    desk.lesson.grade = graded({true, true, false}, true);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("It works from other starts too."));
+    desk.lesson.grade = graded({true, false, false}, false);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("It works from some places only"));
+    desk.lesson.grade = graded({false, false, false}, false);
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("It works from some places only"));
+    EXPECT_TRUE(desk.says("works from none of them"));
+}
+
+TEST(ExerciseGrade, SaysWhichRunTheTicksAreOf) {
+    Desk desk(1280, 1000, 1, true);
+    pass(desk);
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("The ticks are of the present run"));
+    desk.lesson.verdicts[0].done = false;  // after a reset
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("The ticks are of the present run"));
+    desk.lesson.changed_since_done = true;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("The brain has changed since these ticks"));
+}
+
+TEST(ExerciseGrade, SaysThatThePassedSolutionWasShown) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.grade = graded(std::vector<bool>(10, true), true);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Well done"));
+    desk.lesson.solution_shown = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("Well done"));
+    EXPECT_TRUE(desk.says("do it yourself"));
+}
+
+TEST(ExerciseGrade, EveryStepAndTheNextButtonAreVisibleOnceItIsPassed) {
+    for (const char* language : {"en", "de", "es"}) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(language);
+        pass(desk);
+        desk.panels.why_open = true;
+        desk.lesson.hints_shown = 3;
+        desk.frame(5);
+        const Rect card = desk.where("card.exercise"), buttons = desk.where("exercise.next");
+        EXPECT_TRUE(inside(buttons, card)) << language;
+        for (const char* step : {"exercise.step.1", "exercise.step.2", "exercise.step.3"}) {
+            const Rect r = desk.where(step);
+            EXPECT_GT(r.h, 30) << language << ": " << step << " is cut";
+            EXPECT_LT(r.y + r.h, buttons.y + 1) << language;
+        }
+    }
+}
+
+TEST(ExerciseGrade, KeepsTheNextButtonOnceItWasPassed) {
+    for (const char* language : {"en", "de", "es"}) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(language);
+        pass(desk);
+        desk.lesson.grade.reset();  // the brain is another one now
+        desk.frame(3);
+        EXPECT_FALSE(desk.anchors.find("exercise.next"));
+        desk.lesson.passed_before = true;
+        desk.frame(3);
+        EXPECT_TRUE(inside(desk.where("exercise.next"), desk.where("card.exercise"))) << language;
+        EXPECT_TRUE(inside(desk.where("exercise.hint"), desk.where("card.exercise"))) << language;
+        EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise"))) << language;
+    }
+}
+
+TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
+    Desk desk;
+    const std::vector<CatalogueEntry> more{{"05-aggressor", "5.toml", "Aggressor", "", 5},
+                                           {"08-overrun", "8.toml", "Overrun", "", 8},
+                                           {"06-love", "6.toml", "Love", "", 6},
+                                           {"2a-coward", "2a.toml", "Coward", "It turns away."}};
+    pass(desk);
+    desk.view.catalogue = &more;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.hint")) << "a passed exercise needs no hint";
+    desk.click("exercise.next");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<OpenRequest>(desk.all[0]).path, "6.toml");
+    EXPECT_TRUE(std::get<OpenRequest>(desk.all[0]).next_exercise);
+    desk.opened.number = 0;
+    desk.click("exercise.next");
+    EXPECT_EQ(desk.all.size(), 1u) << "an exercise of one's own is in no order: the list opens";
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+    desk.opened.number = 5;
+    desk.panels.sheet = Sheet::none;
+    const std::vector<CatalogueEntry> last{more[0], more[3]};
+    desk.view.catalogue = &last;
+    desk.click("exercise.next");
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+}
+
+TEST(ExerciseGrade, EnterOpensTheNextExerciseOnceItIsPassed) {
+    Desk desk;
+    const std::vector<CatalogueEntry> more{{"06-love", "6.toml", "Love", "", 6}};
+    desk.view.catalogue = &more;
+    pass(desk);
+    desk.panels.keyboard.focus = "slider.LL";
+    desk.panels.keyboard.shown = false;
+    desk.frame(3);
+    const auto grade = std::exchange(desk.lesson.grade, std::nullopt);
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_FALSE(desk.last<OpenRequest>()) << "not passed";
+    EXPECT_EQ(desk.panels.sliders.typed, "slider.LL");
+    desk.key({key::escape});
+    desk.frame(2);
+    desk.lesson.grade = grade;
+    desk.panels.keyboard.focus = "exercise.reset";
+    desk.panels.keyboard.shown = true;
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_FALSE(desk.last<OpenRequest>()) << "the focused button has Enter";
+    EXPECT_EQ(desk.actions(), std::vector{Action::exercise_reset});
+    desk.panels.keyboard.focus = "slider.LL";
+    desk.panels.keyboard.shown = false;
+    desk.key({key::enter});
+    desk.frame(2);
+    ASSERT_TRUE(desk.last<OpenRequest>()) << "a focus without a ring";
+    EXPECT_TRUE(desk.last<OpenRequest>()->next_exercise);
+    EXPECT_TRUE(desk.panels.sliders.typed.empty());
+}
+
+}  // namespace braitenlab::tests::exercise_grade_test

@@ -1,0 +1,127 @@
+// What the exercise card tells before and after the prediction, and where its outcome stands.
+#include "exercise_on_desk.h"
+
+namespace braitenlab::tests::exercise_outcome_test {
+
+using namespace ui;
+
+TEST(ExerciseOutcome, APredictionIsMadeUntilTheOutcomeIsKnown) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("exercise.predict.2");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<PredictRequest>(desk.all[0]).option, 1);
+    desk.lesson.has_run = true;
+    desk.frame(3);
+    desk.click("exercise.predict.1");
+    ASSERT_EQ(desk.all.size(), 2u);
+    EXPECT_EQ(std::get<PredictRequest>(desk.all[1]).option, 0) << "Space alone does not end it";
+    desk.lesson.prediction = 1;
+    desk.lesson.outcome_known = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "a prediction cannot be changed";
+    desk.lesson.prediction = -1;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "and not be made";
+}
+
+TEST(ExerciseOutcome, AMadePredictionIsFixedOnceTheVehicleHasRun) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("exercise.predict.1");
+    EXPECT_TRUE(desk.last<PredictRequest>());
+    desk.lesson.prediction = 0;
+    desk.lesson.has_run = true;
+    desk.panels.keyboard.focus = "exercise.predict.1";
+    desk.all.clear();
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "the steps need its room";
+    EXPECT_TRUE(desk.says("You predicted")) << "the chosen answer stays";
+    EXPECT_EQ(desk.panels.keyboard.focus, "") << "the focus is on no row that is gone";
+    desk.key({'2'});
+    EXPECT_FALSE(desk.last<PredictRequest>());
+}
+
+TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("Aggressor"));
+    EXPECT_FALSE(desk.anchors.find("exercise.why"));
+    EXPECT_FALSE(desk.anchors.find("equations"));
+    EXPECT_TRUE(desk.says("predict first"));
+    EXPECT_TRUE(desk.anchors.find("brain.picture"));
+    desk.opened.prediction.hides_brain = true;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("brain.picture"));
+    desk.lesson.prediction = 0;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Aggressor"));
+    for (const char* id : {"exercise.why", "equations", "brain.picture"}) EXPECT_TRUE(desk.anchors.find(id)) << id;
+    EXPECT_FALSE(desk.says("predict first"));
+}
+
+TEST(ExerciseOutcome, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfTheCard) {
+    for (const bool passed : {false, true}) {
+        Desk desk(1024, 768, 1, true);
+        desk.open_exercise();
+        desk.panels.why_open = true;
+        desk.lesson.hints_shown = 3;
+        if (passed) pass(desk);
+        desk.lesson.prediction = 0;
+        desk.frame(4);
+        EXPECT_FALSE(desk.says("What happened"));
+        desk.lesson.outcome_known = true;
+        desk.frame(4);
+        bool visible = false;
+        for (const Written& w : desk.written)
+            visible |= w.words.starts_with("What happened: It turned away") && inside(w.rect, w.clip);
+        EXPECT_TRUE(visible) << passed;
+    }
+}
+
+TEST(ExerciseOutcome, SaysThatTheOutcomeIsOlderThanTheChangesOfTheBrain) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.prediction = 0;
+    desk.lesson.has_run = true;
+    desk.lesson.outcome_known = true;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("What happened: It turned away."));
+    desk.lesson.as_given = false;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Without your changes: It turned away."));
+}
+
+TEST(ExerciseOutcome, ShowsTheStepsAboveTheOutcomeAlsoWhenTheBrainIsChanged) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = desk.lesson.outcome_known = true;
+    desk.lesson.prediction = 0;
+    desk.lesson.outcome_known = false;
+    desk.frame(3);
+    EXPECT_LT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y) << "first the question";
+    desk.lesson.outcome_known = true;
+    desk.frame(3);
+    EXPECT_GT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y);
+    desk.lesson.as_given = false;
+    desk.frame(3);
+    EXPECT_GT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y);
+}
+
+TEST(ExerciseOutcome, ASecretBrainIsNotShown) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.prediction = 0;
+    desk.opened.hides = {desk.now.scene->kinds[static_cast<std::size_t>(desk.now.vehicles[0].kind)].name};
+    desk.frame(3);
+    for (const char* id : {"slider.LL", "equations", "brain.picture"}) EXPECT_FALSE(desk.anchors.find(id)) << id;
+    desk.view.mode = Mode::wiring;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("wire.LL"));
+    EXPECT_TRUE(desk.says("brain is hidden"));
+}
+
+}  // namespace braitenlab::tests::exercise_outcome_test
