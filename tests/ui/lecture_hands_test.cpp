@@ -1,0 +1,123 @@
+// The question of a page of a lecture: counted hands, shares and the answer.
+#include <algorithm>
+
+#include "lecture_on_desk.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab::tests::lecture_hands_test {
+
+using namespace ui;
+
+namespace {
+
+struct LectureHands : LectureOnDesk {};
+
+}  // namespace
+
+TEST_F(LectureHands, CountsHandsByButtonAndByTyping) {
+    show(1, 0);
+    desk.click("lecture.more.2");
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->option, 1);
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 1);
+    pages.hands[1] = {0, 14, 0};
+    desk.frame(2);
+    desk.all.clear();
+    desk.click("lecture.less.2");
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 13);
+    desk.all.clear();
+    desk.click("lecture.hands.1");
+    desk.type("23");
+    desk.frame(3);
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->option, 0);
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 23);
+    desk.key({'2'});
+    EXPECT_TRUE(desk.actions().empty()) << "digits in the field select no slider";
+}
+
+TEST_F(LectureHands, ACountThatIsTypedCanBeSmallerAndPageKeysEndTyping) {
+    show(1, 0);
+    pages.hands[1] = {30, 0, 0};
+    desk.frame(2);
+    desk.click("lecture.hands.1");
+    desk.type("7");
+    desk.frame(3);
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 7);
+    ASSERT_TRUE(desk.panels.hands[0].active);
+    desk.key({key::page_down});
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_page});
+    EXPECT_TRUE(desk.panels.keyboard.focus.empty());
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.hands[0].active);
+}
+
+TEST_F(LectureHands, TheKeyThatBlanksEndsTheTypingOfHands) {
+    show(1, 0);
+    desk.frame(2);
+    desk.click("lecture.hands.1");
+    desk.key({'.'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("lecture.blank"));
+}
+
+TEST_F(LectureHands, TheBarOfAnOptionHasTheShareOfAllHands) {
+    show(1, 0);
+    pages.hands[1] = {3, 12, 1};
+    desk.frame(3);
+    const Rect bar = desk.where("lecture.share.2");
+    float from = 1e9f, to = 0;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int l = 0; l < data.CmdListsCount; ++l)
+        for (const ImDrawVert& v : data.CmdLists[l]->VtxBuffer)
+            if (bar.contains(v.pos.x, v.pos.y) && v.col == paint(palette(desk.view.theme).accent))
+                from = std::min(from, v.pos.x), to = std::max(to, v.pos.x);
+    EXPECT_NEAR((to - from) / bar.w, 12.0f / 16, 0.02f);
+}
+
+TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
+    show(1, 1);
+    const LectureQuestion& asked = pages.current().question;
+    EXPECT_FALSE(desk.anchors.find("lecture.right"));
+    EXPECT_FALSE(desk.says(asked.why));
+    pages.hands[1] = {3, 12, 1};
+    show(1, 2);
+    EXPECT_TRUE(desk.anchors.find("lecture.right"));
+    EXPECT_TRUE(desk.says("✓ " + asked.options[1]));
+    EXPECT_TRUE(desk.says(asked.why));
+    EXPECT_TRUE(desk.says("12"));
+    EXPECT_FALSE(desk.anchors.find("lecture.more.1"));
+}
+
+TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {
+    for (const char* code : {"en", "de", "es"})
+        for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
+            if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+            pages = opened_lecture(name);
+            for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+                show(page, 2);
+                const std::size_t options = pages.current().question.options.size();
+                if (options == 0) continue;
+                SCOPED_TRACE(std::string(code) + " " + name + " " + std::to_string(page + 1));
+                ASSERT_TRUE(pages.shows(PagePart::answer));
+                for (int& hands : pages.hands[static_cast<std::size_t>(page)]) hands = 12;
+                desk.frame(2);
+                const std::string last = "lecture.share." + std::to_string(options);
+                ASSERT_TRUE(desk.anchors.find(last)) << "the last option is visible without scrolling";
+                EXPECT_GT(desk.where(last).h, 15) << "not clipped";
+            }
+        }
+}
+
+TEST_F(LectureHands, TheAnswerOfThePageTellsTheOutcomeOfItsExercise) {
+    pages = opened_lecture("wheels-to-neurons");
+    desk.open_exercise();
+    show(5, 1);
+    EXPECT_TRUE(hides_outcome(desk.view));
+    show(5, 2);
+    EXPECT_FALSE(hides_outcome(desk.view));
+}
+
+}  // namespace braitenlab::tests::lecture_hands_test

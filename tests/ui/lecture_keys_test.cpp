@@ -1,0 +1,92 @@
+// Keys and clicker on the pages of a lecture, and the menu that goes back to it.
+#include "lecture_on_desk.h"
+
+namespace braitenlab::tests::lecture_keys_test {
+
+using namespace ui;
+
+namespace {
+
+struct LectureKeys : LectureOnDesk {};
+
+}  // namespace
+
+TEST_F(LectureKeys, PageKeysTurnPagesOnlyWhileALectureFileIsOpen) {
+    show(0, 0);
+    desk.key({key::page_down});
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_page});
+    desk.all.clear();
+    desk.key({'N'});
+    EXPECT_EQ(desk.actions(), std::vector{Action::notes});
+    desk.all.clear();
+    desk.view.pages = nullptr;
+    desk.key({key::page_down});
+    desk.key({'N'});
+    EXPECT_TRUE(desk.actions().empty()) << "it would end the run that the audience sees";
+    desk.view.lecture = false;
+    desk.key({'N'});
+    EXPECT_EQ(desk.actions(), std::vector{Action::new_population});
+}
+
+TEST_F(LectureKeys, F5AsksForTheFirstPage) {
+    show(3, 1);
+    desk.key({key::f5});
+    EXPECT_EQ(desk.actions(), std::vector{Action::first_page});
+}
+
+TEST_F(LectureKeys, AClickerBlanksTheWindowAndTheNextKeyOnlyShowsItAgain) {
+    for (const int key : {'B', '.'}) {
+        show(1, 0);
+        desk.all.clear();
+        desk.key({key});
+        desk.frame(2);
+        ASSERT_TRUE(desk.anchors.find("lecture.blank"));
+        desk.key({key::page_down});
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("lecture.blank"));
+        EXPECT_TRUE(desk.all.empty()) << "the page does not change unseen";
+    }
+    desk.key({'B'});
+    desk.frame(2);
+    desk.click("lecture.blank");
+    EXPECT_FALSE(desk.anchors.find("lecture.blank"));
+    desk.view.pages = nullptr;
+    desk.key({'B'});
+    EXPECT_TRUE(desk.panels.blank) << "also without pages";
+    desk.view.lecture = false;
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.blank);
+    desk.key({'B'});
+    EXPECT_EQ(desk.actions(), std::vector{Action::birds_eye}) << "without a lecture";
+}
+
+TEST_F(LectureKeys, PressedKeysAreInTheBarAndThoseOfThePagesAreNotShown) {
+    show(1, 0);
+    for (const KeyPress press : {KeyPress{key::page_down}, KeyPress{'N'}, KeyPress{'D'}, KeyPress{key::f5}})
+        desk.key(press);
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("lecture.keys"));
+    desk.key({' '});
+    desk.frame(2);
+    ASSERT_TRUE(desk.anchors.find("lecture.keys"));
+    EXPECT_TRUE(is_inside(desk.where("lecture.keys"), desk.layout.toolbar));
+    EXPECT_FALSE(overlap(desk.where("lecture.keys"), desk.where("lecture.page")));
+}
+
+TEST_F(LectureKeys, TheMenuGoesBackToTheLectureThatWasLeft) {
+    pages.page = 3;
+    desk.view.lecture = false;
+    desk.view.pages = nullptr;
+    desk.frame(2);
+    desk.click("menu.lecture");
+    EXPECT_FALSE(desk.anchors.find("menu.lecture.resume"));
+    desk.key({key::escape});
+    desk.view.left_pages = &pages;
+    desk.frame(2);
+    desk.choose("lecture", "resume");
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_TRUE(desk.last<OpenRequest>()->resume);
+    EXPECT_EQ(desk.last<OpenRequest>()->path, pages.lecture->path.string());
+}
+
+}  // namespace braitenlab::tests::lecture_keys_test

@@ -1,0 +1,148 @@
+// Lines drawn with the mouse in a lecture.
+#include <cmath>
+
+#include "desk.h"
+
+namespace braitenlab::tests::lecture_marks_test {
+
+using namespace ui;
+
+namespace {
+
+struct LectureMarks : testing::Test {
+    Desk desk{1280, 800, 1, true};
+    CameraView camera;
+
+    LectureMarks() {
+        desk.view.lecture = true;
+        desk.frame(3);
+        camera = look({}, desk.now.scene->arena, nullptr, desk.layout.window, desk.layout.scene);
+        desk.view.camera_view = &camera;
+        desk.frame(2);
+    }
+    void draw(ImVec2 from, ImVec2 to) {
+        desk.point(from.x, from.y);
+        desk.frame(2);
+        desk.button(0, true);
+        desk.frame(2);
+        for (int i = 1; i <= 10; ++i) {
+            const float t = static_cast<float>(i) / 10;
+            desk.point(from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t);
+            desk.frame();
+        }
+        desk.button(0, false);
+        desk.frame(2);
+    }
+};
+
+}  // namespace
+
+TEST_F(LectureMarks, DDrawsLinesOnTheFloorUnderThePointer) {
+    draw({500, 400}, {600, 450});
+    EXPECT_TRUE(desk.panels.marks.lines.empty()) << "drawing is off";
+    EXPECT_FALSE(desk.anchors.find("marks.sign"));
+    desk.key({'D'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("marks.sign"));
+    desk.all.clear();
+    draw({500, 400}, {600, 450});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    ASSERT_TRUE(desk.panels.marks.lines[0].on_floor);
+    const auto& line = desk.panels.marks.lines[0].points;
+    EXPECT_GE(line.size(), 10u);
+    const auto first = project(camera, line.front()), last = project(camera, line.back());
+    EXPECT_NEAR(first->x, 500, 1);
+    EXPECT_NEAR(first->y, 400, 1);
+    EXPECT_NEAR(last->x, 600, 1);
+    EXPECT_NEAR(last->y, 450, 1);
+    EXPECT_TRUE(desk.all.empty()) << "the mouse does nothing else";
+    EXPECT_EQ(desk.panels.scene_input.drag.phase, SceneInputPhase::idle);
+}
+
+TEST_F(LectureMarks, ShiftDRemovesThemAndAnotherSceneToo) {
+    desk.key({'D'});
+    draw({500, 400}, {600, 450});
+    draw({500, 300}, {600, 350});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 2u);
+    desk.key({'D', false, true});
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    draw({500, 400}, {600, 450});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    ++desk.view.run_id;
+    desk.frame();
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    EXPECT_TRUE(desk.panels.marks.drawing) << "drawing stays on";
+}
+
+TEST_F(LectureMarks, EscapeEndsDrawingAndTheEndOfTheLectureToo) {
+    desk.key({'D'});
+    desk.all.clear();
+    desk.key({key::escape});
+    EXPECT_FALSE(desk.panels.marks.drawing);
+    EXPECT_TRUE(desk.all.empty()) << "the lecture goes on";
+    desk.key({'D'});
+    draw({500, 400}, {600, 450});
+    desk.view.lecture = false;
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.marks.drawing);
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    desk.key({'D'});
+    EXPECT_FALSE(desk.panels.marks.drawing) << "outside a lecture D has another meaning";
+}
+
+TEST_F(LectureMarks, DDrawsOverTheDiagramAndTheLinesScaleWithTheWindow) {
+    desk.now = shipped_scene("2a-coward");
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    desk.view.settings.watching = true;
+    desk.frame(3);
+    const Rect canvas = desk.where("canvas"), label = desk.where("wire.LL");
+    desk.key({'D'});
+    desk.frame(2);
+    desk.all.clear();
+    const ImVec2 from{label.x + label.w / 2, label.y + label.h / 2};
+    draw(from, {from.x + 40, from.y + 60});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    EXPECT_TRUE(canvas.contains(from.x, from.y));
+    EXPECT_FALSE(desk.panels.marks.lines[0].on_floor);
+    EXPECT_TRUE(desk.edits().empty()) << "the weight under the pen is not dragged";
+    const maths::vec2 first = desk.panels.marks.lines[0].points.front();
+    EXPECT_NEAR(first.x, from.x / 1280, 2e-3);
+    EXPECT_NEAR(first.y, from.y / 800, 2e-3);
+    ImGui::GetIO().DisplaySize = {640, 400};
+    desk.frame(2);
+    bool is_drawn = false;
+    const ImDrawList& top = *ImGui::GetForegroundDrawList();
+    for (const ImDrawVert& v : top.VtxBuffer)
+        is_drawn |= std::abs(v.pos.x - from.x / 2) < 8 && std::abs(v.pos.y - from.y / 2) < 8;
+    EXPECT_TRUE(is_drawn) << "at half the place in a window of half the size";
+}
+
+TEST_F(LectureMarks, ALineThatLeavesTheSceneGoesOnInTheWindow) {
+    desk.key({'D'});
+    desk.frame(2);
+    const Rect scene = desk.layout.scene;
+    draw({scene.x + scene.w / 2, scene.y + scene.h - 40}, {scene.x + scene.w / 2, scene.y + scene.h + 30});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 2u);
+    EXPECT_TRUE(desk.panels.marks.lines[0].on_floor);
+    EXPECT_FALSE(desk.panels.marks.lines[1].on_floor);
+}
+
+TEST_F(LectureMarks, TheBarCanBeClickedWhileTheMouseDraws) {
+    desk.key({'D'});
+    desk.frame(2);
+    desk.click("button.play");
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+}
+
+TEST_F(LectureMarks, DDrawsInTheWiringView) {
+    desk.view.mode = Mode::wiring;
+    desk.frame(2);
+    desk.key({'D'});
+    desk.frame(2);
+    draw({500, 400}, {600, 450});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    EXPECT_FALSE(desk.panels.marks.lines[0].on_floor);
+}
+
+}  // namespace braitenlab::tests::lecture_marks_test
