@@ -239,7 +239,8 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
     beside_or_below(ui, button_width(ui, reset), right);
     const Item at = button(ui, "exercise.reset", reset);
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
-    tooltip(ui, at, ui.strings("exercise.reset_how"));
+    const std::string name = reset.words.empty() ? std::string(ui.strings("exercise.reset")) + ". " : "";
+    tooltip(ui, at, name + std::string(ui.strings("exercise.reset_how")));
     exercise_files(view, state, ui, width);
 }
 
