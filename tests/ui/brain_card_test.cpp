@@ -1,39 +1,13 @@
-// The brain card except its sliders: edits of both sides, lesions, and manual driving.
+// The brain card except its sliders: edits of both sides, its words, and manual driving.
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
+#include "brain_on_desk.h"
 #include "core/brain/four_neurons.h"
-#include "core/scene/scene_file.h"
-#include "core/world/world.h"
-#include "desk.h"
-#include "ui/panels/brain_sketch.h"
 
 namespace braitenlab::tests::brain_card_test {
 
 using namespace ui;
-
-namespace {
-
-BrainGraph brain_asked_for(const Desk& desk) {
-    const auto edits = desk.edits();
-    if (edits.size() != 1) throw std::runtime_error("not one edit but " + std::to_string(edits.size()));
-    EXPECT_NE(edits[0].gesture, 0u) << "a separate step of undo";
-    return std::get<SetBrain>(edits[0].command).brain;
-}
-
-// Applies the requested edits, as the app does.
-void give(Desk& desk, const BrainGraph& brain) {
-    desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
-    desk.all.clear();
-    desk.rest();
-}
-
-bool is_cut(const BrainGraph& brain, const char* from, const char* to) {
-    return find_wire(brain, find_node(brain, std::string(from))->id, find_node(brain, std::string(to))->id)->cut;
-}
-
-}  // namespace
 
 TEST(BrainCard, CrossesTheWiresAndMirrorsTheSides) {
     Desk desk;
@@ -88,11 +62,6 @@ TEST(BrainCard, KeepsTheSlidersInPlaceWhileTheSentenceChanges) {
     EXPECT_FLOAT_EQ(desk.where("slider.LL").y, before) << "no pair of sensors has a wire: there is no sentence";
 }
 
-bool writes(const Desk& desk, std::string_view words) {
-    return std::any_of(desk.written.begin(), desk.written.end(),
-                       [&](const Written& text) { return text.words.find(words) != text.words.npos; });
-}
-
 TEST(BrainCard, KeepsItsControlsInPlaceWhenTheOutcomeIsKnown) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();
@@ -109,23 +78,11 @@ TEST(BrainCard, KeepsItsControlsInPlaceWhenTheOutcomeIsKnown) {
     EXPECT_EQ(desk.where("button.open_wiring").y, before);
 }
 
-TEST(BrainCard, CutsTheWireOfTheChosenPairAlsoWithoutThePicture) {
-    Desk desk(1280, 1000);
-    desk.now = shipped_scene("3c-values");
-    desk.panels.card(Card::brain).folded = true;
-    desk.view.settings.selection.pair = "heat";
-    desk.rest();
-    desk.panels.lesion_requested = "lesion.LL";
-    desk.frame(2);
-    ASSERT_EQ(desk.edits().size(), 1u);
-    EXPECT_TRUE(is_cut(brain_asked_for(desk), "HL", "ML"));
-}
-
 TEST(BrainCard, SetsTheWiresOfTheChosenPair) {
     Desk desk(1280, 1000);
     desk.now = shipped_scene("3c-values");
     desk.rest();
-    EXPECT_TRUE(writes(desk, "attacks light, flees heat, loves smell, lingers at oxygen and moves on"));
+    EXPECT_TRUE(desk.says("attacks light, flees heat, loves smell, lingers at oxygen and moves on"));
     desk.click("pair.heat");
     const auto chosen = std::find_if(desk.all.begin(), desk.all.end(),
                                      [](const Request& r) { return std::holds_alternative<PairRequest>(r); });
@@ -151,14 +108,14 @@ TEST(BrainCard, SaysThatAVehicleHasABrainOfItsOwn) {
     Desk desk;
     desk.now = shipped_scene("predator-prey");
     desk.rest();
-    EXPECT_FALSE(writes(desk, "brain of its own"));
+    EXPECT_FALSE(desk.says("brain of its own"));
     desk.now.brains.push_back(std::make_shared<BrainGraph>(make_graph({.LL = 1})));
     desk.now.vehicles[0].brain = static_cast<int>(desk.now.brains.size()) - 1;
     desk.rest();
-    EXPECT_TRUE(writes(desk, "brain of its own"));
+    EXPECT_TRUE(desk.says("brain of its own"));
     desk.view.settings.selection.vehicle = 1;
     desk.rest();
-    EXPECT_FALSE(writes(desk, "brain of its own"));
+    EXPECT_FALSE(desk.says("brain of its own"));
 }
 
 TEST(BrainCard, HasNoChoiceOfPairsForTwoSensors) {
@@ -166,17 +123,17 @@ TEST(BrainCard, HasNoChoiceOfPairsForTwoSensors) {
     desk.now = shipped_scene("2a-coward");
     desk.rest();
     EXPECT_FALSE(desk.anchors.find("pair.light"));
-    EXPECT_TRUE(writes(desk, "coward"));
+    EXPECT_TRUE(desk.says("coward"));
 }
 
 TEST(BrainCard, NamesTheSensorsThatTheVehicleLacks) {
     Desk desk;
     desk.now = shipped_scene("2a-coward");
     desk.rest();
-    EXPECT_FALSE(writes(desk, "does not have"));
+    EXPECT_FALSE(desk.says("does not have"));
     give(desk, *shipped_scene("3c-values").brains[0]);
-    EXPECT_TRUE(writes(desk, "Reads Heat left"));
-    EXPECT_TRUE(writes(desk, "does not have"));
+    EXPECT_TRUE(desk.says("Reads Heat left"));
+    EXPECT_TRUE(desk.says("does not have"));
 }
 
 TEST(BrainCard, SaysWhatAnExplorerDoesInTheWordsOfItsChannel) {
@@ -187,35 +144,35 @@ TEST(BrainCard, SaysWhatAnExplorerDoesInTheWordsOfItsChannel) {
         if (sensor.channel == Channel::oxygen) sensor.channel = Channel::obstacle;
     desk.now.scene = scene;
     desk.rest();
-    EXPECT_TRUE(writes(desk, "slows near obstacles and turns away"));
+    EXPECT_TRUE(desk.says("slows near obstacles and turns away"));
     desk.strings = speaking("de");
     desk.frame(2);
-    EXPECT_TRUE(writes(desk, "bremst vor Hindernissen und dreht ab"));
+    EXPECT_TRUE(desk.says("bremst vor Hindernissen und dreht ab"));
 }
 
 TEST(BrainCard, ShowsTheNameOfTheVehicleIfAPersonGaveOne) {
     Desk desk;
     desk.view.settings.selection.vehicle = 0;
     desk.frame(3);
-    EXPECT_TRUE(writes(desk, "Predator 1"));
-    EXPECT_FALSE(writes(desk, "Predator 1 · "));
+    EXPECT_TRUE(desk.says("Predator 1"));
+    EXPECT_FALSE(desk.says("Predator 1 · "));
     desk.now.looks = {{0, {"Elsie", ""}}};
     desk.frame(2);
-    EXPECT_TRUE(writes(desk, "Predator 1 · Elsie"));
+    EXPECT_TRUE(desk.says("Predator 1 · Elsie"));
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->starts = {{"on_ice", "predator"}};
     desk.now.scene = scene;
     desk.now.vehicles[0].start = 0;
     desk.frame(2);
-    EXPECT_TRUE(writes(desk, "Predator 1 · on ice"));
+    EXPECT_TRUE(desk.says("Predator 1 · on ice"));
     for (const char* given : {"one", "predator", "predator-12"}) {
         scene->starts[0].name = given;
         desk.frame(2);
-        EXPECT_FALSE(writes(desk, "Predator 1 · ")) << given;
+        EXPECT_FALSE(desk.says("Predator 1 · ")) << given;
     }
     scene->starts[0].name = "predator-xy";
     desk.frame(2);
-    EXPECT_TRUE(writes(desk, "Predator 1 · predator-xy"));
+    EXPECT_TRUE(desk.says("Predator 1 · predator-xy"));
 }
 
 TEST(BrainCard, CallsTheWheelsAlikeByTheRuleOfTheCallout) {
@@ -277,81 +234,8 @@ TEST(BrainCard, DescribesABrainOfLogicByItsParts) {
     Desk desk;
     desk.now = shipped_scene("5-logic");
     desk.rest();
-    EXPECT_TRUE(writes(desk, "· neurons "));
-    EXPECT_FALSE(writes(desk, "indifferent"));
-}
-
-TEST(BrainCard, CoversAndUncoversAnEye) {
-    Desk desk(1280, 1000);
-    desk.frame(3);
-    const BrainGraph before = *desk.now.brains[0];
-    desk.click("lesion.SL");
-    const BrainGraph covered = brain_asked_for(desk);
-    EXPECT_TRUE(find_node(covered, "SL")->silenced);
-    EXPECT_FALSE(find_node(covered, "SR")->silenced);
-    EXPECT_EQ(read_dials(covered), read_dials(before)) << "the weights are unchanged";
-    give(desk, covered);
-    desk.click("lesion.SL");
-    EXPECT_EQ(brain_asked_for(desk), before);
-}
-
-TEST(BrainCard, StopsAMotor) {
-    Desk desk(1280, 1000);
-    desk.frame(3);
-    desk.click("lesion.MR");
-    EXPECT_TRUE(find_node(brain_asked_for(desk), "MR")->silenced);
-}
-
-TEST(BrainCard, CutsAndRestoresAWireByAClick) {
-    Desk desk(1280, 1000);
-    desk.frame(3);
-    const BrainGraph before = *desk.now.brains[0];  // LR and RL
-    ASSERT_FALSE(desk.anchors.find("lesion.LL")) << "a missing wire cannot be cut";
-    desk.click("lesion.LR");
-    const BrainGraph cut = brain_asked_for(desk);
-    EXPECT_TRUE(is_cut(cut, "SR", "ML"));
-    EXPECT_FALSE(is_cut(cut, "SL", "MR"));
-    give(desk, cut);
-    desk.click("lesion.LR");
-    EXPECT_EQ(brain_asked_for(desk), before);
-}
-
-TEST(BrainCard, AcceptsAClickAnywhereOnAWire) {
-    Desk desk(1280, 1000);
-    desk.frame(3);
-    // A little below the right eye, far from the sign at the end of LR.
-    const Rect eye = desk.where("lesion.SR"), end = desk.where("lesion.LR");
-    const sketch::WirePath path =
-        sketch::path({eye.x + eye.w / 2, eye.y + eye.h / 2 + 9}, {end.x + end.w / 2, end.y + end.h / 2});
-    const ImVec2 on{path[0].x - 2, path[0].y + 12};
-    ASSERT_LT(sketch::distance(path, on), 6);
-    desk.point(on.x, on.y);
-    desk.frame(2);
-    desk.button(0, true);
-    desk.frame(2);
-    desk.button(0, false);
-    desk.frame(2);
-    EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML"));
-}
-
-TEST(BrainCard, CutsWithTheKeyLUnderThePointerAndWithEnterOnTheFocus) {
-    Desk desk(1280, 1000);
-    desk.frame(3);
-    desk.point("lesion.SR");
-    desk.frame(2);
-    desk.key({'L'});
-    desk.frame();
-    EXPECT_TRUE(find_node(brain_asked_for(desk), "SR")->silenced);
-    desk.all.clear();
-    desk.point(10, 10);
-    desk.frame(2);
-    desk.key({'L'});
-    desk.frame(2);
-    EXPECT_TRUE(desk.edits().empty()) << "no part is under the pointer";
-    desk.panels.keyboard.focus = "lesion.RL";
-    desk.key({key::enter});
-    desk.frame();
-    EXPECT_TRUE(is_cut(brain_asked_for(desk), "SL", "MR"));
+    EXPECT_TRUE(desk.says("· neurons "));
+    EXPECT_FALSE(desk.says("indifferent"));
 }
 
 TEST(BrainCard, ShowsAllNeuronsAndWiresInItsPicture) {
@@ -373,47 +257,6 @@ TEST(BrainCard, ShowsAllNeuronsAndWiresInItsPicture) {
     }
 }
 
-TEST(BrainCard, SilencesANeuronByAClickInItsPicture) {
-    Desk desk(1280, 1000);
-    desk.now = shipped_scene("5-logic");
-    desk.rest();
-    const auto& nodes = desk.now.brains[0]->nodes;
-    const auto neuron =
-        std::find_if(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::neuron; });
-    ASSERT_NE(neuron, nodes.end());
-    desk.click("lesion." + neuron->name);
-    EXPECT_TRUE(find_node(brain_asked_for(desk), neuron->name)->silenced);
-}
-
-TEST(BrainCard, NamesTheWiresOfTheOtherPairsByTheirEnds) {
-    Desk desk(1280, 1000);
-    desk.now = shipped_scene("3c-values");
-    desk.view.settings.selection.pair = "heat";
-    desk.rest();
-    const BrainGraph& brain = *desk.now.brains[0];
-    ASSERT_NE(read_dials(brain, {"HL", "HR"}).LL, 0);
-    ASSERT_NE(read_dials(brain).LR, 0);
-    desk.click("lesion.LL");
-    EXPECT_TRUE(is_cut(brain_asked_for(desk), "HL", "ML"));
-    desk.all.clear();
-    desk.rest();
-    desk.click("lesion.SR-ML");
-    EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML"));
-}
-
-TEST(BrainCard, CutsTheWireOfTheChosenPairWithTheKeyLWhileWiring) {
-    Desk desk(1280, 1000);
-    desk.now = shipped_scene("3c-values");
-    desk.view.mode = Mode::wiring;  // without the picture
-    desk.view.settings.selection.pair = "heat";
-    desk.rest();
-    desk.point("slider.LL");
-    desk.frame(2);
-    desk.key({'L'});
-    desk.frame(2);
-    EXPECT_TRUE(is_cut(brain_asked_for(desk), "HL", "ML"));
-}
-
 TEST(BrainCard, FoldsTheThresholdsUntilOneIsUsed) {
     Desk desk;
     desk.frame(3);
@@ -429,73 +272,6 @@ TEST(BrainCard, FoldsTheThresholdsUntilOneIsUsed) {
     desk.now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LR = 1, .threshold_LR = 0.2f}));
     desk.rest();
     EXPECT_TRUE(desk.anchors.find("threshold.LL")) << "a threshold that has an effect is always shown";
-}
-
-TEST(BrainCard, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
-    Desk desk(1280, 1000);
-    desk.panels.thresholds_open = true;
-    desk.frame(3);
-    for (const char* anchor : {"slider.LR", "threshold.LR"}) {
-        desk.all.clear();
-        desk.point(anchor);
-        desk.frame(2);
-        desk.key({'L'});
-        desk.frame(2);
-        EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML")) << anchor;
-    }
-    desk.all.clear();
-    desk.point("slider.LL");
-    desk.frame(2);
-    desk.key({'L'});
-    desk.frame(2);
-    EXPECT_TRUE(desk.edits().empty()) << "a missing wire cannot be cut";
-}
-
-TEST(BrainCard, SilencesTheEyeOrWheelUnderThePointerInTheSceneWithTheKeyL) {
-    Desk desk(1280, 1000);
-    auto scene = std::make_shared<Scene>(*desk.now.scene);
-    for (Kind& kind : scene->kinds) {
-        kind.sensors[0].x = kind.sensors[1].x = 0.3f;
-        kind.sensors[0].y = 0.24f, kind.sensors[1].y = -0.24f;
-    }
-    desk.now.scene = scene;
-    const CameraView camera_view = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 1000}, {336, 64, 576, 880});
-    desk.view.camera_view = &camera_view;
-    desk.frame(3);
-    const auto over = [&](float x, float y) {
-        const auto at = *project(camera_view, {x, y}, 0.2f);
-        desk.all.clear();
-        desk.point(at.x, at.y);
-        desk.frame(2);
-        desk.key({'L'});
-        desk.frame(2);
-        return desk.edits().empty() ? BrainGraph{} : brain_asked_for(desk);
-    };
-    const BrainGraph eye = over(0.3f, 0.24f);  // the selected vehicle is at the origin and faces +x
-    ASSERT_TRUE(find_node(eye, "SL"));
-    EXPECT_TRUE(find_node(eye, "SL")->silenced);
-    const BrainGraph wheel = over(0, -0.3f);
-    ASSERT_TRUE(find_node(wheel, "MR"));
-    EXPECT_TRUE(find_node(wheel, "MR")->silenced);
-    EXPECT_TRUE(over(4, 4).nodes.empty()) << "no lesion on the empty floor";
-    desk.now.vehicles[0].heading = 1.5707964f;  // now it faces +y
-    desk.frame(2);
-    const BrainGraph turned = over(-0.24f, 0.3f);
-    ASSERT_TRUE(find_node(turned, "SL"));
-    EXPECT_TRUE(find_node(turned, "SL")->silenced);
-}
-
-TEST(BrainCard, HealsAllLesionsInOneStep) {
-    Desk desk(1280, 1000);
-    desk.frame(3);
-    const BrainGraph before = *desk.now.brains[0];
-    EXPECT_FALSE(desk.anchors.find("lesion.heal"));
-    BrainGraph hurt = before;
-    find_node(hurt, "ML")->silenced = true;
-    for (Wire& wire : hurt.wires) wire.cut = true;
-    give(desk, hurt);
-    desk.click("lesion.heal");
-    EXPECT_EQ(brain_asked_for(desk), before);
 }
 
 TEST(BrainCard, RequestsManualDrivingByButtonAndKey) {
