@@ -1,44 +1,18 @@
-// Opening, saving and leaving by the requests of the file browser.
+// Opening and saving by the requests of the file browser.
 #include "app/files/file_commands.h"
 
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lesson.h"
-#include "app/files/data.h"
-#include "app/files/disk.h"
-#include "app/lab_requests.h"
 #include "core/export/export.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
-#include "tests/folder.h"
+#include "tests/lab/lab_files.h"
 
 namespace braitenlab::tests::file_commands_test {
 namespace {
 
-struct FileCommands : testing::Test {
-    Folder folder;
-    FilesView files;
-    StoredState state;
-    UserFolders folders{.home = folder.path, .pictures = folder / "Pictures", .documents = folder / "Documents"};
-    Lab lab = open("2a-coward");
-    fs::path nowhere = folder / "text" / "below" / "mine";  // below a file
-
-    static Lab open(const std::string& name) {
-        auto opened = open_lab(*find_shipped(name), std::nullopt, {});
-        return std::move(*opened);
-    }
-
-    FileCommands() {
-        state.folder = folder.path.string();
-        put_text(folder / "text", "");
-        refresh(files, lab);
-    }
-    void ask(const Request& request) {
-        handle(lab, request);
-        execute_file_requests(lab, files, state, folders);
-    }
-    const FourNeurons dials() const { return read_dials(*lab.document.session.snapshot().kind_brains[0]); }
-};
+struct FileCommands : LabFiles {};
 
 TEST_F(FileCommands, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
@@ -397,46 +371,6 @@ TEST_F(FileCommands, OpensAFolderThatIsTyped) {
     EXPECT_EQ(files.listing.folder, folder.path.string());
 }
 
-TEST_F(FileCommands, AsksBeforeItLeavesUnsavedEdits) {
-    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    const auto before = lab.document.session.hash();
-    const std::string love = (*find_shipped("3a-love")).string();
-    ask(OpenRequest{love});
-    EXPECT_EQ(lab.document.session.hash(), before);
-    ASSERT_TRUE(files.leaving);
-    EXPECT_EQ(files.leaving->title, "Vehicle 2a: Coward");
-    EXPECT_EQ(files.leaving->next, love);
-    ask(LeaveRequest{Leave::stay});
-    EXPECT_FALSE(files.leaving);
-    EXPECT_EQ(lab.document.session.hash(), before);
-    ask(OpenRequest{love});
-    ask(LeaveRequest{Leave::discard});
-    EXPECT_FALSE(files.leaving);
-    EXPECT_EQ(lab.document.name, "3a-love");
-}
-
-TEST_F(FileCommands, SavesToTheFileOfTheSceneBeforeItLeaves) {
-    ask(SaveRequest{"mine", FileKind::scene});
-    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    ask(OpenRequest{(*find_shipped("3a-love")).string()});
-    ask(LeaveRequest{Leave::save});
-    EXPECT_EQ(lab.document.name, "3a-love");
-    ask(OpenRequest{"mine.toml"});
-    EXPECT_EQ(dials().LR, 1.25f);
-}
-
-TEST_F(FileCommands, LeavesOnceTheEditsAreSavedUnderAnotherName) {
-    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    ask(OpenRequest{(*find_shipped("3a-love")).string()});
-    ask(SaveRequest{"only the brain", FileKind::brain});
-    ask(LeaveRequest{Leave::saved});
-    EXPECT_TRUE(files.leaving) << "a brain file does not contain the scene: the question opens again";
-    EXPECT_EQ(lab.document.name, "2a-coward");
-    ask(SaveRequest{"all of it", FileKind::scene});
-    ask(LeaveRequest{Leave::saved});
-    EXPECT_EQ(lab.document.name, "3a-love");
-}
-
 TEST_F(FileCommands, ShowsSuccessAndFailureAsDifferentNotices) {
     ask(SaveRequest{"mine", FileKind::scene});
     EXPECT_EQ(lab.notice, (Notice{NoticeKind::done, "files.saved", "mine.toml"}));
@@ -448,140 +382,6 @@ TEST_F(FileCommands, GivesEachOpenedDocumentAnotherRunId) {
     const auto before = lab.document.run_id;
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
     EXPECT_NE(lab.document.run_id, before) << "histories of the other run are dropped";
-}
-
-TEST_F(FileCommands, LeavesWithoutUnsavedEditsOrAfterTheUserDiscardsThem) {
-    EXPECT_TRUE(may_leave(lab, files)) << "no edits";
-    for (int i = 0; i < 100; ++i) tick(lab);
-    EXPECT_TRUE(may_leave(lab, files)) << "a run is not an edit";
-    handle(lab, EditRequest{TurnDial{{.vehicle = 0}, Dial::LR, 1.25f}});
-    EXPECT_FALSE(may_leave(lab, files)) << "the brain of a single vehicle counts too";
-    ASSERT_TRUE(files.leaving);
-    EXPECT_EQ(files.leaving->next, "");
-    ask(LeaveRequest{Leave::stay});
-    EXPECT_FALSE(lab.exit);
-    handle(lab, Action::undo);
-    EXPECT_TRUE(may_leave(lab, files)) << "an undone edit does not count";
-    handle(lab, Action::redo);
-    EXPECT_FALSE(may_leave(lab, files));
-    ask(LeaveRequest{Leave::discard});
-    EXPECT_TRUE(lab.exit);
-    EXPECT_TRUE(may_leave(lab, files));
-}
-
-TEST_F(FileCommands, StaysIfTheEditsCannotBeWritten) {
-    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    EXPECT_FALSE(may_leave(lab, files));
-    files.save_to = nowhere.string() + ".toml";
-    ask(LeaveRequest{Leave::save});
-    EXPECT_TRUE(files.leaving);
-    EXPECT_FALSE(lab.exit);
-    EXPECT_TRUE(files.refused);
-}
-
-TEST_F(FileCommands, AsksBeforeTheEditedBrainOfAnExerciseIsLost) {
-    const std::string next = find_shipped("3a-love")->string();
-    lab = open("05-aggressor");
-    EXPECT_TRUE(may_leave(lab, files));
-    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    EXPECT_FALSE(may_leave(lab, files));
-    ask(OpenRequest{next});
-    EXPECT_EQ(lab.document.name, "05-aggressor");
-    ASSERT_TRUE(files.leaving);
-    EXPECT_EQ(files.leaving->next, next);
-    ask(SaveRequest{"mine", FileKind::brain});
-    ask(LeaveRequest{Leave::saved});
-    EXPECT_EQ(lab.document.name, "3a-love") << "a brain in a file is not lost";
-    lab = open("05-aggressor");
-    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    handle(lab, Action::exercise_reset);
-    EXPECT_TRUE(may_leave(lab, files)) << "the brain is as shipped again";
-}
-
-TEST_F(FileCommands, OpensTheNextExerciseWithoutAQuestionOnceThisOneIsPassed) {
-    const OpenRequest next{.path = find_shipped("3a-love")->string(), .next_exercise = true};
-    lab = open("05-aggressor");
-    handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
-    ask(next);
-    EXPECT_TRUE(files.leaving) << "not passed yet";
-    ask(LeaveRequest{Leave::stay});
-    Jobs jobs;
-    const auto grade_is_known = [&] { return lab.document.lesson->view.grade.has_value(); };
-    for (int i = 0; i < 60 * 60 && !grade_is_known(); ++i) tick(lab), update_grading(lab, jobs), jobs.finish();
-    ASSERT_TRUE(grade_is_known());
-    ASSERT_TRUE(lab.document.lesson->view.grade->good);
-    ask(OpenRequest{next.path});
-    EXPECT_TRUE(files.leaving) << "opened in another way";
-    ask(LeaveRequest{Leave::stay});
-    ask(next);
-    EXPECT_FALSE(files.leaving);
-    EXPECT_EQ(lab.document.name, "3a-love");
-}
-
-struct FollowFile : FileCommands {
-    const fs::path file = folder / "mine.toml";
-    FollowFile() {
-        ask(SaveRequest{"mine", FileKind::scene});
-        ask(OpenRequest{"mine.toml"});
-    }
-    // Writes as another program does. Looks twice: a change counts once the file stays the same.
-    void write(const std::string& text) {
-        put_text(file, text);
-        fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(++written_));
-        look(), look();
-    }
-    void look() { follow_file(lab, files); }
-    static std::string with(std::string text, const std::string& old, const std::string& fresh) {
-        const auto at = text.find(old);
-        EXPECT_NE(at, text.npos) << old;
-        return at == text.npos ? text : text.replace(at, old.size(), fresh);
-    }
-
-private:
-    int written_ = 0;
-};
-
-TEST_F(FollowFile, ReloadsAFileThatAnotherProgramHasWritten) {
-    handle(lab, Action::play_pause);
-    ask(SaveRequest{"mine", FileKind::scene});
-    for (int i = 0; i < 50; ++i) tick(lab);
-    look(), look();
-    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "a save by the lab is not a change";
-    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
-    EXPECT_EQ(dials().LL, 0.25f);
-    EXPECT_EQ(lab.playback.mode, Mode::playing);
-    EXPECT_EQ(lab.notice.words, "Vehicle 2a: Coward");
-}
-
-TEST_F(FollowFile, KeepsTheRunIfTheFileIsBroken) {
-    for (int i = 0; i < 50; ++i) tick(lab);
-    const auto before = lab.document.session.hash();
-    write(with(text_of(file), "LL = 1.5", "LL = 77"));
-    EXPECT_EQ(lab.document.session.hash(), before);
-    EXPECT_NE(lab.notice.words.find("mine.toml:"), std::string::npos) << lab.notice.words;
-    write(with(text_of(file), "LL = 77", "LL = 0.5"));
-    EXPECT_EQ(dials().LL, 0.5f) << "reloaded once it is valid";
-}
-
-TEST_F(FollowFile, KeepsUnsavedEdits) {
-    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
-    EXPECT_EQ(dials().LR, 1.25f);
-    EXPECT_EQ(dials().LL, 1.5f);
-    EXPECT_EQ(lab.notice.words, "Vehicle 2a: Coward");
-}
-
-TEST(Disk, ResolvesATypedPathFromTheFolderOrTheHomeFolder) {
-    EXPECT_EQ(resolved("~/a.toml", "/f", "/home/me"), "/home/me/a.toml");
-    EXPECT_EQ(resolved("~", "/f", "/home/me"), "/home/me/");
-    EXPECT_EQ(resolved("a/../b.toml", "/f", "/home/me"), "/f/b.toml");
-    EXPECT_EQ(resolved("/b.toml", "/f", "/home/me"), "/b.toml");
-}
-
-TEST(Disk, AppendsTheExtensionOfTheKind) {
-    EXPECT_EQ(with_extension("/a", FileKind::scene), "/a.toml");
-    EXPECT_EQ(with_extension("/a.toml", FileKind::brain), "/a.toml");
-    EXPECT_EQ(with_extension("/a.b", FileKind::run), "/a.b.run");
 }
 
 }  // namespace

@@ -1,0 +1,65 @@
+// An opened file that another program has written.
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "tests/lab/lab_files.h"
+
+namespace braitenlab::tests::follow_file_test {
+namespace {
+
+struct FollowFile : LabFiles {
+    const fs::path file = folder / "mine.toml";
+    FollowFile() {
+        ask(SaveRequest{"mine", FileKind::scene});
+        ask(OpenRequest{"mine.toml"});
+    }
+    // Writes as another program does. Looks twice: a change counts once the file stays the same.
+    void write(const std::string& text) {
+        put_text(file, text);
+        fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(++written_));
+        look(), look();
+    }
+    void look() { follow_file(lab, files); }
+    static std::string with(std::string text, const std::string& old, const std::string& fresh) {
+        const auto at = text.find(old);
+        EXPECT_NE(at, text.npos) << old;
+        return at == text.npos ? text : text.replace(at, old.size(), fresh);
+    }
+
+private:
+    int written_ = 0;
+};
+
+TEST_F(FollowFile, ReloadsAFileThatAnotherProgramHasWritten) {
+    handle(lab, Action::play_pause);
+    ask(SaveRequest{"mine", FileKind::scene});
+    for (int i = 0; i < 50; ++i) tick(lab);
+    look(), look();
+    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "a save by the lab is not a change";
+    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
+    EXPECT_EQ(dials().LL, 0.25f);
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
+    EXPECT_EQ(lab.notice.words, "Vehicle 2a: Coward");
+}
+
+TEST_F(FollowFile, KeepsTheRunIfTheFileIsBroken) {
+    for (int i = 0; i < 50; ++i) tick(lab);
+    const auto before = lab.document.session.hash();
+    write(with(text_of(file), "LL = 1.5", "LL = 77"));
+    EXPECT_EQ(lab.document.session.hash(), before);
+    EXPECT_NE(lab.notice.words.find("mine.toml:"), std::string::npos) << lab.notice.words;
+    write(with(text_of(file), "LL = 77", "LL = 0.5"));
+    EXPECT_EQ(dials().LL, 0.5f) << "reloaded once it is valid";
+}
+
+TEST_F(FollowFile, KeepsUnsavedEdits) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
+    EXPECT_EQ(dials().LR, 1.25f);
+    EXPECT_EQ(dials().LL, 1.5f);
+    EXPECT_EQ(lab.notice.words, "Vehicle 2a: Coward");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::follow_file_test
