@@ -22,7 +22,6 @@ constexpr float wide_window = 1600;                                // has room f
 constexpr float narrow_window = 1200;                              // a narrower window has narrower cards and margins
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
-constexpr float folded_card = 36;  // height
 
 struct ColumnWidths {
     float margin, left, right;
@@ -160,6 +159,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.tools = l.scene;
         l.scene.y += tools_row * scale, l.scene.h -= tools_row * scale;
     }
+    // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
     if (view.lecture && (view.map || view.robots || view.slots.has_any()) && l.left.w > 0)
         l.scene.x = from_left, l.scene.w -= from_left - margin;
@@ -184,11 +184,6 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.timeline = take_timeline(l.scene, scale);
     }
     if (watches) split_for_canvas(l, view, margin, open.right);
-    // The headings of folded cards are above the scene: no vehicle is under one. A watched scene needs the height.
-    if (view.lecture && !view.pages && view.mode != Mode::wiring && !watches) {
-        const float row = std::min(folded_card * scale + margin, l.scene.h);
-        l.scene.y += row, l.scene.h -= row;
-    }
     if (l.tools.w <= 0) l.tools = l.scene;
     l.exercise_on_right = view.lesson && l.left.w <= 0 && !view.lecture;
     return l;
