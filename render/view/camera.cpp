@@ -95,7 +95,10 @@ Stand overview(const Camera& camera, const Arena& arena, const FloorBox& box, Re
     // where the box reaches the edge of the arena.
     const bool at_edge = box.high.x >= arena.width / 2 || box.high.y >= arena.height / 2 ||
                          box.low.x <= -arena.width / 2 || box.low.y <= -arena.height / 2;
-    const float margin = at_edge ? 0.016f * std::min(area.w, area.h) + 8 : 6;
+    const float side = std::min(area.w, area.h);
+    const float beside = std::min({area.x - window.x, area.y - window.y, window.x + window.w - area.x - area.w,
+                                   window.y + window.h - area.y - area.h});
+    const float margin = at_edge ? 8 + std::max(0.016f * side, 0.032f * side - std::max(beside, 0.0f)) : 6;
     const float room_x = (area.w - 2 * margin) / focal, room_y = (area.h - 2 * margin) / focal;
     const auto fits = [&](float distance) {
         const Extent e = extent_from(distance, corners);

@@ -40,6 +40,15 @@ TEST(Camera, ShowsEveryCornerOfTheArenaInTheFreeArea) {
                 }
 }
 
+TEST(Camera, LeavesRoomForTheLabelsOfMetresInAPictureWithoutBars) {
+    const auto below = [](Rect area) {
+        const CameraView seen = look(Camera{}, Arena{}, nullptr, window, area);
+        return area.y + area.h - project(seen, {0, -Arena{}.height / 2})->y;
+    };
+    EXPECT_GT(below(window), 0.04f * window.h);
+    EXPECT_LT(below({100, 100, 1080, 600}), 0.04f * 600) << "there is room below the area";
+}
+
 TEST(Camera, FillsTheFreeAreaInOneDirection) {
     const CameraView camera_view = overview();
     float left = 1e9f, right = 0, top = 1e9f, bottom = 0;
