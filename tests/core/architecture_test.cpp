@@ -157,6 +157,25 @@ TEST(Architecture, AsksForThePlatformInOneFolderOnly) {
     EXPECT_TRUE(asks_for_platform("#ifdef _WIN32\n"));
 }
 
+// True for a line that sets a gap or a padding to a number of its own.
+bool has_own_gap(const std::string& line) {
+    static const std::regex number{R"((SameLine|Dummy|ItemSpacing|FramePadding|WindowPadding)\b.*px\(\d+\))"};
+    return std::regex_search(line, number);
+}
+
+TEST(Architecture, TakesTheGapsOfTheWindowFromTheSpacingGrid) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(BRAITENLAB_SOURCE) / "ui")) {
+        if (!entry.is_regular_file() || entry.path().extension() != ".cpp") continue;
+        std::ifstream stream(entry.path());
+        int number = 0;
+        for (std::string line; std::getline(stream, line);)
+            EXPECT_FALSE(++number && has_own_gap(line))
+                << entry.path().string() << ":" << number << ": use a value of spacing:: (ui/widgets/theme.h)";
+    }
+    EXPECT_TRUE(has_own_gap("ImGui::SameLine(0, ui.px(6));"));
+    EXPECT_FALSE(has_own_gap("ImGui::SameLine(0, ui.px(spacing::small));"));
+}
+
 TEST(Architecture, FindsAnIncludeOfAHigherLayer) {
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/world/world.h\""), 1u);
     EXPECT_EQ(count_violations("core/sensing/outline.cpp", "\"core/world/snapshot.h\""), 1u);

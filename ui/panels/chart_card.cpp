@@ -167,7 +167,7 @@ void sort_headers(PanelState& state, Ui& ui) {
         const auto by = static_cast<EnergyOrder::By>(i);
         const bool on = order.by == by;
         const std::string text = std::string(words[i]) + (on ? order.falling ? " ↓" : " ↑" : "");
-        if (i > 0) ImGui::SameLine(0, ui.px(6));
+        if (i > 0) ImGui::SameLine(0, ui.px(spacing::small));
         const Item at = small_button(ui, {anchors[i], {}, text, on});
         tooltip(ui, at, ui.strings("charts.sort_how"));
         if (!at.pressed) continue;

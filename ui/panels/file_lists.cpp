@@ -198,7 +198,7 @@ void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bott
     const float height = std::max(ui.px(least_list), bottom - ImGui::GetCursorPosY());
     compat::begin_child(id, {width > 0 ? width : card_width(ui), height}, ImGuiWindowFlags_NoNav);
     if (files.listed != contents || !files.begun) files.listed = contents, ImGui::SetScrollY(0);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::hair)});
 }
 
 void end_list() {

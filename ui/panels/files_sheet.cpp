@@ -153,7 +153,7 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
                 key_name({key::enter}, ui.strings));
         if (at.pressed && files.saving) save_file(view, files, ui);
         if (at.pressed && !files.saving) request_file(view, files, ui, OpenRequest{files.typed.text});
-        ImGui::SameLine(0, ui.px(8));
+        ImGui::SameLine(0, ui.px(spacing::small));
     }
     if (view.uploads && !files.saving) {
         const Item upload = button(ui, "files.upload", {{}, ui.strings("files.upload")});
@@ -162,7 +162,7 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
             ui.outbox.push_back(UploadRequest{});
             state.sheet = Sheet::none;
         }
-        ImGui::SameLine(0, ui.px(8));
+        ImGui::SameLine(0, ui.px(spacing::small));
     }
     const Item cancel = button(ui, "files.cancel", {{}, ui.strings("files.cancel")});
     tooltip(ui, cancel, ui.strings("files.cancel_how"), key_name({key::escape}, ui.strings));

@@ -76,7 +76,7 @@ void ratio(const Snapshot& now, Ui& ui) {
     if (now.prey > 0)
         fill_box(ui, {at.x + cut + ui.px(1), y, std::max(bar, width - cut - ui.px(1)), bar}, ui.palette.prey,
                  Corner::round);
-    ImGui::Dummy({width, h + ui.px(4) + bar});
+    ImGui::Dummy({width, h + ui.px(spacing::tight) + bar});
     mark(ui, "info.ratio", {at.x, at.y, width, h + ui.px(4) + bar});
 }
 
@@ -92,7 +92,7 @@ void inactivity(const Snapshot& now, Ui& ui) {
     fill_box(ui, {at.x, y, width, bar}, ui.palette.line, Corner::round);
     fill_box(ui, {at.x, y, width * std::clamp(now.inactivity_left / whole, 0.0f, 1.0f), bar}, ui.palette.second_text,
              Corner::round);
-    ImGui::Dummy({width, h + ui.px(2) + bar});
+    ImGui::Dummy({width, h + ui.px(spacing::hair) + bar});
     mark(ui, "info.inactivity", {at.x, at.y, width, h + ui.px(5)});
 }
 
@@ -190,14 +190,14 @@ void signal_strips(const History& history, const ShownSignals& shown, Ui& ui) {
     constexpr float height = 20, row = 28;  // layout pixels
     subheading(ui, fill(ui.strings("info.last_seconds"), {fixed(ui, static_cast<float>(strip_seconds), 0)}));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float space = ui.px(12), half = (card_width(ui) - space) / 2;
+    const float space = ui.px(spacing::medium), half = (card_width(ui) - space) / 2;
     for (std::size_t i = 0; i < 4; ++i) {
         const Rect place{at.x + (i % 2 ? half + space : 0), at.y + ui.px(2) + ui.px(row) * (i < 2 ? 0.0f : 1.0f), half,
                          ui.px(height)};
         signal_strip(ui, place, history, shown, i, i < 2 ? 0.0f : -1.0f);
     }
-    ImGui::Dummy({card_width(ui), ui.px(2 * row - 4)});
-    mark(ui, "info.signals", {at.x, at.y, card_width(ui), ui.px(2 * row - 4)});
+    ImGui::Dummy({card_width(ui), ui.px(2 * row - spacing::tight)});
+    mark(ui, "info.signals", {at.x, at.y, card_width(ui), ui.px(2 * row - spacing::tight)});
 }
 
 void population_strip(const History& history, Ui& ui) {
@@ -220,7 +220,7 @@ void population_strip(const History& history, Ui& ui) {
         const float y = plot_point(plot, time, value, newest, static_cast<float>(all.back().count[side])).y;
         put_role(ui, {plot.x + plot.w - ui.px(3), y}, ui.px(8), role);
     }
-    ImGui::Dummy({plot.w, plot.h + ui.px(4)});
+    ImGui::Dummy({plot.w, plot.h + ui.px(spacing::tight)});
     mark(ui, "info.over_time", plot);
 }
 

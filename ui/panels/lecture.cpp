@@ -55,7 +55,7 @@ float pressed_keys(const LabView& view, PanelState& state, Ui& ui, float right, 
     if (keys.size() > most_pressed_keys)
         keys.erase(keys.begin(), keys.end() - static_cast<std::ptrdiff_t>(most_pressed_keys));
     if (keys.empty()) return right;
-    const float h = line_height(ui, Face::title) + ui.px(8), space = ui.px(8), y = bar.y + (bar.h - h) / 2;
+    const float h = line_height(ui, Face::title) + ui.px(8), space = ui.px(spacing::small), y = bar.y + (bar.h - h) / 2;
     float x = right;
     for (auto k = keys.rbegin(); k != keys.rend(); ++k) {
         const std::string words = key_name(k->press, ui.strings);

@@ -249,7 +249,7 @@ void live_words(const LabView& view, PanelState& state, Ui& ui, const VehicleVie
     const std::string word = view.settings.revealed.character ? std::string(ui.strings("character." + key)) : "?";
     const std::string speed = fill(ui.strings("info.metres_a_second"), {fixed(ui, vehicle.speed, 2)});
     const float small = line_height(ui, Face::small), large = line_height(ui, Face::title);
-    const float gap = ui.px(6), both = 2 * (small + large) + gap;
+    const float gap = ui.px(spacing::small), both = 2 * (small + large) + gap;
     const float caption = both <= bar.h ? small : 0;  // a low bar has no room for captions
     float y = bar.y + (bar.h - 2 * (caption + large) - gap) / 2;
     const auto figure = [&](std::string_view anchor, const std::string& words) {

@@ -123,7 +123,7 @@ void map_upper_row(const MapFrame& frame, float width) {
     Ui& ui = frame.ui;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     std::string axis = axis_words(ui, *frame.y), measure = measure_words(ui, frame.map.measure);
-    const float gap_between = ui.px(6);
+    const float gap_between = ui.px(spacing::small);
     const float bare =
         small_button_width(ui, opener_look(frame, "map.y", MapList::y, axis), true) - text_width(ui, Face::small, axis);
     const float room = width - gap_between - 2 * bare;  // for the words of both

@@ -95,7 +95,7 @@ void legend_of_numbers(const MapFrame& frame, float width) {
     const float y = at.y + height + ui.px(2);
     put(ui, {at.x, y}, number_words(ui, scale.low, frame.map.measure), ui.palette.text, Face::small);
     put_right(ui, {at.x + width, y}, number_words(ui, scale.high, frame.map.measure), ui.palette.text, Face::small);
-    ImGui::Dummy({1, height + line_height(ui, Face::small) + ui.px(4)});
+    ImGui::Dummy({1, height + line_height(ui, Face::small) + ui.px(spacing::tight)});
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ void map_words(const MapFrame& frame, float width) {
         if (!frame.map.cells->at(place)) what = fill(ui.strings("map.coarse"), {what});
         put(ui, {at_line.x, at_line.y + line}, shortened(ui, what, Face::strong, width), ui.palette.text, Face::strong);
     }
-    ImGui::Dummy({1, line + line_height(ui, Face::strong) + ui.px(4)});
+    ImGui::Dummy({1, line + line_height(ui, Face::strong) + ui.px(spacing::tight)});
 }
 
 void map_legend(const MapFrame& frame, float width) {

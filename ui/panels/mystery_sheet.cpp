@@ -52,7 +52,7 @@ void start_of_mystery(const Scene& scene, const MysteryStart& start, std::size_t
     const Item at = item(ui, "mystery.start." + std::to_string(number + 1), size, false);
     fill_box(ui, at.rect, ui.palette.raised, Corner::box);
     line_box(ui, at.rect, ui.palette.line, Corner::box);
-    const float inset = ui.px(3);
+    const float inset = ui.px(spacing::tight);
     const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
     const maths::vec2 half{scene.arena.width / 2, scene.arena.height / 2};
     const FloorMap map({-half, half}, inner);

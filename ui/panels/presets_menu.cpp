@@ -108,7 +108,7 @@ void ask_for_sensors(const LabView& view, PanelState& state, Ui& ui, const Vehic
     } else {
         chosen("preset.back", "own_brain.back", Emphasis::quiet);
     }
-    ImGui::Dummy({1, ui.px(4)});
+    ImGui::Dummy({1, ui.px(spacing::tight)});
     ImGui::EndGroup();
 }
 
@@ -121,7 +121,7 @@ void kept_sensors(Ui& ui, const BrainGraph& brain) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     put(ui, {at.x + ui.px(spacing::medium), at.y + ui.px(4)}, fill(ui.strings("own_brain.stays"), {names}),
         ui.palette.second_text, Face::small);
-    ImGui::Dummy({1, line_height(ui, Face::small) + ui.px(8)});
+    ImGui::Dummy({1, line_height(ui, Face::small) + ui.px(spacing::small)});
 }
 
 // Buttons that open the file browser to load or save a brain.
@@ -140,10 +140,10 @@ void own_brains(PanelState& state, Ui& ui) {
         state.files.only = FileKind::brain;
         ui.outbox.push_back(BrowseRequest{});
     }
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     if (wanted({"preset.save", icon::save, ui.strings("own_brain.save")}, ui.strings("own_brain.save_how")))
         begin_files(state.files, true, FileKind::brain);
-    ImGui::Dummy({1, ui.px(4)});
+    ImGui::Dummy({1, ui.px(spacing::tight)});
 }
 
 }  // namespace
@@ -155,8 +155,8 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     if (wanted && ui.keyboard && ui.keyboard->focus == "button.presets")
         ui.keyboard->focus = "preset." + std::string(presets().front().name);
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(4), ui.px(2)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(spacing::small), ui.px(spacing::small)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::tight), ui.px(spacing::hair)});
     const bool was_open = state.presets_open;
     state.presets_open = ImGui::BeginPopup("presets");
     if (state.presets_open) {

@@ -90,7 +90,7 @@ private:
         put(ui_, {from, below.y}, strings("reality.ideal"), quiet, Face::small);
         put_centred(ui_, {(from + until) / 2, below.y}, strings("reality.real"), quiet, Face::small);
         put_right(ui_, {until, below.y}, strings("reality.twice"), quiet, Face::small);
-        ImGui::Dummy({1, line_height(ui_, Face::small) + ui_.px(6)});
+        ImGui::Dummy({1, line_height(ui_, Face::small) + ui_.px(spacing::small)});
     }
 
     // The figures of the robots, in the order of a signal: eye to wheel.

@@ -53,7 +53,7 @@ struct RobotSheet {
 
     void targets() const {
         subheading(ui, words("robot.target"));
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(4)});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::tight)});
         for (const robots::Robot& robot : robots::robots().subspan(1)) choice(robot);
         choice(robots::robots().front());  // the C header is for those who know what to do with it
         ImGui::PopStyleVar();
@@ -73,7 +73,7 @@ struct RobotSheet {
         subheading(ui, words("robot.files"));
         if (!*state.made) return paragraph(ui, text_of(state.made->error(), ui.strings), warning());
         const bool written = is_written();
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::hair)});
         for (const robots::ExportedFile& file : **state.made)
             file_row(file.name, written ? icon::check : icon::file,
                      written ? ui.palette.accent : ui.palette.second_text);
@@ -125,7 +125,7 @@ struct RobotSheet {
         const Item yes = button(ui, "robot.export", look);
         tooltip(ui, yes, words("robot.export_how"), key_name({key::enter}, ui.strings));
         if (look.enabled && (yes.pressed || state.folder.entered)) write();
-        ImGui::SameLine(0, ui.px(8));
+        ImGui::SameLine(0, ui.px(spacing::small));
         const Item cancel = button(ui, "robot.cancel", {{}, words("files.cancel")});
         tooltip(ui, cancel, words("robot.cancel_how"), key_name({key::escape}, ui.strings));
         if (cancel.pressed) panels.sheet = Sheet::none;

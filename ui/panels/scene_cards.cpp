@@ -78,7 +78,7 @@ void object_buttons(Ui& ui) {
     const Item copy = button(ui, "thing.duplicate", {{}, ui.strings("action.duplicate")});
     tooltip(ui, copy, ui.strings("action.duplicate"), key_name(Action::duplicate, ui.strings));
     if (copy.pressed) ui.outbox.push_back(Action::duplicate);
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     const Item gone = button(ui, "thing.erase", {{}, ui.strings("menu.erase")});
     tooltip(ui, gone, ui.strings("menu.erase"), key_name(Action::erase, ui.strings));
     if (gone.pressed) ui.outbox.push_back(Action::erase);
@@ -91,7 +91,7 @@ void source_values(const LabView& view, PanelState& state, Ui& ui, int index) {
     paragraph(ui, ui.strings("source." + std::string(word(now.channel))), ui.palette.text, Face::strong);
     bool first = true;
     for (const Channel channel : source_channels) {
-        if (!std::exchange(first, false)) ImGui::SameLine(0, ui.px(4));
+        if (!std::exchange(first, false)) ImGui::SameLine(0, ui.px(spacing::tight));
         if (channel_swatch(ui, channel, channel == now.channel) && channel != now.channel)
             to = now, to->channel = channel;
     }
@@ -170,7 +170,7 @@ void zone_values(const LabView& view, PanelState& state, Ui& ui, int index) {
                                       std::string(ui.strings("field.surface." + std::string(word(now.surface))));
     paragraph(ui, surface_words, ui.palette.text, Face::strong);
     for (const SurfaceTraits& surface : surface_table) {
-        if (surface.value != Surface::none) ImGui::SameLine(0, ui.px(4));
+        if (surface.value != Surface::none) ImGui::SameLine(0, ui.px(spacing::tight));
         if (surface_swatch(ui, surface.value, surface.value == now.surface) && surface.value != now.surface)
             to = now, to->surface = surface.value;
     }

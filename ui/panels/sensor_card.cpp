@@ -160,7 +160,7 @@ private:
         const auto pressed = [&](const SmallButton& look, std::string_view how, bool first = false) {
             const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
             if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
-                ImGui::SameLine(0, ui_.px(6));
+                ImGui::SameLine(0, ui_.px(spacing::small));
             const Item at = small_button(ui_, look);
             tooltip(ui_, at, ui_.strings(how));
             return at.pressed;
@@ -213,7 +213,7 @@ private:
             const std::string words = sensor_label(ui_, kind_.sensors, sensor);
             const SmallButton look{anchor, {}, words, &sensor == sensor_};
             if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
-                ImGui::SameLine(0, ui_.px(6));
+                ImGui::SameLine(0, ui_.px(spacing::small));
             first = false;
             const Item at = small_button(ui_, look);
             tooltip(ui_, at, senses(sensor));
@@ -264,7 +264,7 @@ private:
                                    shown && row.value == *shown};
             const bool is_first = &row == &channel_table.front();
             if (!is_first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
-                ImGui::SameLine(0, ui_.px(6));
+                ImGui::SameLine(0, ui_.px(spacing::small));
             if (small_button(ui_, look).pressed) pressed = row.value;
         }
         return pressed;

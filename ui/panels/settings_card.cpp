@@ -79,7 +79,7 @@ void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& want
     Preferences fresh;
     fresh.language = view.native_language;
     if (wanted != fresh) state.before_reset.reset();  // changed since the reset
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     if (state.before_reset) {
         const Item back = button(ui, "settings.restore", {{}, ui.strings("settings.restore")});
         tooltip(ui, back, ui.strings("settings.restore_how"));

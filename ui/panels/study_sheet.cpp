@@ -250,7 +250,7 @@ void progress(const StudyView& view, Ui& ui) {
     fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
     const float share = static_cast<float>(done) / static_cast<float>(study.runs());
     if (done > 0) fill_box(ui, {at.x, at.y, width * share, height}, ui.palette.accent, Corner::bar);
-    ImGui::Dummy({width, height + ui.px(4)});
+    ImGui::Dummy({width, height + ui.px(spacing::tight)});
 }
 
 void save_table(const StudyView& view, Ui& ui) {

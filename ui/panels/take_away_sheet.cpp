@@ -164,7 +164,7 @@ void clip_progress(float progress, Ui& ui) {
     const Rect bar{at.x, at.y, card_width(ui), ui.px(6)};
     fill_box(ui, bar, ui.palette.raised, Corner::round);
     fill_box(ui, {bar.x, bar.y, bar.w * progress, bar.h}, ui.palette.accent, Corner::round);
-    ImGui::Dummy({bar.w, bar.h + ui.px(8)});
+    ImGui::Dummy({bar.w, bar.h + ui.px(spacing::small)});
 }
 
 // The last ten seconds, each time that the sheet opens.
@@ -208,7 +208,7 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
             ui.outbox.emplace_back(TakeAwayRequest{wanted});
             if (!row_of(wanted.kind).is_clip) panels.sheet = Sheet::none;
         }
-        ImGui::SameLine(0, ui.px(8));
+        ImGui::SameLine(0, ui.px(spacing::small));
     }
     const Item cancel = button(ui, "take.cancel", {{}, ui.strings("files.cancel"), Emphasis::quiet});
     tooltip(ui, cancel, ui.strings("take.cancel_how"), key_name({key::escape}, ui.strings));

@@ -20,7 +20,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float timeline_margin = 10, reading_width = 62, flag_side = 24, groove = 4;  // layout pixels
+constexpr float timeline_margin = spacing::medium, reading_width = 62, flag_side = 24, groove = 4;  // layout pixels
 constexpr float roomy = 260;                  // a narrower strip shows the track only
 constexpr std::uint64_t between_lines = 600;  // ticks: ten seconds
 constexpr std::uint64_t key_step = 60;        // ticks per press of an arrow key

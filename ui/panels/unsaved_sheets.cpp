@@ -96,10 +96,10 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
         button(ui, "leaving.save",
                {{}, ui.strings(files.save_to.empty() ? "leaving.save_as" : "leaving.save"), Emphasis::primary});
     tooltip(ui, yes, files.save_to.empty() ? ui.strings("leaving.save_how") : std::string_view(files.save_to));
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     const Item no = button(ui, "leaving.discard", {{}, ui.strings("leaving.discard")});
     tooltip(ui, no, ui.strings("leaving.discard_how"));
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     const Item stay = button(ui, "leaving.stay", {{}, ui.strings("files.cancel"), Emphasis::quiet});
     tooltip(ui, stay, ui.strings("leaving.stay_how"), key_name({key::escape}, ui.strings));
     const bool beside = end_sheet(state.leaving);
@@ -133,10 +133,10 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     sheet_buttons(ui, state.recovery);
     const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
     tooltip(ui, take, ui.strings("recovery.take_how"));
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     const Item discard = button(ui, "recovery.discard", {{}, ui.strings("recovery.discard")});
     tooltip(ui, discard, ui.strings("recovery.discard_how"));
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     const Item later = button(ui, "recovery.later", {{}, ui.strings("recovery.later"), Emphasis::quiet});
     tooltip(ui, later, ui.strings("recovery.later_how"), key_name({key::escape}, ui.strings));
     if (take.pressed || discard.pressed) ui.outbox.push_back(RecoverRequest{take.pressed});

@@ -62,7 +62,7 @@ void kind_names(const LabView& view, ValuesState& values, Ui& ui) {
             kinds.size() == 1 && view.lesson ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind);
         const SmallButton look{id, {}, words, i == values.kind};
         if (i > 0 && ImGui::GetItemRectMax().x + ui.px(6) + small_button_width(ui, look, true) <= right)
-            ImGui::SameLine(0, ui.px(6));
+            ImGui::SameLine(0, ui.px(spacing::small));
         const Item at = small_button(ui, look);
         tooltip(ui, at, ui.strings("values.kind_how"));
         if (at.pressed) values.kind = i;
@@ -87,7 +87,7 @@ void kind_buttons(const LabView& view, PanelState& state, Ui& ui) {
     if (index >= now.scene->kinds.size()) return;
     const bool used = std::any_of(now.vehicles.begin(), now.vehicles.end(),
                                   [&](const VehicleView& v) { return v.kind == state.values.kind; });
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     ButtonLook look{{}, ui.strings("values.kind_remove")};
     look.enabled = !used, look.compact = true;
     const Item gone = button(ui, "kind.remove", look);
@@ -171,7 +171,7 @@ void start_row(const LabView& view, PanelState& state, Ui& ui) {
         if (pressed.pressed) ui.outbox.push_back(action);
     };
     press("button.same_start", "button.same_start", "tooltip.same_start", Action::reset);
-    ImGui::SameLine(0, ui.px(6));
+    ImGui::SameLine(0, ui.px(spacing::small));
     press("button.another_start", "button.another_start", "tooltip.another_start", Action::another_start);
 }
 

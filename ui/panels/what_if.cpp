@@ -99,7 +99,7 @@ void draw_deck_wire(const LabView& view, const Ui& ui, Rect area, const VehicleV
 // The words in the upper left corner of the wiring editor's inset, far from the pointer: they say what the path is.
 void name_inset(const Ui& ui, Rect inset, std::string_view words) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const float edge = ui.px(6), beside = ui.px(8), height = line_height(ui, Face::small) + ui.px(8);
+    const float edge = ui.px(6), beside = ui.px(spacing::small), height = line_height(ui, Face::small) + ui.px(8);
     const std::string shown = shortened(ui, words, Face::small, inset.w - 2 * (edge + beside));
     const Rect box{inset.x + edge, inset.y + edge, text_width(ui, Face::small, shown) + 2 * beside, height};
     draw.AddRectFilled({box.x, box.y}, {box.x + box.w, box.y + box.h}, paint(ui.palette.panel.with_alpha(0.95f)),

@@ -108,7 +108,7 @@ Item small_button(Ui& ui, const SmallButton& look, bool words) {
 }
 
 void beside_or_below(const Ui& ui, float width, float right) {
-    const float space = ui.px(8);
+    const float space = ui.px(spacing::small);
     if (ImGui::GetItemRectMax().x + space + width <= right + 0.5f) ImGui::SameLine(0, space);
 }
 
@@ -152,7 +152,7 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
         ImGui::SetCursorScreenPos({x, start.y});
         x += each;
         const Item at = item(ui, std::string(id) + "." + std::to_string(i + 1), {each, all.h});
-        const float inset = ui.px(3);
+        const float inset = ui.px(spacing::tight);
         const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
         const bool on = i == chosen;
         if (on) {

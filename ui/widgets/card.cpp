@@ -95,7 +95,7 @@ namespace {
 
 void begin_part(const Ui& ui, const char* name, ImVec2 size, ImGuiWindowFlags flags) {
     compat::begin_child(name, size, flags);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::BeginGroup();
 }
 
@@ -161,7 +161,7 @@ void begin_footer(Ui& ui, CardState& state, Rect r) {
     end_body(state);
     ImGui::SetCursorScreenPos(
         {r.x + ui.px(side_padding), r.y + r.h - ui.px(bottom_padding) - state.footer + ui.px(above_footer)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::BeginGroup();
 }
 
@@ -206,7 +206,9 @@ float card_width(const Ui& ui) { return ImGui::GetWindowWidth() - ui.px(side_pad
 
 float card_width(const Ui& ui, Rect card) { return card.w - 2 * ui.px(side_padding); }
 
-void gap(const Ui& ui, float layout_pixels) { ImGui::Dummy({1, std::max(0.0f, ui.px(layout_pixels) - ui.px(8))}); }
+void gap(const Ui& ui, float layout_pixels) {
+    ImGui::Dummy({1, std::max(0.0f, ui.px(layout_pixels) - ui.px(spacing::small))});
+}
 
 void subheading(Ui& ui, std::string_view words) { paragraph(ui, words, ui.palette.second_text, Face::small); }
 

@@ -166,7 +166,7 @@ void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view 
     if (!is_due(ui, hovered) || hovered > hide_after || pressed_meanwhile) return;
     if (ui.tooltips) ui.tooltips->shown_at = ImGui::GetTime();
     const ImVec2 padding{ui.px(spacing::medium), ui.px(spacing::small)};
-    const float space = ui.px(2);
+    const float space = ui.px(spacing::hair);
     const float widest = std::max(text_width(ui, Face::small, words), text_width(ui, Face::small, shortcut));
     const float width = std::min(ui.px(280), widest) + 1;
     const ImVec2 main = size_of_words(ui, words, width), extra = size_of_words(ui, shortcut, width);

@@ -82,7 +82,7 @@ void plot_words(const Ui& ui, Rect inner, float pixel_x, const std::string_view*
                 int count) {
     float widest = 0;
     for (int i = 0; i < count; ++i) widest = std::max(widest, text_width(ui, Face::label, lines[i]));
-    const float line = line_height(ui, Face::label), pad = ui.px(6), away = ui.px(10);
+    const float line = line_height(ui, Face::label), pad = ui.px(spacing::small), away = ui.px(10);
     const float w = widest + 2 * pad, h = static_cast<float>(count) * line + 2 * ui.px(3);
     // On the side where there is room.
     const float x = pixel_x + away + w <= inner.x + inner.w ? pixel_x + away : std::max(inner.x, pixel_x - away - w);

@@ -17,8 +17,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr std::size_t longest_unit = 4;  // characters beside the number; a longer unit is in the tooltip only
-constexpr float field_gap = 6;           // layout pixels
+constexpr std::size_t longest_unit = 4;      // characters beside the number; a longer unit is in the tooltip only
+constexpr float field_gap = spacing::tight;  // layout pixels
 constexpr float above_choice = 2, below_choice = 6;
 
 // Rows follow each other without the gap of the card while this exists.

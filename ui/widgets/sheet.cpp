@@ -49,7 +49,7 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
     if (const float pages = std::exchange(state.scroll, 0.0f); pages != 0)
         ImGui::SetScrollY(
             std::clamp(ImGui::GetScrollY() + pages * page, 0.0f, std::max(0.0f, state.content - h + around)));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::BeginGroup();
 }
 

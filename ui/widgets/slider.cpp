@@ -129,7 +129,7 @@ void open_text(SliderState& state, std::string_view id, const std::string& numbe
 // The text being edited. Leaving it other than by Esc returns it.
 std::optional<std::string> edit_text(Ui& ui, SliderState& state, std::string_view id, Rect box) {
     ImGui::SetCursorScreenPos({box.x, box.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), (box.h - line_height(ui, Face::text)) / 2});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(spacing::tight), (box.h - line_height(ui, Face::text)) / 2});
     compat::push_font(font(ui, Face::text));
     ImGui::SetNextItemWidth(box.w);
     if (!state.text_opened) ImGui::SetKeyboardFocusHere();

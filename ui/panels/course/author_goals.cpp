@@ -26,7 +26,7 @@ bool AuthorFields::toggle(const std::string& id, std::string_view label, bool on
     const SmallButton look{id, {}, label, on};
     const float width = small_button_width(ui, look, true);
     if (x > 0 && x + ui.px(6) + width <= card_width(ui))
-        ImGui::SameLine(0, ui.px(6)), x += ui.px(6) + width;
+        ImGui::SameLine(0, ui.px(spacing::small)), x += ui.px(spacing::small) + width;
     else
         x = width;
     const Item at = small_button(ui, look);
@@ -171,7 +171,7 @@ void option(const AuthorFields& page, std::size_t i) {
     tooltip(ui, at, page.words("author.answer_how"));
     if (at.pressed) state.draft.prediction.answer = static_cast<int>(i);
     const float aside = small_button_width(ui, look, true) + ui.px(8);
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     ImGui::SetCursorPosY(y);
     text_field(ui, state.options[i], id, card_width(ui) - aside, {}, page.words("author.option_how"));
 }
@@ -259,7 +259,7 @@ void author_wrong_page(const AuthorFields& page) {
         const SmallButton remove{id_of_remove, icon::remove, page.words("author.remove_wrong")};
         const float y = ImGui::GetCursorPosY(), aside = small_button_width(ui, remove, true) + ui.px(8);
         text_field(ui, state.wrong_names[i], id, card_width(ui) - aside, {}, page.words("author.wrong_name_how"));
-        ImGui::SameLine(0, ui.px(8));
+        ImGui::SameLine(0, ui.px(spacing::small));
         ImGui::SetCursorPosY(y + ui.px(button_height - small_button_height) / 2);
         const Item at = small_button(ui, remove);
         tooltip(ui, at, page.words("author.remove_wrong_how"));

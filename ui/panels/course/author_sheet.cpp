@@ -120,7 +120,7 @@ struct AuthorSheet : AuthorFields {
         const Item yes = button(ui, "author.save", {{}, words("author.save"), Emphasis::primary});
         tooltip(ui, yes, words("author.save_how"));
         if (yes.pressed) save();
-        ImGui::SameLine(0, ui.px(8));
+        ImGui::SameLine(0, ui.px(spacing::small));
         const Item cancel = button(ui, "author.cancel", {{}, words("files.cancel")});
         tooltip(ui, cancel, words("author.cancel_how"), key_name({key::escape}, ui.strings));
         if (cancel.pressed) panels.sheet = Sheet::none;

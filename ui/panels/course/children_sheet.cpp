@@ -50,7 +50,7 @@ void write_seconds(const Ui& ui, const Exercise& exercise, const StartResult& ru
 // the child that stayed longest has a frame of its own.
 void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const StartResult& run, std::string_view label,
                 bool longest) {
-    const float line = line_height(ui, Face::text), inset = ui.px(4);
+    const float line = line_height(ui, Face::text), inset = ui.px(spacing::tight);
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), Corner::box);
     line_box(ui, at.rect, longest ? ui.palette.success : ui.palette.line, Corner::box);
     const Colour tone = legible(ui.palette.accent, ui.palette.panel, ui.palette.text);
@@ -143,7 +143,7 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     begin_sheet(ui, state.children, "card.children", generation, width / ui.scale, window);
     paragraph(ui, ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more"), ui.palette.text);
     parent_picture(lesson, ui, size);
-    ImGui::SameLine(0, ui.px(16));
+    ImGui::SameLine(0, ui.px(spacing::large));
     if (lesson.selection->children.empty())
         paragraph(ui, ui.strings("selection.wait"), ui.palette.second_text, Face::text, 3 * picture);
     else

@@ -59,7 +59,7 @@ void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& u
     const float left = ui.px(26);
     ImGui::BeginGroup();
     ImGui::Indent(left);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(2)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::hair)});
     paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
     if (known && lesson.has_run)
         for (const Measure& measure : lesson.verdicts[index].measures)

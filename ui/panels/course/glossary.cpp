@@ -132,7 +132,7 @@ void draw_entry(const LabView& view, Ui& ui, const GlossaryTerm& term, float wid
     const Rect frame{at.x, at.y, width, std::min(ui.px(150), width * 0.6f)};
     fill_box(ui, frame, ui.palette.raised, Corner::box);
     ImGui::PushClipRect({frame.x, frame.y}, {frame.x + frame.w, frame.y + frame.h}, true);
-    const float inset = ui.px(8);
+    const float inset = ui.px(spacing::small);
     term.draw(ui, {frame.x + inset, frame.y + inset, frame.w - 2 * inset, frame.h - 2 * inset},
               view.reduce_motion ? still_seconds : view.wall_seconds);
     ImGui::PopClipRect();
@@ -182,7 +182,7 @@ void term_card(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     state.mentioned.clear();
     const GlossaryTerm* term = find_term(state.open);
     if (!term || panels.sheet != Sheet::none || !still_there) return state.open.clear();
-    const float width = ui.px(260), pad = ui.px(12), beside = ui.px(12);
+    const float width = ui.px(260), pad = ui.px(spacing::medium), beside = ui.px(spacing::medium);
     const std::string sentence(ui.strings(term_key(*term, "text")));
     const float words = ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width - 2 * pad).y;
     const float height =
@@ -198,7 +198,7 @@ void term_card(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     fill_box(ui, place, ui.palette.panel);
     line_box(ui, place, ui.palette.line);
     ImGui::SetCursorScreenPos({place.x + pad, place.y + pad});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::BeginGroup();
     paragraph(ui, ui.strings(term_key(*term, "name")), ui.palette.text, Face::title, width - 2 * pad);
     draw_entry(view, ui, *term, width - 2 * pad);

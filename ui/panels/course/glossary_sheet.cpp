@@ -40,7 +40,7 @@ void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window
     GlossaryState& state = panels.glossary;
     if (!find_term(state.shown)) state.shown = terms().front().id;
     begin_sheet(ui, state.sheet, "card.glossary", ui.strings("glossary.heading"), 640, window);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(16), ui.px(2)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::large), ui.px(spacing::hair)});
     const float top = ImGui::GetCursorPosY();
     ImGui::BeginGroup();
     const bool by_key = ui.keyboard && ui.keyboard->shown;
@@ -49,7 +49,7 @@ void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window
     ImGui::SameLine();
     ImGui::SetCursorPosY(std::max(top, ImGui::GetScrollY()));  // in view while the list scrolls
     ImGui::BeginGroup();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::small)});
     const float width = std::min(ui.px(400), card_width(ui) - ui.px(list_width + 16));
     const GlossaryTerm& shown = *find_term(state.shown);
     paragraph(ui, ui.strings("glossary." + state.shown + ".name"), ui.palette.text, Face::title, width);

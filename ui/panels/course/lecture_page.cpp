@@ -155,7 +155,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
             paragraph(ui, translated(ui, asked.text), ui.palette.text, Face::title);
             gap(ui, page_padding);
         }
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(3)});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
         for (std::size_t i = 0; i < asked.options.size(); ++i)
             page.shows(PagePart::answer) ? answered_option(view, ui, i) : option_to_count(view, state, ui, i);
         ImGui::PopStyleVar();

@@ -85,7 +85,7 @@ void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
     paragraph(ui, translated(ui, asked.question), ui.palette.text);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
     if (!asked.path_of.empty()) draw_button(view, state, ui);
     for (std::size_t i = 0; i < asked.options.size(); ++i) {
         const bool is_chosen = static_cast<int>(i) == lesson.prediction;

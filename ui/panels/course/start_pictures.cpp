@@ -63,7 +63,7 @@ void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size, 
     const bool is_shown = view.now->seed == start.seed || view.lesson->together;
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), Corner::box);
     line_box(ui, at.rect, is_shown ? ui.palette.accent : ui.palette.line, Corner::box);
-    const float inset = ui.px(3);
+    const float inset = ui.px(spacing::tight);
     const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
     const Colour tone = start.passed ? legible(ui.palette.accent, ui.palette.raised, ui.palette.text)
                                      : colour_of(NoticeKind::failure, ui.palette);

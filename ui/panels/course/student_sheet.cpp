@@ -31,7 +31,7 @@ int course_length(const LabView& view) {
 void student_rows(const LabView& view, Ui& ui) {
     const StudentBook& book = *view.students;
     const std::string all = std::to_string(course_length(view));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::tight)});
     for (std::size_t i = 0; i < book.all.size(); ++i) {
         const std::string passed = std::to_string(passed_count(book.all[i]));
         const float aside = text_width(ui, Face::text, "  " + fill(ui.strings("students.passed"), {all, all}));
@@ -70,7 +70,7 @@ void naming(const LabView& view, PanelState& state, Ui& ui) {
 
 // Forgetting the progress can be taken back as long as nothing new is added to it.
 void keeping(const LabView& view, Ui& ui) {
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     const bool restores = view.students->before_reset.has_value();
     const bool has_progress = !view.students->student().exercises.empty();
     ButtonLook look{{}, ui.strings(restores ? "students.restore" : "students.reset")};
@@ -78,7 +78,7 @@ void keeping(const LabView& view, Ui& ui) {
     const Item reset = button(ui, "students.reset", look);
     tooltip(ui, reset, ui.strings(restores ? "students.restore_how" : "students.reset_how"));
     if (reset.pressed) ui.outbox.emplace_back(StudentRequest{restores ? StudentEdit::restore : StudentEdit::reset});
-    ImGui::SameLine(0, ui.px(8));
+    ImGui::SameLine(0, ui.px(spacing::small));
     const Item save = button(ui, "students.export", {{}, ui.strings("students.export")});
     tooltip(ui, save, ui.strings("students.export_how"));
     if (save.pressed) ui.outbox.emplace_back(StudentRequest{StudentEdit::save});
