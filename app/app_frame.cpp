@@ -189,7 +189,7 @@ void App::make_pictures() {
     if (panels_.sheet != ui::Sheet::files || panels_.files.saving) return;
     std::vector<std::string> files;
     if (panels_.files.place == ui::FilesPlace::shipped)
-        for (const CatalogueEntry& entry : catalogue_) files.push_back(entry.path);
+        files = files_by_turns(catalogue_);
     else if (panels_.files.place == ui::FilesPlace::recent)
         for (const RecentFile& file : settings_.state.recent) files.push_back(file.path);
     else

@@ -73,7 +73,7 @@ Picture picture_of(const Snapshot& now, bool is_exercise, Theme theme) {
 }  // namespace
 
 std::string cached_picture_name(std::string_view content, std::string_view version, Theme theme) {
-    constexpr std::string_view format = "2";  // changes with the constants of this file and with the framing
+    constexpr std::string_view format = "3";  // changes with the constants of this file and with the framing
     std::uint64_t hash = maths::fnv_start;
     for (const std::string_view text : {content, version, format}) hash = maths::fnv(text, hash);
     return fmt::format("{:016x}-{}.png", hash, word(theme));

@@ -145,4 +145,13 @@ fs::path first_existing(const std::vector<fs::path>& candidates) {
     return found == candidates.end() ? fs::path{} : *found;
 }
 
+std::vector<std::string> files_by_turns(const std::vector<CatalogueEntry>& catalogue) {
+    std::vector<std::string> exercises, scenes, all;
+    for (const CatalogueEntry& entry : catalogue) (entry.number > 0 ? exercises : scenes).push_back(entry.path);
+    for (std::size_t i = 0; i < std::max(exercises.size(), scenes.size()); ++i)
+        for (const auto* list : {&exercises, &scenes})
+            if (i < list->size()) all.push_back((*list)[i]);
+    return all;
+}
+
 }  // namespace braitenlab

@@ -39,6 +39,9 @@ Result<Lecture> read_lecture(const std::filesystem::path&);
 std::vector<CatalogueEntry> read_catalogue();
 std::vector<CatalogueEntry> read_lecture_catalogue();
 
+// The files of the exercises and of the scenes by turns: the file browser shows the beginning of both lists.
+std::vector<std::string> files_by_turns(const std::vector<CatalogueEntry>&);
+
 // The first candidate that exists; empty if none does.
 std::filesystem::path first_existing(const std::vector<std::filesystem::path>& candidates);
 

@@ -93,7 +93,7 @@ TEST_F(Gallery, TheFocusedCardIsFullyInSight) {
         desk.frame(3);
         EXPECT_NEAR(desk.where(desk.panels.keyboard.focus).h, whole, 1) << desk.panels.keyboard.focus;
     }
-    EXPECT_EQ(desk.panels.keyboard.focus, "gallery.11-threshold8") << "five rows below";
+    EXPECT_EQ(desk.panels.keyboard.focus, "gallery.11-threshold4") << "five rows of four cards below";
     for (int i = 0; i < 5; ++i) {
         desk.key({key::up});
         desk.frame(3);

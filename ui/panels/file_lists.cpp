@@ -143,14 +143,16 @@ struct FileRow {
     std::string id, words, below, aside;
     std::string_view icon;
     bool current = false, broken = false;
-    std::string path{};  // of the scene or exercise whose picture is shown; empty: none
+    std::string path{};     // of the scene or exercise whose picture is shown; empty: none
+    bool is_story = false;  // the second line may be two lines
 };
 
 bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view how) {
-    const float words_height =
-        line_height(ui, Face::text) + (row.below.empty() ? 0 : line_height(ui, Face::small)) + ui.px(12);
-    const float picture = ui.px(row_picture), picture_height = picture * picture_share;
     const bool has_picture = view.pictures && !row.path.empty();
+    const std::size_t lines_below = row.below.empty() ? 0 : row.is_story ? 2 : 1;
+    const float words_height = line_height(ui, Face::text) +
+                               static_cast<float>(lines_below) * line_height(ui, Face::small) + ui.px(spacing::medium);
+    const float picture = ui.px(row_picture), picture_height = picture * picture_share;
     const float height = has_picture ? std::max(words_height, picture_height + ui.px(8)) : words_height;
     const Item at = item(ui, row.id, {card_width(ui), height});
     fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
@@ -164,7 +166,7 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
         const Rect place{x - ui.px(4), at.rect.y + (height - picture_height) / 2, picture, picture_height};
         if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}) &&
             !put_scene_picture(view, ui, row.path, place))
-            fill_box(ui, place, p.ground, Corner::box);
+            fill_box(ui, place, p.ground.with_alpha(0.5f), Corner::box);
         x += picture + ui.px(6);
     } else if (!row.icon.empty() && has_icons(ui)) {
         put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);
@@ -174,11 +176,12 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
     put_right(ui, {at.right() - ui.px(12), y + ui.px(2)}, row.aside, quiet, Face::small);
     const float room = at.right() - ui.px(20) - x - (aside > 0 ? aside + ui.px(12) : 0);
     const std::string words = shortened(ui, row.words, Face::strong, room);
-    const std::string below = shortened(ui, row.below, Face::small, at.right() - ui.px(12) - x);
     put(ui, {x, y}, words, ui.palette.text, Face::strong);
-    put(ui, {x, y + line_height(ui, Face::text)}, below, ui.palette.second_text, Face::small);
+    const bool is_whole =
+        lines_below == 0 || put_lines(ui, {x, y + line_height(ui, Face::text)}, row.below, ui.palette.second_text,
+                                      Face::small, at.right() - ui.px(12) - x, lines_below);
     // No tooltip for words that are fully visible in the row.
-    tooltip(ui, at, below != row.below ? std::string_view(row.below) : words != row.words ? row.words : how);
+    tooltip(ui, at, !is_whole ? std::string_view(row.below) : words != row.words ? row.words : how);
     return at.pressed;
 }
 
@@ -237,7 +240,8 @@ void shipped_scenes(const LabView& view, FilesState& files, Ui& ui) {
                           {},
                           entry.name == view.opened,
                           false,
-                          entry.path};
+                          entry.path,
+                          true};
         if (list_row(view, ui, row, ui.strings("files.open_how")))
             request_file(view, files, ui, OpenRequest{entry.path});
         if (row.current && !files.begun) ImGui::SetScrollHereY();

@@ -22,7 +22,8 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::string_view gallery_stem = "gallery.";
-constexpr float least_card = 150, card_inset = spacing::small, between_cards = spacing::medium;  // layout pixels
+constexpr std::size_t lines_of_card = 3;                                                         // of a goal
+constexpr float least_card = 180, card_inset = spacing::small, between_cards = spacing::medium;  // layout pixels
 
 // A disc with a check mark; a ring while the exercise was passed only by the solution that was shown.
 void passed_mark(const Ui& ui, ImVec2 c, bool alone) {
@@ -33,19 +34,6 @@ void passed_mark(const Ui& ui, ImVec2 c, bool alone) {
     draw.PathLineTo({c.x - r, c.y}), draw.PathLineTo({c.x - r * 0.25f, c.y + r * 0.75f});
     draw.PathLineTo({c.x + r, c.y - r * 0.7f});
     draw.PathStroke(paint(alone ? ui.palette.on_accent : ui.palette.accent), 0, ui.px(1.8f));
-}
-
-// The words in two lines at most.
-void two_lines(const Ui& ui, ImVec2 at, std::string_view words, float width) {
-    const std::string_view all = words;
-    std::size_t end = all.size();
-    while (end != std::string_view::npos && text_width(ui, Face::small, all.substr(0, end)) > width)
-        end = end == 0 ? std::string_view::npos : all.find_last_of(' ', end - 1);
-    if (end == std::string_view::npos) end = all.size();
-    put(ui, at, shortened(ui, all.substr(0, end), Face::small, width), ui.palette.text, Face::small);
-    if (end < all.size())
-        put(ui, {at.x, at.y + line_height(ui, Face::small)}, shortened(ui, all.substr(end + 1), Face::small, width),
-            ui.palette.text, Face::small);
 }
 
 void card_picture(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const ExerciseProgress* progress,
@@ -66,21 +54,23 @@ void card_picture(const LabView& view, const Ui& ui, const CatalogueEntry& entry
 bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, float width) {
     const ExerciseProgress* progress = progress_of(view, entry);
     const float inset = ui.px(card_inset), inner = width - 2 * inset, picture = inner * picture_share;
-    const float height = picture + 2 * inset + ui.px(4) + 2 * line_height(ui, Face::small);
+    const float height =
+        picture + 2 * inset + ui.px(spacing::tight) + static_cast<float>(lines_of_card) * line_height(ui, Face::small);
     const Item at = item(ui, std::string(gallery_stem) + entry.name, {width, height});
     const bool is_open = entry.name == view.opened;
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.14f * at.warmth));
     line_box(ui, at.rect, is_open ? ui.palette.accent : ui.palette.line, Corner::box, is_open ? 2.0f : 1.0f);
     if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}))
         card_picture(view, ui, entry, progress, {at.rect.x + inset, at.rect.y + inset, inner, picture});
-    const ImVec2 words{at.rect.x + inset, at.rect.y + inset + picture + ui.px(4)};
+    const ImVec2 words{at.rect.x + inset, at.rect.y + inset + picture + ui.px(spacing::tight)};
     const std::string number = std::to_string(entry.number), best = best_words(progress);
     const float beside = text_width(ui, Face::strong, "88") + ui.px(6);
     const float aside = best.empty() ? 0 : text_width(ui, Face::small, best) + ui.px(6);
     put(ui, {words.x, words.y - (line_height(ui, Face::strong) - line_height(ui, Face::small)) / 2}, number,
         ui.palette.text, Face::strong);
     put_right(ui, {at.right() - inset, words.y}, best, ui.palette.second_text, Face::small);
-    two_lines(ui, {words.x + beside, words.y}, exercise_words(view, ui, entry), inner - beside - aside);
+    put_lines(ui, {words.x + beside, words.y}, exercise_words(view, ui, entry), ui.palette.text, Face::small,
+              inner - beside - aside, lines_of_card);
     if (wants_tooltip(ui, at))
         tooltip(ui, at, entry.exercise ? translated(ui, entry.exercise->goal) : ui.strings("files.open_how"));
     return at.pressed;

@@ -113,14 +113,8 @@ void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
     const std::string words = text_of(view.notice, ui.strings);
     const auto lines = lines_of_words(ui, words, Face::small, width);
     const float line = line_height(ui, Face::small);
-    const bool one = lines.size() == 1;
-    const float y = bar.y + (bar.h - (one ? 1 : 2) * line) / 2;
-    put(ui, {text, y}, lines.front(), colour, Face::small);
-    if (!one) {
-        std::string rest = lines[1];
-        for (std::size_t i = 2; i < lines.size(); ++i) rest += " " + lines[i];
-        put(ui, {text, y + line}, shortened(ui, rest, Face::small, width), colour, Face::small);
-    }
+    const float y = bar.y + (bar.h - (lines.size() == 1 ? 1 : 2) * line) / 2;
+    put_lines(ui, {text, y}, words, colour, Face::small, width, 2);
     mark(ui, "hint.bar", {from, bar.y, room, bar.h});
 }
 

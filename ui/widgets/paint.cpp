@@ -153,6 +153,21 @@ std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Fa
     return lines;
 }
 
+bool put_lines(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face, float width,
+               std::size_t most) {
+    std::vector<std::string> lines = lines_of_words(ui, words, face, width);
+    const bool is_whole = lines.size() <= most;
+    if (!is_whole) {
+        for (std::size_t i = most; i < lines.size(); ++i) lines[most - 1] += " " + lines[i];
+        lines.resize(most);
+    }
+    for (const std::string& line : lines) {
+        put(ui, at, shortened(ui, line, face, width), colour, face);
+        at.y += line_height(ui, face);
+    }
+    return is_whole;
+}
+
 void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
     const float room = width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
     const std::string text = wrapped_at_spaces(ui, face, words, room);

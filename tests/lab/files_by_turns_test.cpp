@@ -1,0 +1,21 @@
+// The order in which the file browser gets its pictures.
+#include <gtest/gtest.h>
+
+#include "app/files/data.h"
+#include "ui/lab_view.h"
+
+namespace braitenlab::tests::files_by_turns_test {
+
+TEST(FilesByTurns, ShowTheBeginningOfBothListsFirst) {
+    const auto entry = [](const char* path, int number) {
+        CatalogueEntry made;
+        made.path = path, made.number = number;
+        return made;
+    };
+    const std::vector<CatalogueEntry> catalogue{entry("1", 1), entry("2", 2), entry("3", 3), entry("a", 0),
+                                                entry("b", 0)};
+    EXPECT_EQ(files_by_turns(catalogue), (std::vector<std::string>{"1", "a", "2", "b", "3"}));
+    EXPECT_TRUE(files_by_turns({}).empty());
+}
+
+}  // namespace braitenlab::tests::files_by_turns_test
