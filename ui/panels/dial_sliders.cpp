@@ -52,6 +52,7 @@ std::string shown_name(Dial dial) {
 }
 
 constexpr float threshold_width = 104, between_sliders = spacing::medium;  // layout pixels
+constexpr float names_width = 28;  // of the widest dial: all tracks begin at one place
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
@@ -78,6 +79,8 @@ public:
     void draw_offered(const std::vector<Offer>& offers) {
         const float width = card_width(ui_), gap = ui_.px(between_sliders);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
+        names_room_ = 0;
+        for (const Offer& offer : offers) names_room_ = std::max(names_room_, room_for(words_of(offer)));
         for (const Offer& offer : offers) turn_together(offer, width);
         if (is_offered(view_, offer_parts::curves)) curve_sliders(width);
         ImGui::PopStyleVar();
@@ -154,6 +157,7 @@ private:
         SliderLook look;
         look.words = name(which.dial);
         look.tooltip = ui_.strings(which.tooltip);
+        look.words_width = names_width;
         return look;
     }
     SliderLook threshold_look() const {
@@ -167,7 +171,6 @@ private:
     SliderLook bias_look(const DialSlider& which) const {
         SliderLook look = weight_look(which);
         look.low = -1, look.high = 1;
-        look.words_width = 28;
         return look;
     }
 
@@ -188,7 +191,7 @@ private:
         if (offer.dials.size() > 1) tip += "\n" + std::string(ui_.strings("dial.together"));
         look.tooltip = tip;
         look.low = limits.low, look.high = limits.high;
-        look.words_width = room_for(words);
+        look.words_width = names_room_;
         look.home = at(homes_, first);
         const auto edit =
             slider(ui_, state_.sliders, slider_of(first).anchor, at(values_, first), width, view_.wall_seconds, look);
@@ -227,7 +230,7 @@ private:
         look.mouse = 1;  // a hundredth of a signal moves an orbit visibly
         look.home = curve_home_.*member;
         look.signed_number = look.meaning = false;
-        look.words_width = room_for(look.words);
+        look.words_width = std::max(names_room_, room_for(look.words));
         const auto edit = slider(ui_, state_.sliders, anchor, now.*member, width, view_.wall_seconds, look);
         if (!edit) return;
         BrainGraph changed = brain_;
@@ -247,6 +250,7 @@ private:
     Target target_;
     const BrainGraph& brain_;
     SensorPair pair_;
+    float names_room_ = 0;        // of the offered dials, layout pixels
     FourNeurons values_, homes_;  // current values, and those of the file
     Curve curve_home_;            // of the file's first curved wire
 };
