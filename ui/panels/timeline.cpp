@@ -83,7 +83,7 @@ void bookmarks(const LabView& view, Ui& ui, const TimelineTrack& track, float to
         const Item flag = item(ui, "bookmark." + std::to_string(i + 1), {w, h});
         const Colour colour = flag.hovered || flag.focused ? ui.palette.text : ui.palette.memory;
         ImDrawList& draw = *ImGui::GetWindowDrawList();
-        const float tip = top + h - ui.px(1);
+        const float tip = top + h - ui.px(7);  // above the knob
         draw.AddTriangleFilled({x - half, tip - 2 * half}, {x + half, tip - 2 * half}, {x, tip}, paint(colour));
         const int index = static_cast<int>(i);
         if (flag.pressed) ui.outbox.push_back(BookmarkRequest{index});
@@ -125,8 +125,8 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     if (strip.w < ui.px(80)) return;
     begin_bar(ui, "timeline", strip, false, Corner::box);
     const bool is_roomy = strip.w >= ui.px(roomy);
-    // All parts are on one line, below the flags.
-    const float middle = strip.y + ui.px(flag_side + 7), button_top = middle - ui.px(button_height) / 2;
+    // All parts are on one line; the flags of bookmarks stand on the track.
+    const float middle = strip.y + strip.h / 2, button_top = middle - ui.px(button_height) / 2;
     float left = strip.x + ui.px(timeline_margin), right = strip.x + strip.w - ui.px(timeline_margin);
     if (is_roomy) {
         left = strip.x + ui.px(4);
@@ -140,9 +140,10 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
         right -= ui.px(8);
     }
     const std::uint64_t latest = view.timeline.latest;
-    const TimelineTrack track{{left, strip.y + ui.px(flag_side + 1), right - left, strip.h - ui.px(flag_side + 1)},
+    const float reach = std::min(ui.px(spacing::large), strip.h / 2);
+    const TimelineTrack track{{left, middle - reach, right - left, 2 * reach},
                               latest > recorded_ticks ? latest - recorded_ticks : 0};
-    bookmarks(view, ui, track, strip.y + ui.px(1));
+    bookmarks(view, ui, track, std::max(strip.y, middle - ui.px(flag_side)));
     ImGui::SetCursorScreenPos({track.rect.x - ui.px(6), track.rect.y});
     const Item item_of_track = item(ui, "timeline.track", {track.rect.w + ui.px(12), track.rect.h});
     scrub(view, state, ui, track, item_of_track);
