@@ -75,8 +75,10 @@ void signal_pair(const History& history, const ShownSignals& shown, Ui& ui, Rect
                       const History::Signals& s = history.signals[k];
                       return ImVec2{static_cast<float>(s.seconds), shown.value(s, i)};
                   });
-    const float after = put(ui, {inner.x + ui.px(6), inner.y + ui.px(2)}, shown.names[first], left, Face::small);
-    put(ui, {inner.x + ui.px(12) + after, inner.y + ui.px(2)}, shown.names[first + 1], right, Face::small);
+    // The names stand above the lines, where no line crosses them.
+    const float above = inner.y - line_height(ui, Face::small);
+    const float after = put(ui, {inner.x, above}, shown.names[first], left, Face::small);
+    put(ui, {inner.x + after + ui.px(spacing::small), above}, shown.names[first + 1], right, Face::small);
     const auto at = plot_cursor(ui, inner, time);
     if (!at) return;
     const History::Signals& s = nearest_sample(history.signals, *at);
@@ -94,7 +96,9 @@ void signal_chart(const History& history, const ShownSignals& shown, Ui& ui, Rec
     if (history.signals.size() < 2) return no_samples(ui, r);
     const Axis time = time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
     // The upper chart shares the numbers of the lower one's time axis.
-    const float line = line_height(ui, Face::small), half = (r.h - line) / 2;
+    const float line = line_height(ui, Face::small), names = line / 2;
+    r.y += names, r.h -= names;
+    const float half = (r.h - line) / 2;
     Axis bare = time;
     bare.numbers = false;
     signal_pair(history, shown, ui, {r.x, r.y, r.w, half + 0.4f * line}, bare, 0);  // room for both numbers
