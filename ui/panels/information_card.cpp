@@ -23,6 +23,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::size_t most_bars = 120;
+constexpr float told_after = 2;  // s without movement
 
 // A caption over its figure.
 void number_below(const Ui& ui, ImVec2 at, std::string_view caption, std::string_view value) {
@@ -82,7 +83,8 @@ void ratio(const Snapshot& now, Ui& ui) {
 
 void inactivity(const Snapshot& now, Ui& ui) {
     const float whole = now.scene->ecology.inactivity;
-    if (whole <= 0 || now.inactivity_left <= 0 || now.vehicles.empty()) return;
+    const float left = now.inactivity_left;
+    if (whole <= 0 || left <= 0 || whole - left < told_after || now.vehicles.empty()) return;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = card_width(ui), h = line_height(ui, Face::small);
     put(ui, at, ui.strings("info.inactivity"), ui.palette.second_text, Face::small);
