@@ -183,7 +183,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         state.tooltips.moved_at = ImGui::GetTime();
         state.tooltips.hidden = false;
     }
-    if (!ImGui::GetIO().InputQueueCharacters.empty()) state.tooltips.hidden = true;
+    if (!ImGui::GetIO().InputQueueCharacters.empty() || ImGui::IsMouseClicked(0)) state.tooltips.hidden = true;
     ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(double_click_seconds);
     follow_held_play(view, state);
     Prompt prompt = view.lecture ? Prompt{} : next_prompt(state.prompts, view);

@@ -221,6 +221,16 @@ TEST(Item, HidesItsTooltipAfterAKeyUntilThePointerMoves) {
     }
 }
 
+TEST(Item, ShowsNoTooltipOfWhatComesUnderThePointerByAPress) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("button.play");
+    EXPECT_TRUE(desk.panels.tooltips.hidden);
+    desk.point("button.step");
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.tooltips.hidden) << "until the pointer moves";
+}
+
 TEST(Item, IsRecordedWithAndWithoutATooltip) {
     Desk desk;
     desk.frame(2);

@@ -51,7 +51,7 @@ struct Shown {
 struct Tooltips {
     double moved_at = 0;   // ImGui::GetTime() of the pointer's last movement
     double shown_at = -1;  // and of the last frame with a tooltip
-    bool hidden = false;   // since a key was pressed, until the pointer moves
+    bool hidden = false;   // since a key or the left button was pressed, until the pointer moves
 };
 
 struct Ui {
