@@ -18,12 +18,13 @@ namespace {
 constexpr float title_inset = 72, narrow_title_inset = 40, narrow_title_window = 1200;  // layout pixels
 constexpr float title_words_width = 400, below_name = 6, above_button = 28, begin_width = 150;
 
-// The colour of the surroundings, nearly opaque at the left edge, so that the words are legible over any scene.
-void shade_words(const Ui& ui, Rect window, float until) {
+// The colour of the surroundings, nearly opaque behind the words, so that no line of the scene crosses them; it ends at
+// `until`.
+void shade_words(const Ui& ui, Rect window, float words_end, float until) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImU32 full = paint(ui.palette.sky.with_alpha(0.94f)), most = paint(ui.palette.sky.with_alpha(0.80f)),
+    const ImU32 full = paint(ui.palette.sky.with_alpha(0.96f)), most = paint(ui.palette.sky.with_alpha(0.92f)),
                 none = paint(ui.palette.sky.with_alpha(0.0f));
-    const float bend = window.x + 0.55f * (until - window.x), bottom = window.y + window.h;
+    const float bend = words_end, bottom = window.y + window.h;
     draw.AddRectFilledMultiColor({window.x, window.y}, {bend, bottom}, full, most, most, full);
     draw.AddRectFilledMultiColor({bend, window.y}, {until, bottom}, most, none, none, most);
 }
@@ -40,8 +41,10 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     ImGui::PopStyleVar();
     const float inset = ui.px(window.w < ui.px(narrow_title_window) ? narrow_title_inset : title_inset);
     const float width = std::min(ui.px(title_words_width), window.w - 2 * inset), x = window.x + inset;
-    shade_words(ui, window, std::min(window.x + window.w, x + width + 2.5f * inset));
     const auto lines = lines_of_words(ui, ui.strings("title.sentence"), Face::title, width);
+    float widest = 0;
+    for (const std::string& each : lines) widest = std::max(widest, text_width(ui, Face::title, each));
+    shade_words(ui, window, x + widest, std::min(window.x + window.w, x + widest + 2.5f * inset));
     const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
     const float height =
         name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button) + ui.px(button_height);
