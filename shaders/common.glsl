@@ -61,10 +61,11 @@ float lamp_law(float squared) {
 // Linear light that lamp i adds to the floor at a place.
 vec3 lamp_on_floor(int i, vec2 place) {
     vec2 towards = vec2(lamps[i].place.x, -lamps[i].place.z) - place;
-    // Deeper than the lamp's own colour on a dark floor, paler on a light one.
-    vec3 tint = lamps[i].colour.rgb, deep = tint * tint;
+    // Deeper than the lamp's own colour; on a light floor less so.
+    vec3 tint = lamps[i].colour.rgb, deep = tint * tint, day = tint;
     deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
-    return mix(deep * 0.49, tint * 0.26, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    day -= 0.85 * min(day.r, min(day.g, day.b));
+    return mix(deep * 0.49, day * 0.40, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the

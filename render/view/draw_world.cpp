@@ -245,7 +245,7 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
     if (foot == 0) add_socket(drawing, channel, at, size);
     if (!on) return;
     drawing.list.halos.push_back({{at.x, at.y, bulb, (dark ? 1.25f : 0.85f) * size},
-                                  rgb_with(colour, (dark ? 0.45f : 0.3f) * (0.3f + 0.7f * strength))});
+                                  rgb_with(colour, (dark ? 0.45f : 0.42f) * (0.3f + 0.7f * strength))});
     if (drawing.list.lamps.size() < most_lamps)
         drawing.list.lamps.push_back({{at.x, bulb, -at.y, strength * reach}, rgb_with(colour, 2.0f)});
 }

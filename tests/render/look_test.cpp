@@ -87,6 +87,36 @@ TEST_F(LookTest, ShowsALampAsTheBrightestThingInBothThemes) {
     }
 }
 
+// The largest difference of two channels of the colour: 0 for grey.
+float colourfulness(Colour c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); }
+
+float distance(Colour a, Colour b) { return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b); }
+
+TEST_F(LookTest, ShowsALampOfAColourOrOfLittleStrengthAsALightInTheLightTheme) {
+    look_down(4);
+    picture.theme = Theme::light;
+    struct {
+        Channel channel;
+        float strength;
+    } const lamps[]{{Channel::red, 1},    {Channel::green, 1},    {Channel::blue, 1},    {Channel::heat, 1},
+                    {Channel::red, 0.3f}, {Channel::green, 0.3f}, {Channel::blue, 0.3f}, {Channel::light, 0.3f}};
+    for (const auto& lamp : lamps) {
+        Snapshot now = hand_made::empty(hand_made::scene());
+        const Colour bare = seen(now, {0.5f, 0.5f});
+        hand_made::add_source(now, lamp.channel, 0, 0);
+        now.sources[0].strength = lamp.strength;
+        const float size = 0.8f + 0.35f * lamp.strength;
+        const Colour bulb = seen(now, {0, 0}, 0.5f * size), rim = seen(now, {0.11f * size, 0}, 0.44f * size);
+        const Colour beside = seen(now, {0.5f, 0.5f});
+        SCOPED_TRACE("channel " + std::to_string(static_cast<int>(lamp.channel)) + ", strength " +
+                     std::to_string(lamp.strength));
+        EXPECT_GT(distance(bulb, bare), 0.30f);
+        EXPECT_GT(colourfulness(rim), colourfulness(bare) + 0.25f);
+        EXPECT_GT(std::max({bulb.r, bulb.g, bulb.b}), 0.93f) << "it shines";
+        EXPECT_GT(distance(beside, bare), 0.02f) << "it lights the floor";
+    }
+}
+
 TEST_F(LookTest, DarkensTheFloorBehindAVehicleButNotBeforeIt) {
     look_down(2);
     Snapshot bare = hand_made::empty(hand_made::scene());
