@@ -283,7 +283,7 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
         const CameraView seen = look(tilted.camera, arena, nullptr, in.window, in.free_area, &box);
         r.cover = std::min(1.0f, floor_cover(seen, arena, in.free_area) / (wanted_cover + slack));
         r.worth = 2 * r.share + r.cover - 0.1f * std::fabs(choice.elevation - Camera{}.elevation);
-        if (shown_ && choice.elevation == choice_.elevation) r.worth += worth_of_rest;
+        if (rests_ && choice.elevation == choice_.elevation) r.worth += worth_of_rest;
         return r;
     };
     // The largest part that covers enough, or the whole.
@@ -311,7 +311,7 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
     };
     // The sources in the picture stay the same, too, unless another choice is clearly better.
     const auto is_enough = [&](const Rated& r, float enough) {
-        return r.share >= enough - (shown_ && r.choice.sources == choice_.sources ? share_of_rest : 0);
+        return r.share >= enough - (rests_ && r.choice.sources == choice_.sources ? share_of_rest : 0);
     };
     Rated best = best_with(Sources::all);
     if (is_enough(best, enough_with_all) || now.sources.empty()) return best.choice;
@@ -326,7 +326,9 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
 FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     const std::string name = now.scene ? now.scene->name : std::string{};
     if (now.seed != seed_ || now.generation != generation_ || name != scene_) start_over();
-    seed_ = now.seed, generation_ = now.generation, scene_ = name;
+    // A run that is back at its start has the picture of the start, which the camera reaches by a glide.
+    if (now.tick == 0 && tick_ > 0) grown_.reset(), rests_ = false;
+    seed_ = now.seed, generation_ = now.generation, scene_ = name, tick_ = now.tick;
     const bool moved = in.camera.zoom != 1 || !(in.camera.pan == vec2{});
     if (shown_ && (in.held || moved)) return speed_ = {}, turning_ = 0, *shown_;
 
@@ -352,7 +354,7 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
                         std::min(now.vehicles.size(), few_vehicles + 1)};
     if (!shown_ || before != grown_ || !(reason == reason_)) {
         nearest_ = nearest, reason_ = reason;
-        choice_ = choose(now, in);
+        choice_ = choose(now, in), rests_ = true;
     }
     const FloorBox goal = wanted(now, in, choice_);
     if (!shown_ || in.seconds <= 0) {

@@ -31,9 +31,9 @@ inline constexpr float wanted_cover = 0.75f;
 // The share of the free area that the arena with its walls covers; 0 where a corner is behind the camera.
 float floor_cover(const CameraView&, const Arena&, Rect free_area);
 
-// Follows the action of a run: the box grows with it and does not shrink, and moves without a jump of its speed. While
-// the user has zoomed or moved the camera, the box stays. A camera of the default elevation is lower over a box that is
-// deep for the free area and higher over one that is wide for it.
+// Follows the action of a run: the box grows with it and does not shrink until the run is back at its start, and moves
+// without a jump of its speed. While the user has zoomed or moved the camera, the box stays. A camera of the default
+// elevation is lower over a box that is deep for the free area and higher over one that is wide for it.
 class Framing {
 public:
     // The box of this frame.
@@ -43,7 +43,7 @@ public:
     Camera raised(Camera) const;
 
     // Fits the box to the present action at the next call.
-    void start_over() { shown_.reset(), grown_.reset(); }
+    void start_over() { shown_.reset(), grown_.reset(), rests_ = false; }
 
 private:
     enum class Sources { all, nearest, none };  // that stay in the picture
@@ -72,12 +72,13 @@ private:
     std::optional<FloorBox> shown_, grown_;  // displayed box; box around the action since the start
     std::optional<FloorBox> driven_;         // the same, also where the whole floor is the action
     Choice choice_;
+    bool rests_ = false;  // the present choice stays unless another one is clearly better
     Reason reason_;
     float elevation_ = Camera{}.elevation;  // displayed
     FloorBox speed_{};                      // of the displayed box, m/s
     float turning_ = 0;                     // of the displayed elevation, rad/s
     std::optional<int> nearest_;            // the source that stays in the picture
-    std::uint64_t seed_ = 0;
+    std::uint64_t seed_ = 0, tick_ = 0;
     int generation_ = 0;
     std::string scene_;
 };

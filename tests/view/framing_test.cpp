@@ -303,6 +303,28 @@ TEST(Framing, GlidesWhenTheActionGrowsAndDoesNotShrink) {
     EXPECT_GT(framing.follow(now, in).low.x, last.low.x);
 }
 
+TEST(Framing, ShowsThePictureOfTheStartAgainAfterAReset) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -2, 0, 0), hand_made::add_source(now, Channel::light, 2, 0);
+    Framing framing;
+    FramingInput in = input();
+    const FloorBox first = framing.follow(now, in);
+    const float elevation = framing.raised({}).elevation;
+    in.seconds = 1.0f / 60;
+    for (int i = 1; i <= 240; ++i) {
+        now.tick = static_cast<std::uint64_t>(i);
+        now.vehicles[0].y = 0.035f * static_cast<float>(i);
+        framing.follow(now, in);
+    }
+    EXPECT_FALSE(framing.follow(now, in) == first);
+    now.tick = 0, now.vehicles[0].y = 0;
+    const FloorBox next = framing.follow(now, in);
+    EXPECT_FALSE(next == first) << "the camera glides";
+    for (int i = 0; i < 300; ++i) framing.follow(now, in);
+    EXPECT_EQ(framing.follow(now, in), first);
+    EXPECT_EQ(framing.raised({}).elevation, elevation);
+}
+
 TEST(Framing, RestsMostOfTheTimeWhileAVehicleLeavesTheBox) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, -2, 0, 0), hand_made::add_source(now, Channel::light, 2, 0);
