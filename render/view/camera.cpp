@@ -194,6 +194,7 @@ CameraView look(const Camera& camera, const Arena& arena, const VehicleView* fol
 }
 
 void orbit(Camera& camera, float azimuth, float elevation) {
+    camera.turned |= azimuth != 0 || elevation != 0;
     camera.azimuth = maths::wrap_angle(camera.azimuth + azimuth);
     camera.elevation = clamped_elevation(camera.elevation + elevation);
 }

@@ -52,6 +52,7 @@ struct Camera {
     float zoom = 1;               // 0.25..8; 1 fits the framed part of the floor into the free part of the window
     maths::vec2
         pan{};  // m, shift of the point that overview and bird's eye look at, from the middle of the framed part
+    bool turned = false;  // by the user: the framing then leaves the elevation as it is
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -77,7 +78,7 @@ CameraView look(const Camera&, const Arena&, const VehicleView* follow, Rect win
 // Scale of the distances of the modes follow and driver: 1, in a small arena the length of the vehicle in metres.
 float ride_scale(const Snapshot&, const VehicleView* followed);
 
-// Adds to azimuth and elevation, rad.
+// Adds to azimuth and elevation, rad. With another value than 0 the camera is turned.
 void orbit(Camera&, float azimuth, float elevation);
 
 // Moves the camera so that the floor point under pixel `from` is under pixel `to`.

@@ -201,7 +201,7 @@ float area_of(const std::vector<vec2>& polygon) {
     return std::fabs(twice) / 2;
 }
 
-bool is_default_elevation(const Camera& camera) { return camera.elevation == Camera{}.elevation; }
+bool is_default_elevation(const Camera& camera) { return !camera.turned && camera.elevation == Camera{}.elevation; }
 
 }  // namespace
 

@@ -32,14 +32,14 @@ inline constexpr float wanted_cover = 0.75f;
 float floor_cover(const CameraView&, const Arena&, Rect free_area);
 
 // Follows the action of a run: the box grows with it and does not shrink until the run is back at its start, and moves
-// without a jump of its speed. While the user has zoomed or moved the camera, the box stays. A camera of the default
-// elevation is lower over a box that is deep for the free area and higher over one that is wide for it.
+// without a jump of its speed. While the user has zoomed or moved the camera, the box stays. A camera that the user has
+// not turned is lower over a box that is deep for the free area and higher over one that is wide for it.
 class Framing {
 public:
     // The box of this frame.
     FloorBox follow(const Snapshot&, const FramingInput&);
 
-    // A camera with the elevation of this frame, if its own is the default.
+    // A camera with the elevation of this frame, unless it is turned or has another one than the default.
     Camera raised(Camera) const;
 
     // Fits the box to the present action at the next call.

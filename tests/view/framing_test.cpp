@@ -325,6 +325,20 @@ TEST(Framing, ShowsThePictureOfTheStartAgainAfterAReset) {
     EXPECT_EQ(framing.raised({}).elevation, elevation);
 }
 
+TEST(Framing, LeavesTheElevationOfACameraThatTheUserHasTurned) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, -6, 0), hand_made::add_source(now, Channel::light, 0, 6);
+    Framing framing;
+    FramingInput in = input();
+    in.least_share = 0.08f, in.free_area = {16, 95, 1248, 500};
+    framing.follow(now, in);
+    ASSERT_NE(framing.raised({}).elevation, Camera{}.elevation);
+    orbit(in.camera, 0.5f, 0);
+    ASSERT_EQ(in.camera.elevation, Camera{}.elevation);
+    framing.follow(now, in);
+    EXPECT_EQ(framing.raised(in.camera), in.camera);
+}
+
 TEST(Framing, RestsMostOfTheTimeWhileAVehicleLeavesTheBox) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, -2, 0, 0), hand_made::add_source(now, Channel::light, 2, 0);
