@@ -1,6 +1,7 @@
-// Where the labels of one picture are, and the vehicles and bulbs that they leave free where a free place is near.
+// Where the labels of one picture are, and what they leave free where a free place is near: vehicles, bulbs, lines.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/world/snapshot.h"
@@ -13,6 +14,10 @@ class LabelSpace {
 public:
     // Vehicles and bulbs. In a crowd every place is covered, so it is left out.
     void keep_free(const Snapshot&, const CameraView&);
+    // Obstacles, a long one in pieces, because the rectangle around a slanted wall would be mostly floor.
+    void keep_obstacles_free(const Snapshot&, const CameraView&);
+    // A line of this width through points of the window.
+    void keep_line_free(std::span<const maths::vec2> points, float width);
     // Something else to leave free.
     void keep_free(Rect thing) { things_.push_back(thing); }
     // A label or a card.

@@ -137,6 +137,105 @@ TEST_F(DrawInsight, WordsCoverNeitherOtherWordsNorVehiclesNorBulbs) {
     }
 }
 
+// The label of the predicted path, or null.
+const ui::Written* label_of_path(const Desk& desk) {
+    for (const ui::Written& one : desk.written)
+        if (one.words.starts_with("in ")) return &one;
+    return nullptr;
+}
+
+TEST_F(DrawInsight, TheLabelOfAPathIsBesideItsEndAndNotOnItsLine) {
+    constexpr float padding = 8, reach = 40;
+    desk.now.vehicles.resize(1);
+    for (const maths::vec2 end : {maths::vec2{3.2f, 6.1f}, {-3, 5.6f}, {1, 1}, {-5.5f, -0.5f}, {6, -7}}) {
+        path.clear();
+        for (int i = 0; i <= 480; ++i) {
+            const float t = static_cast<float>(i) / 480, turn = 3 * t;
+            const maths::vec2 swing = maths::vec2{std::sin(6 * turn), std::cos(6 * turn) - 1} * (1 - t);
+            path.push_back({end.x * t + swing.x, end.y * t + swing.y, 0});
+        }
+        desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+        desk.frame();
+        const ui::Written* label = label_of_path(desk);
+        ASSERT_TRUE(label) << end;
+        const Rect frame{label->rect.x - padding, label->rect.y - padding / 2, label->rect.w + 2 * padding,
+                         label->rect.h + padding};
+        const maths::vec2 at = pixel({path.back().x, path.back().y});
+        const maths::vec2 nearest{std::clamp(at.x, frame.x, frame.x + frame.w),
+                                  std::clamp(at.y, frame.y, frame.y + frame.h)};
+        EXPECT_LE(maths::distance(at, nearest), reach) << end;
+        for (const Pose& pose : path) {
+            const maths::vec2 point = pixel({pose.x, pose.y});
+            ASSERT_FALSE(frame.contains(point.x, point.y)) << end;
+        }
+    }
+}
+
+TEST_F(DrawInsight, ALabelWithoutAFreePlaceNearIsLeftOut) {
+    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.frame();
+    EXPECT_TRUE(label_of_path(desk));
+    Camera close;
+    close.zoom = 4, close.pan = {-6, 6};  // the end is under the cards on the right
+    camera_view = look(close, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+    ASSERT_GT(pixel({path.back().x, path.back().y}).x, desk.layout.scene.x + desk.layout.scene.w + 50);
+    desk.frame();
+    EXPECT_FALSE(label_of_path(desk));
+}
+
+TEST_F(DrawInsight, TheLabelOfAPathCoversNoPost) {
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->obstacles = {{.name = "left"}, {.name = "right"}};
+    for (Obstacle& post : scene->obstacles) post.length = post.width = 0.3f;
+    desk.now.scene = scene;
+    desk.now.vehicles.resize(1);
+    for (const float beside : {0.3f, 0.6f, 0.9f, 1.2f}) {
+        const maths::vec2 end{path.back().x, path.back().y};
+        desk.now.obstacles = {{end.x + 0.5f, end.y + beside, 0}, {end.x + 0.5f, end.y - beside, 0}};
+        desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+        desk.frame();
+        const ui::Written* label = label_of_path(desk);
+        if (!label) continue;
+        for (const Pose& post : desk.now.obstacles) {
+            const maths::vec2 at = *project(camera_view, {post.x, post.y}, 0.2f);
+            EXPECT_FALSE(label->rect.contains(at.x, at.y)) << beside;
+        }
+    }
+}
+
+TEST_F(DrawInsight, TheDotsOfTheLastRunHideNoVehicle) {
+    desk.now.vehicles.resize(1);
+    desk.view.last_run = GhostView{path[300], 1, 0.7f, &path, 301};
+    VehicleView& vehicle = desk.now.vehicles[0];
+    const auto dots_on = [&](const Pose& place) {
+        vehicle.x = place.x, vehicle.y = place.y;
+        desk.frame();
+        const Rect body = picture_of(desk.now, camera_view, vehicle);
+        const maths::vec2 middle{body.x + body.w / 2, body.y + body.h / 2};
+        int count = 0;
+        for (const Rect& dot : scene_input().labels.labels())
+            if (dot.w < 8 && maths::distance(middle, {dot.x + dot.w / 2, dot.y + dot.h / 2}) < 0.4f * body.w) ++count;
+        return count;
+    };
+    for (const std::size_t tick : {60U, 150U, 240U}) EXPECT_EQ(dots_on(path[tick]), 0) << tick;
+}
+
+TEST_F(DrawInsight, TheDotsOfTheLastRunAreSmallWhereVehiclesAre) {
+    desk.view.last_run = GhostView{path[300], 1, 0.7f, &path, 301};
+    const auto size_of_dots = [&](float zoom) {
+        Camera camera;
+        camera.zoom = zoom;
+        camera_view = look(camera, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+        desk.frame();
+        float least = 1e9f;
+        for (const Rect& label : scene_input().labels.labels()) least = std::min(least, label.w);
+        return least;
+    };
+    const float near = size_of_dots(3), far = size_of_dots(0.7f);
+    EXPECT_LT(far, 0.75f * near);
+    EXPECT_LE(near, 6.01f);
+}
+
 TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
     insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.4f, .right = 0.4f};
     desk.view.why = &why;

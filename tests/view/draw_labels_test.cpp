@@ -58,6 +58,33 @@ TEST(DrawLabels, KeepVehiclesAndBulbsFree) {
     EXPECT_TRUE(list.label_space.things()[1].contains(bulb->x, bulb->y));
 }
 
+TEST(LabelSpace, KeepsASlantedWallFreeButNotTheFloorBesideIt) {
+    auto scene = hand_made::scene();
+    scene->obstacles = {{.name = "wall", .length = 8, .width = 0.4f}};
+    Snapshot now = hand_made::empty(scene);
+    now.obstacles = {{0, 0, 0.7854f}};
+    const CameraView seen = from_above().camera_view;
+    LabelSpace space;
+    space.keep_obstacles_free(now, seen);
+    const auto is_free = [&](maths::vec2 place) {
+        const maths::vec2 at = *project(seen, place);
+        return space.is_free({at.x - 5, at.y - 5, 10, 10});
+    };
+    for (const float along : {-2.5f, 0.0f, 2.5f}) EXPECT_FALSE(is_free({along, along})) << along;
+    EXPECT_TRUE(is_free({2, -2}));
+    EXPECT_TRUE(is_free({-2, 2}));
+}
+
+TEST(LabelSpace, KeepsTheLineOfAPathFree) {
+    LabelSpace space;
+    const std::vector<maths::vec2> line{{100, 100}, {300, 200}, {300, 400}};
+    space.keep_line_free(line, 4);
+    EXPECT_FALSE(space.is_free({190, 140, 20, 20})) << "between two points";
+    EXPECT_FALSE(space.is_free({290, 300, 20, 20}));
+    EXPECT_TRUE(space.is_free({110, 160, 40, 40}));
+    EXPECT_TRUE(space.is_free({310, 160, 40, 40}));
+}
+
 TEST(DrawLabels, NameShippedSourcesInTheLanguage) {
     auto scene = hand_made::scene();
     scene->sources = {{"bright", Channel::light, -3, 0}, {"my_own", Channel::light, 3, 0}};

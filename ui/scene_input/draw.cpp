@@ -1,6 +1,7 @@
 #include "ui/scene_input/draw.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -265,9 +266,9 @@ void draw_line(const Ui& ui, const std::vector<ImVec2>& points, Colour colour, f
     compat::polyline(list, points.data(), count, paint(colour), closed, ui.px(layout_width));
 }
 
-void draw_dot(const Ui& ui, ImVec2 at, float layout_radius, Colour colour) {
+void draw_dot(const Ui& ui, ImVec2 at, float layout_radius, Colour colour, float border) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddCircleFilled(at, ui.px(layout_radius + 1.5f), paint(ui.palette.ground.with_alpha(0.8f)), 24);
+    list.AddCircleFilled(at, ui.px(layout_radius + border), paint(ui.palette.ground.with_alpha(0.8f)), 24);
     list.AddCircleFilled(at, ui.px(layout_radius), paint(colour), 24);
 }
 
@@ -317,22 +318,83 @@ Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, const LabelSpace&
     return best;
 }
 
+ImVec2 note_size(const Ui& ui, std::string_view words) {
+    return {text_width(ui, Face::small, words) + ui.px(spacing::large),
+            line_height(ui, Face::small) + ui.px(spacing::small)};
+}
+
+void paint_note(const Ui& ui, const Rect& place, std::string_view words, Colour edge) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 low{place.x, place.y}, high{place.x + place.w, place.y + place.h};
+    list.AddRectFilled(low, high, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(radius::box));
+    compat::outline(list, low, high, paint(edge), ui.px(radius::box), ui.px(1.25f));
+    put_on(list, ui, {low.x + ui.px(8), low.y + ui.px(4)}, words, ui.palette.text, Face::small);
+}
+
+constexpr std::array label_gaps{7.0f, 14.0f, 21.0f, 28.0f, label_reach};
+
+// The free place nearest to the thing; on the other side only if there is none on its own.
+std::optional<Rect> place_of_label(const SceneInputFrame& frame, const Ui& ui, ImVec2 size, const Rect& thing,
+                                   NoteSide side) {
+    const Rect& room = frame.area;
+    const float slanted = 0.7071f;
+    const vec2 ways[]{{slanted, slanted},
+                      {slanted, -slanted},
+                      {-slanted, slanted},
+                      {-slanted, -slanted},
+                      {0, 1},
+                      {0, -1},
+                      {1, 0},
+                      {-1, 0}};
+    // From the middle of the thing's side, or from its corner.
+    const auto along = [](float way, float low, float length, float own, float gap) {
+        if (way == 0) return low + (length - own) / 2;
+        return way > 0 ? low + length + way * gap : low + way * gap - own;
+    };
+    for (const bool other : {false, true})
+        for (const float gap : label_gaps)
+            for (const vec2 way : ways) {
+                if (other != (side == NoteSide::below ? way.y <= 0 : side == NoteSide::above ? way.y >= 0 : false))
+                    continue;
+                const Rect place{std::floor(along(way.x, thing.x, thing.w, size.x, ui.px(gap))),
+                                 std::floor(along(way.y, thing.y, thing.h, size.y, ui.px(gap))), size.x, size.y};
+                const bool is_inside = place.x >= room.x && place.x + place.w <= room.x + room.w && place.y >= room.y &&
+                                       place.y + place.h <= room.y + room.h;
+                if (is_inside && frame.labels->is_free(place)) return place;
+            }
+    return std::nullopt;
+}
+
+// From the label to the thing, where there is floor between them.
+void draw_leader(const Ui& ui, const Rect& label, const Rect& thing, Colour colour) {
+    const vec2 middle{thing.x + thing.w / 2, thing.y + thing.h / 2};
+    const auto nearest = [](const Rect& r, vec2 p) {
+        return vec2{std::clamp(p.x, r.x, r.x + r.w), std::clamp(p.y, r.y, r.y + r.h)};
+    };
+    const vec2 from = nearest(label, middle), to = nearest(thing, from);
+    if (maths::distance(from, to) <= ui.px(label_gaps[0] + 1)) return;
+    draw_line(ui, {{from.x, from.y}, {to.x, to.y}}, colour, 1.25f, false);
+}
+
 }  // namespace
+
+void draw_label(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, Rect thing,
+                NoteSide side) {
+    const auto place = place_of_label(frame, ui, note_size(ui, words), thing, side);
+    if (!place) return;
+    frame.labels->take(*place);
+    draw_leader(ui, *place, thing, edge);
+    paint_note(ui, *place, words, edge);
+}
 
 void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside,
                NoteSide side) {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const float w = text_width(ui, Face::small, words) + ui.px(spacing::large),
-                h = line_height(ui, Face::small) + ui.px(spacing::small);
     LabelSpace own;
     if (!frame.labels) own.keep_free(*frame.view.now, frame.camera_view);
     LabelSpace& labels = frame.labels ? *frame.labels : own;
-    const Rect place = place_of_note(frame, ui, labels, {w, h}, beside, side);
+    const Rect place = place_of_note(frame, ui, labels, note_size(ui, words), beside, side);
     labels.take(place);
-    const ImVec2 at{place.x, place.y};
-    list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(radius::box));
-    compat::outline(list, at, {at.x + w, at.y + h}, paint(edge), ui.px(radius::box), ui.px(1.25f));
-    put_on(list, ui, {at.x + ui.px(8), at.y + ui.px(4)}, words, ui.palette.text, Face::small);
+    paint_note(ui, place, words, edge);
 }
 
 void draw_scene_input(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui) {

@@ -35,8 +35,10 @@ void name_end(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2
               Colour colour, NoteSide side = NoteSide::any) {
     const auto at = project(frame.camera_view, points.back());
     if (!at) return;
-    draw_dot(ui, {at->x, at->y}, 4, colour);
-    draw_note(frame, ui, words, colour, *at, side);
+    constexpr float radius = 4, around = 6;
+    const float half = ui.px(around);
+    draw_dot(ui, {at->x, at->y}, radius, colour);
+    draw_label(frame, ui, words, colour, {at->x - half, at->y - half, 2 * half, 2 * half}, side);
 }
 
 // True if the first point is higher on the screen.
@@ -92,6 +94,7 @@ void draw_map_path(const SceneInputFrame& frame, const Ui& ui, const MapView& ma
     const std::vector<vec2> points = coming(*map.path, 0, 0);
     const insight::MapCell* cell = map.cells->shown(*map.hovered);
     if (points.empty() || !cell) return;
+    keep_line_free(frame, ui, points);
     const MapColour colour = look_of(cell->outcome.behaviour).colour;
     draw_dashes(frame, ui, points, {colour.r, colour.g, colour.b, 1});
     name_end(frame, ui, points, ui.strings("map.kind." + std::string(row_of(cell->outcome.behaviour).word)),
@@ -124,6 +127,7 @@ void draw_robots(const SceneInputFrame& frame, const Ui& ui, const RobotsView& s
     const insight::RobotResult& robot = report.robots[static_cast<std::size_t>(named)];
     const std::vector<vec2> points = points_of(robot.path);
     if (points.empty()) return;
+    keep_line_free(frame, ui, points);
     draw_floor_line(frame, ui, points, tone(robot), 2.5f);
     const std::string_view words = ui.strings(named == report.weakest ? "reality.weakest_robot" : "reality.robot");
     name_end(frame, ui, points, fill(words, {std::to_string(named + 1)}), tone(robot));
@@ -150,7 +154,7 @@ void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slo
     if (slots.a) {
         const std::vector<vec2> points = driven(*slots.a);
         draw_floor_line(frame, ui, points, p.slot_a, line_width);
-        draw_name(frame, ui, points.back(), render::deck_height, "A", p.slot_a);
+        draw_label(frame, ui, "A", p.slot_a, picture_of_body(frame, points.back(), slots.a->length));
         if (const auto at = project(frame.camera_view, points.back())) {
             const float size = ui.px(24);
             ui.anchors.record("stage.slot_a", {at->x - size / 2, at->y - size / 2, size, size});
@@ -162,10 +166,24 @@ void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slo
         draw_ghost(frame, ui, *slots.b, {p.slot_b, p.slot_b, "B", "stage.slot_b"});
 }
 
+// Names are placed beside all paths that are drawn.
+void keep_paths_free(const SceneInputFrame& frame, const Ui& ui) {
+    const LabView& view = frame.view;
+    if (view.prediction) {
+        keep_line_free(frame, ui, coming(*view.prediction->path, view.prediction->tick, view.now->tick));
+        if (view.prediction->before)
+            keep_line_free(frame, ui, coming(*view.prediction->before, view.prediction->before_tick, view.now->tick));
+    }
+    if (view.mode == Mode::wiring) return;
+    for (const auto& slot : {view.slots.a, view.slots.b})
+        if (slot) keep_line_free(frame, ui, driven(*slot));
+}
+
 }  // namespace
 
 void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
     const LabView& view = frame.view;
+    keep_paths_free(frame, ui);
     if (view.mode == Mode::wiring) {
         if (view.prediction) draw_prediction(frame, ui, *view.prediction);
         return;

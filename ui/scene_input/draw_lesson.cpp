@@ -45,7 +45,9 @@ private:
         draw_floor_line(frame_, ui_, points, colour, width);
     }
     void name(vec2 place, std::string_view key, Colour edge) const {
-        draw_name(frame_, ui_, place, 0, ui_.strings(key), edge);
+        const auto at = project(frame_.camera_view, place);
+        const float half = ui_.px(3);
+        if (at) draw_label(frame_, ui_, ui_.strings(key), edge, {at->x - half, at->y - half, 2 * half, 2 * half});
     }
 
     // A ring around the vehicle at which the path begins.
@@ -65,6 +67,8 @@ private:
 
     void draw_paths(const LessonView& lesson) const {
         if (lesson.drawn_path.empty()) return;
+        keep_line_free(frame_, ui_, lesson.real_path);
+        keep_line_free(frame_, ui_, lesson.drawn_path);
         line(lesson.real_path, ui_.palette.text, path_width);
         dashes(lesson.drawn_path, ui_.palette.accent);
         const vec2 end = lesson.drawn_path.back();

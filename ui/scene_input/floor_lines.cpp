@@ -19,7 +19,29 @@ using maths::vec2;
 namespace {
 
 constexpr float farthest_joined = 2;  // m
-constexpr DashedLine ghost_dashes{.width = 1.75f, .dash = 0.11f, .gap = 0.08f};
+constexpr DashedLine ghost_dashes{.width = 1.75f, .dash = 0.11f, .gap = 0.08f, .over_vehicles = true};
+
+// Where vehicles are on the screen.
+class Bodies {
+public:
+    explicit Bodies(const SceneInputFrame& frame) {
+        constexpr std::size_t crowd = 200;
+        const Snapshot& now = *frame.view.now;
+        if (!now.scene || now.vehicles.size() > crowd) return;
+        for (const VehicleView& vehicle : now.vehicles)
+            if (const Rect body = picture_of(now, frame.camera_view, vehicle); body.w > 0) all_.push_back(body);
+    }
+    bool cover(vec2 at) const {
+        return std::any_of(all_.begin(), all_.end(), [at](const Rect& body) {
+            const vec2 half{body.w / 2, body.h / 2};
+            const vec2 away{(at.x - body.x - half.x) / half.x, (at.y - body.y - half.y) / half.y};
+            return maths::dot(away, away) < 1;
+        });
+    }
+
+private:
+    std::vector<Rect> all_;
+};
 
 void floor_segment(const SceneInputFrame& frame, const Ui& ui, vec2 from, vec2 to, float from_height, float to_height,
                    Colour colour, float width) {
@@ -40,14 +62,20 @@ void fill_deck(const SceneInputFrame& frame, const std::vector<vec2>& outline, C
 
 void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView& ghost, Colour colour) {
     constexpr std::size_t ticks_per_dot = 15, most_ticks = 3600;
+    constexpr float radius_in_body = 0.035f, border_in_radius = 0.75f;  // of a vehicle's length; of a dot's radius
+    constexpr float smallest = 0.8f, largest = 2;                       // radius
+    const Bodies bodies(frame);
     const std::size_t last = ghost.count - 1;
     for (std::size_t tick = last / ticks_per_dot * ticks_per_dot; tick + most_ticks > last; tick -= ticks_per_dot) {
         const Pose& pose = (*ghost.path)[tick];
         const float age = static_cast<float>(last - tick) / static_cast<float>(most_ticks);
-        if (const auto at = project(frame.camera_view, {pose.x, pose.y})) {
-            const float size = ui.px(6);
-            if (frame.labels) frame.labels->take({at->x - size / 2, at->y - size / 2, size, size});
-            draw_dot(ui, {at->x, at->y}, 2, colour.with_alpha(0.8f - 0.6f * age));
+        const auto at = project(frame.camera_view, {pose.x, pose.y});
+        if (at && !bodies.cover(*at)) {
+            const float length = ghost.length * pixels_per_metre(frame.camera_view, {pose.x, pose.y}) / ui.scale;
+            const float radius = std::clamp(radius_in_body * length, smallest, largest);
+            const float half = ui.px(radius + 1);
+            if (frame.labels) frame.labels->take({at->x - half, at->y - half, 2 * half, 2 * half});
+            draw_dot(ui, {at->x, at->y}, radius, colour.with_alpha(0.8f - 0.6f * age), border_in_radius * radius);
         }
         if (tick == 0) break;
     }
@@ -56,6 +84,11 @@ void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView&
 void draw_dashes(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, Colour colour,
                  const DashedLine& look) {
     float along = 0;  // m since the begin of the last dash
+    const Bodies bodies(frame);
+    const auto is_hidden = [&](vec2 from, vec2 to) {
+        const auto middle = project(frame.camera_view, (from + to) / 2.0f, look.height);
+        return !look.over_vehicles && middle && bodies.cover(*middle);
+    };
     for (std::size_t i = 1; i < points.size(); ++i) {
         const vec2 from = points[i - 1], way = points[i] - from;
         const float length = maths::length(way);
@@ -63,9 +96,8 @@ void draw_dashes(const SceneInputFrame& frame, const Ui& ui, const std::vector<v
         for (float done = 0; done < length;) {
             const bool drawn = along < look.dash;
             const float step = std::min(length - done, (drawn ? look.dash : look.dash + look.gap) - along);
-            if (drawn)
-                floor_segment(frame, ui, from + way * (done / length), from + way * ((done + step) / length),
-                              look.height, look.height, colour, look.width);
+            const vec2 a = from + way * (done / length), b = from + way * ((done + step) / length);
+            if (drawn && !is_hidden(a, b)) floor_segment(frame, ui, a, b, look.height, look.height, colour, look.width);
             done += std::max(step, 1e-4f);
             along += std::max(step, 1e-4f);
             if (along >= look.dash + look.gap) along = 0;
@@ -75,19 +107,38 @@ void draw_dashes(const SceneInputFrame& frame, const Ui& ui, const std::vector<v
 
 void draw_floor_line(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, Colour colour,
                      float width) {
+    const Bodies bodies(frame);
     std::vector<ImVec2> piece;
     const auto end_piece = [&] { draw_line(ui, piece, colour, width, false), piece.clear(); };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto at = project(frame.camera_view, points[i]);
         if (!at || (i > 0 && maths::distance(points[i - 1], points[i]) > farthest_joined)) end_piece();
-        if (at) piece.push_back({at->x, at->y});
+        if (at && bodies.cover(*at))
+            end_piece();
+        else if (at)
+            piece.push_back({at->x, at->y});
     }
     end_piece();
 }
 
-void draw_name(const SceneInputFrame& frame, const Ui& ui, vec2 place, float height, std::string_view words,
-               Colour edge) {
-    if (const auto at = project(frame.camera_view, place, height)) draw_note(frame, ui, words, edge, *at);
+void keep_line_free(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points) {
+    constexpr float width = 4;  // layout pixels
+    if (!frame.labels) return;
+    std::vector<vec2> piece;
+    const auto end_piece = [&] { frame.labels->keep_line_free(piece, ui.px(width)), piece.clear(); };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto at = project(frame.camera_view, points[i]);
+        if (!at || (i > 0 && maths::distance(points[i - 1], points[i]) > farthest_joined)) end_piece();
+        if (at) piece.push_back(*at);
+    }
+    end_piece();
+}
+
+Rect picture_of_body(const SceneInputFrame& frame, vec2 place, float length) {
+    const auto at = project(frame.camera_view, place);
+    if (!at) return {};
+    const float half = 0.5f * length * pixels_per_metre(frame.camera_view, place);
+    return {at->x - half, at->y - half, 2 * half, 2 * half};
 }
 
 void draw_ghost(const SceneInputFrame& frame, const Ui& ui, const GhostView& ghost, const GhostLook& look) {
@@ -109,12 +160,13 @@ void draw_ghost(const SceneInputFrame& frame, const Ui& ui, const GhostView& gho
     const std::vector<vec2> arrow{corner(0, 0.4f * y), corner(0.7f * x, 0), corner(0, -0.4f * y)};
     for (std::size_t i = 1; i < arrow.size(); ++i)
         floor_segment(frame, ui, arrow[i - 1], arrow[i], deck, deck, look.colour, ghost_dashes.width);
-    const auto at = project(frame.camera_view, {ghost.pose.x, ghost.pose.y});
+    const vec2 place{ghost.pose.x, ghost.pose.y};
+    const auto at = project(frame.camera_view, place);
     if (at && frame.labels) {
-        const float half = 0.5f * ghost.length * pixels_per_metre(frame.camera_view, {ghost.pose.x, ghost.pose.y});
-        frame.labels->take({at->x - half, at->y - half, 2 * half, 2 * half});
+        const Rect body = picture_of_body(frame, place, ghost.length);
+        frame.labels->take(body);
+        draw_label(frame, ui, look.words, look.edge, body);
     }
-    draw_name(frame, ui, {ghost.pose.x, ghost.pose.y}, deck, look.words, look.edge);
     const float size = ui.px(24);
     if (at) ui.anchors.record(std::string(look.anchor), {at->x - size / 2, at->y - size / 2, size, size});
 }

@@ -14,18 +14,23 @@ struct DashedLine {
     float width = 2.5f;
     float dash = 0.22f, gap = 0.14f;
     float height = 0;  // above the floor
+    bool over_vehicles = false;
 };
 void draw_dashes(const SceneInputFrame&, const Ui&, const std::vector<maths::vec2>& points, Colour,
                  const DashedLine& = {});
 
 // A solid line. Points more than 2 m apart are not joined, here and in draw_dashes(): the seam of a torus is between.
+// Nothing of a path hides a vehicle's body: lines and dots are left out there.
 void draw_floor_line(const SceneInputFrame&, const Ui&, const std::vector<maths::vec2>& points, Colour, float width);
 
-// A note beside a place.
-void draw_name(const SceneInputFrame&, const Ui&, maths::vec2 place, float height, std::string_view words, Colour edge);
+// Labels do not cover this line.
+void keep_line_free(const SceneInputFrame&, const Ui&, const std::vector<maths::vec2>& points);
+
+// The body of a vehicle at a place, from above a disc; window pixels, width 0 behind the camera. `length`: m.
+Rect picture_of_body(const SceneInputFrame&, maths::vec2 place, float length);
 
 // The driven part of a ghost's path as dots at fixed times, so that their distances show the speed; they fade within a
-// minute.
+// minute. They are small where vehicles are small on the screen.
 void draw_path_dots(const SceneInputFrame&, const Ui&, const GhostView&, Colour);
 
 // A vehicle of another run as a dashed outline, four dots a second along its path, and its name: it has no colour of

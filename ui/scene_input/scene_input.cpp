@@ -191,6 +191,7 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
     state.labels = {};
     if (!view.camera_view) return;
     state.labels.keep_free(*view.now, *view.camera_view);
+    state.labels.keep_obstacles_free(*view.now, *view.camera_view);
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area), &state.labels};
     interact(state, frame, ui.outbox);
     show_cursor(state);
