@@ -180,6 +180,7 @@ public:
             ui.shown = &shown;
             shortened = 0;
             ui.shortened = &shortened;
+            ui.pointed_out = &pointed_out;
             ImGui::NewFrame();
             layout = ui::lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view,
                                  ui::open_cards(view, panels));
@@ -277,6 +278,7 @@ public:
     ui::Anchors anchors;
     std::vector<ui::Written> written;  // the texts of the last frame
     std::vector<ui::Shown> shown;      // the widgets of the last frame
+    ui::PointedOut pointed_out;        // what was pointed out last
     int shortened = 0;                 // its texts that were cut with an ellipsis
     Outbox asked, all;
     ui::WindowLayout layout;

@@ -304,4 +304,49 @@ TEST(Item, WhatAHintPointsAtHasALightBulbAndTheKeyboardFocusHasNone) {
     EXPECT_TRUE(has_bulb(desk)) << "in the margin of the card, where it covers no number";
 }
 
+TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
+    constexpr float room = spacing::tight;
+    struct {
+        float width, height, scale;
+    } const windows[]{{1280, 800, 1}, {1024, 768, 1}, {2560, 1600, 2}};
+    for (const auto& window : windows)
+        for (const char* asked : {"slider.LL", "slider.RR", "exercise.predict", "button.play"}) {
+            Desk desk(window.width, window.height, window.scale, true);
+            desk.open_exercise();
+            const std::string id = asked;
+            if (id.starts_with("slider")) {
+                desk.lesson.has_run = true, desk.lesson.prediction = 0;
+                desk.view.mode = Mode::playing;
+                desk.opened.hints = {{"Lower it.", asked}};
+                desk.lesson.hints_shown = 1;
+            } else if (id == "button.play") {
+                desk.lesson.prediction = 0;
+            }
+            desk.frame(4);
+            ASSERT_EQ(desk.panels.highlighted, id) << window.width;
+            SCOPED_TRACE(id + " in a window of " + std::to_string(window.width));
+            const Rect row = desk.where(id), ring = desk.pointed_out.ring, bulb = desk.pointed_out.bulb;
+            const Rect card = id == "button.play"        ? desk.layout.toolbar
+                              : id == "exercise.predict" ? desk.where("card.exercise")
+                                                         : desk.where("card.brain");
+            const auto contains = [](const Rect& outer, const Rect& inner, float across, float down) {
+                return outer.x + across <= inner.x && outer.x + outer.w - across >= inner.x + inner.w &&
+                       outer.y + down <= inner.y && outer.y + outer.h - down >= inner.y + inner.h;
+            };
+            EXPECT_TRUE(contains(card, ring, 0, 0));
+            EXPECT_TRUE(contains(card, bulb, 0, 0));
+            int texts = 0;
+            for (const Written& w : desk.written) {
+                const float x = w.rect.x + w.rect.w / 2, y = w.rect.y + w.rect.h / 2;
+                if (w.words == icon::hint || !row.contains(x, y)) continue;
+                ++texts;
+                EXPECT_TRUE(contains(ring, w.rect, room * window.scale, 0.5f * room * window.scale)) << w.words;
+                const bool apart = bulb.x >= w.rect.x + w.rect.w || bulb.y + bulb.h <= w.rect.y ||
+                                   bulb.x + bulb.w <= w.rect.x || bulb.y >= w.rect.y + w.rect.h;
+                EXPECT_TRUE(apart) << w.words;
+            }
+            EXPECT_GE(texts, 1);
+        }
+}
+
 }  // namespace braitenlab::tests::item_test

@@ -306,7 +306,8 @@ void point_to_lamp(const LabView& view, Ui& ui) {
     const float radius = ui.px(18 + 4 * ui.pulse);
     ImGui::GetBackgroundDrawList()->AddCircle(
         {at->x, at->y}, radius, paint(ui.palette.accent.with_alpha(0.4f + 0.6f * ui.pulse)), 48, ui.px(2.5f));
-    hint_badge(ui, *ImGui::GetBackgroundDrawList(), {at->x + 0.7f * radius, at->y - 0.7f * radius});
+    const float away = 0.7f * radius + ui.px(0.25f * hint_badge_radius);
+    hint_badge(ui, *ImGui::GetBackgroundDrawList(), {at->x + away, at->y - away});
     ui.anchors.record(lamp_anchor, {at->x - radius, at->y - radius, 2 * radius, 2 * radius});
 }
 

@@ -22,19 +22,37 @@ Rect inside_clip(Rect r) {
     return {x0, y0, std::max(0.0f, x1 - x0), std::max(0.0f, y1 - y0)};
 }
 
+// The card, sheet or bar that is being drawn.
+Rect card_rect() {
+    const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+    if (window->RootWindow) window = window->RootWindow;
+    return {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
+}
+
+Rect grown(Rect r, float across, float down) { return {r.x - across, r.y - down, r.w + 2 * across, r.h + 2 * down}; }
+
+// The part inside the card, at least `edge` from its border.
+Rect inside_card(Rect r, float edge) {
+    const Rect card = grown(card_rect(), -edge, -edge);
+    const float x = std::max(r.x, card.x), y = std::max(r.y, card.y);
+    return {x, y, std::max(0.0f, std::min(r.x + r.w, card.x + card.w) - x),
+            std::max(0.0f, std::min(r.y + r.h, card.y + card.h) - y)};
+}
+
 // A ring around the visible part of a widget, closed also where the card cuts the widget off; the ring itself may
-// extend beyond the card's clip rectangle.
-void ring(const Ui& ui, Rect whole, Colour colour, float gap, float thickness) {
+// extend beyond the card's clip rectangle, but not beyond the card. Returns the middle of its line.
+Rect ring(const Ui& ui, Rect whole, Colour colour, RingRoom room, float thickness) {
     const Rect r = inside_clip(whole);
-    if (r.w <= 0 || r.h <= 0) return;
+    if (r.w <= 0 || r.h <= 0) return {};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
-    const float reach = ui.px(12);
+    const float reach = ui.px(16);
+    const Rect line = inside_card(grown(r, ui.px(room.across), ui.px(room.down)), ui.px(thickness / 2 + 1));
     draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
-    const float out = ui.px(gap);
-    compat::outline(draw, {r.x - out, r.y - out}, {r.x + r.w + out, r.y + r.h + out}, paint(colour),
-                    ui.px(radius::box) + out / 2, ui.px(thickness));
+    compat::outline(draw, {line.x, line.y}, {line.x + line.w, line.y + line.h}, paint(colour),
+                    ui.px(radius::box) + ui.px(std::min(room.across, room.down)) / 2, ui.px(thickness));
     draw.PopClipRect();
+    return line;
 }
 
 // The upper left corner of a tooltip: beside the card, so that it does not cover other widgets; beside the rows of a
@@ -80,7 +98,7 @@ bool is_visible(Rect r) { return r.w >= 1 && r.h >= 1; }
 
 }  // namespace
 
-Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
+Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled, RingRoom room) {
     Item result;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     result.rect = {at.x, at.y, size.x, size.y};
@@ -99,14 +117,14 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
         result.focused = true;
         if (take(*ui.keyboard, key::enter)) result.pressed = result.entered = true;
         if (ui.keyboard->revealed) reveal(ui, result.rect.y, result.bottom());
-        if (ui.keyboard->shown) ring(ui, result.rect, ui.palette.accent, 3, 1.5f);
+        if (ui.keyboard->shown) ring(ui, result.rect, ui.palette.accent, {3, 3}, 1.5f);
     }
     if (ui.reveals && *ui.reveals && id == ui.highlight) {
         *ui.reveals = false;
         reveal(ui, result.rect.y, result.bottom());
     }
     result.warmth = eased(ui, id, enabled && (result.hovered || result.held) ? 1.0f : 0.0f);
-    mark(ui, id, result.rect);
+    mark(ui, id, result.rect, room);
     return result;
 }
 
@@ -121,33 +139,42 @@ void reveal(const Ui& ui, float top, float bottom) {
         ImGui::SetScrollY(ImGui::GetScrollY() + below);
 }
 
-void mark(Ui& ui, std::string_view id, Rect rect) {
+void mark(Ui& ui, std::string_view id, Rect rect, RingRoom room) {
     const Rect visible = inside_clip(rect);
     if (!is_visible(visible)) return;
     ui.anchors.record(id, visible);
-    if (id == ui.highlight && !id.empty()) point_out(ui, rect);
+    if (id == ui.highlight && !id.empty()) point_out(ui, rect, room);
 }
 
-void point_out(const Ui& ui, Rect rect) {
+void point_out(const Ui& ui, Rect rect, RingRoom room) {
+    constexpr float widens = 2, thickness = 2, in_margin = 7;  // layout pixels; the last one is a radius
     const Colour colour = ui.palette.accent;
-    const float grow = ui.px(2);
-    fill_box(ui, {rect.x - grow, rect.y - grow, rect.w + 2 * grow, rect.h + 2 * grow},
-             colour.with_alpha(0.10f + 0.14f * ui.pulse));
-    ring(ui, rect, colour.with_alpha(0.9f - 0.4f * ui.pulse), 2 + 3 * ui.pulse, 2);
+    const RingRoom now{room.across + widens * ui.pulse, room.down + widens * ui.pulse};
+    const Rect line = ring(ui, rect, colour.with_alpha(0.9f - 0.4f * ui.pulse), now, thickness);
+    if (line.w <= 0) return;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float right = rect.x + rect.w;
-    const bool reaches_the_margin = draw.GetClipRectMax().x - right <= ui.px(spacing::large);
+    const float reach = ui.px(16);
+    const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
+    draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
+    fill_box(ui, line, colour.with_alpha(0.10f + 0.14f * ui.pulse));
+    draw.PopClipRect();
+
     // In the card's margin the badge covers no text of the row above.
-    if (reaches_the_margin)
-        hint_badge(ui, draw, {right + ui.px(8), rect.y + rect.h / 2 + ui.px(2)});
-    else
-        hint_badge(ui, draw, {right, rect.y});
+    const float right = rect.x + rect.w;
+    const bool reaches_the_margin = high.x - right <= ui.px(spacing::large);
+    const float radius = ui.px(reaches_the_margin ? in_margin : hint_badge_radius);
+    const Rect card = grown(card_rect(), -radius - ui.px(1), -radius - ui.px(1));
+    ImVec2 middle = reaches_the_margin ? ImVec2{right + ui.px(spacing::tight) + radius, line.y + line.h / 2}
+                                       : ImVec2{right + 0.25f * radius, rect.y - 0.25f * radius};
+    middle.x = std::clamp(middle.x, card.x, std::max(card.x, card.x + card.w));
+    middle.y = std::clamp(middle.y, card.y, std::max(card.y, card.y + card.h));
+    hint_badge(ui, draw, middle, radius / ui.scale);
+    if (ui.pointed_out) *ui.pointed_out = {line, {middle.x - radius, middle.y - radius, 2 * radius, 2 * radius}};
 }
 
-void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 corner) {
+void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 middle, float layout_radius) {
     if (!has_icons(ui)) return;
-    const float radius = ui.px(9), away = 0.25f * radius, reach = ui.px(24);
-    const ImVec2 middle{corner.x + away, corner.y - away};
+    const float radius = ui.px(layout_radius), reach = ui.px(24);
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
     draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
     draw.AddCircleFilled(middle, radius, paint(ui.palette.accent), 24);

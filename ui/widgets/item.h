@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "ui/widgets/theme.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
@@ -27,19 +28,28 @@ struct Item {
     float bottom() const { return rect.y + rect.h; }
 };
 
+// The room between what a hint is about and the ring around it, layout pixels. A button has room of its own around its
+// words; the words of a part that is not a widget, and those of a slider's row, begin at its edge.
+struct RingRoom {
+    float across, down;
+};
+inline constexpr RingRoom around_button{spacing::hair, spacing::hair}, around_words{spacing::small, spacing::tight},
+    around_row{spacing::small, 0};
+
 // A widget at the cursor. A disabled one only shows its tooltip; a picture is a disabled widget.
-Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true);
+Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true, RingRoom = around_button);
 
 // Records the anchor of a part that is not a widget, and highlights it. The anchor is clipped to the card.
-void mark(Ui&, std::string_view id, Rect);
+void mark(Ui&, std::string_view id, Rect, RingRoom = around_words);
 
 // What a hint is about: a wash over the rectangle, a ring that widens with Ui::pulse, and the light bulb of the hint
-// bar at its upper right corner, or beside it where it reaches the margin of its card. The keyboard focus is a thin
-// ring without a wash and a bulb.
-void point_out(const Ui&, Rect);
+// bar at its upper right corner, or in the margin of its card if it reaches that. Ring and bulb stay inside the card.
+// The keyboard focus is a thin ring without a wash and a bulb.
+void point_out(const Ui&, Rect, RingRoom = around_button);
 
-// That light bulb, at this corner of what is pointed out; it may extend beyond the card's clip rectangle.
-void hint_badge(const Ui&, ImDrawList&, ImVec2 corner);
+// That light bulb; it may extend beyond the clip rectangle.
+inline constexpr float hint_badge_radius = 9;  // layout pixels
+void hint_badge(const Ui&, ImDrawList&, ImVec2 middle, float radius = hint_badge_radius);
 
 // Scrolls the window being drawn by no more than it takes to show all between these two heights, window pixels, with
 // room for a focus ring; a part that is too high is shown from its top.

@@ -54,6 +54,11 @@ struct Tooltips {
     bool hidden = false;   // since a key or the left button was pressed, until the pointer moves
 };
 
+// Where the ring and the light bulb of a hint are, window pixels.
+struct PointedOut {
+    Rect ring, bulb;
+};
+
 struct Ui {
     const Strings& strings;
     Palette palette;
@@ -72,6 +77,7 @@ struct Ui {
     bool* reveals = nullptr;                  // true until the card has scrolled to `highlight`; null: it does not
     int* shortened = nullptr;                 // null: not counted; texts that were cut with an ellipsis
     std::vector<Shown>* shown = nullptr;      // null: not recorded
+    PointedOut* pointed_out = nullptr;        // null: not recorded
     Tooltips* tooltips = nullptr;             // set by draw_window; null: each waits for itself
 
     // Layout pixels to window pixels.
