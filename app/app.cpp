@@ -114,7 +114,7 @@ bool App::turn() {
     if (lab_.screenshot) take_screenshot();
     follow_take_away();
     facts_.frame_ms = seconds_since(turn_began) * 1000;
-    if (!repeatable()) window_.show();
+    if (!repeatable() && !held_back_) window_.show();
     write_reports();
     follow_notes_page(lab_, words_.strings, words_.language, is_on_page() ? std::filesystem::path() : folders_.state);
     save_settings(false);
@@ -125,7 +125,7 @@ bool App::turn() {
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();
     window_.rest(pause_after_swap(seconds_since(turn_began), rate, options_.frame_rate));
-    if (moves()) last_change_ = Clock::now();
+    if (moves() || held_back_) last_change_ = Clock::now();
     if (!options_.only_draws()) window_.poll(idle_wait(seconds_since(last_change_)));
     return true;
 }

@@ -154,6 +154,7 @@ private:
     Clock::time_point settings_saved_ = began_, file_checked_ = began_;
     Clock::time_point last_change_ = began_;  // see idle_wait()
     bool got_input_ = false;                  // in the last frame
+    bool held_back_ = false;                  // the last frame was not shown, because its cards were cut
     int exit_code_ = 0;
     std::vector<CatalogueEntry> catalogue_, lectures_;
     std::vector<insight::Study> studies_;

@@ -160,7 +160,9 @@ void App::frame(float passed) {
         orbit(lab_.view.camera = viewport_.framing.raised(lab_.view.camera), -twist, 0);
     if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     window_.bind();
-    if (repeatable() && !picture_is_due(0))
+    // The heights of cards are those of the frame before. Where a card is too low for its words, the last frame stays.
+    held_back_ = panels_.cards_are_cut && !held_back_ && !options_.only_draws() && !lab_.screenshot;
+    if (held_back_ || (repeatable() && !picture_is_due(0)))
         renderer_.remember(shown_snapshot(shown_lab()));  // no frame is shown before the picture is taken
     else
         draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view), layout);
@@ -175,7 +177,7 @@ void App::frame(float passed) {
     facts_.probes.assign(panels_.canvas.probes.begin(), panels_.canvas.probes.end());
     facts_.strips = panels_.strips;
     window_.bind();
-    window_.end_frame();
+    held_back_ ? ImGui::EndFrame() : window_.end_frame();
     note_press(lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
     lab_.predictions.what_if = panels_.what_if;
     lab_.map.hovered = panels_.map.hovered;

@@ -202,6 +202,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const OpenMenus open_menus{!menus.open.empty(), state.presets_open, state.scene_input.menu.open};
     state.scene_input.below_menu = open_menus.bar && !menus.panel.contains(mouse.x, mouse.y);
+    state.cards_are_cut = false;
     state.lesion_under_pointer.clear();
     state.what_if.clear();
     state.map.hovered.reset();

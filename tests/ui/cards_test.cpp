@@ -50,6 +50,37 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     for (const CardTraits& row : cards()) EXPECT_TRUE(drawn.count(row.anchor)) << row.anchor;
 }
 
+TEST(Cards, TellThatTheyAreTooLowForAFrameWhenTheirWordsGrow) {
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.frame(4);
+    EXPECT_FALSE(desk.panels.cards_are_cut);
+    const std::string goal = desk.opened.goal;
+    const auto last_line_of_goal = [&] {
+        for (const Written& w : desk.written)
+            if (w.words.find("END") != std::string::npos) return w.rect;
+        return Rect{};
+    };
+    desk.opened.goal = goal + " " + goal + " " + goal + " END";
+    desk.frame();
+    EXPECT_TRUE(desk.panels.cards_are_cut);
+    desk.frame();
+    EXPECT_FALSE(desk.panels.cards_are_cut);
+    const Rect card = desk.where("card.exercise"), line = last_line_of_goal();
+    EXPECT_GT(line.h, 0);
+    EXPECT_LT(line.y + line.h, card.y + card.h);
+    desk.opened.goal = goal;
+    desk.frame();
+    EXPECT_FALSE(desk.panels.cards_are_cut) << "a lower one has room";
+    desk.frame(2);
+    desk.lesson.prediction = 1, desk.lesson.has_run = true;
+    desk.lesson.grade = graded(std::vector<bool>(10, true), true);
+    desk.frame();
+    EXPECT_TRUE(desk.panels.cards_are_cut);
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.cards_are_cut);
+}
+
 TEST(Cards, AreInTheColumnOfTheirRowInTheOrderOfTheTable) {
     Desk desk(1280, 1400);
     desk.frame(3);

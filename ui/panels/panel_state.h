@@ -156,7 +156,8 @@ struct PanelState {
     Recognised recognised;
     History history;
     PromptMemory prompts;
-    std::string highlighted;           // anchor that pulsed in the last frame
+    bool cards_are_cut = false;  // set by draw_window: a card has no room yet for what it shows; see CardState::is_cut
+    std::string highlighted;     // anchor that pulsed in the last frame
     bool reveals_highlight = false;    // its card has not yet scrolled to it
     std::string lesion_under_pointer;  // anchor of the part that a click or L would lesion or heal; empty: none
     std::string lesion_requested;      // the same, requested by key and not yet carried out

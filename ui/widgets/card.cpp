@@ -124,10 +124,20 @@ void begin_body(const Ui& ui, CardState& state, Rect r) {
 
 }  // namespace
 
+namespace {
+
+void measure(CardState& state, float& height, float measured) {
+    state.is_cut |= measured > height + 1;
+    height = measured;
+}
+
+}  // namespace
+
 bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r,
                 std::span<HeadingButton> extras) {
     begin_stops(ui.keyboard);
     if (state.id != id) state.id = id, state.fold_id = state.id + ".fold";
+    state.is_cut = false;
     begin_window(state.id.c_str(), r);
     card_ground(ui, r);
     mark(ui, id, r);
@@ -143,7 +153,7 @@ bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view 
 
 void end_head(const Ui& ui, CardState& state, Rect r) {
     state.in_head = false;
-    state.head = end_part() + ui.px(below_head);
+    measure(state, *state.head, end_part() + ui.px(below_head));
     begin_body(ui, state, r);
 }
 
@@ -151,7 +161,7 @@ namespace {
 
 void end_body(CardState& state) {
     if (!state.in_body) return;
-    state.content = end_part();
+    measure(state, state.content, end_part());
     state.in_body = false;
 }
 
@@ -168,7 +178,7 @@ void begin_footer(Ui& ui, CardState& state, Rect r) {
 void end_footer(const Ui& ui, CardState& state) {
     ImGui::EndGroup();
     ImGui::PopStyleVar();
-    state.footer = ImGui::GetItemRectSize().y + ui.px(above_footer);
+    measure(state, state.footer, ImGui::GetItemRectSize().y + ui.px(above_footer));
 }
 
 void end_card(CardState& state) {

@@ -17,7 +17,8 @@ struct CardState {
     std::optional<float> head;    // height of the part above the body that does not scroll; unset: there is none
     float footer = 0;             // height of the part below the body that does not scroll, window pixels
     bool in_head = false, in_body = false;
-    float content = 0;        // height of the body measured in the last frame, window pixels; 0: not yet measured
+    bool is_cut = false;  // in the last frame a part was higher than in the one before, which decides the card's height
+    float content = 0;    // height of the body measured in the last frame, window pixels; 0: not yet measured
     std::string id, fold_id;  // anchors of card and heading, stored so that a frame allocates no memory
 };
 
