@@ -119,6 +119,8 @@ private:
     float resolution() const;
     // What the scene shows, without a camera view.
     Picture scene_picture(std::vector<bool> hidden_brains) const;
+    // Of the last frame, window pixels; empty outside a lecture.
+    std::vector<Rect> cards_of_lecture() const;
     std::vector<Rect> covered_parts(const ui::WindowLayout&) const;  // of the window, display pixels
 
     // ── Pictures and clips, app_pictures.cpp ──

@@ -127,7 +127,7 @@ void App::frame(float passed) {
     const Rect area = window_.area();
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
-    aim(viewport_, shown_lab(), area, arena, passed, title_ ? SlotsView{} : view.slots);
+    aim(viewport_, shown_lab(), area, arena, passed, title_ ? SlotsView{} : view.slots, cards_of_lecture());
     view.camera_view = &viewport_.camera_view;
     outbox_.clear();
     bool arrows_are_free = true;
@@ -239,6 +239,14 @@ Picture App::scene_picture(std::vector<bool> hidden_brains) const {
     picture.names = &words_.names;
     picture.decimal_mark = decimal_mark(words_.strings);
     return picture;
+}
+
+std::vector<Rect> App::cards_of_lecture() const {
+    std::vector<Rect> places;
+    if (!lab_.before_lecture || title_) return places;
+    for (const ui::CardTraits& row : ui::cards())
+        if (const Rect* card = anchors_.find(row.anchor)) places.push_back(*card);
+    return places;
 }
 
 std::vector<Rect> App::covered_parts(const ui::WindowLayout& layout) const {

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "app/insight/predictions.h"
+#include "render/view/label_space.h"
 #include "ui/lab_view.h"
 
 namespace braitenlab {
@@ -61,10 +62,43 @@ std::optional<FloorBox> paths_of_change(const Lab& lab) {
     return box;
 }
 
+// The height from the top of the area to below the cards that hide a vehicle or a bulb, at most half of it; 0: none.
+float height_of_cards(const Snapshot& now, const CameraView& seen, const Rect& area, std::span<const Rect> cards) {
+    float height = 0;
+    const auto look_at = [&](const Rect& thing) {
+        for (const Rect& card : cards) {
+            const bool across = thing.x < card.x + card.w && card.x < thing.x + thing.w;
+            const bool down = thing.y < card.y + card.h && card.y < thing.y + thing.h;
+            if (across && down) height = std::max(height, card.y + card.h - area.y);
+        }
+    };
+    for (const VehicleView& vehicle : now.vehicles) look_at(picture_of(now, seen, vehicle));
+    for (const SourceView& source : now.sources) look_at(picture_of(now, seen, source));
+    return std::min(height, area.h / 2);
+}
+
+// The area without the strip of the cards that hide something. The camera of the user stays where it is.
+Rect clear_of_cards(ViewportState& state, const Lab& lab, Rect area, std::span<const Rect> cards) {
+    const Snapshot& now = shown_snapshot(lab);
+    const Camera& camera = lab.view.camera;
+    const bool starts = now.tick < state.tick && now.tick == 0;
+    const bool is_ours = camera.mode == CameraMode::overview && camera.zoom == 1 && camera.pan == vec2{};
+    state.tick = now.tick;
+    if (starts || cards.empty()) state.below_cards = 0;
+    if (is_ours && !cards.empty() && state.has_sight && now.scene && now.vehicles.size() <= few_vehicles) {
+        const float height = height_of_cards(now, state.camera_view, area, cards);
+        if (height > state.below_cards) state.below_cards = height, state.age = 0;
+    }
+    area.y += state.below_cards, area.h -= state.below_cards;
+    return area;
+}
+
 }  // namespace
 
-void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds, const SlotsView& slots) {
+void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds, const SlotsView& slots,
+         std::span<const Rect> cards) {
     const Snapshot& now = shown_snapshot(lab);
+    free_area = clear_of_cards(state, lab, free_area, cards);
     const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
     if (is_home(state, lab)) state.framing.start_over();
     const ImGuiIO& io = ImGui::GetIO();

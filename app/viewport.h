@@ -2,6 +2,9 @@
 // ui/scene_input.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "app/lab.h"
 #include "render/view/camera.h"
 #include "render/view/framing.h"
@@ -13,9 +16,11 @@ struct ViewportState {
     CameraView camera_view;  // of this frame
     bool has_sight = false;
     Framing framing;
-    FloorBox framed;   // the part of the floor that zoom 1 shows
-    float age = 1e9f;  // s since the last change that is shown as a glide
-    Camera last;       // camera of the last frame, and the vehicle that it followed
+    FloorBox framed;        // the part of the floor that zoom 1 shows
+    float below_cards = 0;  // height of the free area that is left out at its top, because a card hides something there
+    std::uint64_t tick = 0;  // of the last frame
+    float age = 1e9f;        // s since the last change that is shown as a glide
+    Camera last;             // camera of the last frame, and the vehicle that it followed
     VehicleId last_followed = no_vehicle;
 };
 
@@ -28,7 +33,10 @@ struct CameraKeys {
 
 // Computes the camera view of this frame. A change of mode or vehicle, and Home, are shown as short glides, unless
 // motion is reduced. Other changes apply at once. While both slots run, the vehicle of B stays in the picture, too.
-void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds, const SlotsView& = {});
+// `cards`: over the scene, as folded cards of a lecture are. Once one hides a vehicle or a bulb, the scene is framed
+// below it, until the run is back at its start.
+void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds, const SlotsView& = {},
+         std::span<const Rect> cards = {});
 
 // Turns the camera by the slow orbit, if ViewSettings::orbits; motion must not be reduced.
 void orbit_slowly(Camera&, float seconds);

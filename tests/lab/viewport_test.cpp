@@ -48,6 +48,29 @@ TEST_F(SlowOrbit, TheWiringEditorFramesThePathsOfTheWireUnderThePointer) {
     EXPECT_NEAR(width(), action, 0.01f);
 }
 
+TEST_F(SlowOrbit, FramesTheSceneBelowACardThatHidesAVehicle) {
+    const Rect window{0, 0, 1280, 800}, area{16, 72, 1248, 600};
+    const auto vehicle_at = [&] {
+        for (int i = 0; i < 200; ++i) aim(state, lab, window, area, 1.0f / 60);
+        const Snapshot& now = lab.document.session.snapshot();
+        return picture_of(now, state.camera_view, now.vehicles[0]);
+    };
+    const Rect first = vehicle_at();
+    const auto aim_below = [&](const Rect& card) {
+        const Rect cards[]{card};
+        for (int i = 0; i < 200; ++i) aim(state, lab, window, area, 1.0f / 60, {}, cards);
+        const Snapshot& now = lab.document.session.snapshot();
+        return picture_of(now, state.camera_view, now.vehicles[0]);
+    };
+    const Rect elsewhere = aim_below({first.x + first.w + 100, area.y, 60, 36});
+    EXPECT_NEAR(elsewhere.x, first.x, 1) << "the card hides nothing";
+    EXPECT_NEAR(elsewhere.y, first.y, 1);
+    const float bottom = first.y + 0.6f * first.h;
+    const Rect moved = aim_below({first.x - 20, area.y, first.w + 40, bottom - area.y});
+    EXPECT_GE(moved.y, bottom - 1);
+    EXPECT_NEAR(vehicle_at().y, first.y, 1) << "outside a lecture";
+}
+
 TEST_F(SlowOrbit, TurnsTheCameraSlowlyUntilItIsStopped) {
     EXPECT_EQ(turn(), 0);
     handle(lab, Action::slow_orbit);
