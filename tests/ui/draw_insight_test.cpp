@@ -189,16 +189,18 @@ TEST_F(DrawInsight, TheLabelOfAPathCoversNoPost) {
     for (Obstacle& post : scene->obstacles) post.length = post.width = 0.3f;
     desk.now.scene = scene;
     desk.now.vehicles.resize(1);
-    for (const float beside : {0.3f, 0.6f, 0.9f, 1.2f}) {
-        const maths::vec2 end{path.back().x, path.back().y};
-        desk.now.obstacles = {{end.x + 0.5f, end.y + beside, 0}, {end.x + 0.5f, end.y - beside, 0}};
-        desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
-        desk.frame();
-        const ui::Written* label = label_of_path(desk);
-        if (!label) continue;
-        for (const Pose& post : desk.now.obstacles) {
-            const maths::vec2 at = *project(camera_view, {post.x, post.y}, 0.2f);
-            EXPECT_FALSE(label->rect.contains(at.x, at.y)) << beside;
+    const maths::vec2 end = pixel({path.back().x, path.back().y});
+    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    for (const maths::vec2 away : {maths::vec2{32, 24}, {32, -24}, {-32, 24}, {-32, -24}, {24, 40}}) {
+        for (const float side : {1.0f, -1.0f}) {
+            const auto one = unproject(camera_view, end + away, 0.2f), other = unproject(camera_view, end - away, 0.2f);
+            ASSERT_TRUE(one && other);
+            desk.now.obstacles = {{one->x, one->y, 0}, {other->x, other->y, side}};
+            desk.frame();
+            const ui::Written* label = label_of_path(desk);
+            ASSERT_TRUE(label) << away;
+            for (const maths::vec2 post : {end + away, end - away})
+                EXPECT_FALSE(label->rect.contains(post.x, post.y)) << away;
         }
     }
 }

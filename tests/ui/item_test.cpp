@@ -305,7 +305,6 @@ TEST(Item, WhatAHintPointsAtHasALightBulbAndTheKeyboardFocusHasNone) {
 }
 
 TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
-    constexpr float room = spacing::tight;
     struct {
         float width, height, scale;
     } const windows[]{{1280, 800, 1}, {1024, 768, 1}, {2560, 1600, 2}};
@@ -340,7 +339,8 @@ TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
                 const float x = w.rect.x + w.rect.w / 2, y = w.rect.y + w.rect.h / 2;
                 if (w.words == icon::hint || !row.contains(x, y)) continue;
                 ++texts;
-                EXPECT_TRUE(contains(ring, w.rect, room * window.scale, 0.5f * room * window.scale)) << w.words;
+                EXPECT_TRUE(contains(ring, w.rect, spacing::small * window.scale, spacing::tight * window.scale))
+                    << w.words;
                 const bool apart = bulb.x >= w.rect.x + w.rect.w || bulb.y + bulb.h <= w.rect.y ||
                                    bulb.x + bulb.w <= w.rect.x || bulb.y >= w.rect.y + w.rect.h;
                 EXPECT_TRUE(apart) << w.words;
