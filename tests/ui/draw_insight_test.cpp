@@ -222,6 +222,37 @@ TEST_F(DrawInsight, TheDotsOfTheLastRunHideNoVehicle) {
     for (const std::size_t tick : {60U, 150U, 240U}) EXPECT_EQ(dots_on(path[tick]), 0) << tick;
 }
 
+TEST_F(DrawInsight, NoPathIsDrawnOverAVehicle) {
+    desk.now.vehicles.resize(3);
+    desk.now.tick = 100;
+    desk.view.settings.selection.vehicle = no_vehicle;
+    const std::vector<std::vector<Pose>> fan{path};
+    const std::vector<Pose> before(path.begin(), path.begin() + 400);
+    const auto stands_at = [&](std::size_t i, const Pose& place) {
+        desk.now.vehicles[i].x = place.x, desk.now.vehicles[i].y = place.y;
+    };
+    stands_at(0, path[150]), stands_at(1, path.back()), stands_at(2, before.back());
+    // Vertices over the inner part of the bodies.
+    const auto drawn_over_bodies = [&] {
+        desk.frame();
+        int count = 0;
+        for (const VehicleView& vehicle : desk.now.vehicles) {
+            const Rect body = picture_of(desk.now, camera_view, vehicle);
+            const maths::vec2 middle{body.x + body.w / 2, body.y + body.h / 2};
+            for (const ImDrawVert& vertex : ImGui::GetBackgroundDrawList()->VtxBuffer)
+                count += maths::distance(middle, {vertex.pos.x, vertex.pos.y}) < 0.35f * body.w;
+        }
+        return count;
+    };
+    EXPECT_EQ(drawn_over_bodies(), 0) << "without a path";
+    desk.view.prediction =
+        PredictionView{.path = &path, .fan = &fan, .tick = 100, .before = &before, .before_tick = 100};
+    EXPECT_EQ(drawn_over_bodies(), 0) << "the coming seconds, and those before the edit";
+    desk.view.prediction.reset();
+    desk.view.slots.a = GhostView{path[200], 1, 0.7f, &path, 201};
+    EXPECT_EQ(drawn_over_bodies(), 0) << "the run of slot A";
+}
+
 TEST_F(DrawInsight, TheDotsOfTheLastRunAreSmallWhereVehiclesAre) {
     desk.view.last_run = GhostView{path[300], 1, 0.7f, &path, 301};
     const auto size_of_dots = [&](float zoom) {

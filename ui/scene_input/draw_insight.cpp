@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,16 @@ std::vector<vec2> coming(const std::vector<Pose>& path, std::uint64_t first, std
     return points;
 }
 
-// Words at the end of a path.
+// Words at the end of a path; beside the vehicle, and without a dot, where one stands there.
 void name_end(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, std::string_view words,
               Colour colour, NoteSide side = NoteSide::any) {
     const auto at = project(frame.camera_view, points.back());
     if (!at) return;
     constexpr float radius = 4, around = 6;
     const float half = ui.px(around);
-    draw_dot(ui, {at->x, at->y}, radius, colour);
-    draw_label(frame, ui, words, colour, {at->x - half, at->y - half, 2 * half, 2 * half}, side);
+    const std::optional<Rect> body = body_at(frame, *at);
+    if (!body) draw_dot(ui, {at->x, at->y}, radius, colour);
+    draw_label(frame, ui, words, colour, body.value_or(Rect{at->x - half, at->y - half, 2 * half, 2 * half}), side);
 }
 
 // True if the first point is higher on the screen.

@@ -31,13 +31,15 @@ public:
         for (const VehicleView& vehicle : now.vehicles)
             if (const Rect body = picture_of(now, frame.camera_view, vehicle); body.w > 0) all_.push_back(body);
     }
-    bool cover(vec2 at) const {
-        return std::any_of(all_.begin(), all_.end(), [at](const Rect& body) {
+    const Rect* at(vec2 pixel) const {
+        const auto found = std::find_if(all_.begin(), all_.end(), [pixel](const Rect& body) {
             const vec2 half{body.w / 2, body.h / 2};
-            const vec2 away{(at.x - body.x - half.x) / half.x, (at.y - body.y - half.y) / half.y};
+            const vec2 away{(pixel.x - body.x - half.x) / half.x, (pixel.y - body.y - half.y) / half.y};
             return maths::dot(away, away) < 1;
         });
+        return found == all_.end() ? nullptr : &*found;
     }
+    bool cover(vec2 pixel) const { return at(pixel) != nullptr; }
 
 private:
     std::vector<Rect> all_;
@@ -132,6 +134,12 @@ void keep_line_free(const SceneInputFrame& frame, const Ui& ui, const std::vecto
         if (at) piece.push_back(*at);
     }
     end_piece();
+}
+
+std::optional<Rect> body_at(const SceneInputFrame& frame, vec2 pixel) {
+    const Bodies bodies(frame);
+    const Rect* body = bodies.at(pixel);
+    return body ? std::optional(*body) : std::nullopt;
 }
 
 Rect picture_of_body(const SceneInputFrame& frame, vec2 place, float length) {

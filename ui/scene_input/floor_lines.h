@@ -1,6 +1,7 @@
 // Lines and vehicles of other runs, drawn over the 3D view at places on the floor.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,9 @@ void draw_floor_line(const SceneInputFrame&, const Ui&, const std::vector<maths:
 
 // Labels do not cover this line.
 void keep_line_free(const SceneInputFrame&, const Ui&, const std::vector<maths::vec2>& points);
+
+// The body of the vehicle that is at this pixel, or nullopt.
+std::optional<Rect> body_at(const SceneInputFrame&, maths::vec2 pixel);
 
 // The body of a vehicle at a place, from above a disc; window pixels, width 0 behind the camera. `length`: m.
 Rect picture_of_body(const SceneInputFrame&, maths::vec2 place, float length);
