@@ -6,16 +6,10 @@
 #include "app/course/lab_lesson.h"
 #include "app/lab_edits.h"
 #include "app/lab_requests.h"
-#include "tests/lab/opened_lab.h"
+#include "tests/lab/lesson_in_lab.h"
 
 namespace braitenlab::tests::lab_lesson_in_time_test {
 namespace {
-
-Lab aggressor() { return opened_lab("05-aggressor"); }
-
-void run(Lab& lab, int ticks) {
-    for (int i = 0; i < ticks; ++i) tick(lab);
-}
 
 std::vector<bool> done(const Lab& lab) {
     std::vector<bool> all;

@@ -1,0 +1,93 @@
+// The prediction of an open exercise: until when it can be made, and which runs judge it.
+#include "app/course/lab_lesson.h"
+#include "tests/lab/lesson_in_lab.h"
+
+namespace braitenlab::tests::lab_prediction_test {
+namespace {
+
+TEST(LabPrediction, TakesAPredictionUntilARunHasShownTheOutcome) {
+    Lab lab = aggressor();
+    handle(lab, Action::step);
+    handle(lab, PredictRequest{0});
+    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    const auto after = static_cast<int>(60 * lab.document.lesson->exercise->prediction.after);
+    while (!lesson_of(lab).outcome_known && lab.document.session.snapshot().tick < 1000) tick(lab);
+    EXPECT_NEAR(static_cast<double>(lab.document.session.snapshot().tick), after, 1);
+    handle(lab, PredictRequest{1});
+    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    handle(lab, Action::exercise_reset);
+    EXPECT_FALSE(lesson_of(lab).outcome_known);
+    handle(lab, PredictRequest{1});
+    EXPECT_EQ(lesson_of(lab).prediction, 1);
+}
+
+TEST(LabPrediction, KnowsTheOutcomeOfTheShippedBrainAndLampOnly) {
+    Lab rewired = aggressor();
+    handle(rewired, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    Lab moved = aggressor();
+    handle(moved, EditRequest{MoveSource{0, 1, 1}});
+    Lab heavier = aggressor();
+    Kind kind = heavier.document.session.snapshot().scene->kinds[0];
+    kind.body.mass *= 2;
+    handle(heavier, EditRequest{EditKind{0, kind}});
+    Lab turned = aggressor();
+    kind.sensors[0].angle += 0.1f;
+    handle(turned, EditRequest{SetSensors{{.kind = 0}, kind.sensors}});
+    for (Lab* lab : {&rewired, &moved, &heavier, &turned}) {
+        for (int i = 0; i < 600; ++i) tick(*lab);
+        EXPECT_FALSE(lesson_of(*lab).outcome_known);
+    }
+    handle(rewired, EditRequest{SetBrain{{.kind = 0}, rewired.document.lesson->exercise->scene.kinds[0].brain}});
+    handle(rewired, Action::reset);
+    for (int i = 0; i < 600; ++i) tick(rewired);
+    EXPECT_TRUE(lesson_of(rewired).outcome_known);
+}
+
+TEST(LabPrediction, JudgesAPredictionAboutTwoVehiclesOnlyByARunWithBothAsGiven) {
+    for (const int changed : {-1, 0, 1}) {
+        Lab lab = opened_lab("07-further");
+        handle(lab, PredictRequest{1});
+        if (changed >= 0) handle(lab, EditRequest{TurnDial{{.kind = changed}, Dial::LM, 0.4f}});
+        for (int i = 0; i < 13 * 60; ++i) tick(lab);
+        EXPECT_EQ(lesson_of(lab).outcome_known, changed < 0) << "changed kind: " << changed;
+        handle(lab, Action::exercise_reset);
+        for (int i = 0; i < 13 * 60; ++i) tick(lab);
+        EXPECT_TRUE(lesson_of(lab).outcome_known) << "a run of the scene as given, after changed kind " << changed;
+    }
+}
+
+TEST(LabPrediction, KnowsThatTheSceneIsNotAsGivenAfterAChangeOfBrainSensorsOrBody) {
+    const auto changed_by = [](const Request& request) {
+        Lab lab = aggressor();
+        EXPECT_TRUE(lesson_of(lab).as_given);
+        handle(lab, request);
+        const bool changed = !lesson_of(lab).as_given;
+        handle(lab, Action::undo);
+        EXPECT_TRUE(lesson_of(lab).as_given);
+        return changed;
+    };
+    const Lab lab = aggressor();
+    const Snapshot& now = lab.document.session.snapshot();
+    Kind heavy = now.scene->kinds[0];
+    heavy.body.mass *= 2;
+    std::vector<Sensor> turned = now.scene->kinds[0].sensors;
+    turned[0].angle += 0.1f;
+    EXPECT_TRUE(changed_by(EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.3f}}));
+    EXPECT_TRUE(changed_by(EditRequest{TurnDial{{.vehicle = now.vehicles[0].id}, Dial::LL, 0.3f}}))
+        << "the brain of one vehicle, not of its kind";
+    EXPECT_TRUE(changed_by(EditRequest{SetSensors{{.kind = 0}, turned}}));
+    EXPECT_TRUE(changed_by(EditRequest{EditKind{0, heavy}}));
+}
+
+TEST(LabPrediction, DoesNotKnowTheOutcomeOfARunWithoutTheKindOfTheExercise) {
+    Lab lab = aggressor();
+    handle(lab, EditRequest{RemoveVehicle{}});
+    handle(lab, EditRequest{RemoveKind{0}});
+    ASSERT_TRUE(lab.document.session.snapshot().kind_brains.empty());
+    EXPECT_TRUE(lesson_of(lab).by_hand);
+    for (int i = 0; i < 600; ++i) tick(lab);
+    EXPECT_FALSE(lesson_of(lab).outcome_known);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::lab_prediction_test
