@@ -1,8 +1,6 @@
 // Saving the open scene as an exercise, its check in the background, and following the file in an editor.
 #include "app/course/exercise_check.h"
 
-#include <chrono>
-
 #include <gtest/gtest.h>
 
 #include "app/files/disk.h"
@@ -12,6 +10,7 @@
 #include "core/lesson/submission.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
+#include "tests/lab/other_program.h"
 
 namespace braitenlab::tests::exercise_check_test {
 namespace {
@@ -45,21 +44,8 @@ struct ExerciseCheckLab : testing::Test {
         }
         EXPECT_FALSE(lab.check);
     }
-    // Writes as an editor does that renames a new file over the old one. A change counts once the file stays the same.
-    void write(const std::string& text) {
-        put_text(folder / "new", text);
-        fs::last_write_time(folder / "new", fs::last_write_time(file) + std::chrono::seconds(++written_));
-        fs::rename(folder / "new", file);
-        follow_file(lab, files), follow_file(lab, files);
-    }
-    static std::string with(std::string text, const std::string& old, const std::string& fresh) {
-        const auto at = text.find(old);
-        EXPECT_NE(at, text.npos) << old;
-        return at == text.npos ? text : text.replace(at, old.size(), fresh);
-    }
-
-private:
-    int written_ = 0;
+    void write(const std::string& text) { other.rename_over(file, text); }
+    OtherProgram other{lab, files};
 };
 
 TEST_F(ExerciseCheckLab, ASavedExerciseIsOpenedAndItsResultShown) {

@@ -1,9 +1,8 @@
 // An opened file that another program has written.
-#include <chrono>
-
 #include <gtest/gtest.h>
 
 #include "tests/lab/lab_files.h"
+#include "tests/lab/other_program.h"
 
 namespace braitenlab::tests::follow_file_test {
 namespace {
@@ -14,21 +13,9 @@ struct FollowFile : LabFiles {
         ask(SaveRequest{"mine", FileKind::scene});
         ask(OpenRequest{"mine.toml"});
     }
-    // Writes as another program does. Looks twice: a change counts once the file stays the same.
-    void write(const std::string& text) {
-        put_text(file, text);
-        fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(++written_));
-        look(), look();
-    }
+    void write(const std::string& text) { other.write(file, text); }
     void look() { follow_file(lab, files); }
-    static std::string with(std::string text, const std::string& old, const std::string& fresh) {
-        const auto at = text.find(old);
-        EXPECT_NE(at, text.npos) << old;
-        return at == text.npos ? text : text.replace(at, old.size(), fresh);
-    }
-
-private:
-    int written_ = 0;
+    OtherProgram other{lab, files};
 };
 
 TEST_F(FollowFile, ReloadsAFileThatAnotherProgramHasWritten) {
