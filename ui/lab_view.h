@@ -54,6 +54,7 @@ struct LessonView {
     int prediction = -1;                       // the option chosen, 0-based; −1: none yet
     bool has_run = false;                      // played at least once since it was opened
     int runs = 0;                              // begun since it was opened
+    bool at_start = true;                      // of a run; in a selection by hand also before the first choice
     bool outcome_known = false;                // a run of the scene as given has shown what was to be predicted
     bool as_given = true;                      // every brain, sensor and body is that of the exercise's file
     int hints_shown = 0;                       // of exercise->hints
@@ -84,11 +85,8 @@ struct LessonView {
 // True once an option is chosen or a path is drawn.
 inline bool has_predicted(const LessonView& lesson) { return lesson.prediction >= 0 || !lesson.drawn_path.empty(); }
 
-// True if the prediction can be made or changed: not after a run has shown the outcome, and once it is made, not after
-// the first run has begun.
-inline bool is_prediction_open(const LessonView& lesson) {
-    return !lesson.outcome_known && (!has_predicted(lesson) || !lesson.has_run);
-}
+// True if the prediction can be made or changed: at the start of a run, until a run has shown the outcome.
+inline bool is_prediction_open(const LessonView& lesson) { return lesson.at_start && !lesson.outcome_known; }
 
 // True while the prediction is asked for: before the first run, and until it is made.
 inline bool awaits_prediction(const LessonView& lesson) {
@@ -317,12 +315,15 @@ inline bool hides_outcome(const LabView& view) {
     return !has_predicted(*view.lesson) && !view.lesson->outcome_known && !passed;
 }
 
-// True if the coming seconds and the last run may be shown: not while the exercise's prediction can be made or changed,
-// nor before the answer to the question of a lecture's page.
+// True if the coming seconds and the last run may be shown: not before the exercise's prediction is made and a run has
+// begun, nor at a start at which the prediction can be changed and the scene is as given; nor before the answer to the
+// question of a lecture's page.
 inline bool may_show_future(const LabView& view) {
     if (view.pages && !view.pages->current().question.options.empty() && !view.pages->shows(PagePart::answer))
         return false;
-    return !view.lesson || !is_asked(view.lesson->exercise->prediction) || !is_prediction_open(*view.lesson);
+    if (!view.lesson || !is_asked(view.lesson->exercise->prediction) || view.lesson->outcome_known) return true;
+    const LessonView& lesson = *view.lesson;
+    return has_predicted(lesson) && lesson.has_run && !(is_prediction_open(lesson) && lesson.as_given);
 }
 
 // True if the run with the solution may be shown beside the student's: after a run, and not before the prediction.

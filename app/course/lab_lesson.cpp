@@ -132,6 +132,8 @@ void watch(Lab& lab) {
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
     lesson.view.as_given = is_as_shipped(lab.document.session.snapshot(), lesson.exercise->scene);
+    const bool has_chosen = lesson.selecting && lesson.selecting->parents.size() > 1;
+    lesson.view.at_start = lab.document.session.snapshot().tick == 0 && !has_chosen;
     // A prediction about a selection is about its end, not about the first run.
     if (!lesson.view.outcome_known && !offers_selection(*lesson.exercise))
         lesson.view.outcome_known = shows_outcome(lesson, lab.document.session.snapshot());
@@ -306,7 +308,7 @@ void predict(Lab& lab, const PredictRequest& request) {
 
 void predict(Lab& lab, const PredictPathRequest& request) {
     if (!lab.document.lesson || !is_prediction_open(lab.document.lesson->view)) return;
-    if (lab.document.session.snapshot().tick > 0 || lab.document.lesson->exercise->prediction.path_of.empty()) return;
+    if (lab.document.lesson->exercise->prediction.path_of.empty()) return;
     lab.document.lesson->view.drawn_path = request.path;
     lab.document.lesson->runs.drawn_seed = lab.document.session.seed();
 }

@@ -44,7 +44,7 @@ void restore_referee(Document&, const std::optional<RefereeState>&);
 
 void show_hint(Lab&);
 
-// Keeps an option or a path as the prediction while it can be made; a path only at the start of a run.
+// Keeps an option or a path as the prediction while it can be made or changed, see is_prediction_open().
 void predict(Lab&, const PredictRequest&);
 void predict(Lab&, const PredictPathRequest&);
 

@@ -1,15 +1,59 @@
 // The prediction of an open exercise: until when it can be made, and which runs judge it.
+#include "app/course/lab_children.h"
 #include "app/course/lab_lesson.h"
+#include "core/lesson/selection.h"
 #include "tests/lab/lesson_in_lab.h"
 
 namespace braitenlab::tests::lab_prediction_test {
 namespace {
 
-TEST(LabPrediction, TakesAPredictionUntilARunHasShownTheOutcome) {
-    Lab lab = aggressor();
+TEST(LabPrediction, CanBeMadeAndChangedUntilARunBeginsAndAgainAfterAReset) {
+    Lab lab = opened_lab("07-further");
+    const auto predicted = [&](int option) {
+        handle(lab, PredictRequest{option});
+        return lesson_of(lab).prediction;
+    };
     handle(lab, Action::step);
+    EXPECT_EQ(predicted(0), -1) << "an answer in the run is no prediction";
+    handle(lab, Action::reset);
+    EXPECT_EQ(predicted(0), 0);
+    EXPECT_EQ(predicted(1), 1);
+    handle(lab, Action::step);
+    EXPECT_EQ(predicted(2), 1);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LM, 0.4f}});
+    EXPECT_EQ(predicted(2), 1) << "also with another brain: the run shows the red vehicle";
+    handle(lab, SeekRequest{0});
+    EXPECT_EQ(predicted(2), 2);
+    handle(lab, Action::step);
+    handle(lab, Action::exercise_reset);
+    EXPECT_EQ(predicted(0), 0);
+}
+
+TEST(LabPrediction, OfASelectionByHandIsLockedAfterTheFirstChoice) {
+    Lab lab = opened_lab("20-selection");
+    ASSERT_TRUE(offers_selection(*lab.document.lesson->exercise));
+    Jobs jobs(0);
+    const auto let_jobs_end = [&] {
+        for (int i = 0; i < 10'000 && (!lesson_of(lab).selection || lesson_of(lab).selection->children.empty()); ++i) {
+            update_children(lab, jobs);
+            jobs.deliver(std::chrono::nanoseconds(0));
+        }
+    };
+    let_jobs_end();
     handle(lab, PredictRequest{0});
     EXPECT_EQ(lesson_of(lab).prediction, 0);
+    choose_child(lab, 0);
+    ASSERT_EQ(lab.document.session.snapshot().tick, 0u);
+    handle(lab, PredictRequest{1});
+    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    take_choice_back(lab);
+    handle(lab, PredictRequest{1});
+    EXPECT_EQ(lesson_of(lab).prediction, 1);
+}
+
+TEST(LabPrediction, IsJudgedOnceARunHasShownTheOutcome) {
+    Lab lab = aggressor();
+    handle(lab, PredictRequest{0});
     const auto after = static_cast<int>(60 * lab.document.lesson->exercise->prediction.after);
     while (!lesson_of(lab).outcome_known && lab.document.session.snapshot().tick < 1000) tick(lab);
     EXPECT_NEAR(static_cast<double>(lab.document.session.snapshot().tick), after, 1);

@@ -41,7 +41,7 @@ TEST(ExerciseGrade, ANoteIsShownWhenARunDoesNotCount) {
 TEST(ExerciseGrade, AStartsPictureReplaysIt) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = true;
+    begin_run(desk);
     desk.lesson.grade = graded({true, false, true}, false);
     desk.lesson.grade->starts[1].verdicts = {Verdict{true, {}}, Verdict{false, {{1.25f, 0.6f, "m", true, true}}}};
     desk.frame(5);
@@ -89,9 +89,7 @@ TEST(ExerciseGrade, SaysWhichRunTheTicksAreOf) {
 
 TEST(ExerciseGrade, SaysThatThePassedSolutionWasShown) {
     Desk desk(1280, 1000, 1, true);
-    desk.open_exercise();
-    desk.lesson.has_run = true;
-    desk.lesson.grade = graded(std::vector<bool>(10, true), true);
+    pass(desk);
     desk.frame(3);
     EXPECT_TRUE(desk.says("Well done"));
     desk.lesson.solution_shown = true;

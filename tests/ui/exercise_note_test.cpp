@@ -79,11 +79,11 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     desk.panels.keyboard.focus.clear();
     press({'1'});
     EXPECT_EQ(desk.last<PredictRequest>()->option, 0) << "it can be corrected until the first run";
-    desk.lesson.has_run = true;
+    desk.lesson.has_run = true, desk.lesson.at_start = false;
     desk.panels.keyboard.focus.clear();
     press({'2'});
     EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "after it has begun, a digit takes a slider";
-    desk.lesson.has_run = false;
+    desk.lesson.has_run = false, desk.lesson.at_start = true;
     desk.lesson.prediction = -1;
     desk.panels.keyboard.focus = "exercise.predict.1";
     desk.panels.keyboard.shown = true;

@@ -5,19 +5,22 @@ namespace braitenlab::tests::exercise_outcome_test {
 
 using namespace ui;
 
-TEST(ExerciseOutcome, APredictionIsMadeUntilTheOutcomeIsKnown) {
-    Desk desk;
+TEST(ExerciseOutcome, APredictionIsMadeAndChangedAtTheStartOfARunUntilTheOutcomeIsKnown) {
+    Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.frame(3);
     desk.click("exercise.predict.2");
     ASSERT_EQ(desk.all.size(), 1u);
     EXPECT_EQ(std::get<PredictRequest>(desk.all[0]).option, 1);
-    desk.lesson.has_run = true;
+    EXPECT_FALSE(desk.says("It can be changed until the run begins.")) << "nothing is chosen";
+    desk.lesson.prediction = 1;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("It can be changed until the run begins."));
+    desk.lesson.has_run = true;  // and was reset
     desk.frame(3);
     desk.click("exercise.predict.1");
     ASSERT_EQ(desk.all.size(), 2u);
-    EXPECT_EQ(std::get<PredictRequest>(desk.all[1]).option, 0) << "Space alone does not end it";
-    desk.lesson.prediction = 1;
+    EXPECT_EQ(std::get<PredictRequest>(desk.all[1]).option, 0);
     desk.lesson.outcome_known = true;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "a prediction cannot be changed";
@@ -26,22 +29,31 @@ TEST(ExerciseOutcome, APredictionIsMadeUntilTheOutcomeIsKnown) {
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "and not be made";
 }
 
-TEST(ExerciseOutcome, AMadePredictionIsFixedOnceTheVehicleHasRun) {
+TEST(ExerciseOutcome, APredictionIsLockedWhileItRuns) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.frame(3);
     desk.click("exercise.predict.1");
     EXPECT_TRUE(desk.last<PredictRequest>());
     desk.lesson.prediction = 0;
-    desk.lesson.has_run = true;
+    begin_run(desk);
     desk.panels.keyboard.focus = "exercise.predict.1";
     desk.all.clear();
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "the steps need its room";
     EXPECT_TRUE(desk.says("You predicted")) << "the chosen answer stays";
     EXPECT_EQ(desk.panels.keyboard.focus, "") << "the focus is on no row that is gone";
+    EXPECT_TRUE(desk.says("Locked until the run has shown the outcome. Reset (R) unlocks it."));
     desk.key({'2'});
     EXPECT_FALSE(desk.last<PredictRequest>());
+    desk.lesson.prediction = -1;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "an answer in the run is no prediction";
+    EXPECT_TRUE(desk.says("The run has begun. Reset (R), then answer."));
+    desk.lesson.as_given = false;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("The run has begun")) << "this run does not show the outcome";
+    EXPECT_TRUE(desk.anchors.find("exercise.as_given"));
 }
 
 TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
@@ -85,8 +97,7 @@ TEST(ExerciseOutcome, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfThe
 TEST(ExerciseOutcome, SaysThatTheOutcomeIsOlderThanTheChangesOfTheBrain) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
-    desk.lesson.prediction = 0;
-    desk.lesson.has_run = true;
+    predict_and_run(desk, 0);
     desk.lesson.outcome_known = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says("What happened: It turned away."));
@@ -98,9 +109,7 @@ TEST(ExerciseOutcome, SaysThatTheOutcomeIsOlderThanTheChangesOfTheBrain) {
 TEST(ExerciseOutcome, ShowsTheStepsAboveTheOutcomeAlsoWhenTheBrainIsChanged) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = desk.lesson.outcome_known = true;
-    desk.lesson.prediction = 0;
-    desk.lesson.outcome_known = false;
+    predict_and_run(desk, 0);
     desk.frame(3);
     EXPECT_LT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y) << "first the question";
     desk.lesson.outcome_known = true;

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "exercise_on_desk.h"
 #include "scene_on_desk.h"
 
 namespace braitenlab::tests::prediction_test {
@@ -61,15 +62,14 @@ TEST_F(PathPrediction, AShortPathIsDiscardedAndEscapeEndsTheDrawing) {
 }
 
 TEST_F(PathPrediction, ItIsDrawnAtTheStartOfARunOnly) {
-    desk.now.tick = 5;
+    desk.lesson.at_start = false;
     desk.frame(2);
-    desk.click("exercise.draw");
-    EXPECT_FALSE(scene_input().path.on);
-    desk.now.tick = 0;
+    EXPECT_FALSE(desk.anchors.find("exercise.draw"));
+    desk.lesson.at_start = true;
     desk.frame(2);
     desk.click("exercise.draw");
     EXPECT_TRUE(scene_input().path.on);
-    desk.now.tick = 1;
+    desk.lesson.at_start = false;
     desk.frame(2);
     EXPECT_FALSE(scene_input().path.on) << "the run has begun";
 }
@@ -96,15 +96,31 @@ TEST_F(PathPrediction, ADrawnPathIsAPrediction) {
     desk.lesson.drawn_path = {{0, 0}, {1, 0}};
     EXPECT_FALSE(hides_outcome(desk.view));
     EXPECT_TRUE(is_prediction_open(desk.lesson));
-    desk.lesson.has_run = true;
+    begin_run(desk);
     EXPECT_FALSE(is_prediction_open(desk.lesson));
+}
+
+TEST_F(PathPrediction, TheComingSecondsAreShownOnceARunHasBegunUnlessThePredictionCanStillBeChanged) {
+    LessonView& lesson = desk.lesson;
+    EXPECT_FALSE(may_show_future(desk.view));
+    begin_run(desk);
+    EXPECT_FALSE(may_show_future(desk.view)) << "nothing is predicted";
+    lesson.prediction = 1;
+    EXPECT_TRUE(may_show_future(desk.view));
+    lesson.at_start = true;
+    EXPECT_FALSE(may_show_future(desk.view)) << "after a reset";
+    lesson.as_given = false;
+    EXPECT_TRUE(may_show_future(desk.view)) << "of a changed brain";
+    lesson.as_given = true, lesson.outcome_known = true;
+    EXPECT_TRUE(may_show_future(desk.view));
+    lesson.outcome_known = false, lesson.has_run = false, lesson.as_given = false;
+    EXPECT_FALSE(may_show_future(desk.view)) << "before the first run";
 }
 
 TEST(PredictionPart, SaysWhetherTheChosenOptionCameTrueAndHowFarAPathIsOff) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
-    desk.lesson.prediction = 1;
-    desk.lesson.has_run = true;
+    predict_and_run(desk, 1);
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "the outcome is not known";
     desk.lesson.outcome_known = true;
@@ -135,8 +151,7 @@ TEST(PredictionPart, AsksForARunOfTheSceneAsGivenOnceTheStudentHasChangedIt) {
     desk.lesson.as_given = false;
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("exercise.as_given"));
-    desk.lesson.prediction = 1;
-    desk.lesson.has_run = true;
+    predict_and_run(desk, 1);
     desk.frame(3);
     EXPECT_TRUE(desk.says("Start over, then Play"));
     EXPECT_FALSE(desk.anchors.find("exercise.came_true"));
@@ -238,10 +253,10 @@ TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {
     desk.open_exercise();
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.compare"));
-    desk.lesson.has_run = true;
+    begin_run(desk);
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.compare")) << "before the prediction";
-    desk.lesson.prediction = 0;
+    predict_and_run(desk, 0);
     desk.frame(3);
     desk.click("exercise.compare");
     ASSERT_TRUE(desk.last<CompareRequest>());

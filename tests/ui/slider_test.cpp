@@ -362,7 +362,7 @@ TEST(Slider, TellsForASecondThatKeysHaveChangedIt) {
 TEST(Slider, DigitsFocusTheSlidersThatTheExerciseOffersFromTopToBottom) {
     Desk desk(1280, 800, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = true;
+    desk.lesson.has_run = true, desk.lesson.at_start = false;
     desk.lesson.prediction = 0;
     desk.opened.offers = {"LL=RR", "LM=RM"};
     desk.frame(3);

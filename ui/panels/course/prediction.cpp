@@ -133,6 +133,18 @@ void ask_for_a_run_as_given(Ui& ui) {
     mark(ui, "exercise.as_given", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
 }
 
+void note(Ui& ui, std::string_view key) { paragraph(ui, ui.strings(key), ui.palette.second_text, Face::small); }
+
+// While a run is not at its start, and its outcome is not known.
+void locked_prediction(const LessonView& lesson, bool asks_for_a_run, Ui& ui) {
+    const Prediction& asked = lesson.exercise->prediction;
+    paragraph(ui, translated(ui, asked.question), ui.palette.text);  // the steps need the room of the options
+    made_prediction(lesson, ui);
+    if (asks_for_a_run) return ask_for_a_run_as_given(ui);
+    if (offers_selection(*lesson.exercise)) return;
+    note(ui, has_predicted(lesson) ? "exercise.locked" : "exercise.locked_unanswered");
+}
+
 }  // namespace
 
 void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) {
@@ -158,15 +170,17 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     ExerciseRows& rows = state.exercise_rows;
     const float top = begin_row(rows);
     subheading(ui, ui.strings("exercise.predict"));
-    if (is_prediction_open(lesson)) {
+    const bool can_choose = is_open && is_prediction_open(lesson);
+    if (!can_choose && ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
+    if (can_choose) {
         open_prediction(view, state, ui);
-        if (asks_for_a_run) ask_for_a_run_as_given(ui);
-    } else {
-        if (ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
         if (asks_for_a_run)
             ask_for_a_run_as_given(ui);
-        else if (is_open)
-            paragraph(ui, translated(ui, asked.question), ui.palette.text);  // the steps need the room of the options
+        else if (has_predicted(lesson))
+            note(ui, "exercise.changeable");
+    } else if (is_open) {
+        locked_prediction(lesson, asks_for_a_run, ui);
+    } else {
         made_prediction(lesson, ui);
     }
     if (lesson.outcome_known && !asked.outcome.empty())
