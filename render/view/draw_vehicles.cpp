@@ -278,7 +278,6 @@ void add_body(Drawing& drawing, const Subject& s) {
 void add_here(Drawing& drawing, const Subject& s) {
     if (in_sight(drawing, s.place, s.kind.body.length + 0.5f)) add_body(drawing, s);
     add_lamps(drawing, s);
-    add_ring(drawing, s);
     if (!is_brain_hidden(drawing, s)) add_wheel_arrows(drawing, s);
 }
 
@@ -288,7 +287,8 @@ float farthest_eye(const Kind& kind) {
     return range;
 }
 
-// Repeats what reaches over an edge of a torus at the opposite edge.
+// Repeats what reaches over an edge of a torus at the opposite edge. The ring is only around the vehicle itself, as its
+// number is beside it only.
 void add_beyond_edges(Drawing& drawing, Subject s, const Arena& arena) {
     const float body = s.kind.body.length, eye = farthest_eye(s.kind);
     const vec2 home = s.place;
@@ -380,6 +380,7 @@ void add_vehicles(Drawing& drawing, const Trails& trails) {
         Subject s = subject_of(drawing, view);
         s.plan = plan_of(drawing, s);
         add_here(drawing, s);
+        add_ring(drawing, s);
         add_fields(drawing, s);
         if (const Trail* trail = drawing.picture.settings.overlays.trails ? trails.of(view.id) : nullptr)
             add_trail(drawing, s, *trail);

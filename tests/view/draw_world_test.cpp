@@ -243,5 +243,17 @@ TEST(DrawWorld, RepeatsObjectsAtTheOppositeEdgeOfATorus) {
     EXPECT_EQ(drawn(now).hulls[0].size(), 1U);
 }
 
+TEST(DrawWorld, HasOneRingAroundAVehicleThatReachesOverTheEdgeOfATorus) {
+    auto scene = bare();
+    scene->arena.edge = Boundary::torus;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 9.8f, 0, 0);
+    Picture picture;
+    picture.settings.selection.vehicle = now.vehicles[0].id;
+    const DrawList list = drawn(now, picture);
+    ASSERT_EQ(list.rings.size(), 1U);
+    EXPECT_NEAR(list.rings[0].place.x, 9.8f, 1e-4);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::draw_world_test
