@@ -58,6 +58,13 @@ struct Reading {
     bool lost = false;  // true when the goal cannot be met any more in this run
 };
 
+// A second value of a goal, measured together with the first one; at most `needed`. A goal with one has a function
+// second(State).
+struct SecondValue {
+    float value = 0, needed = 0;
+    std::string_view unit;
+};
+
 // From the vehicle to a source, in a torus across the seam if that is shorter; nullopt when the source is missing. The
 // nearest source for an empty name.
 std::optional<maths::vec2> offset_to_source(const std::string& source, const Observation&);

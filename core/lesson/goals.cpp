@@ -1,6 +1,7 @@
 #include "core/lesson/goals.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
@@ -159,6 +160,31 @@ Measure opposite(Measure measure) {
     return measure;
 }
 
+// The values of a goal that is no combination.
+template <class G>
+std::vector<Measure> values_of(const G& goal, const Check& check, const CheckState& state, bool together) {
+    const Measure first{state.value,        goal.needed(),           G::traits.unit,
+                        G::traits.at_most,  shows_best<G>(together), needed_most(goal),
+                        G::traits.quantity, source_of(goal, check),  state.met_since >= 0};
+    if constexpr (requires { goal.second(std::get<typename G::State>(state.goal)); }) {
+        const goals::SecondValue second = goal.second(std::get<typename G::State>(state.goal));
+        Measure distance = first;
+        distance.met = first.value <= first.needed;
+        if (!std::isfinite(first.value)) return {distance};  // both are unknown
+        return {distance,
+                {second.value,
+                 second.needed,
+                 second.unit,
+                 true,
+                 false,
+                 {},
+                 {},
+                 first.source,
+                 second.value <= second.needed}};
+    }
+    return {first};
+}
+
 // `negated`: the check must not be met.
 void add_measures(const Check& check, const CheckState& state, bool together, bool negated, std::vector<Measure>& all) {
     const auto add = [&](const Measure& measure) { all.push_back(negated ? opposite(measure) : measure); };
@@ -170,8 +196,7 @@ void add_measures(const Check& check, const CheckState& state, bool together, bo
                 for (std::size_t i = 0; i < goal.checks.size(); ++i)
                     add_measures(goal.checks[i], states[i], together, negated != std::is_same_v<G, goals::NoneOf>, all);
             } else {
-                add({state.value, goal.needed(), G::traits.unit, G::traits.at_most, shows_best<G>(together),
-                     needed_most(goal), G::traits.quantity, source_of(goal, check), state.met_since >= 0});
+                for (const Measure& measure : values_of(goal, check, state, together)) add(measure);
             }
         },
         check.goal);

@@ -94,6 +94,28 @@ TEST(OthersGoals, AFollowedVehicleIsNearAndAhead) {
     EXPECT_FALSE(is_done(goal, run(90, {2, 0})));
 }
 
+TEST(OthersGoals, AFollowedVehicleHasADistanceAndAnAngle) {
+    const auto measured = [](float degrees, maths::vec2 other) {
+        return verdict_on(goals::Follows{"two", 3, 30}, {{0, {0, 0}, degrees, 0, 1, 0, other}}).measures;
+    };
+    const std::vector<Measure> far = measured(10, {4, 0});
+    ASSERT_EQ(far.size(), 2u);
+    EXPECT_FLOAT_EQ(far[0].value, 4);
+    EXPECT_EQ(far[0].unit, "m");
+    EXPECT_FALSE(far[0].met);
+    EXPECT_NEAR(far[1].value, 10, 1e-3);
+    EXPECT_EQ(far[1].needed, 30);
+    EXPECT_EQ(far[1].unit, "°");
+    EXPECT_TRUE(far[1].at_most);
+    EXPECT_EQ(far[1].source, "two");
+    EXPECT_TRUE(far[1].met) << "only the distance is missing";
+    const std::vector<Measure> aside = measured(40, {2, 0});
+    EXPECT_TRUE(aside[0].met);
+    EXPECT_FALSE(aside[1].met) << "only the angle is missing";
+    EXPECT_EQ(measures({goals::Follows{"two", 3, 30}}, initial_state({goals::Follows{"two", 3, 30}})).size(), 1u)
+        << "nothing is measured yet";
+}
+
 TEST(OthersGoals, AVehicleIsFollowedAcrossTheSeamOfATorus) {
     Exercise exercise = exercise_with({goals::Follows{"two", 3, 30}});
     exercise.scene.arena.width = 12;

@@ -6,13 +6,14 @@
 
 namespace braitenlab::goals {
 
-std::optional<Reading> measure(const Follows& goal, Follows::State&, const Observation& at) {
+std::optional<Reading> measure(const Follows& goal, Follows::State& state, const Observation& at) {
     const VehicleView* other = find_vehicle(at.now, at.subjects.id(goal.other));
     if (!other) return std::nullopt;
     const sensing::Seam seam(at.now.scene->arena);
     const maths::vec2 offset = seam.shortest({other->x - at.vehicle.x, other->y - at.vehicle.y});
     const float distance = maths::length(offset);
-    return Reading{distance, distance <= goal.metres && degrees_off(at.vehicle, offset) <= goal.degrees};
+    state.degrees = degrees_off(at.vehicle, offset);
+    return Reading{distance, distance <= goal.metres && state.degrees <= goal.degrees};
 }
 
 std::optional<Reading> measure(const Collides& goal, Collides::State&, const Observation& at) {

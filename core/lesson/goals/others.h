@@ -9,10 +9,13 @@ namespace braitenlab::goals {
 struct Follows {
     static constexpr Traits traits{"follows", "m", true, INFINITY,
                                    "the other vehicle is within `metres` and within `degrees` of straight ahead"};
-    struct State {};
+    struct State {
+        float degrees = 180;  // off straight ahead, measured last
+    };
     std::string other;
     float metres = 0, degrees = 0;
     float needed() const { return metres; }
+    SecondValue second(const State& state) const { return {state.degrees, degrees, "°"}; }
 };
 
 // Combine it with `runs`.
@@ -113,7 +116,9 @@ void describe(Visitor& v, Of<Matches>) {
 
 // ── States, for saved work ──
 template <class Visitor>
-void describe(Visitor&, Of<Follows::State>) {}
+void describe(Visitor& v, Of<Follows::State>) {
+    v.number("degrees", &Follows::State::degrees, "°", {0, 180}, "");
+}
 template <class Visitor>
 void describe(Visitor&, Of<Collides::State>) {}
 template <class Visitor>
