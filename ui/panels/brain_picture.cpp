@@ -29,8 +29,10 @@ namespace {
 using sketch::NodeMark;
 using sketch::WireMark;
 
-constexpr float reach_of_wire = 7;   // layout pixels
-constexpr float reach_of_pair = 86;  // from the middle to the numbers of the motors, layout pixels
+// Layout pixels.
+constexpr float reach_of_wire = 7;
+constexpr float reach_of_pair = 86;         // from the middle to the numbers of the motors
+constexpr float from_eye_to_its_name = 44;  // with a pair
 
 class BrainPicture {
 public:
@@ -51,7 +53,7 @@ public:
         parts_ = is_graph_ ? sketch::lay_out_graph(brain_, kind_of(*view.now, vehicle), pair_, all_, ui.px(1))
                            : sketch::lay_out_pair(brain_, pair_, all_, unit_);
         for (const NodeMark& sensor : parts_.sensors)
-            is_crowded_ |= text_width(ui, Face::label, wiring::short_name(sensors(), sensor.name)) > room_of_name();
+            is_crowded_ |= text_width(ui, is_graph_ ? Face::label : Face::small, full_name(sensor)) > room_of_name();
     }
 
     void draw() {
@@ -184,13 +186,12 @@ private:
         sketch::eye(ui_, which.at, parts_.sensor_radius, reading(which.node), covered, warmth(which));
         if (!is_graph_) {
             const float out = is_first ? -1.0f : 1.0f;
-            sketch::number(ui_, {which.at.x + out * unit_ * 44, which.at.y + ui_.px(6)}, is_first,
-                           wiring::short_name(sensors(), which.name),
-                           covered ? "—" : fixed(ui_, reading(which.node), 2));
+            sketch::number(ui_, {which.at.x + out * unit_ * from_eye_to_its_name, which.at.y + ui_.px(6)}, is_first,
+                           name_in_pair(which), covered ? "—" : fixed(ui_, reading(which.node), 2));
             return;
         }
         // Names of a crowded row would overlap. There the place of the sensor shows its side.
-        std::string name = wiring::short_name(sensors(), which.name);
+        std::string name = full_name(which);
         const Sensor* sensor = find_sensor(sensors(), which.name);
         if (is_crowded_ && sensor && name != which.name) name = wiring::channel_symbol(sensor->channel);
         const float width = text_width(ui_, Face::label, name);
@@ -214,15 +215,31 @@ private:
     }
 
     const std::vector<Sensor>& sensors() const { return kind_of(*view_.now, vehicle_).sensors; }
-    float room_of_name() const { return ui_.px(parts_.sensor_radius / 0.36f - 4); }  // in the row of a graph
+    std::string full_name(const NodeMark& sensor) const { return wiring::short_name(sensors(), sensor.name); }
+    // The symbol of the channel and the side, where the button would cover a longer name.
+    std::string name_in_pair(const NodeMark& which) const {
+        const Sensor* sensor = is_crowded_ ? find_sensor(sensors(), which.name) : nullptr;
+        return sensor ? wiring::symbol_name(*sensor) : full_name(which);
+    }
+    // In the row of a graph, or of a pair between its eye and the button.
+    float room_of_name() const {
+        if (is_graph_) return ui_.px(parts_.sensor_radius / 0.36f - 4);
+        const float from = parts_.sensors.back().at.x + unit_ * from_eye_to_its_name;
+        return (view_.lecture ? all_.x + all_.w : left_of_button()) - ui_.px(spacing::hair) - from;
+    }
+
+    SmallButton look_of_button() const {
+        return {"button.watch", icon::wiring, ui_.strings("button.watch"), view_.settings.watching};
+    }
+    float left_of_button() const {
+        return all_.x + all_.w - small_button_width(ui_, look_of_button(), false) - ui_.px(spacing::tight);
+    }
 
     // Shows the whole brain beside the scene, or hides it. In large type it would cover a number.
     void watch_button() {
         if (view_.lecture) return;
-        const SmallButton look{"button.watch", icon::wiring, ui_.strings("button.watch"), view_.settings.watching};
-        const float left = all_.x + all_.w - small_button_width(ui_, look, false) - ui_.px(spacing::tight);
-        ImGui::SetCursorScreenPos({left, all_.y + ui_.px(spacing::tight)});
-        const Item at = small_button(ui_, look, false);
+        ImGui::SetCursorScreenPos({left_of_button(), all_.y + ui_.px(spacing::tight)});
+        const Item at = small_button(ui_, look_of_button(), false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
         if (at.pressed) ui_.outbox.push_back(Action::watch);
     }
@@ -259,7 +276,7 @@ private:
     SensorPair pair_;
     bool is_graph_;  // the whole brain is shown, not only the wires of the pair
     float unit_;     // window pixels per layout pixel of the pair's picture; less than ui_.px(1) in a narrow card
-    bool is_crowded_ = false;  // names of sensors of the graph are symbols only
+    bool is_crowded_ = false;  // names of sensors are symbols
     Rect all_;
     sketch::BrainLayout parts_;
     const WireMark* warm_ = nullptr;  // under the pointer

@@ -64,13 +64,16 @@ bool has_code_as_name(const Sensor& sensor) {
                        [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
+std::string symbol_name(const Sensor& sensor) {
+    const float side = sensor.y != 0 ? sensor.y : sensor.angle;
+    return std::string(channel_symbol(sensor.channel)) + (side > 0 ? "L" : side < 0 ? "R" : "");
+}
+
 std::string short_name(const std::vector<Sensor>& sensors, const std::string& node) {
     const Sensor* sensor = find_sensor(sensors, node);
     if (!sensor || !has_code_as_name(*sensor) || (sensor->channel == Channel::light && node.front() == 'S'))
         return node;
-    const float side = sensor->y != 0 ? sensor->y : sensor->angle;
-    const std::string number = node.substr(node.find_last_not_of("0123456789") + 1);
-    return std::string(channel_symbol(sensor->channel)) + (side > 0 ? "L" : side < 0 ? "R" : "") + number;
+    return symbol_name(*sensor) + node.substr(node.find_last_not_of("0123456789") + 1);
 }
 
 namespace {

@@ -19,6 +19,9 @@ std::string_view channel_symbol(Channel);
 // True for letters that the program or a shipped file gives to a sensor: OL, KR2, EN.
 bool has_code_as_name(const Sensor&);
 
+// The icon of the channel and, for a sensor at a side or that looks to it, L or R.
+std::string symbol_name(const Sensor&);
+
 // The name of a node in a diagram: the icon of the channel and L or R for a sensor with a code as its name, else the
 // name. SL and SR for light are names that the user learns, and stay.
 std::string short_name(const std::vector<Sensor>&, const std::string& node);
