@@ -4,6 +4,7 @@
 
 #include "brain_on_desk.h"
 #include "core/brain/four_neurons.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::tests::brain_card_test {
 
@@ -191,6 +192,62 @@ TEST(BrainCard, CallsTheWheelsAlikeByTheRuleOfTheCallout) {
     EXPECT_TRUE(said("Left wheel faster"));
     desk.now.vehicles[0].motor = {0.1949f, 0.1951f};  // 0.19 and 0.20, and faster by 0.00
     EXPECT_TRUE(said("Both wheels alike"));
+}
+
+TEST(BrainCard, SaysThatItDrivesBackAndThatSomethingIsInItsWay) {
+    Desk desk(1280, 800, 1, true);
+    const auto drive = [&](const FourNeurons& dials, float speed) {
+        desk.now = snapshot(0);
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->kinds[0].brain = make_graph(dials);
+        desk.now.scene = scene;
+        desk.now.brains[0] = std::make_shared<BrainGraph>(scene->kinds[0].brain);
+        desk.now.vehicles[0].motor = {dials.LM, dials.RM};
+        desk.now.neurons = {dials.LM, dials.RM};
+        desk.now.vehicles[0].speed = speed;
+        desk.now.tick = 100;
+        desk.view.mode = Mode::playing;
+        desk.frame(3);
+    };
+    drive({.LM = 0.5f, .RM = 0.5f}, 1);
+    EXPECT_TRUE(desk.says("Both wheels alike: straight on."));
+    drive({.LM = -0.5f, .RM = -0.5f}, -1);
+    EXPECT_TRUE(desk.says("Both wheels alike: straight back."));
+    drive({.LM = -0.5f, .RM = -0.5f}, 0);
+    EXPECT_TRUE(desk.says("something is in its way"));
+    drive({.LM = 0.5f, .RM = 0.2f}, 1);
+    EXPECT_TRUE(desk.says("Left wheel faster"));
+    drive({.LM = 0.5f, .RM = 0.2f}, 0);
+    EXPECT_TRUE(desk.says("Something is in its way")) << "it does not turn either";
+    EXPECT_FALSE(desk.says("Left wheel faster"));
+}
+
+TEST(BrainCard, NamesAnEyeByItsSymbolWhereTheButtonBesideItWouldCoverItsName) {
+    for (const float width : {1024.0f, 1280.0f}) {
+        Desk desk(width, 800, 1, true);
+        desk.now = snapshot(0);
+        desk.frame(3);
+        EXPECT_TRUE(desk.says("SR\n")) << "a short name stays";
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->kinds[0].sensors[0] = {.name = "greenL", .channel = Channel::green, .y = 0.2f};
+        scene->kinds[0].sensors[1] = {.name = "greenR", .channel = Channel::green, .y = -0.2f};
+        BrainGraph brain = scene->kinds[0].brain;
+        find_node(brain, "SL")->name = "greenL", find_node(brain, "SR")->name = "greenR";
+        scene->kinds[0].brain = brain;
+        desk.now.scene = scene;
+        desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+        desk.frame(3);
+        const Rect button = desk.where("button.watch"), picture = desk.where("brain.picture");
+        bool named = false;
+        for (const Written& w : desk.written) {
+            named |= w.words == std::string(wiring::channel_symbol(Channel::green)) + "R";
+            const bool beside = w.rect.x < button.x + button.w && button.x < w.rect.x + w.rect.w;
+            const bool level = w.rect.y < button.y + button.h && button.y < w.rect.y + w.rect.h;
+            const bool in_picture = picture.contains(w.rect.x + 1, w.rect.y + 1);
+            if (in_picture && w.words.find("R") != std::string::npos) EXPECT_FALSE(beside && level) << w.words;
+        }
+        EXPECT_TRUE(named) << width;
+    }
 }
 
 TEST(BrainCard, ShowsTheReadingOfAMaskedEyeAsItsPictureDoes) {

@@ -276,9 +276,12 @@ TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
     desk.view.mode = Mode::playing;
     desk.now.vehicles[0].speed = 0;
     desk.frame();
-    std::string all;
-    for (const ui::Written& one : desk.written) all += one.words + " ";
-    EXPECT_NE(all.find("something is in its way"), std::string::npos);
+    const auto says = [&](std::string_view words) {  // also where a line ends in them
+        std::string all;
+        for (const ui::Written& one : desk.written) all += one.words + " ";
+        return all.find(words) != std::string::npos;
+    };
+    EXPECT_TRUE(says("something is in its way"));
     EXPECT_FALSE(desk.says("straight on"));
     EXPECT_FALSE(desk.says("Wheel difference")) << "nothing but zeros";
     desk.now.vehicles[0].speed = 1;
@@ -288,6 +291,14 @@ TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
     why.left = why.right = 0.02f;
     desk.frame();
     EXPECT_TRUE(desk.says("straight on")) << "its wheels hardly push: nothing is in its way";
+    desk.now.vehicles[0].speed = -1;
+    why.left = why.right = -0.4f;
+    desk.frame();
+    EXPECT_TRUE(says("straight back"));
+    EXPECT_FALSE(says("straight on"));
+    desk.now.vehicles[0].speed = 0;
+    desk.frame();
+    EXPECT_TRUE(says("something is in its way")) << "in reverse, too";
 }
 
 TEST_F(DrawInsight, TheCauseOfTheTurnKeepsALampInSight) {

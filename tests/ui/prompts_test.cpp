@@ -233,8 +233,10 @@ TEST_F(Prompts, PointToResetIfASingleVehicleIsStuck) {
     alone();
     desk.now.vehicles[0].speed = 0;
     at(5), next(), at(10.5), next(), at(11.5);
-    EXPECT_EQ(next().hint, "hint.stuck");
+    EXPECT_EQ(next().hint, "hint.blocked");
     EXPECT_EQ(anchor(), "button.reset");
+    desk.now.vehicles[0].motor = {0.4f, -0.4f};
+    EXPECT_EQ(next().hint, "hint.stuck") << "its wheels turn it, they do not push it";
     desk.now.vehicles[0].motor = {0, 0};
     EXPECT_EQ(next().hint, "hint.halted") << "its brain stops it, nothing is in its way";
     desk.now = snapshot(4);

@@ -240,7 +240,8 @@ std::string explanation(const Ui& ui, const Explained& given, bool stuck) {
     if (insight::are_alike(both[0].total, 0) && insight::are_alike(both[1].total, 0))
         return std::string(ui.strings("sums.still"));
     if (insight::are_alike(both[0].total, both[1].total))
-        return std::string(ui.strings(stuck ? "sums.stuck" : "sums.straight"));
+        return std::string(ui.strings(alike_key(both[0].total, stuck)));
+    if (stuck) return std::string(ui.strings("why.blocked"));
     const std::string_view wheel = ui.strings(why.difference > 0 ? "sums.right_faster" : "sums.left_faster");
     if (why.by == Cause::By::product || why.by == Cause::By::term)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
@@ -302,6 +303,10 @@ void explanation_row(Ui& ui, const std::string& words, const std::array<Analysis
 
 bool stands_still(const LabView& view, const VehicleView& vehicle) {
     return view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
+}
+
+std::string_view alike_key(float wheels, bool stuck) {
+    return stuck ? "sums.stuck" : wheels < 0 ? "sums.back" : "sums.straight";
 }
 
 bool wheels_push(float left, float right) { return std::fabs(left + right) > 0.1f; }

@@ -111,6 +111,8 @@ std::string words_of(const Offer&);  // of its slider: "LL = RR"
 void equations(const LabView&, Ui&, const VehicleView&, Rect column);
 // True if the vehicle does not move. Not known in the first half second.
 bool stands_still(const LabView&, const VehicleView&);
+// The key of the sentence about two wheels that turn alike, at this command; `stuck`: the vehicle does not move.
+std::string_view alike_key(float wheels, bool stuck);
 // True if these wheel commands move a vehicle, forwards or backwards, unless something is in the way.
 bool wheels_push(float left, float right);
 // True while it is played and does not move although its wheels push. Not known in the first half second.

@@ -126,9 +126,15 @@ void watch_vehicle(PromptMemory& memory, const LabView& view) {
     keep_time(memory.still_since, counts && stands, now.seconds);
 }
 
+// Why a vehicle does not move.
+std::string_view hint_at_rest(const VehicleView& vehicle) {
+    if (is_halted(vehicle)) return "hint.halted";
+    return wheels_push(vehicle.motor[0], vehicle.motor[1]) ? "hint.blocked" : "hint.stuck";
+}
+
 Prompt way_out(const PromptMemory& memory, const LabView& view) {
     if (lasts(memory.still_since, stuck_after, view.now->seconds))
-        return {"button.reset", is_halted(view.now->vehicles.front()) ? "hint.halted" : "hint.stuck"};
+        return {"button.reset", hint_at_rest(view.now->vehicles.front())};
     if (lasts(memory.blind_since, lost_after, view.now->seconds)) return {"button.reset", "hint.lost"};
     return {};
 }

@@ -105,7 +105,7 @@ WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehi
     callout.bars = why_bars(view, ui, vehicle, why, turns && difference < 0 ? -1.0f : 1.0f);
     const bool rests = std::fabs(why.left) < shown_as_zero && std::fabs(why.right) < shown_as_zero;
     const bool stuck = view.mode == Mode::playing && is_blocked(view, vehicle, why);
-    std::string sentence(ui.strings(rests ? "sums.still" : stuck ? "sums.stuck" : "sums.straight"));
+    std::string sentence(ui.strings(rests ? "sums.still" : alike_key(why.left, stuck)));
     if (turns)
         sentence = fill(ui.strings(difference > 0 ? "why.turns_left" : "why.turns_right"),
                         {fixed(ui, std::fabs(difference), 2)});
