@@ -116,7 +116,7 @@ TEST(ExerciseGrade, EveryStepAndTheNextButtonAreVisibleOnceItIsPassed) {
     }
 }
 
-TEST(ExerciseGrade, KeepsTheNextButtonOnceItWasPassed) {
+TEST(ExerciseGrade, KeepsItsMarkAndTheNextButtonOnceItWasPassed) {
     for (const char* language : {"en", "de", "es"}) {
         Desk desk(1024, 768, 1, true);
         desk.strings = speaking(language);
@@ -124,8 +124,10 @@ TEST(ExerciseGrade, KeepsTheNextButtonOnceItWasPassed) {
         desk.lesson.grade.reset();  // the brain is another one now
         desk.frame(3);
         EXPECT_FALSE(desk.anchors.find("exercise.next"));
+        EXPECT_FALSE(desk.anchors.find("exercise.passed_mark"));
         desk.lesson.passed_before = true;
         desk.frame(3);
+        EXPECT_TRUE(inside(desk.where("exercise.passed_mark"), desk.where("card.exercise"))) << language;
         EXPECT_TRUE(inside(desk.where("exercise.next"), desk.where("card.exercise"))) << language;
         EXPECT_TRUE(inside(desk.where("exercise.hint"), desk.where("card.exercise"))) << language;
         EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise"))) << language;

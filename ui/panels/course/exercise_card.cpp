@@ -295,10 +295,22 @@ void goal(const LessonView& lesson, PanelState& state, Ui& ui) {
     paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->goal), ui.palette.text);
 }
 
+// The student has passed the exercise, with another brain than the present one.
+void passed_mark(Ui& ui) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = line_height(ui, Face::small), left = ui.px(22);
+    put_icon(ui, {at.x + ui.px(8), at.y + line / 2}, icon::check, ui.palette.success, Face::small);
+    ImGui::Indent(left);
+    paragraph(ui, ui.strings("exercise.passed_mark"), ui.palette.success, Face::small);
+    ImGui::Unindent(left);
+    mark(ui, "exercise.passed_mark", {at.x, at.y, card_width(ui), line});
+}
+
 // Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,
 // the goal is below the result and scrolls.
 void head(const LabView& view, PanelState& state, Ui& ui) {
     if (!hides_outcome(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
+    if (!has_passed(*view.lesson) && view.lesson->passed_before) passed_mark(ui);
     if (!has_passed(*view.lesson)) goal(*view.lesson, state, ui);
 }
 
