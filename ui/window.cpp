@@ -164,7 +164,7 @@ std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
 
 OpenCards open_cards(const LabView& view, const PanelState& state) {
     OpenCards open{.charts = state.charts_open};
-    if (view.pages && view.pages->notes) open.notes = state.notes_height;
+    if (view.pages && view.pages->notes) open.notes = state.notes_height, open.question = state.question_height;
     for (const CardTraits& row : cards())
         open.right |=
             row.column == Column::right && row.shown(view) && !state.cards[static_cast<std::size_t>(row.card)].folded;

@@ -16,6 +16,7 @@ constexpr float lecture_bar_height = 56, figures_height = 92, counts_height = 60
 constexpr float caption_height = 84, question_share = 0.45f;       // of the width
 constexpr float lecture_canvas_share = 0.52f;                      // at least: its weights are legible
 constexpr float largest_notes = 0.36f;                             // of the height
+constexpr float least_notes = 100;                                 // three lines below the heading
 constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, of the width with a margin
 constexpr float metre_labels = 16;                                 // below the arena
 constexpr float wide_window = 1600;                                // has room for both columns and a watched canvas
@@ -86,23 +87,25 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
     const LectureView& page = *view.pages;
     Rect& s = l.scene;
     const bool has_values = page.shows(PagePart::values) && open.notes <= 0;
+    const bool asks = asks_beside(view, open);
     float bottom = has_values ? s.y + s.h : l.window.h - margin;
-    if (open.notes > 0) {
-        l.notes = {margin, bottom, l.window.w - 2 * margin, std::min(open.notes, largest_notes * l.window.h)};
-        l.notes.y -= l.notes.h;
-        bottom = l.notes.y - margin;
-    }
     float top = l.toolbar.y + l.toolbar.h;
     if (page.shows(PagePart::caption) && !page.current().caption.empty()) {
         l.caption = {0, top, l.window.w, caption_height * l.scale};
         top += l.caption.h;
     }
     s.y = top + margin;
+    if (open.notes > 0) {  // the question keeps the height that its options need; the notes scroll
+        const float left = bottom - s.y - (asks ? open.question + margin : 0);
+        const float most = std::min(largest_notes * l.window.h, std::max(left, least_notes * l.scale));
+        l.notes = {margin, bottom, l.window.w - 2 * margin, std::min(open.notes, most)};
+        l.notes.y -= l.notes.h;
+        bottom = l.notes.y - margin;
+    }
     s.h = std::max(0.0f, bottom - s.y);
     l.left.y = l.right.y = s.y;
     l.left.h = l.right.h = s.h;
     const bool has_card = page.shows(PagePart::exercise);  // takes the place of the question
-    const bool asks = asks_beside(view, open);
     if (asks) l.question = {margin, s.y, question_share * l.window.w - margin, s.h};
     const bool has_left = has_card || view.map || view.robots || view.slots.has_any();
     if (asks || !has_left) l.left = {};

@@ -26,6 +26,7 @@ struct OpenCards {
     bool charts = false;  // the chart card
     bool right = false;   // any card of the right column
     float notes = 0;      // wanted height of the lecturer's notes, window pixels; 0: they are not shown
+    float question = 0;   // wanted height of the page's question, window pixels
 };
 
 // The scale, window pixels per layout pixel, reduced until bars and cards fit into the window. In steps of an eighth,

@@ -72,6 +72,28 @@ TEST(LecturePageType, WeightsNamesAndEquationsAreNotSmallerThanAFiftiethOfTheWin
         }
 }
 
+TEST_F(LecturePages, NotesLeaveTheOptionsOfTheQuestionInSightAndScroll) {
+    for (const char* code : {"en", "de", "es"})
+        for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
+            if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+            pages = opened_lecture(name);
+            pages.notes = true;
+            for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+                show(page, 0);
+                SCOPED_TRACE(std::string(code) + " " + name + " " + std::to_string(page + 1));
+                const std::size_t options = pages.current().question.options.size();
+                const Rect notes = desk.where("lecture.notes");
+                EXPECT_TRUE(is_inside(notes, desk.layout.window));
+                EXPECT_GT(notes.h, 90) << "three lines";
+                for (std::size_t i = 1; i <= options; ++i) {
+                    const Rect bar = desk.where("lecture.share." + std::to_string(i));
+                    EXPECT_GT(bar.h, 15) << "not clipped";
+                    EXPECT_LE(bar.y + bar.h, notes.y) << i;
+                }
+            }
+        }
+}
+
 TEST_F(LecturePages, TheDiagramTakesThePlaceOfAnAnsweredQuestion) {
     desk.now = shipped_scene("2b-aggressor");
     desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;

@@ -221,9 +221,12 @@ struct PanelState {
     std::vector<PressedKey> pressed;              // in a lecture, the newest last
     Marks marks;                                  // drawn in a lecture
     bool blank = false;                           // the window is black until the next key or click
-    float notes_height = 1;                       // of the lecturer's notes, as drawn last; window pixels
+    CardState notes;                              // of the lecturer
+    int notes_page = -1;                          // whose notes were drawn last
+    float notes_height = 1;                       // wanted, as drawn last; window pixels
     std::vector<TextField> hands;                 // counts on the current page of a lecture, by option
     CardState question;                           // of that page
+    float question_height = 0;                    // wanted, as drawn last; window pixels
     std::array<int, 3> lecture_step{-1, -1, -1};  // run, page and step whose cards are shown
 };
 

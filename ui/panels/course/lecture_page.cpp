@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -71,7 +72,8 @@ void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colou
 
 void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option) {
     const LectureView& page = *view.pages;
-    paragraph(ui, translated(ui, page.current().question.options[option]), ui.palette.text, Face::title);
+    const Face face = page.notes ? Face::strong : Face::title;  // beside notes there is less room
+    paragraph(ui, translated(ui, page.current().question.options[option]), ui.palette.text, face);
     count_row(page, state, ui, option);
     ImGui::SameLine();
     share_bar(page, ui, option, ui.palette.accent, ui.px(button_height));
@@ -161,27 +163,18 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         ImGui::PopStyleVar();
     }
     end_card(card);
+    state.question_height = wanted_height(ui, card);
 }
 
 void lecture_notes(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureView& page = *view.pages;
-    const float width = r.w - 2 * ui.px(page_padding);
-    const std::string time = time_words(page, ui.strings);
-    const auto lines = lines_of_words(ui, translated(ui, page.current().notes), Face::small, width);
-    const float line = line_height(ui, Face::small), strong = line_height(ui, Face::strong);
-    const float heading = strong + ui.px(4);
-    state.notes_height = heading + static_cast<float>(lines.size()) * line + 2 * ui.px(page_padding);
-    begin_bar(ui, "lecture notes", r);
-    card_ground(ui, r);
-    put(ui, {r.x + ui.px(page_padding), r.y + ui.px(page_padding)}, shortened(ui, time, Face::strong, width),
-        ui.palette.second_text, Face::strong);
-    float y = r.y + ui.px(page_padding) + heading;
-    for (const std::string& words : lines) {
-        put(ui, {r.x + ui.px(page_padding), y}, words, ui.palette.text, Face::small);
-        y += line;
+    CardState& card = state.notes;
+    if (begin_card(ui, card, "lecture.notes", time_words(page, ui.strings), r)) {
+        if (std::exchange(state.notes_page, page.page) != page.page) ImGui::SetScrollY(0);
+        paragraph(ui, translated(ui, page.current().notes), ui.palette.text, Face::small);
     }
-    mark(ui, "lecture.notes", r);
-    end_bar();
+    end_card(card);
+    state.notes_height = wanted_height(ui, card);
 }
 
 }  // namespace braitenlab::ui
