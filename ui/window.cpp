@@ -25,8 +25,9 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float above_inspector = 12;         // layout pixels
-constexpr float lecture_type_share = 0.022f;  // of the window's height: legible from the last row
+constexpr float above_inspector = 12;  // layout pixels
+// Of the window's height, so that letters (without the space between lines) have 2.2 %: legible from the last row.
+constexpr float lecture_type_share = 0.03f;
 
 // A click on the button or title of a menu while another menu is open closes that one, which covers the button, and
 // opens this one. Call after the menus are drawn.

@@ -49,27 +49,105 @@ TEST_F(LecturePages, ACaptionThatFitsIntoOneLineOfSmallerTypeHasOneLine) {
     EXPECT_LE(lines_of_all, 11);
 }
 
-// What the lecturer points at is legible from the last row.
+namespace {
+
+// Windows with the scale that a lecture has in them.
+struct Size {
+    float width, height, scale;
+};
+constexpr Size sizes[]{{1280, 800, 1.6f}, {1024, 768, 1.375f}};
+
+Snapshot first_moment(const LecturePage& page) {
+    Scene scene;
+    if (page.exercise.empty()) {
+        if (auto loaded = load_scene(page.file)) scene = std::move(*loaded);
+    } else if (auto exercise = load_exercise(page.file)) {
+        scene = exercise->scene;
+    }
+    Snapshot now;
+    World::create(scene, 1)->capture(now);
+    return now;
+}
+
+// A page of a lecture with all of its steps, with the diagram or the card of the brain.
+struct RevealedPage {
+    LectureView pages;
+    Desk desk;
+    RevealedPage(const char* lecture, int page, const Size& size, const char* code)
+        : pages(opened_lecture(lecture)), desk(size.width, size.height, size.scale, true) {
+        pages.page = page, pages.step = static_cast<int>(pages.current().steps.size());
+        desk.strings = speaking(code);
+        desk.now = first_moment(pages.current());
+        desk.view.pages = &pages;
+        desk.view.lecture = true;
+        desk.view.theme = Theme::light;
+        desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+        desk.view.settings.watching = pages.shows(PagePart::wiring);
+        desk.frame(5);
+    }
+    bool has_diagram() const { return desk.view.settings.watching; }
+};
+
+template <class Check>
+void each_revealed_page(const Check& check) {
+    for (const Size& size : sizes)
+        for (const char* code : {"en", "de", "es"})
+            for (const char* lecture : {"four-numbers", "wheels-to-neurons"}) {
+                const int count = static_cast<int>(opened_lecture(lecture).lecture->pages.size());
+                for (int page = 0; page < count; ++page) {
+                    SCOPED_TRACE(std::string(code) + " " + lecture + " " + std::to_string(page + 1) + " at " +
+                                 std::to_string(size.width));
+                    RevealedPage shown(lecture, page, size, code);
+                    if (shown.has_diagram() || shown.pages.shows(PagePart::sliders)) check(shown, size);
+                }
+            }
+}
+
+}  // namespace
+
+// What the lecturer points at is legible from the last row: without the space between lines letters have 2.2 % of the
+// height of the window.
 TEST(LecturePageType, WeightsNamesAndEquationsAreNotSmallerThanAFiftiethOfTheWindow) {
-    for (const auto& [width, height] : {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}})
-        for (const char* scene : {"2a-coward", "2b-aggressor", "3a-love", "3b-explorer"}) {
-            SCOPED_TRACE(scene + std::string(" at ") + std::to_string(width));
-            Desk small{width, height, 1.4f, true};
-            small.now = shipped_scene(scene);
-            small.view.settings.selection.vehicle = small.now.vehicles.front().id;
-            small.view.lecture = small.view.settings.watching = true;
-            LectureView own = opened_lecture("four-numbers");
-            own.page = 2, own.step = 2;
-            small.view.pages = &own;
-            small.frame(4);
-            const float least = 0.022f * height;
-            for (const char* anchor : {"name.SL", "name.SR", "name.ML", "name.MR", "weight.LL", "weight.LR"})
-                EXPECT_GE(small.where(anchor).h, least - 0.5f) << anchor;
-            small.view.settings.watching = false;
-            small.panels.card(Card::brain).folded = false;
-            small.frame(3);
-            for (const Written& w : small.written) EXPECT_GE(w.rect.h, least - 0.5f) << w.words;
+    constexpr float line_by_letters = 1.362f;  // of the font
+    int pages = 0;
+    each_revealed_page([&](RevealedPage& page, const Size& size) {
+        ++pages;
+        for (const Written& w : page.desk.written)
+            if (is_visible(w)) EXPECT_GE(w.rect.h, 0.022f * line_by_letters * size.height - 0.6f) << w.words;
+    });
+    EXPECT_GE(pages, 6 * 10);
+}
+
+TEST(LecturePageType, ADiagramHasTheNameOfEveryNodeAndTheNumbersOfAFewAndNothingIsPale) {
+    each_revealed_page([&](RevealedPage& page, const Size&) {
+        if (!page.has_diagram()) return;
+        const Rect canvas = page.desk.where("canvas");
+        const BrainGraph& brain = *page.desk.now.brains[0];
+        for (const Node& node : brain.nodes)
+            EXPECT_GT(page.desk.where("name." + node.name).w, 0) << node.name << " has no name";
+        EXPECT_EQ(page.desk.shortened, 0);
+        std::vector<Rect> texts;
+        int numbers = 0;
+        for (const Written& w : page.desk.written) {
+            if (!is_inside(w.rect, canvas)) continue;
+            for (const Rect& other : texts) EXPECT_FALSE(overlap(other, w.rect)) << w.words;
+            texts.push_back(w.rect);
+            numbers += w.words.find("0.") != std::string::npos || w.words.find("0,") != std::string::npos ||
+                       w.words.find("1.") != std::string::npos || w.words.find("1,") != std::string::npos;
         }
+        if (brain.nodes.size() <= 4) EXPECT_GE(numbers, 8) << "four nodes and four weights";
+    });
+}
+
+TEST(LecturePageType, TheNeuronsOfAShippedBrainHaveNamesInWords) {
+    for (const auto& [code, name] : {std::pair{"en", "hungry"}, {"de", "hungrig"}, {"es", "hambre"}}) {
+        RevealedPage page("wheels-to-neurons", 12, sizes[1], code);
+        EXPECT_TRUE(page.desk.says(name)) << code;
+        EXPECT_FALSE(page.desk.says("HUNGRY")) << code;
+        for (const Node& node : page.desk.now.brains[0]->nodes)
+            if (node.kind == NodeKind::neuron)
+                EXPECT_TRUE(page.desk.strings.all().contains("neuron." + node.name)) << node.name;
+    }
 }
 
 TEST_F(LecturePages, NotesLeaveTheOptionsOfTheQuestionInSightAndScroll) {

@@ -127,17 +127,20 @@ void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, 
     line_box(ui, mark, meaning);
 }
 
+// In a lecture the names above the numbers are as dark as these.
+Colour colour_of_names(const Ui& ui) { return ui.least_type > 0 ? ui.palette.text : ui.palette.second_text; }
+
 void one_product(const Ui& ui, float right, float y, const Product& p) {
     const std::string numbers = numbers_of(ui, p);
     const float w = text_width(ui, Face::small, numbers);
-    put_centred(ui, {right - w / 2, y}, p.label, ui.palette.second_text, Face::label);
+    put_centred(ui, {right - w / 2, y}, p.label, colour_of_names(ui), Face::label);
     put_right(ui, {right, y + below_name(ui)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
               Face::small);
 }
 
 // A signed number below its name.
 void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value) {
-    put_right(ui, {right, y}, letters, ui.palette.second_text, Face::label);
+    put_right(ui, {right, y}, letters, colour_of_names(ui), Face::label);
     put_right(ui, {right, y + below_name(ui)}, with_sign(ui, value, 2), ui.palette.text, Face::small);
 }
 

@@ -128,7 +128,10 @@ void record_name(const Pen& pen, const Picture& picture, const std::string& name
     if (picture.view.mode != Mode::wiring) pen.ui.anchors.record("name." + name, rect);
 }
 
-std::string name_of(const Picture& picture, const Node& node) {
+// A neuron of a shipped brain has a name in words in a lecture.
+std::string name_of(const Pen& pen, const Picture& picture, const Node& node) {
+    if (picture.view.lecture && node.kind == NodeKind::neuron)
+        return std::string(pen.ui.strings.find("neuron." + node.name, node.name));
     return short_name(kind_of(*picture.view.now, picture.vehicle).sensors, node.name);
 }
 
@@ -159,6 +162,39 @@ float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, s
     return std::clamp(readable + 1, inner, overhang * shape.size.x);
 }
 
+// In a lecture nothing is pale.
+Colour caption_colour(const Pen& pen, const Picture& picture) {
+    return picture.view.lecture ? pen.palette().text : pen.palette().second_text;
+}
+
+struct CardWords {
+    const std::string &name, &number;
+    std::string_view caption;
+};
+
+// Two lines in place of three, for large letters: the number is beside the name and the caption below both. Below a
+// long name is the number.
+void draw_large_words(const Pen& pen, const Picture& picture, const NodeShape& shape, const CardWords& words) {
+    const Palette& p = pen.palette();
+    const float height = pen.least_type() / pen.view.scale, own = compat::size_of(font(pen.ui, Face::strong));
+    const auto width_of = [&](Face face, std::string_view text) {
+        return text_width(pen.ui, face, text) * height / own;
+    };
+    constexpr float beside_icon = 8, inset = 12;
+    const float left = text_left(shape) - beside_icon, right = shape.centre.x + shape.size.x / 2 - beside_icon;
+    const float room = right - left;
+    const float first = shape.centre.y - shape.size.y / 4 + 2, second = shape.centre.y + shape.size.y / 4;
+    const bool fits = width_of(Face::strong, words.name) + width_of(Face::text, words.number) + 8 <= room;
+    const std::string& id = picture.graph.nodes[shape.node].name;
+    record_name(pen, picture, id,
+                pen.text({left, first}, height, 0, words.name, p.text, Face::strong, fits ? 0 : room));
+    const vec2 below{shape.centre.x - shape.size.x / 2 + inset, second};
+    const float whole = shape.size.x - 2 * inset;
+    if (!fits) return void(pen.text(below, height, 0, words.number, p.text, Face::text, whole));
+    pen.text({right, first}, height, 1, words.number, p.text);
+    pen.text(below, height, 0, words.caption, p.text, Face::small, whole);
+}
+
 // Below full detail only name, number and a sensor's caption, as large as the card allows.
 void draw_words(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node, float value) {
     const Palette& p = pen.palette();
@@ -169,22 +205,28 @@ void draw_words(const Pen& pen, const Picture& picture, const NodeShape& shape, 
     const std::string number = node.kind == NodeKind::sensor ? fixed(pen.ui, shown, 2) : with_sign(pen.ui, shown, 2);
     const float room = high.x - low.x, of_name = name_room(shape, detail_of(pen));
     const std::string_view caption = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
-    const std::string name = name_of(picture, node);
+    const Colour pale = caption_colour(pen, picture);
+    const std::string name = name_of(pen, picture, node);
     const auto put_name = [&](float y, float height) {
         record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, name, p.text, Face::strong, of_name));
     };
-    if (far && !neuron) {
+    if (far && !neuron && picture.view.lecture) {
+        draw_large_words(pen, picture, shape, {name, number, caption});
+    } else if (far && !neuron) {
         put_name(low.y + 24, 27);
         pen.text({low.x, low.y + 52}, 26, 0, number, p.text, Face::text, room);
-        pen.text({low.x - 62, low.y + 81}, 20, 0, caption, p.second_text, Face::small, room + 66);
+        pen.text({low.x - 62, low.y + 81}, 20, 0, caption, pale, Face::small, room + 66);
     } else if (far || neuron) {
         const float height = far ? 29 : 21, above = far ? 25 : 22;
-        put_name(low.y + above, height);
-        pen.text({low.x, low.y + above + height + 2}, height, 0, number, p.text, Face::text, room);
+        const float apart = std::max(height + 2, pen.least_type() / pen.view.scale);
+        const float first = low.y + above - (apart - height - 2) / 2;
+        put_name(first, height);
+        if (!pen.cuts(number, Face::text, room))
+            pen.text({low.x, first + apart}, height, 0, number, p.text, Face::text, room);
     } else {
         put_name(low.y + 27, 24);
         pen.text({high.x, low.y + 27}, 20, 1, number, p.text);
-        pen.text({low.x, low.y + 52}, 19, 0, caption, p.second_text, Face::small, room);
+        pen.text({low.x, low.y + 52}, 19, 0, caption, pale, Face::small, room);
     }
     const float bar = neuron ? low.x : low.x - 58;
     if (!far)
@@ -195,7 +237,9 @@ void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shap
     const bool neuron = node.kind == NodeKind::neuron;
     const bool far = detail_of(pen) != Detail::full;
     const vec2 half = shape.size / 2;
-    const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 38.0f : 44.0f), neuron ? 0.0f : far ? -13.0f : -9.0f};
+    const float above = neuron ? 0.0f : !far ? 9.0f : picture.view.lecture ? 23.0f : 13.0f;
+    const float right = neuron || (far && picture.view.lecture) ? 38.0f : 44.0f;
+    const vec2 icon = shape.centre + vec2{-half.x + right, -above};
     if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value, node.silenced);
     if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value, node.silenced);
     if (neuron)
@@ -228,7 +272,7 @@ void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
     const Node& node = picture.graph.nodes[shape.node];
-    const std::string name = name_of(picture, node);
+    const std::string name = name_of(pen, picture, node);
     const float least = pen.least_type();
     if (pen.size(shape.size.y) < least) return;
     const float room = map_room(pen, picture, shape, name);
@@ -286,7 +330,7 @@ float glyph_reach(const Curve& curve) {
 }
 
 bool cuts_name(const Pen& pen, const Picture& picture, const NodeShape& shape) {
-    const std::string name = name_of(picture, picture.graph.nodes[shape.node]);
+    const std::string name = name_of(pen, picture, picture.graph.nodes[shape.node]);
     const Detail detail = detail_of(pen);
     const float room = detail == Detail::map ? map_room(pen, picture, shape, name) : name_room(shape, detail);
     return pen.cuts(name, Face::strong, room);

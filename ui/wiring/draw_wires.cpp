@@ -244,7 +244,8 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     std::string weight = shape.ghost ? fixed(pen.ui, 0, 2) : with_sign(pen.ui, value, 2);
     if (wire != nullptr && learns(*wire))
         weight = fixed(pen.ui, value, 2) + (gained < 0 ? " − " : " + ") + fixed(pen.ui, std::fabs(gained), 2);
-    const Colour ink = shape.ghost || cut ? p.second_text : p.text;
+    const Colour pale = picture.view.lecture ? p.text : p.second_text;
+    const Colour ink = shape.ghost || cut ? pale : p.text;
     const auto name = [&] { return name_of(picture.graph, picture.layout, shape); };
     const auto put_weight = [&](vec2 place, float anchor) {
         const Rect rect = pen.text(place, letters + 2, anchor, weight, ink);
@@ -252,7 +253,7 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     };
     if (!shape.direct) return put_weight(at, 0.5f);
     const float pad = (sketch ? 9.0f : 13.0f) * grow;
-    pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name(), p.second_text, Face::strong);
+    pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name(), pale, Face::strong);
     put_weight(at + vec2{extent.x / 2 - pad, 0}, 1);
 }
 
@@ -267,6 +268,8 @@ void draw_labels(const Pen& pen, const Picture& picture) {
     for (std::size_t i = 0; i < picture.layout.wires.size(); ++i) {
         const WireShape& shape = picture.layout.wires[i];
         const vec2 half = shape.label_size / 2;
+        // Between neurons the large labels of a lecture leave no room for those of free places.
+        if (shape.ghost && picture.view.lecture && picture.layout.has_neurons) continue;
         if ((all || is_marked(picture, shape)) && picture.is_visible(shape.label - half, shape.label + half))
             draw_label(pen, picture, i);
     }
