@@ -93,6 +93,8 @@ TEST_F(BackdropTest, ShowsTheSameGroundWithSeveralSamplesPerPixel) {
     picture.quality = Quality::high;
     const auto moving = drawn_afresh(now);
     for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
+    picture.quality = Quality::medium;
+    EXPECT_FALSE(alike(drawn_afresh(now), moving)) << "high quality has several samples";
 }
 
 // The rows of a window begin at the top, those of a framebuffer object at the bottom.
