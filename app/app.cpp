@@ -115,7 +115,7 @@ bool App::turn() {
     follow_take_away();
     facts_.frame_ms = seconds_since(turn_began) * 1000;
     if (!repeatable() && !held_back_) window_.show();
-    write_reports();
+    if (!held_back_) write_reports();  // they describe what is shown
     follow_notes_page(lab_, words_.strings, words_.language, is_on_page() ? std::filesystem::path() : folders_.state);
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
