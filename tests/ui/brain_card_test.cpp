@@ -244,7 +244,9 @@ TEST(BrainCard, NamesAnEyeByItsSymbolWhereTheButtonBesideItWouldCoverItsName) {
             const bool beside = w.rect.x < button.x + button.w && button.x < w.rect.x + w.rect.w;
             const bool level = w.rect.y < button.y + button.h && button.y < w.rect.y + w.rect.h;
             const bool in_picture = picture.contains(w.rect.x + 1, w.rect.y + 1);
-            if (in_picture && w.words.find("R") != std::string::npos) EXPECT_FALSE(beside && level) << w.words;
+            if (in_picture && w.words.find("R") != std::string::npos) {
+                EXPECT_FALSE(beside && level) << w.words;
+            }
         }
         EXPECT_TRUE(named) << width;
     }

@@ -113,7 +113,9 @@ TEST(LecturePageType, WeightsNamesAndEquationsAreNotSmallerThanAFiftiethOfTheWin
     each_revealed_page([&](RevealedPage& page, const Size& size) {
         ++pages;
         for (const Written& w : page.desk.written)
-            if (is_visible(w)) EXPECT_GE(w.rect.h, 0.022f * line_by_letters * size.height - 0.6f) << w.words;
+            if (is_visible(w)) {
+                EXPECT_GE(w.rect.h, 0.022f * line_by_letters * size.height - 0.6f) << w.words;
+            }
     });
     EXPECT_GE(pages, 6 * 10);
 }
@@ -135,7 +137,9 @@ TEST(LecturePageType, ADiagramHasTheNameOfEveryNodeAndTheNumbersOfAFewAndNothing
             numbers += w.words.find("0.") != std::string::npos || w.words.find("0,") != std::string::npos ||
                        w.words.find("1.") != std::string::npos || w.words.find("1,") != std::string::npos;
         }
-        if (brain.nodes.size() <= 4) EXPECT_GE(numbers, 8) << "four nodes and four weights";
+        if (brain.nodes.size() <= 4) {
+            EXPECT_GE(numbers, 8) << "four nodes and four weights";
+        }
     });
 }
 
@@ -145,8 +149,9 @@ TEST(LecturePageType, TheNeuronsOfAShippedBrainHaveNamesInWords) {
         EXPECT_TRUE(page.desk.says(name)) << code;
         EXPECT_FALSE(page.desk.says("HUNGRY")) << code;
         for (const Node& node : page.desk.now.brains[0]->nodes)
-            if (node.kind == NodeKind::neuron)
+            if (node.kind == NodeKind::neuron) {
                 EXPECT_TRUE(page.desk.strings.all().contains("neuron." + node.name)) << node.name;
+            }
     }
 }
 
