@@ -166,8 +166,10 @@ void Pen::dot(ImVec2 middle, float radius, ImU32 colour) const {
 }
 
 Detail detail_of(const Pen& pen) {
+    constexpr float letters = 26, most_growth = 1.7f;  // units; the cards of a sketch hold letters enlarged by so much
     const float zoom = pen.view.scale / pen.ui.scale;
-    return zoom < map_zoom ? Detail::map : zoom < 0.75f ? Detail::sketch : Detail::full;
+    const bool is_too_large = pen.least_type() > most_growth * letters * pen.view.scale;
+    return zoom < map_zoom || is_too_large ? Detail::map : zoom < 0.75f ? Detail::sketch : Detail::full;
 }
 
 void draw_ground(const Pen& pen, Rect area) {
