@@ -55,7 +55,7 @@ namespace {
 struct Size {
     float width, height, scale;
 };
-constexpr Size sizes[]{{1280, 800, 1.6f}, {1024, 768, 1.375f}, {1920, 1080, 2.0f}};
+constexpr Size sizes[]{{1280, 800, 1.4f}, {1024, 768, 1.4f}, {1920, 1080, 1.75f}};  // as the lab scales a lecture
 
 Snapshot first_moment(const LecturePage& page) {
     Scene scene;

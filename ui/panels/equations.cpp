@@ -25,6 +25,10 @@ namespace braitenlab::ui {
 
 namespace {
 
+// Of the names above the numbers. In a lecture they are as high as the numbers, so that they are legible from the last
+// row.
+Face face_of_names(const Ui& ui) { return ui.least_type > 0 ? Face::small : Face::label; }
+
 // Between two parts of an equation, layout pixels. With factors, signs are between the numbers.
 constexpr float least_space = spacing::tight, least_factor_space = spacing::hair;
 
@@ -78,7 +82,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
         for (const MotorSum& sum : both) {
             Product unmasked = sum.products[i];  // as wide, so that a reading that passes θ moves nothing
             unmasked.masked = false;
-            widest = std::max(widest, !factors ? std::max(number, text_width(ui, Face::label, unmasked.label))
+            widest = std::max(widest, !factors ? std::max(number, text_width(ui, face_of_names(ui), unmasked.label))
                                                : text_width(ui, Face::small, numbers_of(ui, unmasked)));
         }
         return widest;
@@ -86,10 +90,10 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     const auto term = [&](std::size_t i) {
         float widest = number;
         for (const MotorSum& sum : both)
-            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, Face::label, sum.terms[i].label));
+            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, face_of_names(ui), sum.terms[i].label));
         return widest;
     };
-    const float rest = more ? std::max(number, text_width(ui, Face::label, ui.strings("sums.rest"))) : 0;
+    const float rest = more ? std::max(number, text_width(ui, face_of_names(ui), ui.strings("sums.rest"))) : 0;
     const float total = text_width(ui, Face::strong, with_sign(ui, 1, 2)), name = text_width(ui, Face::strong, "MR");
     const std::size_t terms = term_columns(both);
     const bool products = both[0].shows_products;
@@ -116,7 +120,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
 }
 
 // The numbers are below their names; window pixels.
-float below_name(const Ui& ui) { return line_height(ui, Face::label) + ui.px(spacing::hair); }
+float below_name(const Ui& ui) { return line_height(ui, face_of_names(ui)) + ui.px(spacing::hair); }
 
 // The cause of a turn is marked by a box in the colour of its sign.
 void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, float value) {
@@ -133,14 +137,14 @@ Colour colour_of_names(const Ui& ui) { return ui.least_type > 0 ? ui.palette.tex
 void one_product(const Ui& ui, float right, float y, const Product& p) {
     const std::string numbers = numbers_of(ui, p);
     const float w = text_width(ui, Face::small, numbers);
-    put_centred(ui, {right - w / 2, y}, p.label, colour_of_names(ui), Face::label);
+    put_centred(ui, {right - w / 2, y}, p.label, colour_of_names(ui), face_of_names(ui));
     put_right(ui, {right, y + below_name(ui)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
               Face::small);
 }
 
 // A signed number below its name.
 void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value) {
-    put_right(ui, {right, y}, letters, colour_of_names(ui), Face::label);
+    put_right(ui, {right, y}, letters, colour_of_names(ui), face_of_names(ui));
     put_right(ui, {right, y + below_name(ui)}, with_sign(ui, value, 2), ui.palette.text, Face::small);
 }
 
