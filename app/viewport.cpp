@@ -66,11 +66,8 @@ std::optional<FloorBox> paths_of_change(const Lab& lab) {
 float height_of_cards(const Snapshot& now, const CameraView& seen, const Rect& area, std::span<const Rect> cards) {
     float height = 0;
     const auto look_at = [&](const Rect& thing) {
-        for (const Rect& card : cards) {
-            const bool across = thing.x < card.x + card.w && card.x < thing.x + thing.w;
-            const bool down = thing.y < card.y + card.h && card.y < thing.y + thing.h;
-            if (across && down) height = std::max(height, card.y + card.h - area.y);
-        }
+        for (const Rect& card : cards)
+            if (card.overlaps(thing)) height = std::max(height, card.y + card.h - area.y);
     };
     for (const VehicleView& vehicle : now.vehicles) look_at(picture_of(now, seen, vehicle));
     for (const SourceView& source : now.sources) look_at(picture_of(now, seen, source));

@@ -41,6 +41,8 @@ inline float obstacle_height(const Arena& arena) { return 0.42f * scale_of(arena
 struct Rect {
     float x = 0, y = 0, w = 0, h = 0;
     bool contains(float px, float py) const { return px >= x && px < x + w && py >= y && py < y + h; }
+    // Rectangles that only touch do not overlap.
+    bool overlaps(const Rect& r) const { return r.x < x + w && x < r.x + r.w && r.y < y + h && y < r.y + r.h; }
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 

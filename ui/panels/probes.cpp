@@ -23,9 +23,7 @@ constexpr float least_probe = 84, largest_probe = 150, probe_gap = spacing::smal
 constexpr float probe_share = 1.15f, probe_height = 0.32f;  // width: of the node's width; height: of the probe's width
 
 bool covers_one(const Rect& r, const std::vector<Rect>& others) {
-    return std::any_of(others.begin(), others.end(), [&](const Rect& t) {
-        return r.x < t.x + t.w && t.x < r.x + r.w && r.y < t.y + t.h && t.y < r.y + r.h;
-    });
+    return std::any_of(others.begin(), others.end(), [&](const Rect& other) { return other.overlaps(r); });
 }
 
 // Below the node, above it, right or left of it, at its corners: the first place in the area that covers no node and no

@@ -13,8 +13,7 @@ constexpr float line_spacing = 0.18f;  // of the height of a line, above and bel
 
 bool is_visible(const Written& w) {
     const float letters = w.rect.h * line_spacing;
-    return w.rect.x < w.clip.x + w.clip.w && w.rect.x + w.rect.w > w.clip.x &&
-           w.rect.y + letters < w.clip.y + w.clip.h && w.rect.y + w.rect.h - letters > w.clip.y;
+    return w.clip.overlaps({w.rect.x, w.rect.y + letters, w.rect.w, w.rect.h - 2 * letters});
 }
 
 bool is_cut(const Written& w) {

@@ -191,10 +191,6 @@ void draw_ground(const Pen& pen, Rect area) {
 
 namespace {
 
-bool overlaps(Rect area, Rect r) {
-    return r.x < area.x + area.w && r.x + r.w > area.x && r.y < area.y + area.h && r.y + r.h > area.y;
-}
-
 // Records an anchor whose centre is in the area and draws the highlight around the highlighted one.
 void record_anchor(Ui& ui, Rect area, const std::string& id, Rect rect) {
     if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
@@ -229,7 +225,7 @@ void record_anchors(Ui& ui, const Pen& pen, const Picture& picture, Rect area) {
     record_selected(ui, graph, layout, view, picture.state.selection);
     for (const NodeShape& node : layout.nodes) {
         const std::string& name = graph.nodes[node.node].name;
-        if (!overlaps(area, node_rect(view, node))) continue;
+        if (!area.overlaps(node_rect(view, node))) continue;
         record_anchor(ui, area, "node." + name, node_rect(view, node));
         if (node.has_in) record_anchor(ui, area, "pin." + name + ".in", pin_rect(view, node.in_pin()));
         if (node.has_out) record_anchor(ui, area, "pin." + name + ".out", pin_rect(view, node.out_pin()));
@@ -237,7 +233,7 @@ void record_anchors(Ui& ui, const Pen& pen, const Picture& picture, Rect area) {
     if (view.scale < map_zoom * ui.scale) return;
     for (const WireShape& wire : layout.wires) {
         const Rect label = label_rect(view, wire);
-        if (!overlaps(area, label)) continue;
+        if (!area.overlaps(label)) continue;
         const std::string name = name_of(graph, layout, wire);
         record_anchor(ui, area, "wire." + name, label);
         const vec2 beside = view.to_window(bezier_point(wire.bezier, clear_of_label(wire)));
