@@ -159,8 +159,7 @@ private:
     void more_sensors() {
         const auto pressed = [&](const SmallButton& look, std::string_view how, bool first = false) {
             const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
-            if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
-                ImGui::SameLine(0, ui_.px(spacing::small));
+            if (!first) beside_or_below(ui_, small_button_width(ui_, look, true), right);
             const Item at = small_button(ui_, look);
             tooltip(ui_, at, ui_.strings(how));
             return at.pressed;
@@ -212,8 +211,7 @@ private:
             const std::string anchor = "sensor." + sensor.name;
             const std::string words = sensor_label(ui_, kind_.sensors, sensor);
             const SmallButton look{anchor, {}, words, &sensor == sensor_};
-            if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
-                ImGui::SameLine(0, ui_.px(spacing::small));
+            if (!first) beside_or_below(ui_, small_button_width(ui_, look, true), right);
             first = false;
             const Item at = small_button(ui_, look);
             tooltip(ui_, at, senses(sensor));
@@ -263,8 +261,7 @@ private:
                                    ui_.strings.find("view.channel." + std::string(row.word), row.word),
                                    shown && row.value == *shown};
             const bool is_first = &row == &channel_table.front();
-            if (!is_first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
-                ImGui::SameLine(0, ui_.px(spacing::small));
+            if (!is_first) beside_or_below(ui_, small_button_width(ui_, look, true), right);
             if (small_button(ui_, look).pressed) pressed = row.value;
         }
         return pressed;

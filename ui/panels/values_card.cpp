@@ -61,8 +61,7 @@ void kind_names(const LabView& view, ValuesState& values, Ui& ui) {
         const std::string words =
             kinds.size() == 1 && view.lesson ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind);
         const SmallButton look{id, {}, words, i == values.kind};
-        if (i > 0 && ImGui::GetItemRectMax().x + ui.px(6) + small_button_width(ui, look, true) <= right)
-            ImGui::SameLine(0, ui.px(spacing::small));
+        if (i > 0) beside_or_below(ui, small_button_width(ui, look, true), right);
         const Item at = small_button(ui, look);
         tooltip(ui, at, ui.strings("values.kind_how"));
         if (at.pressed) values.kind = i;

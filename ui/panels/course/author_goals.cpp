@@ -25,7 +25,7 @@ bool AuthorFields::toggle(const std::string& id, std::string_view label, bool on
                           float& x) const {
     const SmallButton look{id, {}, label, on};
     const float width = small_button_width(ui, look, true);
-    if (x > 0 && x + ui.px(6) + width <= card_width(ui))
+    if (x > 0 && x + ui.px(spacing::small) + width <= card_width(ui))
         ImGui::SameLine(0, ui.px(spacing::small)), x += ui.px(spacing::small) + width;
     else
         x = width;
