@@ -58,7 +58,7 @@ void draw_signal_drag(const Ui& ui, std::string_view name, Rect target) {
     if (target.w > 0)
         compat::outline(draw, {target.x, target.y}, {target.x + target.w, target.y + target.h},
                         paint(p.accent.with_alpha(is_pointer_in(target) ? 1.0f : 0.5f)), ui.px(radius::box), ui.px(2));
-    const ImVec2 mouse = ImGui::GetIO().MousePos, pad{ui.px(spacing::small), ui.px(4)};
+    const ImVec2 mouse = ImGui::GetIO().MousePos, pad{ui.px(spacing::small), ui.px(spacing::tight)};
     const ImVec2 low{mouse.x + ui.px(14), mouse.y + ui.px(8)};
     const ImVec2 high{low.x + text_width(ui, Face::small, name) + 2 * pad.x,
                       low.y + line_height(ui, Face::small) + 2 * pad.y};

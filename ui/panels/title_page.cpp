@@ -18,15 +18,15 @@ namespace {
 constexpr float title_inset = 72, narrow_title_inset = 40, narrow_title_window = 1200;  // layout pixels
 constexpr float title_words_width = 400, below_name = 6, above_button = 28, begin_width = 150;
 
-// The colour of the surroundings, nearly opaque behind the words, so that no line of the scene crosses them; it ends at
-// `until`.
+// The colour of the surroundings, nearly opaque up to `words_end`, so that no line of the scene crosses the words; it
+// ends at `until`. Both: x, window pixels.
 void shade_words(const Ui& ui, Rect window, float words_end, float until) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImU32 full = paint(ui.palette.sky.with_alpha(0.96f)), most = paint(ui.palette.sky.with_alpha(0.92f)),
                 none = paint(ui.palette.sky.with_alpha(0.0f));
-    const float bend = words_end, bottom = window.y + window.h;
-    draw.AddRectFilledMultiColor({window.x, window.y}, {bend, bottom}, full, most, most, full);
-    draw.AddRectFilledMultiColor({bend, window.y}, {until, bottom}, most, none, none, most);
+    const float bottom = window.y + window.h;
+    draw.AddRectFilledMultiColor({window.x, window.y}, {words_end, bottom}, full, most, most, full);
+    draw.AddRectFilledMultiColor({words_end, window.y}, {until, bottom}, most, none, none, most);
 }
 
 }  // namespace

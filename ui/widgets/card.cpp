@@ -122,10 +122,6 @@ void begin_body(const Ui& ui, CardState& state, Rect r) {
     state.in_body = true;
 }
 
-}  // namespace
-
-namespace {
-
 void measure(CardState& state, float& height, float measured) {
     state.is_cut |= measured > height + 1;
     height = measured;
