@@ -69,7 +69,7 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
         if (jumps) continue;
         drawing.list.trails.push_back({{a.x, a.y, b.x, b.y},
                                        {na.x, na.y, nb.x, nb.y},
-                                       rgb_with(colour(i), s.selected ? 4.0f : 2.6f),
+                                       rgb_with(colour(i), s.selected ? 6.0f : 4.0f),
                                        {opacity(i), opacity(i + 1), 0, 0}});
     }
 }

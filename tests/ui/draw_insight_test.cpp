@@ -32,6 +32,29 @@ TEST_F(DrawInsight, ThePredictedPathEndsWhereTheVehicleWillBe) {
     EXPECT_NEAR(at.y + at.h / 2, end.y, 1);
 }
 
+TEST_F(DrawInsight, TheComingPathHasADotEachHalfSecond) {
+    constexpr std::size_t between = 30;
+    desk.now.tick = 90;
+    desk.now.vehicles.resize(1);
+    Camera close;
+    close.zoom = 2, close.pan = {-2, -3};
+    camera_view = look(close, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+    const auto drawn_at = [&](std::size_t i) {
+        const maths::vec2 at = pixel({path[i].x, path[i].y});
+        for (const ImDrawVert& vertex : ImGui::GetBackgroundDrawList()->VtxBuffer)
+            if (maths::distance(at, {vertex.pos.x, vertex.pos.y}) < 8) return true;
+        return false;
+    };
+    desk.frame();
+    for (std::size_t i = 120; i < 240; i += between) ASSERT_FALSE(drawn_at(i)) << i;
+    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 90};
+    desk.frame();
+    for (std::size_t i = 120; i < 240; i += between) {
+        EXPECT_TRUE(drawn_at(i)) << i;
+        EXPECT_FALSE(drawn_at(i + between / 2)) << i;
+    }
+}
+
 TEST_F(DrawInsight, ASourceOutsideThePictureHasAMarkAtTheEdge) {
     EXPECT_FALSE(desk.anchors.find("stage.outside.0"));
     Camera close;

@@ -64,7 +64,7 @@ void draw_last_path(const SceneInputFrame& frame, const Ui& ui, GhostView run) {
 void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const PredictionView& shown) {
     const std::uint64_t now = frame.view.now->tick;
     const Palette& p = ui.palette;
-    const Colour colour = p.accent.with_alpha(shown.is_outdated ? 0.4f : 1.0f);
+    const Colour colour = p.text.with_alpha(shown.is_outdated ? 0.4f : 1.0f);
     for (const std::vector<Pose>& other : *shown.fan)
         draw_floor_line(frame, ui, coming(other, shown.tick, now), p.accent.with_alpha(0.35f), 1.25f);
     std::vector<vec2> points = coming(*shown.path, shown.tick, now);
@@ -81,7 +81,7 @@ void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const Predictio
                      above ? NoteSide::below : NoteSide::above);
         }
     }
-    draw_dashes(frame, ui, points, colour);
+    draw_coming_dots(frame, ui, {shown.path, shown.tick, now}, colour);
     const std::uint64_t end = shown.tick + shown.path->size() - 1;
     const auto seconds = static_cast<int>(std::lround(static_cast<double>(end - now) / 60));
     name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour, side);

@@ -5,8 +5,8 @@
 
 namespace braitenlab::ui {
 
-// LabView::prediction: the coming path as a dashed line with the seconds at its end, a thin line for each path with
-// other noise, and a thin solid line for the path without the change. What is driven already is not drawn. Anchor:
+// LabView::prediction: the coming path as a dot each half second with the seconds at its end, a thin line for each path
+// with other noise, and a thin solid line for the path without the change. What is driven already is not drawn. Anchor:
 // stage.prediction, at the end of the path.
 // LabView::last_run: the vehicle of the run before the reset, while no run with a solution is shown and
 // the two vehicles are not at one place. Anchor: stage.last_run.

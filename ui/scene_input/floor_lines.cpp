@@ -83,6 +83,25 @@ void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView&
     }
 }
 
+void draw_coming_dots(const SceneInputFrame& frame, const Ui& ui, const ComingPath& coming, Colour colour) {
+    constexpr std::uint64_t ticks_per_dot = 30;
+    constexpr float metres = 0.055f, smallest = 2, largest = 5, apart = 3;  // radius, m and layout px; in radii
+    const Bodies bodies(frame);
+    std::optional<vec2> last;
+    for (std::uint64_t tick = std::max(coming.first, coming.now + 1); tick < coming.first + coming.path->size();
+         ++tick) {
+        if (tick % ticks_per_dot != 0) continue;
+        const Pose& pose = (*coming.path)[static_cast<std::size_t>(tick - coming.first)];
+        const auto at = project(frame.camera_view, {pose.x, pose.y});
+        if (!at || bodies.cover(*at)) continue;
+        const float wanted = metres * pixels_per_metre(frame.camera_view, {pose.x, pose.y}) / ui.scale;
+        const float radius = std::clamp(wanted, smallest, largest);
+        if (last && maths::distance(*last, *at) < ui.px(apart * radius)) continue;
+        draw_dot(ui, {at->x, at->y}, radius, colour, 1);
+        last = at;
+    }
+}
+
 void draw_dashes(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, Colour colour,
                  const DashedLine& look) {
     float along = 0;  // m since the begin of the last dash

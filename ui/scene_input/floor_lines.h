@@ -1,6 +1,7 @@
 // Lines and vehicles of other runs, drawn over the 3D view at places on the floor.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,14 @@ Rect picture_of_body(const SceneInputFrame&, maths::vec2 place, float length);
 // The driven part of a ghost's path as dots at fixed times, so that their distances show the speed; they fade within a
 // minute. They are small where vehicles are small on the screen.
 void draw_path_dots(const SceneInputFrame&, const Ui&, const GhostView&, Colour);
+
+// The part of a path after the tick `now` as a dot each half second, so that their distances show the speed; where the
+// vehicle is slow, as many as have a gap between them. `first`: the tick of the first pose.
+struct ComingPath {
+    const std::vector<Pose>* path;  // never null
+    std::uint64_t first, now;
+};
+void draw_coming_dots(const SceneInputFrame&, const Ui&, const ComingPath&, Colour);
 
 // A vehicle of another run as a dashed outline, four dots a second along its path, and its name: it has no colour of
 // its own and nothing that a click takes. Records the anchor at its position.
