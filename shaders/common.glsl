@@ -65,7 +65,7 @@ vec3 lamp_on_floor(int i, vec2 place) {
     vec3 tint = lamps[i].colour.rgb, deep = tint * tint, day = tint;
     deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
     day -= 0.85 * min(day.r, min(day.g, day.b));
-    return mix(deep * 0.49, day * 0.40, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    return mix(deep * 0.29, day * 0.40, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the
@@ -169,6 +169,10 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright);
 }
 
+// Noise of one of 255 levels, so that a slow gradient shows no bands. Interleaved gradient noise: J. Jimenez, "Next
+// Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014.
+float dither() { return (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0; }
+
 const float floor_wall_width = 0.22;  // m, as in render/view/drawing.h
 
 // The floor is darker at the foot of walls, on both sides, and fades into the sky outside the arena within `beyond` m.
@@ -178,7 +182,7 @@ vec3 faded_floor(vec3 ground, vec2 place, float outside, float beyond) {
     ground *= 1.0 - foot * foot * (counts.w == edge_wall ? mix(0.5, 0.18, counts.y) : 0.0);
 
     float fade = max(smoothstep(0.0, 0.8 * beyond, outside), min(outside * 20.0, 1.0) * (counts.w == edge_wall ? 0.72 : 0.35));
-    return mix(ground, sky.rgb, fade);
+    return mix(ground, sky.rgb, fade) + dither();
 }
 
 #endif

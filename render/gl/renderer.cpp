@@ -29,7 +29,7 @@ constexpr int vectors = static_cast<int>(sizeof(Instance) / sizeof(maths::vec4))
 struct FloorInstance {
     maths::vec4 half_size;  // z: ground beyond the arena, m
 };
-constexpr float floor_fade = 0.55f;  // of the arena's half size; ground visible beyond the arena
+constexpr float floor_fade = 1.2f;  // of the arena's half size; ground visible beyond the arena
 
 // The instances of one type with their mesh.
 struct Kit {

@@ -185,8 +185,13 @@ TEST_F(PictureTest, UsesThePalettesColoursInBothThemes) {
         const Colour floor = seen(now, 7.52f, 8.47f);  // in the middle of a square of the grid, far from the walls
         EXPECT_NEAR(floor.r, p.floor.r, 0.03f);
         EXPECT_NEAR(floor.b, p.floor.b, 0.03f);
+        Camera far;
+        far.zoom = 0.3f;
+        look_from(far);
+        renderer->draw(now, picture);
         const Colour sky = stage.pixel({2, 2});
         EXPECT_NEAR(sky.g, p.sky.g, 0.02f);  // the ground has nearly the colour of the sky here
+        look_from(Camera{});
     }
 }
 
