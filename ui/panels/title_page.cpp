@@ -18,12 +18,13 @@ namespace {
 constexpr float title_inset = 72, narrow_title_inset = 40, narrow_title_window = 1200;  // layout pixels
 constexpr float title_words_width = 400, below_name = 6, above_button = 28, begin_width = 150;
 
-// The colour of the surroundings, nearly opaque up to `words_end`, so that no line of the scene crosses the words; it
-// ends at `until`. Both: x, window pixels.
+// The colour of the table around the arena (faded_floor() in shaders/common.glsl), nearly opaque up to `words_end`, so
+// that no line of the scene crosses the words; it ends at `until`. Both: x, window pixels.
 void shade_words(const Ui& ui, Rect window, float words_end, float until) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImU32 full = paint(ui.palette.sky.with_alpha(0.96f)), most = paint(ui.palette.sky.with_alpha(0.92f)),
-                none = paint(ui.palette.sky.with_alpha(0.0f));
+    const Colour table = mix(ui.palette.floor, ui.palette.sky, 0.72f);
+    const ImU32 full = paint(table.with_alpha(0.96f)), most = paint(table.with_alpha(0.92f)),
+                none = paint(table.with_alpha(0.0f));
     const float bottom = window.y + window.h;
     draw.AddRectFilledMultiColor({window.x, window.y}, {words_end, bottom}, full, most, most, full);
     draw.AddRectFilledMultiColor({words_end, window.y}, {until, bottom}, most, none, none, most);
@@ -44,7 +45,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     const auto lines = lines_of_words(ui, ui.strings("title.sentence"), Face::title, width);
     float widest = 0;
     for (const std::string& each : lines) widest = std::max(widest, text_width(ui, Face::title, each));
-    shade_words(ui, window, x + widest, std::min(window.x + window.w, x + widest + 2.5f * inset));
+    shade_words(ui, window, x + widest, std::min(window.x + window.w, x + widest + 1.4f * inset));
     const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
     const float height =
         name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button) + ui.px(button_height);
