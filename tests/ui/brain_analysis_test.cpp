@@ -204,6 +204,8 @@ TEST(BrainAnalysis, ShowsTheOutputOfThresholdAndCurve) {
     EXPECT_FLOAT_EQ(sums[1].products[0].reading, 0.2f);
     EXPECT_FALSE(sums[0].products[0].masked || sums[0].products[1].masked || sums[1].products[1].masked);
     EXPECT_FALSE(sums[0].more_wires) << "a wire with a curve is not a further wire";
+    EXPECT_EQ(sums[0].products[0].letters, "f(SL)·LL") << "what the curve makes of the reading is multiplied";
+    EXPECT_EQ(sums[0].products[1].letters, "SR·LR");
 }
 
 TEST(BrainAnalysis, ReportsAWheelAtItsLimit) {

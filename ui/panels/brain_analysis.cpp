@@ -18,8 +18,10 @@ constexpr float rounding_error = 1e-4f;
 Product product_of(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, Dial dial) {
     const BrainGraph& brain = *brain_of(now, vehicle);
     const bool is_left = dial == Dial::LL || dial == Dial::RL;
-    const std::string &sensor = is_left ? pair.left : pair.right, wire_name = "·" + std::string(name(dial));
-    Product p{sensor + wire_name, wiring::short_name(kind_of(now, vehicle).sensors, sensor) + wire_name};
+    const std::string& sensor = is_left ? pair.left : pair.right;
+    const std::string short_name = wiring::short_name(kind_of(now, vehicle).sensors, sensor);
+    const std::string wire_name = "·" + std::string(name(dial));
+    Product p{sensor, sensor + wire_name, short_name + wire_name};
     const auto ends = direct_ends(brain, dial, pair);
     if (!ends) return p;
     const float reading = node_value(now, vehicle, ends->from);
@@ -30,6 +32,10 @@ Product product_of(const Snapshot& now, const VehicleView& vehicle, const Sensor
         p.weight += learned(now, vehicle, ends->from, ends->to);
         p.cut = wire->cut;
         p.masked = std::fabs(reading) < wire->threshold;
+        if (wire->curve != Curve{}) {
+            p.letters = "f(" + sensor + ")" + wire_name;
+            p.label = "f(" + short_name + ")" + wire_name;
+        }
         p.value = p.cut ? 0.0f : p.input * p.weight;
     }
     return p;
@@ -127,11 +133,8 @@ std::vector<Contribution> contributions(const std::array<MotorSum, 2>& both, flo
     for (const float side : {-1.0f, 1.0f}) {
         const MotorSum& sum = both[side > 0 ? 1 : 0];
         const float sign = side * towards;
-        for (const Product& p : sum.products) {
-            const std::string_view letters = p.letters;
-            all.push_back(
-                {letters.substr(0, letters.find("·")), Cause::By::product, &p, p.letters, p.value, sign * p.value});
-        }
+        for (const Product& p : sum.products)
+            all.push_back({p.sensor, Cause::By::product, &p, p.letters, p.value, sign * p.value});
         for (const Term& term : sum.terms)
             all.push_back({term.name, Cause::By::term, nullptr, term.name, term.value, sign * term.value});
     }

@@ -15,7 +15,8 @@ namespace braitenlab::ui {
 
 // The wire of one sensor to the motor: value = input · weight, or 0 when the wire is cut.
 struct Product {
-    std::string letters;  // "SL·LL"
+    std::string sensor;   // its name
+    std::string letters;  // "SL·LL"; "f(SL)·LL" where the wire has a curve, f
     std::string label;    // the same with wiring::short_name() of the sensor
     float reading = 0;    // of the sensor
     float input = 0;      // reading after threshold and curve of the wire; 0 for a silenced sensor

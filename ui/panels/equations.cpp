@@ -218,13 +218,12 @@ std::string in_words(const LabView& view, const Ui& ui, const VehicleView& vehic
 // The sensors and neurons of the columns, each once, in a line of its own.
 std::string legend(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::array<MotorSum, 2>& both) {
     std::vector<std::string> names;
-    const auto add = [&](const std::string& letters) {
-        const std::string name = letters.substr(0, letters.find("·"));
+    const auto add = [&](const std::string& name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     };
     for (const MotorSum& sum : both) {
         if (sum.shows_products)
-            for (const Product& product : sum.products) add(product.letters);
+            for (const Product& product : sum.products) add(product.sensor);
         for (const Term& term : sum.terms) add(term.name);
     }
     std::string lines;
