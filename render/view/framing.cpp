@@ -13,15 +13,20 @@ using maths::vec2;
 
 namespace {
 
-// All but the time and the border for the walls are for an arena of full scale; see scale_of().
+// All but times and the border for the walls are for an arena of full scale; see scale_of().
 constexpr float around_vehicle = 0.85f, around_source = 0.95f;  // m
+constexpr float around_other = 0.6f, around_lamp = 0.5f;        // m, of those that must be in the picture
 constexpr float enough_on_table = 0.6f;                         // of the wanted length of a vehicle on the screen
 constexpr float enough_with_source = 0.5f;                      // of it: the nearest source then stays in the picture
 constexpr float enough_with_all = 0.9f;                         // of it: all sources then stay
+constexpr float room_to_drive = 1.4f;                           // of it: a view that can give so much serves longer
+constexpr float cover_to_drive = 0.1f;                          // of the free area, for the same reason
+constexpr float enough_of_length = 0.98f;                       // of it: the rule still holds
+constexpr float far_short = 0.93f;                              // of a share that the rule asks for
 constexpr float nearer = 0.8f;                                  // of the distance: another source is then the nearest
-constexpr float worth_of_rest = 0.08f;                          // by so much another elevation must be better
-constexpr float share_of_rest = 0.1f;  // of the wanted length: so much less is enough for sources in the picture
-constexpr float least_part = 0.6f;     // of the box around the action
+constexpr float worth_of_rest = 0.12f;                          // by so much another elevation must be better
+constexpr float share_of_rest = 0.05f;  // of the wanted length: so much less is enough for sources in the picture
+constexpr float least_part = 0.4f;      // of the box around the action
 constexpr std::array elevations{1.0f, 1.1f, 0.9f, 1.2f, 0.8f, 1.25f, 0.7f, 0.6f, 0.5f};  // rad
 constexpr float beside_action = 1.2f;          // m: an obstacle closer than this may be met
 constexpr float beyond_edge = 0.3f;            // m, the walls
@@ -29,6 +34,8 @@ constexpr float least_side = 4;                // m
 constexpr float whole_ahead_of_action = 1.5f;  // m: the box grows by so much more, and then rests
 constexpr float left_free = 0.2f;              // m: so much of the place around a vehicle may be outside the box
 constexpr float time_constant = 0.3f;          // s
+// Simulated time between two choices while the rule does not hold, is far from it, and of elevations.
+constexpr std::uint64_t ticks_of_rest = 7 * 60, ticks_if_far = 2 * 60, ticks_of_elevation = 25 * 60;  // ticks
 
 constexpr FloorBox nothing{{1e9f, 1e9f}, {-1e9f, -1e9f}};
 
@@ -127,28 +134,26 @@ float share_of(const FloorBox& box, const Snapshot& now, const VehicleView& vehi
     return kind_of(now, vehicle).body.length * pixels_per_metre(seen, {vehicle.x, vehicle.y}) / wanted;
 }
 
-// Shrinks the box around the vehicle to a part, but for what belongs to the action, and further until the vehicle has
-// its wanted length on the screen, or until another vehicle, the other run or one of the sources is at its edge.
-FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, const FramingInput& in, float part,
-                  const FloorBox& action, const std::vector<vec2>& sources) {
-    const vec2 place{vehicle.x, vehicle.y};
-    const float scale = scale_of(now.scene->arena), around = scale * around_vehicle;
-    const auto shrink = [&](float by) {
-        const vec2 half = (box.high - box.low) * (by * 0.5f), middle = (box.low + box.high) / 2.0f;
-        const vec2 room{std::max(0.0f, half.x - around), std::max(0.0f, half.y - around)};
-        const vec2 kept{std::clamp(middle.x, place.x - room.x, place.x + room.x),
-                        std::clamp(middle.y, place.y - room.y, place.y + room.y)};
-        box = {kept - half, kept + half};
+// A part of the box, as near to its middle as `inside` allows, which lies in the part if there is room.
+FloorBox shrunk(const FloorBox& box, float part, const FloorBox& inside) {
+    const vec2 half = (box.high - box.low) * (part * 0.5f), middle = (box.low + box.high) / 2.0f;
+    const auto kept = [](float at, float side, float low, float high) {
+        return high - low > 2 * side ? (low + high) / 2 : std::clamp(at, high - side, low + side);
     };
-    if (part < 1) shrink(part), box = both(box, action);
+    const vec2 place{kept(middle.x, half.x, inside.low.x, inside.high.x),
+                     kept(middle.y, half.y, inside.low.y, inside.high.y)};
+    return {place - half, place + half};
+}
+
+// The box, shrunk around the vehicle until it has its wanted length on the screen.
+FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, const FramingInput& in) {
+    FloorBox around = nothing;
+    include(around, {vehicle.x, vehicle.y}, scale_of(now.scene->arena) * around_vehicle);
     for (int i = 0; i < 4; ++i) {
         const float share = share_of(box, now, vehicle, in);
         if (share >= 1) break;
-        shrink(share);
+        box = shrunk(box, share, around);
     }
-    for (const VehicleView& other : now.vehicles) include(box, {other.x, other.y}, around);
-    if (in.other_run) box = both(box, *in.other_run);
-    for (const vec2 source : sources) include(box, source, scale * around_source);
     return box;
 }
 
@@ -245,28 +250,40 @@ std::optional<int> Framing::nearest_source(const Snapshot& now, vec2 place) cons
     return best ? std::optional(best->source) : std::nullopt;
 }
 
+// What must be in the picture: the present vehicles and the chosen sources. Many vehicles keep the places where they
+// have been, too, since the box would change all the time.
+FloorBox Framing::needed_now(const Snapshot& now, const FramingInput& in, const Choice& choice) const {
+    const float scale = scale_of(now.scene->arena);
+    FloorBox box = now.vehicles.size() > few_vehicles ? *driven_ : nothing;
+    for (const VehicleView& each : now.vehicles)
+        include(box, {each.x, each.y}, scale * (each.id == in.selected ? around_vehicle : around_other));
+    for (const SourceView& s : now.sources)
+        if (choice.sources == Sources::all || (choice.sources == Sources::nearest && nearest_ == s.source))
+            include(box, {s.x, s.y}, scale * around_lamp);
+    return in.other_run ? both(box, *in.other_run) : box;
+}
+
 FloorBox Framing::wanted(const Snapshot& now, FramingInput in, const Choice& choice) const {
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     if (is_default_elevation(in.camera)) in.camera.elevation = choice.elevation;
-    const FloorBox box = widened(in.close_up ? within(*in.close_up, arena) : *grown_, in, arena);
-    const VehicleView* vehicle = find_vehicle(now, in.selected);
-    if (in.close_up || !vehicle || !now.scene || now.vehicles.size() > few_vehicles) return box;
+    FloorBox box = widened(in.close_up ? within(*in.close_up, arena) : *grown_, in, arena);
+    if (in.close_up || !now.scene || now.vehicles.empty()) return box;
+    const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
     // The walls of a table and the numbers beside them are not cut off for a slightly larger robot.
     const bool is_table = scale_of(arena) < 1 && contains(box, whole(arena));
-    if (is_table && share_of(box, now, *vehicle, in) >= enough_on_table) return box;
-    std::vector<vec2> sources;
-    for (const SourceView& s : now.sources)
-        if (choice.sources == Sources::all || (choice.sources == Sources::nearest && nearest_ == s.source))
-            sources.push_back({s.x, s.y});
-    FloorBox action = *driven_;
-    include_obstacles(action, now);
-    return enlarged(box, now, *vehicle, in, choice.part, within(action, arena), sources);
+    if (is_table && (!vehicle || share_of(box, now, *vehicle, in) >= enough_on_table)) return box;
+    const FloorBox needed = within(needed_now(now, in, choice), arena);
+    if (choice.part < 1) {
+        box = both(shrunk(box, choice.part, needed), needed);
+        if (choice.fills) box = widened(box, in, arena);
+    }
+    return vehicle ? both(enlarged(box, now, *vehicle, in), needed) : box;
 }
 
 // The elevation and the part of the box with which the vehicle has its size and the floor covers its share of the free
 // area, as nearly as possible. Sources farther than the nearest one are left out only if the vehicle is larger then,
 // the nearest one only if the vehicle is very small with it.
-Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) const {
+Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in, bool is_level) const {
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
     struct Rated {
@@ -274,15 +291,21 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
         float share = 1, cover = 0, worth = -1;
     };
     const auto rate = [&](Choice choice) {
-        constexpr float slack = 0.02f;  // the vehicle moves
         Rated r{choice};
         FramingInput tilted = in;
         if (is_default_elevation(in.camera)) tilted.camera.elevation = choice.elevation;
-        const FloorBox box = wanted(now, in, choice);
-        if (vehicle && now.scene) r.share = std::min(1.0f, share_of(box, now, *vehicle, tilted));
+        const FloorBox box = wanted(now, tilted, choice);
+        float share_of_room = 1;
+        if (vehicle && now.scene) {
+            r.share = std::min(1.0f, share_of(box, now, *vehicle, tilted));
+            FramingInput larger = tilted;
+            larger.least_share *= room_to_drive;
+            share_of_room = std::min(1.0f, share_of(wanted(now, larger, choice), now, *vehicle, larger));
+        }
         const CameraView seen = look(tilted.camera, arena, nullptr, in.window, in.free_area, &box);
-        r.cover = std::min(1.0f, floor_cover(seen, arena, in.free_area) / (wanted_cover + slack));
-        r.worth = 2 * r.share + r.cover - 0.1f * std::fabs(choice.elevation - Camera{}.elevation);
+        r.cover = std::min(1.0f, floor_cover(seen, arena, in.free_area) / (wanted_cover + cover_to_drive));
+        r.worth = 3 * r.share + 1.5f * r.cover + 0.5f * share_of_room -
+                  0.1f * std::fabs(choice.elevation - Camera{}.elevation);
         if (rests_ && choice.elevation == choice_.elevation) r.worth += worth_of_rest;
         return r;
     };
@@ -303,9 +326,10 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
     const auto best_with = [&](Sources sources) {
         Rated best;
         for (const float elevation : elevations) {
-            const Rated r = best_part({elevation, 1, sources});
-            if (r.worth > best.worth) best = r;
-            if (!is_default_elevation(in.camera)) break;
+            if (!is_default_elevation(in.camera) && elevation != elevations.front()) continue;
+            if (is_default_elevation(in.camera) && is_level && elevation != choice_.elevation) continue;
+            for (const bool fills : {false, true})
+                if (const Rated r = best_part({elevation, 1, sources, fills}); r.worth > best.worth) best = r;
         }
         return best;
     };
@@ -321,6 +345,26 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in) con
     take_if_larger(best_with(Sources::nearest));
     if (!is_enough(best, enough_with_source)) take_if_larger(best_with(Sources::none));
     return best.choice;
+}
+
+// The lesser of the shares of the vehicle and of the floor with the present choice, as a part of what the rule asks
+// for.
+float Framing::fulfilment(const Snapshot& now, FramingInput in) const {
+    if (!now.scene || in.close_up) return 1;
+    if (is_default_elevation(in.camera)) in.camera.elevation = choice_.elevation;
+    const FloorBox box = wanted(now, in, choice_);
+    const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
+    const float cover = floor_cover(seen, now.scene->arena, in.free_area) / wanted_cover;
+    const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
+    return vehicle ? std::min(cover, share_of(box, now, *vehicle, in) / enough_of_length) : cover;
+}
+
+// True if the choice must be made anew. `has_changed`: the box around the action, or the nearest source.
+bool Framing::must_choose(const Snapshot& now, const FramingInput& in, bool has_changed) const {
+    if (has_changed && choice_.sources != Sources::all) return true;
+    const std::uint64_t rested = now.tick < chosen_at_ ? ticks_of_rest : now.tick - chosen_at_;
+    if (!has_changed && rested < ticks_if_far) return false;
+    return fulfilment(now, in) < (has_changed || rested >= ticks_of_rest ? 1 : far_short);
 }
 
 FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
@@ -350,11 +394,15 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
                         in.camera.mode,
                         in.least_share,
                         in.close_up.has_value(),
-                        nearest,
                         std::min(now.vehicles.size(), few_vehicles + 1)};
-    if (!shown_ || before != grown_ || !(reason == reason_)) {
-        nearest_ = nearest, reason_ = reason;
-        choice_ = choose(now, in), rests_ = true;
+    const bool is_new = !shown_ || !before || !(reason == reason_);
+    const bool has_changed = before != grown_ || nearest_ != nearest;
+    nearest_ = nearest;
+    if (is_new || must_choose(now, in, has_changed)) {
+        if (is_new || now.tick < raised_at_.value_or(0)) raised_at_.reset();
+        const Choice next = choose(now, in, raised_at_ && now.tick < *raised_at_ + ticks_of_elevation);
+        if (!is_new && next.elevation != choice_.elevation) raised_at_ = now.tick;
+        choice_ = next, rests_ = true, reason_ = reason, chosen_at_ = now.tick;
     }
     const FloorBox goal = wanted(now, in, choice_);
     if (!shown_ || in.seconds <= 0) {

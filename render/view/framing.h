@@ -31,9 +31,11 @@ inline constexpr float wanted_cover = 0.75f;
 // The share of the free area that the arena with its walls covers; 0 where a corner is behind the camera.
 float floor_cover(const CameraView&, const Arena&, Rect free_area);
 
-// Follows the action of a run: the box grows with it and does not shrink until the run is back at its start, and moves
-// without a jump of its speed. While the user has zoomed or moved the camera, the box stays. A camera that the user has
-// not turned is lower over a box that is deep for the free area and higher over one that is wide for it.
+// Follows the action of a run: the box grows with it until the run is back at its start, and moves without a jump of
+// its speed. Where the vehicle would be too small or the floor would not cover enough, the box is a part of that, in
+// which the present vehicles and the sources near them are; the paths behind them may then leave the picture. While the
+// user has zoomed or moved the camera, the box stays. A camera that the user has not turned is lower over a box that is
+// deep for the free area and higher over one that is wide for it.
 class Framing {
 public:
     // The box of this frame.
@@ -47,12 +49,14 @@ public:
 
 private:
     enum class Sources { all, nearest, none };  // that stay in the picture
-    // What is chosen anew when the action has grown or the reason has changed, and else rests. A present elevation and
-    // the sources in the picture stay unless others are clearly better.
+    // What is chosen anew when the reason has changed, or when the vehicle is too small or the floor covers too little
+    // for some seconds, and else rests. A present elevation and the sources in the picture stay unless others are
+    // clearly better; an elevation stays for 25 s.
     struct Choice {
         float elevation = Camera{}.elevation;
         float part = 1;  // of the sides of the box around the action
         Sources sources = Sources::all;
+        bool fills = false;  // the part is widened to the aspect ratio of the free area
     };
     struct Reason {
         Rect free_area;
@@ -61,16 +65,18 @@ private:
         CameraMode mode = CameraMode::overview;
         float least_share = 0;
         bool close_up = false;
-        std::optional<int> nearest;
         std::size_t vehicles = 0;
         friend bool operator==(const Reason&, const Reason&) = default;
     };
-    Choice choose(const Snapshot&, const FramingInput&) const;
+    Choice choose(const Snapshot&, const FramingInput&, bool is_level) const;  // is_level: with the present elevation
+    float fulfilment(const Snapshot&, FramingInput) const;
+    bool must_choose(const Snapshot&, const FramingInput&, bool has_changed) const;
+    FloorBox needed_now(const Snapshot&, const FramingInput&, const Choice&) const;
     FloorBox wanted(const Snapshot&, FramingInput, const Choice&) const;
     std::optional<int> nearest_source(const Snapshot&, maths::vec2 place) const;
 
     std::optional<FloorBox> shown_, grown_;  // displayed box; box around the action since the start
-    std::optional<FloorBox> driven_;         // the same, also where the whole floor is the action
+    std::optional<FloorBox> driven_;         // where vehicles and sources have been
     Choice choice_;
     bool rests_ = false;  // the present choice stays unless another one is clearly better
     Reason reason_;
@@ -78,7 +84,8 @@ private:
     FloorBox speed_{};                      // of the displayed box, m/s
     float turning_ = 0;                     // of the displayed elevation, rad/s
     std::optional<int> nearest_;            // the source that stays in the picture
-    std::uint64_t seed_ = 0, tick_ = 0;
+    std::uint64_t seed_ = 0, tick_ = 0, chosen_at_ = 0;
+    std::optional<std::uint64_t> raised_at_;  // tick of the last change of the elevation
     int generation_ = 0;
     std::string scene_;
 };

@@ -84,8 +84,11 @@ Movement movement_in(World& world, const Rect& free_area, float least_share) {
 }  // namespace
 
 TEST(Framing, MovesSeldomAndSmoothlyInAMinuteOfEachOfTheseScenes) {
-    for (const char* name : {"2a-coward", "2b-aggressor", "3b-explorer", "4a-orbit", "dance", "predator-prey",
-                             "14-logic", "convoy", "moth-and-hunter", "3a-love"})
+    for (const char* name :
+         {"2a-coward",  "2b-aggressor",    "3b-explorer",  "4a-orbit",  "dance",    "predator-prey", "14-logic",
+          "convoy",     "moth-and-hunter", "3a-love",      "1-alive",   "2c",       "3c-values",     "4b-decision",
+          "5-logic",    "pushing",         "drivers",      "01-drive",  "03-alive", "05-aggressor",  "06-love",
+          "07-further", "08-overrun",      "11-threshold", "12-values", "13-orbit", "16-pavlov",     "21-reality"})
         for (const auto& place : places) {
             SCOPED_TRACE(std::string(name) + ", " + place.name);
             const auto scene = shipped(name);

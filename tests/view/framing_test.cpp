@@ -242,6 +242,28 @@ TEST(Framing, KeepsTheNearestLampUntilAnotherOneIsClearlyNearer) {
     EXPECT_TRUE(holds(framing.follow(now, in), {9, 0}));
 }
 
+TEST(Framing, LetsAnOldPathGoWhereTheFloorWouldCoverTooLittle) {
+    auto scene = hand_made::scene();
+    scene->arena.width = 24, scene->arena.height = 9;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, -10, 0, 0);
+    hand_made::add_source(now, Channel::light, 9, 1);
+    const FramingInput in = input();
+    Framing framing;
+    framing.follow(now, in);
+    const auto drive = [&](float x) {
+        ++now.tick, now.vehicles[0].x = x;
+        return framing.follow(now, in);
+    };
+    FloorBox box;
+    for (int i = 0; i < 900; ++i) box = drive(-10 + 0.02f * static_cast<float>(i));
+    for (int i = 0; i < 7 * 60; ++i) box = drive(8);
+    const CameraView seen = look(framing.raised({}), scene->arena, nullptr, window, free_area, &box);
+    EXPECT_GE(floor_cover(seen, scene->arena, free_area), wanted_cover);
+    EXPECT_TRUE(holds(box, {8, 0}) && holds(box, {9, 1}));
+    EXPECT_FALSE(holds(box, {-10, 0}));
+}
+
 TEST(Framing, KeepsTheVehicleOfTheOtherRunInThePicture) {
     auto scene = hand_made::scene();
     scene->arena.width = scene->arena.height = 40;
