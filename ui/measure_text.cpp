@@ -10,7 +10,14 @@ namespace braitenlab::ui {
 
 namespace {
 
-const std::string no_break = "\u00a0";  // a number and its unit, and a range, stay on one line
+const std::string no_break = "\u00a0";
+
+// A value and its need stay on one line.
+std::string unbroken(std::string words) {
+    for (std::size_t at = 0; (at = words.find(' ', at)) != std::string::npos; at += no_break.size())
+        words.replace(at, 1, no_break);
+    return words;
+}
 
 // Units that are words are translated.
 std::string unit_text(const Strings& strings, std::string_view unit) {
@@ -35,6 +42,12 @@ bool fits(float value, int digits) {
     return std::fabs(scaled - std::round(scaled)) < 1e-3f;
 }
 
+// True for a time, a number and a share, which begin at 0 and must reach what is needed.
+bool grows(const Measure& measure) {
+    constexpr std::string_view others[]{"m", "m/s", "°"};
+    return !measure.at_most && std::find(std::begin(others), std::end(others), measure.unit) == std::end(others);
+}
+
 // The number of digits that shows the needed value, at most two, and, until the step is done, which of two values is
 // larger: 10.4° and 10.0°.
 int telling_decimals(const Measure& measure, bool done) {
@@ -56,17 +69,19 @@ std::string value_text(const Strings& strings, const Measure& measure) {
 std::string measure_text(const Strings& strings, const Measure& measure, bool done) {
     const int digits = telling_decimals(measure, done);
     const std::string value = with_unit(strings, measure.value, measure.unit, digits);
+    const auto number = [&](float needed) { return fixed(needed, digits, decimal_mark(strings)); };
     if (measure.needed_most)
-        return fill(strings(done ? "exercise.done_between" : "exercise.now_between"),
-                    {value, fixed(measure.needed, digits, decimal_mark(strings)) + no_break + "…" + no_break +
-                                with_unit(strings, *measure.needed_most, measure.unit, digits)});
+        return unbroken(
+            fill(strings("exercise.now_between"), {value, number(measure.needed), number(*measure.needed_most)}));
     if (measure.at_most && measure.needed == 0 && measure.unit == "m")  // the check mark says the rest
-        return done ? std::string() : fill(strings("exercise.to_go"), {value});
-    const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
-                                 : measure.best ? "exercise.best_at_most"
-                                 : measure.at_most ? "exercise.now_at_most"
-                                                   : "exercise.now_at_least";
-    return fill(strings(key), {value, with_unit(strings, measure.needed, measure.unit, digits)});
+        return done ? std::string() : unbroken(fill(strings("exercise.to_go"), {value}));
+    if (grows(measure))
+        return unbroken(fill(strings("exercise.so_far"), {fixed(measure.value, digits, decimal_mark(strings)),
+                                                          with_unit(strings, measure.needed, measure.unit, digits)}));
+    const std::string_view key = measure.best && !done ? "exercise.best_at_most"
+                                 : measure.at_most     ? "exercise.now_at_most"
+                                                       : "exercise.now_at_least";
+    return unbroken(fill(strings(key), {value, number(measure.needed)}));
 }
 
 }  // namespace braitenlab::ui

@@ -8,8 +8,8 @@
 
 namespace braitenlab::ui {
 
-// Empty for a distance of 0 that is reached.
-// "best 0.83 m, need ≤ 0.60 m"; "reached 0.55 m (≤ 0.60 m)" if the step is done.
+// The value and what is needed, with spaces that break no line: "0.83 m (max. 0.60)"; "best 0.83 m (max. 0.60)" of a
+// value that is the best so far, until the step is done; "2.0 of 5.0 s". Empty for a distance of 0 that is reached.
 std::string measure_text(const Strings&, const Measure&, bool done);
 
 // The measured value alone: "0.55 m".

@@ -124,6 +124,21 @@ TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     EXPECT_TRUE(desk.anchors.find("exercise.grade"));
 }
 
+TEST(ExerciseCard, StartOverHasItsWordsInEveryLanguage) {
+    for (const char* language : {"en", "de", "es"})
+        for (const bool passed_before : {false, true}) {
+            Desk desk(1024, 768, 1, true);
+            desk.strings = speaking(language);
+            desk.open_exercise();
+            desk.lesson.passed_before = passed_before;
+            desk.frame(4);
+            const Rect at = desk.where("exercise.reset");
+            EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& each) {
+                return each.words == desk.strings("exercise.reset") && inside(each.rect, at);
+            })) << language;
+        }
+}
+
 TEST(ExerciseCard, ItsFootDoesNotScroll) {
     for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}})
         for (const char* language : {"en", "de", "es"})

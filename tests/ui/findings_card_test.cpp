@@ -33,7 +33,7 @@ TEST(FindingsCard, ListsEachWithItsPlaceAndValuesAndCloses) {
     desk.view.findings = &found;
     desk.frame(4);
     ASSERT_TRUE(desk.anchors.find("card.findings"));
-    EXPECT_TRUE(says(desk, "start 3 fails at step 1. It touches the lamp; best 1.25\u00a0m"));
+    EXPECT_TRUE(says(desk, "start 3 fails at step 1. It touches the lamp; best\u00a01.25\u00a0m"));
     EXPECT_TRUE(says(desk, "strike.toml:41: ")) << "without the folder";
     EXPECT_FALSE(says(desk, "/home/me"));
     desk.click("findings.close");

@@ -185,9 +185,10 @@ struct PanelState {
     bool playhead_held = false;              // true while the playhead is dragged; the simulation is paused
     std::optional<std::uint64_t> play_held;  // LabView::run_id of the document whose question Play has pointed to
     bool shows_question = false;             // the card scrolls to the question
-    bool why_open = false;
-    bool note_open = false;    // the notes on the exercise card are unfolded
-    bool note_begins = false;  // their field gets the focus when it is drawn
+    bool why_open = false;                   // unfolded on the exercise card
+    bool steps_open = true;                  // can be folded once the exercise is passed
+    bool note_open = false;                  // the notes on the exercise card are unfolded
+    bool note_begins = false;                // their field gets the focus when it is drawn
     TextField note;
     Sheet sheet = Sheet::none;
     SheetState keys, settings, about, recovery, leaving, children, students, study, mystery;

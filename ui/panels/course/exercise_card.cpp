@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "ui/measure_text.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/exercise_rows.h"
@@ -35,17 +36,48 @@ bool all_steps_ticked(const LessonView& lesson) {
            std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
-// A value of a step. While the step is not done, a sign left of it tells that this value is as needed, so that those
-// without one are what is missing.
-void step_value(const Measure& measure, bool done, float left, Ui& ui) {
-    const std::string words = measure_text(ui, measure, done);
+// A line whose coloured part is what is needed, and a dot at the measured value.
+void draw_gauge(const Gauge& gauge, bool is_met, float width, Ui& ui) {
+    const float height = ui.px(12), radius = ui.px(4), bar = ui.px(2);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + height / 2;
+    ImGui::Dummy({width, height});
+    const WholeLines whole(at.y, height);
+    const auto x_of = [&](float share) { return at.x + radius + share * (width - 2 * radius); };
+    const auto part = [&](float from, float to, Colour colour) {
+        fill_box(ui, {x_of(from), y - bar / 2, x_of(to) - x_of(from), bar}, colour, Corner::square);
+    };
+    part(0, 1, ui.palette.line);
+    part(gauge.from, gauge.to, ui.palette.success);
+    const Colour dot = is_met ? ui.palette.success : ui.palette.text;
+    ImGui::GetWindowDrawList()->AddCircleFilled({x_of(gauge.value), y}, radius, paint(dot));
+}
+
+// A value of a step: its name at the left and, at the right or below the name, the value with what is needed. While the
+// step is not done, a gauge is below, and once the run has begun a sign left of it tells that this value is as needed,
+// so that those without one are what is missing. `left` is the left edge of the step.
+void step_value(const Measure& measure, bool done, bool has_begun, float left, Ui& ui) {
+    const std::string words = measure_text(ui.strings, measure, done), title = measure_name(ui, measure);
     if (words.empty()) return;
-    const float line = line_height(ui, Face::small), y = ImGui::GetCursorScreenPos().y;
-    if (measure.met && !done) {
-        const WholeLines whole(y, line);
-        put_icon(ui, {left + ui.px(15), y + line / 2}, icon::check, ui.palette.success, Face::small);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = line_height(ui, Face::small), width = left + card_width(ui) - at.x;
+    const bool is_met = measure.met && has_begun && !done;
+    if (is_met) {
+        const WholeLines whole(at.y, line);
+        put_icon(ui, {left + ui.px(15), at.y + line / 2}, icon::check, ui.palette.success, Face::small);
     }
-    paragraph(ui, words, ui.palette.second_text, Face::small);
+    if (!title.empty()) paragraph(ui, title, ui.palette.second_text, Face::small);
+    const float words_width = text_width(ui, Face::small, words);
+    if (!title.empty() && text_width(ui, Face::small, title) + ui.px(spacing::small) + words_width <= width)
+        ImGui::SetCursorScreenPos({at.x + width - words_width, at.y});
+    const float y = ImGui::GetCursorScreenPos().y;
+    {
+        const WholeLines whole(y, line);
+        put(ui, ImGui::GetCursorScreenPos(), words, ui.palette.text, Face::small);
+    }
+    ImGui::SetCursorScreenPos({at.x, y});
+    ImGui::Dummy({width, line});
+    if (!done && measure.needed > 0) draw_gauge(gauge_of(measure), is_met, width, ui);
 }
 
 void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& ui) {
@@ -61,9 +93,9 @@ void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& u
     ImGui::Indent(left);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::hair)});
     paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
-    if (known && lesson.has_run)
+    if (known && lesson.has_run && !(done && has_passed(lesson)))  // then the result has the room of the values
         for (const Measure& measure : lesson.verdicts[index].measures)
-            if (std::isfinite(measure.value)) step_value(measure, done, start.x, ui);
+            if (std::isfinite(measure.value)) step_value(measure, done, !lesson.at_start, start.x, ui);
     if (known && lesson.has_run && lesson.verdicts[index].lost)
         paragraph(ui, ui.strings("exercise.lost"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     ImGui::PopStyleVar();
@@ -233,14 +265,12 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
         beside_or_below(ui, button_width(ui, next), right);
         next_button(view, state, ui);
     }
-    ButtonLook reset{{}, ui.strings("exercise.reset")};
-    const bool fits = ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) <= right;
-    if (!fits && has_icons(ui)) reset = {icon::start_over, {}};  // a second row of buttons would cover the steps
+    ButtonLook reset{{}, ui.strings("exercise.reset")};  // sentences of the card name it by its words
+    reset.compact = ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) > right;
     beside_or_below(ui, button_width(ui, reset), right);
     const Item at = button(ui, "exercise.reset", reset);
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
-    const std::string name = reset.words.empty() ? std::string(ui.strings("exercise.reset")) + ". " : "";
-    tooltip(ui, at, name + std::string(ui.strings("exercise.reset_how")));
+    tooltip(ui, at, ui.strings("exercise.reset_how"));
     exercise_files(view, state, ui, width);
 }
 
@@ -249,14 +279,26 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise_id == lesson.exercise->id) return;
     state.exercise_id = lesson.exercise->id;
     state.outcome_seen = state.outcome_newest = state.grade_seen = state.why_open = state.note_open = false;
+    state.steps_open = true;
     state.hints_seen = 0;
     state.exercise_rows.settling = 0;
 }
 
-void steps(const LabView& view, ExerciseRows& rows, Ui& ui) {
+// Once the exercise is passed they can be folded.
+void steps(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
-    const ImVec2 heading = ImGui::GetCursorScreenPos();
-    subheading(ui, ui.strings("exercise.steps"));
+    ImVec2 heading = ImGui::GetCursorScreenPos();
+    ExerciseRows& rows = state.exercise_rows;
+    if (has_passed(lesson)) {
+        const auto done = std::count_if(lesson.verdicts.begin(), lesson.verdicts.end(), [](auto& v) { return v.done; });
+        const std::string words = fill(ui.strings("exercise.steps_done"),
+                                       {std::to_string(done), std::to_string(lesson.exercise->steps.size())});
+        if (!fold_row(ui, "exercise.steps", words, state.steps_open, ui.strings("exercise.steps_how"))) return;
+        heading = ImGui::GetCursorScreenPos();
+        if (can_compare(view)) gap(ui, small_button_height + spacing::small);
+    } else {
+        subheading(ui, ui.strings("exercise.steps"));
+    }
     comparison(view, ui, heading);
     if (lesson.by_hand && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
@@ -269,7 +311,10 @@ void steps(const LabView& view, ExerciseRows& rows, Ui& ui) {
         paragraph(ui, ui.strings("exercise.ticks_before"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     else if (has_passed(lesson) && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.ticks_of_run"), ui.palette.second_text, Face::small);
+    const float space = ui.px(has_passed(lesson) ? spacing::tight : spacing::small);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), space});
     for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, rows, ui);
+    ImGui::PopStyleVar();
     gap(ui, 12);
 }
 
@@ -350,15 +395,15 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         const bool hints_first = view.mode == Mode::wiring && !passed;
         if (hints_first) hints(view, state, ui);
         result(view, ui);
-        if (passed) question(lesson, state, ui), steps(view, rows, ui), goal(lesson, state, ui);
+        if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
         reason(view, state, ui);
         if (!hides_outcome(view)) selection_button(view, state, ui);
         const bool steps_first = (!lesson.as_given || lesson.outcome_known) && !hides_outcome(view);
-        if (!passed && steps_first) steps(view, rows, ui);
+        if (!passed && steps_first) steps(view, state, ui);
         const bool hints_last = passed || !steps_first || state.outcome_newest;
         if (!hints_first && !hints_last) hints(view, state, ui);
         prediction(view, state, ui);
-        if (!passed && !steps_first) steps(view, rows, ui);
+        if (!passed && !steps_first) steps(view, state, ui);
         if (!hints_first && hints_last) hints(view, state, ui);
         kept_button(view, ui);
         note_field(view, state, ui);

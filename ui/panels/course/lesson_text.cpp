@@ -1,5 +1,7 @@
 #include "ui/panels/course/lesson_text.h"
 
+#include <algorithm>
+
 #include "ui/measure_text.h"
 
 namespace braitenlab::ui {
@@ -23,15 +25,26 @@ std::string_view quantity(const Measure& measure) {
 
 }  // namespace
 
-std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
-    std::string words = measure_text(ui.strings, measure, done);
+std::string measure_name(const Ui& ui, const Measure& measure) {
     const std::string_view what = quantity(measure);
     const bool is_rest_of_way = measure.at_most && measure.needed == 0;  // "1.44 m to go"
-    if (done || what.empty() || words.empty() || is_rest_of_way) return words;
+    if (what.empty() || is_rest_of_way) return {};
     // A scene's only source is "lamp" in most exercises; other names tell apart several sources.
     const bool is_named = !measure.source.empty() && measure.source != "lamp";
     const std::string of = is_named ? " (" + shown_name(ui.strings, measure.source) + ")" : std::string();
-    return std::string(ui.strings(what)) + of + " " + words;
+    return std::string(ui.strings(what)) + of;
+}
+
+std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
+    const std::string words = measure_text(ui.strings, measure, done), title = measure_name(ui, measure);
+    return words.empty() || title.empty() ? words : title + " " + words;
+}
+
+Gauge gauge_of(const Measure& measure) {
+    const float most = measure.needed_most.value_or(measure.needed), least = measure.at_most ? 0.0f : measure.needed;
+    const bool is_limited = measure.at_most || measure.needed_most;
+    const float end = most * (measure.needed_most ? 1.5f : measure.at_most ? 3.0f : 1.25f);
+    return {least / end, is_limited ? most / end : 1.0f, std::clamp(measure.value / end, 0.0f, 1.0f)};
 }
 
 }  // namespace braitenlab::ui
