@@ -212,11 +212,12 @@ void add_event(Drawing& drawing, vec2 place, float radius, float growth, float a
                                   rgb_with(colour, 1 - grown * grown)});
 }
 
-// True if a vehicle of this length on the screen has rounded meshes. The selected one has them also where it is small.
+// True if a vehicle of this length on the screen has rounded meshes. The selected one has them at low quality, too, but
+// not where it is small: without the pale rim of plain meshes it would be the darkest vehicle.
 bool is_fine(Quality quality, float pixels, bool selected) {
     constexpr float medium_above = 34;  // layout pixels
-    if (quality == Quality::low) return selected;
-    return selected || quality == Quality::high || pixels >= medium_above;
+    if (quality == Quality::high) return true;
+    return pixels >= medium_above && (selected || quality == Quality::medium);
 }
 
 // A vehicle that has just struck something moves to and fro along its heading for a moment; m.

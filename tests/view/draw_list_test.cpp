@@ -214,7 +214,8 @@ TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
     EXPECT_TRUE(rounded(Quality::medium, 4));
     EXPECT_FALSE(rounded(Quality::medium, 0.7f));
     EXPECT_TRUE(rounded(Quality::high, 0.7f));
-    EXPECT_TRUE(rounded(Quality::medium, 0.7f, 0)) << "the selected vehicle keeps its wires and eyes";
+    EXPECT_FALSE(rounded(Quality::medium, 0.7f, 0)) << "a small one has the pale rim of the others";
+    EXPECT_FALSE(rounded(Quality::low, 0.7f, 0));
 }
 
 TEST(DrawList, NeedsFullMeshesOnlyWhereAPlainVehicleIsLarge) {
