@@ -32,10 +32,10 @@ TEST(WiringNodeText, SumOfAMotorShowsThatItIsLimited) {
     EXPECT_EQ(shown_value(*find_node(graph, "SL"), 1.1f), 1.1f);
 }
 
-TEST(WiringNodeText, SumHasSignsBetweenItsTerms) {
+TEST(WiringNodeText, ANegativeWeightIsAFactorAsOnTheBrainCard) {
     FourNeurons four;
     four.RR = -0.5f, four.RL = -1, four.RM = -0.1f;
-    EXPECT_EQ(sum_text(make_graph(four), MR, seen), "−0.42·1.00 − 0.27·0.50 − 0.10 → 0.44");
+    EXPECT_EQ(sum_text(make_graph(four), MR, seen), "0.42·(−1.00) + 0.27·(−0.50) − 0.10 → 0.44");
 }
 
 TEST(WiringNodeText, SumTellsTheInputThatAThresholdMasks) {

@@ -112,7 +112,8 @@ std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Valu
         const std::string factor = is_masked   ? "(" + number(reading) + " < θ)"
                                    : input < 0 ? "(" + number(input) + ")"
                                                : number(input);
-        terms.push_back({factor + "·" + number(std::abs(weight)), weight < 0});
+        terms.push_back(
+            {factor + "·" + as_factor(weight, 2, number.mark), false});  // as the equations of the brain card
     }
     if (node.bias != 0 || terms.empty()) terms.push_back({number(std::abs(node.bias)), node.bias < 0});
     return terms;
