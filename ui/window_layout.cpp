@@ -174,7 +174,10 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         // There is no left column in a narrow window and without an exercise.
         if (!view.lesson || width / scale < narrow_window) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
-        const float inset = std::min(inset_height * scale, column * (view.lecture ? 0.33f : 0.36f));
+        // Above the inset the exercise needs the height where it has no column of its own.
+        const bool is_shared = view.lesson && l.left.w <= 0;
+        const float share = view.lecture ? 0.33f : is_shared ? 0.25f : 0.36f;
+        const float inset = std::min(inset_height * scale, column * share);
         // In a lecture the canvas also covers the area of the timeline, and the inset is narrower. An open card has
         // a column of its own.
         const float inset_width = view.lecture ? std::min(l.right.w, inset * lecture_inset_aspect) : l.right.w;

@@ -139,6 +139,14 @@ TEST(ExerciseCard, StartOverHasItsWordsInEveryLanguage) {
         }
 }
 
+TEST(ExerciseCard, HasMoreOfTheColumnThanTheInsetInTheWiringEditorOfANarrowWindow) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    desk.view.mode = Mode::wiring;
+    desk.frame(4);
+    EXPECT_GT(desk.where("card.exercise").h, 2.4f * desk.layout.scene.h);
+}
+
 TEST(ExerciseCard, ItsFootDoesNotScroll) {
     for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}})
         for (const char* language : {"en", "de", "es"})
