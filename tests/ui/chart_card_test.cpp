@@ -66,6 +66,21 @@ TEST(ChartCard, OpensByKeyOrButtonAndClosesByItsHeading) {
     EXPECT_TRUE(desk.anchors.find("card.charts"));
 }
 
+TEST(ChartCard, ItsTabsHaveOneSizeOfType) {
+    for (const char* language : {"en", "de", "es"}) {
+        ChartDesk desk(1280, 800, true);
+        desk.strings = speaking(language);
+        desk.frame(3);
+        std::vector<float> heights;
+        for (const Written& each : desk.written)
+            for (const char* key : {"charts.signals", "charts.all", "charts.population", "charts.energy"})
+                if (each.words == desk.strings(key) && each.rect.y < desk.where("card.charts").y + 70)
+                    heights.push_back(each.rect.h);
+        ASSERT_GE(heights.size(), 4U) << language;
+        for (const float height : heights) EXPECT_EQ(height, heights.front()) << language;
+    }
+}
+
 TEST(ChartCard, LiesBelowTheScene) {
     ChartDesk desk(1024, 768);
     const Rect card = desk.where("card.charts"), scene = desk.where("viewport");

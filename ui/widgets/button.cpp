@@ -136,6 +136,17 @@ Segments lay_out_segments(const Ui& ui, std::span<const std::string_view> words,
     return segments;
 }
 
+// The largest face in which every word fits: one size for all.
+Face face_of_segments(const Ui& ui, std::span<const std::string_view> words, const Segments& segments) {
+    if (!segments.equal) return Face::label;
+    for (const Face face : {Face::text, Face::small})
+        if (std::all_of(words.begin(), words.end(), [&](std::string_view word) {
+                return text_width(ui, face, word) < segments.widths.front() - ui.px(12);
+            }))
+            return face;
+    return Face::label;
+}
+
 }  // namespace
 
 int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
@@ -145,6 +156,7 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
     const Rect all{start.x, start.y, width, ui.px(30)};
     fill_box(ui, all, ui.palette.ground.with_alpha(0.6f));
     line_box(ui, all, ui.palette.line);
+    const Face face = face_of_segments(ui, words, segments);
     int clicked = -1;
     float x = start.x;
     for (int i = 0; i < static_cast<int>(words.size()); ++i) {
@@ -161,9 +173,6 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
         }
         const Colour colour = on ? ui.palette.text : mix(ui.palette.second_text, ui.palette.text, at.warmth);
         const auto word = words[static_cast<std::size_t>(i)];
-        Face face = Face::label;
-        for (const Face larger : {Face::small, Face::text})
-            if (segments.equal && text_width(ui, larger, word) < each - ui.px(12)) face = larger;
         put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, face) / 2}, word, colour, face);
         tooltip(ui, at, how);
         if (at.pressed && !on) clicked = i;
@@ -195,8 +204,8 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     const ImVec2 text = f->CalcTextSizeA(compat::size_of(f), 1e9f, wrap, begin, end);
     const Item at = item(ui, id, {width, text.y + 2 * top}, enabled);
     const Palette& p = ui.palette;
-    fill_box(ui, at.rect, chosen ? mix(p.panel, p.accent, 0.16f) : mix(p.raised, p.line, at.warmth * 0.6f));
-    line_box(ui, at.rect, chosen ? p.accent.with_alpha(0.8f) : p.line);
+    fill_box(ui, at.rect, chosen ? mix(p.panel, p.accent, 0.16f) : mix(p.panel, p.line, at.warmth * 0.6f));
+    line_box(ui, at.rect, chosen ? p.accent.with_alpha(0.8f) : mix(p.line, p.second_text, enabled ? 0.5f : 0.0f));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 dot{at.rect.x + ui.px(18), at.rect.y + top + line_height(ui, Face::text) / 2};
     draw.AddCircle(dot, ui.px(7), paint(chosen ? p.accent : p.second_text), 0, ui.px(1.5f));

@@ -84,7 +84,7 @@ void answer_first(const LabView& view, const PanelState& state, Ui& ui) {
 void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
-    paragraph(ui, translated(ui, asked.question), ui.palette.text);
+    paragraph(ui, translated(ui, asked.question), ui.palette.text, Face::strong);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
     if (!asked.path_of.empty()) draw_button(view, state, ui);
     for (std::size_t i = 0; i < asked.options.size(); ++i) {
