@@ -132,7 +132,7 @@ void wheel(const Ui& ui, ImVec2 c, float outward, float motor, float angle, bool
     compat::outline(draw, low, high, paint(mix(ui.palette.second_text, ui.palette.text, warmth)), ui.px(radius::box),
                     ui.px(1));
     if (stopped) return lesion_cross(ui, c, ui.px(6), ui.palette.text);
-    const float reach = h * std::clamp(motor, -1.0f, 1.0f), x = c.x + outward * ui.px(18);
+    const float reach = ui.px(15) * std::clamp(motor, -1.0f, 1.0f), x = c.x + outward * ui.px(18);
     if (std::fabs(reach) < 1) return;
     const ImU32 colour = paint(ui.palette.text);
     const float tip = c.y - reach, back = reach > 0 ? 1.0f : -1.0f;
