@@ -38,7 +38,7 @@ void passed_mark(const Ui& ui, ImVec2 c, bool alone) {
 
 void card_picture(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const ExerciseProgress* progress,
                   Rect place) {
-    fill_box(ui, place, ui.palette.ground, Corner::box);
+    fill_box(ui, place, mix(ui.palette.raised, ui.palette.line, 0.5f), Corner::box);
     ImGui::PushClipRect({place.x, place.y}, {place.x + place.w, place.y + place.h}, true);
     if (!put_scene_picture(view, ui, entry.path, place) && entry.exercise) {
         const FloorMap map(occupied_area(entry.exercise->scene), place);
