@@ -92,9 +92,9 @@ TEST(HintBar, SaysHowToPlayWhileAPausedSliderHasTheFocus) {
     desk.key({'1'});
     desk.view.mode = Mode::playing;
     EXPECT_TRUE(says(desk, "types a number"));
-    EXPECT_FALSE(says(desk, " plays  ·"));
+    EXPECT_FALSE(says(desk, "·  Reset"));
     desk.view.mode = Mode::paused;
-    EXPECT_TRUE(says(desk, " plays  ·")) << "after Reset the run is paused";
+    EXPECT_TRUE(says(desk, "·  Reset")) << "after Reset the run is paused";
     EXPECT_TRUE(says(desk, "types a number"));
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
     desk.lesson.changed_since_done = true;
