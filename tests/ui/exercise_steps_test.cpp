@@ -150,7 +150,7 @@ TEST_F(ExerciseSteps, AGaugeShowsWhatIsNeededAndTheValueInOrOutsideIt) {
     expect_gauge({-0.4f, 0.9f, "correlation"}, 0.8f, 1, 0);
 }
 
-TEST_F(ExerciseSteps, AValueWithItsNeedIsOneLineInsideTheCard) {
+TEST(ExerciseValues, AreOneLineWithTheirNeedInsideTheCard) {
     for (const char* language : {"en", "de", "es"}) {
         Desk low(1024, 768, 1, true);
         low.strings = speaking(language);
