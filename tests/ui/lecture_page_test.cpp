@@ -105,6 +105,16 @@ void each_revealed_page(const Check& check) {
 
 }  // namespace
 
+TEST(LecturePageType, AMapHasNoAnchorsOfLabels) {
+    RevealedPage page("wheels-to-neurons", 12, sizes[1], "en");
+    int nodes = 0;
+    for (const auto& [id, rect] : page.desk.anchors.all()) {
+        nodes += id.starts_with("node.");
+        EXPECT_FALSE(id.starts_with("wire.") || id.starts_with("curve.")) << id << " is not drawn";
+    }
+    EXPECT_GT(nodes, 8);
+}
+
 // What the lecturer points at is legible from the last row: without the space between lines letters have 2.2 % of the
 // height of the window.
 TEST(LecturePageType, WeightsNamesAndEquationsAreNotSmallerThanAFiftiethOfTheWindow) {

@@ -19,7 +19,9 @@ using namespace four_neuron_ids;
 
 // The layout of an aggressor, seen through a view.
 struct WiringView : testing::Test {
-    Hit at(vec2 unit) const { return hit(layout, view, view.to_window(unit), 1); }
+    Hit at(vec2 unit, float least_type = 0) const {
+        return hit(layout, view, view.to_window(unit), 1, is_map(view, 1, least_type));
+    }
     vec2 out(NodeId id) const { return find_shape(layout, id)->out_pin(); }
 
     Layout layout = lay_out(make_graph({.LR = 1.5f, .RL = 1.5f}), {});
@@ -29,6 +31,12 @@ struct WiringView : testing::Test {
 TEST_F(WiringView, ConvertsPixelsToUnitsAndBack) {
     view = {{120, 40}, 1.5f};
     EXPECT_EQ(view.to_canvas(view.to_window({8, -6})), (vec2{8, -6}));
+}
+
+TEST_F(WiringView, AMapOfLargeLettersHasNoLabelUnderThePointer) {
+    const vec2 label = find_shape(layout, {SL, MR})->label;
+    EXPECT_EQ(at(label, 20).part, Part::label);
+    EXPECT_EQ(at(label, 40).part, Part::wire) << "the letters are too large for the cards at this zoom";
 }
 
 TEST_F(WiringView, ZoomKeepsThePointUnderThePointer) {
@@ -74,8 +82,10 @@ TEST_F(WiringView, FindsPinsWithinFourteenPixelsAtAnyZoom) {
         for (const float ui_scale : {1.0f, 2.0f}) {
             view.scale = zoom * ui_scale;
             const vec2 pin = view.to_window(out(SL));
-            EXPECT_EQ(hit(layout, view, pin + vec2{0, 13.5f * ui_scale}, ui_scale).part, Part::out_pin);
-            EXPECT_NE(hit(layout, view, pin + vec2{0, 14.5f * ui_scale}, ui_scale).part, Part::out_pin);
+            EXPECT_EQ(hit(layout, view, pin + vec2{0, 13.5f * ui_scale}, ui_scale, is_map(view, ui_scale, 0)).part,
+                      Part::out_pin);
+            EXPECT_NE(hit(layout, view, pin + vec2{0, 14.5f * ui_scale}, ui_scale, is_map(view, ui_scale, 0)).part,
+                      Part::out_pin);
         }
 }
 
@@ -96,8 +106,8 @@ TEST_F(WiringView, FindsLabelsAndThenWiresWithinEightPixels) {
     const WireShape& wire = *find_shape(layout, WireEnds{SL, MR});
     EXPECT_EQ(at(wire.label), (Hit{Part::label, 0, {SL, MR}}));
     const vec2 on = view.to_window(bezier_point(wire.bezier, 0.75f));
-    EXPECT_EQ(hit(layout, view, on + vec2{4, 0}, 1), (Hit{Part::wire, 0, {SL, MR}}));
-    EXPECT_EQ(hit(layout, view, on + vec2{40, 0}, 1).part, Part::nothing);
+    EXPECT_EQ(hit(layout, view, on + vec2{4, 0}, 1, is_map(view, 1, 0)), (Hit{Part::wire, 0, {SL, MR}}));
+    EXPECT_EQ(hit(layout, view, on + vec2{40, 0}, 1, is_map(view, 1, 0)).part, Part::nothing);
 }
 
 TEST_F(WiringView, BoxSelectsWhatItTouchesExceptGhosts) {

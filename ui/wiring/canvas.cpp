@@ -181,7 +181,8 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
                       view.wall_seconds,
                       read_pointer(over),
                       has_buttons(view),
-                      finger_reach(view)};
+                      finger_reach(view),
+                      ui.least_type};
     std::vector<CornerButton> buttons;
     if (frame.has_buttons) buttons = corner_buttons(ui, area, frame.pointer);
     handle_input(state, frame, ui.outbox);

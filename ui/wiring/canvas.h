@@ -125,10 +125,18 @@ struct CanvasFrame {
     Pointer pointer;
     bool has_buttons = true;  // Arrange and Fit
     float reach = 1;          // finger_reach()
+    float least_type = 0;     // of letters, window pixels; as Ui::least_type
 };
 
 inline View view_of(const CanvasState& state, const CanvasFrame& frame) {
     return view_of(state.camera, frame.area, frame.ui_scale);
+}
+
+// The part of the picture under the pointer.
+inline Hit hit(const CanvasState& state, const CanvasFrame& frame) {
+    const View view = view_of(state, frame);
+    return hit(frame.layout, view, frame.pointer.at, frame.ui_scale * frame.reach,
+               is_map(view, frame.ui_scale, frame.least_type));
 }
 
 // Draws the canvas over `area` (window pixels, free of cards) and sends the user's edits. Anchors: canvas,

@@ -166,10 +166,8 @@ void Pen::dot(ImVec2 middle, float radius, ImU32 colour) const {
 }
 
 Detail detail_of(const Pen& pen) {
-    constexpr float letters = 26, most_growth = 1.7f;  // units; the cards of a sketch hold letters enlarged by so much
-    const float zoom = pen.view.scale / pen.ui.scale;
-    const bool is_too_large = pen.least_type() > most_growth * letters * pen.view.scale;
-    return zoom < map_zoom || is_too_large ? Detail::map : zoom < 0.75f ? Detail::sketch : Detail::full;
+    if (is_map(pen.view, pen.ui.scale, pen.ui.least_type)) return Detail::map;
+    return pen.view.scale < 0.75f * pen.ui.scale ? Detail::sketch : Detail::full;
 }
 
 void draw_ground(const Pen& pen, Rect area) {
@@ -230,7 +228,7 @@ void record_anchors(Ui& ui, const Pen& pen, const Picture& picture, Rect area) {
         if (node.has_in) record_anchor(ui, area, "pin." + name + ".in", pin_rect(view, node.in_pin()));
         if (node.has_out) record_anchor(ui, area, "pin." + name + ".out", pin_rect(view, node.out_pin()));
     }
-    if (view.scale < map_zoom * ui.scale) return;
+    if (detail_of(pen) == Detail::map) return;
     for (const WireShape& wire : layout.wires) {
         const Rect label = label_rect(view, wire);
         if (!area.overlaps(label)) continue;

@@ -170,7 +170,7 @@ WireDrop drop_of(const CanvasState& state, const CanvasFrame& frame) {
     const Drag& drag = state.drag;
     const Pointer& pointer = frame.pointer;
     if (!pointer.over) return {};
-    const Hit under = hit(frame.layout, view_of(state, frame), pointer.at, frame.ui_scale * frame.reach);
+    const Hit under = hit(state, frame);
     const bool on_pin = under.is_pin();
     if (!on_pin && under.part != Part::node) {
         if (drag.taken && under.wire == *drag.taken && under.part != Part::nothing)

@@ -197,7 +197,7 @@ void handle_input(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) 
     // While a box is drawn or the camera moves, no part is hovered.
     const bool sweeps = drag.phase == DragPhase::box || drag.phase == DragPhase::pan || drag.phase == DragPhase::map;
     if (frame.pointer.over && frame.pointer.valid && !sweeps && !on_minimap(state, frame))
-        state.hovered = hit(frame.layout, view_of(state, frame), frame.pointer.at, frame.ui_scale * frame.reach);
+        state.hovered = hit(state, frame);
     if (drag.phase == DragPhase::idle) {
         use_wheel(state, frame, outbox);
         press(state, frame);

@@ -144,8 +144,13 @@ Hit nearest_pin(const Layout& layout, const View& view, vec2 pixel, float reach)
 
 }  // namespace
 
-Hit hit(const Layout& layout, const View& view, vec2 pixel, float ui_scale) {
-    const bool map = view.scale < map_zoom * ui_scale;
+bool is_map(const View& view, float ui_scale, float least_type) {
+    constexpr float map_zoom = 0.4f;
+    constexpr float letters = 26, most_growth = 1.7f;  // units; the cards of a sketch hold letters enlarged by so much
+    return view.scale < map_zoom * ui_scale || least_type > most_growth * letters * view.scale;
+}
+
+Hit hit(const Layout& layout, const View& view, vec2 pixel, float ui_scale, bool map) {
     const float reach_of_pins = std::min(pin_reach * ui_scale, 48 * view.scale);
     if (const Hit pin = nearest_pin(layout, view, pixel, reach_of_pins); pin.part != Part::nothing) return pin;
     for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node)

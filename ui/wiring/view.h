@@ -20,7 +20,10 @@ struct View {
 };
 
 inline constexpr float least_zoom = 0.1f, most_zoom = 3;
-inline constexpr float map_zoom = 0.4f;  // below it labels are neither drawn nor hit
+
+// True where the diagram is a map: labels are neither drawn nor hit. So it is at a small zoom, and where letters of
+// `least_type` window pixels (0: of any size) are too large for the cards.
+bool is_map(const View&, float ui_scale, float least_type);
 
 struct CanvasCamera {
     maths::vec2 middle;    // canvas point in the middle of the area
@@ -66,8 +69,8 @@ struct Hit {
 inline constexpr float pin_reach = 14, wire_reach = 8;
 
 // The part under a pixel: the nearest pin within reach, else the topmost node, else a label, else the nearest wire
-// within reach.
-Hit hit(const Layout&, const View&, maths::vec2 pixel, float ui_scale);
+// within reach. A map has no labels.
+Hit hit(const Layout&, const View&, maths::vec2 pixel, float ui_scale, bool map);
 
 // The wire nearest to a point (canvas units) within `reach` units, wires of weight 0 excluded.
 std::optional<WireEnds> wire_through(const Layout&, maths::vec2 centre, float reach);
