@@ -50,6 +50,27 @@ TEST_F(LectureSliders, TheCardOfTheBrainIsShownWholeWithItsNamesApart) {
     }
 }
 
+TEST_F(LectureSliders, TheButtonsOfTheCardAreShownOnRequestOnly) {
+    desk.now = shipped_scene("2b-aggressor");
+    show(6, 0);
+    desk.frame(3);
+    const std::vector<std::string> buttons{"button.presets", "button.drive", "button.mirror", "button.cross",
+                                           "button.thresholds"};
+    for (const std::string& button : buttons) EXPECT_FALSE(desk.anchors.find(button)) << button;
+    EXPECT_TRUE(desk.anchors.find("slider.LR"));
+    EXPECT_TRUE(desk.anchors.find("equations"));
+    desk.click("button.controls");
+    desk.frame(3);
+    for (const std::string& button : buttons) EXPECT_TRUE(desk.anchors.find(button)) << button;
+    desk.view.lecture = false, desk.view.pages = nullptr;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("button.controls"));
+    EXPECT_TRUE(desk.anchors.find("button.presets"));
+    desk.view.lecture = true, desk.view.pages = &pages;
+    show(6, 0);
+    EXPECT_FALSE(desk.anchors.find("button.presets")) << "the next lecture begins without them";
+}
+
 TEST_F(LectureSliders, UnfoldsTheSlidersWhereThePageShowsThemAndFoldsThemAfterwards) {
     show(6, 0);
     EXPECT_FALSE(desk.panels.card(Card::brain).folded);

@@ -364,9 +364,12 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     const bool by_hand = vehicle && vehicle->driver == Driver::manual;
     std::array buttons{
         HeadingButton{"button.presets", ui.strings("button.presets"), ui.strings("tooltip.presets")},
-        HeadingButton{"button.drive", ui.strings("button.drive"), ui.strings("tooltip.drive"), keys, by_hand}};
-    const bool open = open_card(state, ui, Card::brain, place,
-                                vehicle && !offers_some(view) ? std::span(buttons) : std::span<HeadingButton>{});
+        HeadingButton{"button.drive", ui.strings("button.drive"), ui.strings("tooltip.drive"), keys, by_hand},
+        HeadingButton{"button.controls", "…", ui.strings("lecture.controls"), {}, state.lecture_controls}};
+    const bool has_controls = shows_controls(view, state);
+    const std::size_t first = vehicle && !offers_some(view) && has_controls ? 0 : 2, last = view.lecture ? 3 : 2;
+    const bool open = open_card(state, ui, Card::brain, place, std::span(buttons).subspan(first, last - first));
+    if (buttons[2].pressed) state.lecture_controls = !state.lecture_controls;
     if (open && !vehicle) paragraph(ui, ui.strings("brain.no_vehicle"), ui.palette.second_text);
     const bool unrevealed = !view.settings.revealed.brain;
     if (open && vehicle && (unrevealed || is_brain_secret(view, vehicle->kind))) {
@@ -388,12 +391,12 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         own_brain_note(view, ui, *vehicle);
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
-        free_play_row(view, ui);
+        if (has_controls) free_play_row(view, ui);
         gap(ui, spacing::small);
         if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
         else if (tells && view.settings.revealed.brain && !(view.lecture && would_be_cut(ui, sums_height, column)))
-            equations(view, ui, *vehicle, column);
+            equations(view, ui, *vehicle, column, has_controls);
         // The wiring canvas shows the same brain larger.
         const float height = column.h < ui.px(low_column) ? 90 : 116;
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&

@@ -91,7 +91,7 @@ public:
         const float width = card_width(ui_), gap = ui_.px(between_sliders),
                     threshold = ui_.px(width < ui_.px(narrow_card) ? narrow_threshold_width : threshold_width),
                     weight_width = thresholds ? width - threshold - gap : width;
-        captions(width, thresholds);
+        if (shows_controls(view_, state_)) captions(width, thresholds);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
         for (std::size_t i = 0; i < std::size(weight_sliders); ++i) {
             turn(weight_sliders[i].dial, weight_sliders[i].anchor, weight_width, weight_look(weight_sliders[i]));

@@ -3,6 +3,7 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -278,12 +279,12 @@ std::array<Analysis, 3> analyses(const LabView& view, const Ui& ui) {
 // The cause in words, and the buttons at its right. The buttons are left out where the words beside them would end
 // below `bottom` (window pixels, with the scroll of the card): each of them has a key. Words that would be cut then are
 // left out, too.
-void explanation_row(Ui& ui, const std::string& words, const std::array<Analysis, 3>& buttons, float bottom) {
+void explanation_row(Ui& ui, const std::string& words, std::span<const Analysis> buttons, float bottom) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float space = ui.px(spacing::tight), line = line_height(ui, Face::small);
-    float width = -space;
+    float width = buttons.empty() ? 0 : -space;
     for (const Analysis& each : buttons) width += space + small_button_width(ui, each.look, !has_icons(ui));
-    const float room = card_width(ui) - width - ui.px(spacing::small);
+    const float room = card_width(ui) - width - (buttons.empty() ? 0 : ui.px(spacing::small));
     const auto fits_into = [&](float wrapped_at) {
         const float lines = static_cast<float>(lines_of_words(ui, words, Face::small, wrapped_at).size());
         return at.y + ImGui::GetScrollY() + lines * line + ui.px(spacing::large) <= bottom;
@@ -291,7 +292,7 @@ void explanation_row(Ui& ui, const std::string& words, const std::array<Analysis
     const bool fits = fits_into(room);
     if (!fits && !fits_into(card_width(ui))) return;
     paragraph(ui, words, ui.palette.text, Face::small, fits ? room : 0);
-    if (!fits) return;
+    if (!fits || buttons.empty()) return;
     const ImVec2 after = ImGui::GetCursorScreenPos();
     // The buttons are higher than the line beside them.
     ImVec2 corner{at.x + card_width(ui) - width, at.y - (ui.px(small_button_height) - line) / 2};
@@ -321,7 +322,7 @@ bool is_stuck(const LabView& view, const VehicleView& vehicle) {
     return view.mode == Mode::playing && stands_still(view, vehicle) && wheels_push(vehicle.motor[0], vehicle.motor[1]);
 }
 
-void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect column) {
+void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect column, bool has_buttons) {
     std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const auto columns = [&](bool factors) { return equation_columns(ui, both, factors, at.x, card_width(ui)); };
@@ -343,7 +344,9 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect col
         tooltip(ui, area, ui.strings("sums.how"));
     else if (wants_tooltip(ui, area))
         tooltip(ui, area, std::string(ui.strings("sums.more_wires")) + legend(view, ui, vehicle, both));
-    explanation_row(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)), analyses(view, ui),
+    const auto buttons = analyses(view, ui);
+    explanation_row(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)),
+                    has_buttons ? std::span<const Analysis>(buttons) : std::span<const Analysis>{},
                     view.lecture ? column.y + column.h : FLT_MAX);
 }
 

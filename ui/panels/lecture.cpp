@@ -220,6 +220,7 @@ void follow_lecture(const LabView& view, PanelState& state) {
     state.keyboard.focus = state.before_lecture->focus;
     state.before_lecture.reset();
     state.pressed.clear();
+    state.lecture_controls = false;
 }
 
 }  // namespace braitenlab::ui

@@ -219,6 +219,7 @@ struct PanelState {
     ExerciseRows exercise_rows;
     std::string exercise_id;  // of the exercise that the values above belong to
     std::optional<BeforeLecture> before_lecture;
+    bool lecture_controls = false;                // in a lecture the card of the brain has all of its buttons
     std::vector<PressedKey> pressed;              // in a lecture, the newest last
     Marks marks;                                  // drawn in a lecture
     bool blank = false;                           // the window is black until the next key or click

@@ -102,13 +102,20 @@ void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while Fi
 
 // Parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
+
+// Whether the card of the brain has its buttons. In a lecture only after a click on the button in its heading, so that
+// the audience sees weights and sums.
+inline bool shows_controls(const LabView& view, const PanelState& state) {
+    return !view.lecture || state.lecture_controls;
+}
 // Anchors of the sliders that the keys 1 to 4 focus: LL, LR, RL and RR, or those that the exercise offers, from top to
 // bottom. In dial_sliders.cpp.
 std::vector<std::string_view> numbered_sliders(const LabView&);
 std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
 std::string words_of(const Offer&);  // of its slider: "LL = RR"
-// The sums of both motors and the cause of a turn; `column` is the height that the card has at most.
-void equations(const LabView&, Ui&, const VehicleView&, Rect column);
+// The sums of both motors and the cause of a turn, with the buttons of further explanations; `column` is the height
+// that the card has at most.
+void equations(const LabView&, Ui&, const VehicleView&, Rect column, bool has_buttons);
 // True if the vehicle does not move. Not known in the first half second.
 bool stands_still(const LabView&, const VehicleView&);
 // The key of the sentence about two wheels that turn alike, at this command; `stuck`: the vehicle does not move.
