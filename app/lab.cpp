@@ -52,7 +52,10 @@ Preferences own_preferences(const Lab& lab) {
 
 void say(Lab& lab, Notice notice, double least_seconds) {
     constexpr double letters_a_second = 15;  // reading speed, with time to notice the message
-    const double least = notice.kind == NoticeKind::failure ? 10 : notice.kind == NoticeKind::notice ? 6 : 5;
+    const double least = notice.kind == NoticeKind::failure  ? 10
+                         : lab.before_lecture                ? 5  // it takes the place of the title
+                         : notice.kind == NoticeKind::notice ? 6
+                                                             : 5;
     const double seconds =
         std::max({least_seconds, least, static_cast<double>(notice.words.size()) / letters_a_second});
     std::string& words = notice.words;

@@ -85,6 +85,13 @@ TEST_F(LabLecturePages, AStepStartsTheRunAndShowsOverlaysOnce) {
     EXPECT_FALSE(hides_brain(view_of(lab), 0));
 }
 
+TEST_F(LabLecturePages, ANoticeLeavesTheBarOfALectureSoon) {
+    handle(lab, Action::lecture);
+    ASSERT_EQ(lab.notice.key, "notice.projector_view");
+    advance(lab, 5.1);
+    EXPECT_TRUE(lab.notice.empty()) << "the title is shown again";
+}
+
 TEST_F(LabLecturePages, PageDownOnTheLastPageSaysThatItIsTheLastOne) {
     open("four-numbers");
     show_page(lab, 99, 99);
