@@ -47,6 +47,13 @@ void add_to_path(Document& document) {
         if (vehicle.start == 0) path.push_back({now.tick, {vehicle.x, vehicle.y}});
 }
 
+// True at the moment at which the page of a lecture pauses its run.
+bool pauses_here(const Lab& lab) {
+    if (!lab.pages || lab.pages->current().pause <= 0) return false;
+    const auto at = std::lround(static_cast<double>(lab.pages->current().pause) / tick_length);
+    return shown_snapshot(lab).tick == static_cast<std::uint64_t>(at);
+}
+
 }  // namespace
 
 void set_mode(Lab& lab, Mode mode) {
@@ -100,6 +107,7 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
         tick(lab);
         if (seen) seen(shown_snapshot(lab));
         playback.debt -= tick_length;
+        if (pauses_here(lab)) return set_mode(lab, Mode::paused);
     }
     measure_pace(playback, wall_seconds, shown_snapshot(lab).seconds - before);
     if (playback.debt >= tick_length) playback.debt = 0;

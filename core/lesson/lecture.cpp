@@ -49,6 +49,8 @@ void describe(Visitor& v, Of<LecturePage>) {
     v.text("select", &LecturePage::select, limits::name_length,
            "NAME of the [vehicle.NAME] that is selected; without it, the scene's first");
     v.flag("play", &LecturePage::play, "the page begins with a playing run");
+    v.number("pause", &LecturePage::pause, "s", {0, 3600},
+             "second of the run at which it pauses, so that the values of this moment stay; Space goes on; 0: never");
     v.texts("show", &LecturePage::show, page_part_table.size(), limits::name_length,
             "parts that are hidden otherwise and shown from the start");
     v.texts("hide", &LecturePage::hide, page_part_table.size(), limits::name_length, "parts that are not shown");

@@ -97,6 +97,7 @@ struct LecturePage {
     float x = 0, y = 0;  // m, shift of the point that the camera looks at
     std::string select;  // name of the selected vehicle; empty: the scene's first
     bool play = false;   // the page begins with a playing run
+    float pause = 0;     // s of the run; it pauses there, so that the values of this moment stay. 0: never
     std::vector<std::string> show, hide, steps;
     LectureQuestion question;
     PageParts at_first{};           // the parts shown on opening

@@ -1,5 +1,7 @@
 // Lecture files in the lab: every shipped page opens and shows its steps; pages begin anew; nothing is asked to be
 // saved.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lecture.h"
@@ -83,6 +85,42 @@ TEST_F(LabLecturePages, AStepStartsTheRunAndShowsOverlaysOnce) {
     press({key::page_down});
     EXPECT_TRUE(lab.view.watching);
     EXPECT_FALSE(hides_brain(view_of(lab), 0));
+}
+
+TEST_F(LabLecturePages, ARunPausesAtTheMomentThatItsPageNames) {
+    open("four-numbers");
+    show_page(lab, 2, 2);
+    const float pause = lab.pages->current().pause;
+    ASSERT_GT(pause, 0);
+    for (int run = 0; run < 2; ++run) {
+        set_mode(lab, Mode::playing);
+        for (int frame = 0; frame < 200 && lab.playback.mode == Mode::playing; ++frame) advance(lab, 0.02);
+        EXPECT_EQ(lab.playback.mode, Mode::paused);
+        EXPECT_EQ(lab.document.session.snapshot().tick, static_cast<std::uint64_t>(std::lround(pause * 60)));
+        const VehicleView& vehicle = lab.document.session.snapshot().vehicles.front();
+        EXPECT_GT(vehicle.motor[0], vehicle.motor[1] + 0.1f) << "the numbers show why it turns";
+        handle(lab, Action::reset);  // a second run pauses, too
+    }
+    show_page(lab, 2, 2);
+    set_mode(lab, Mode::playing);
+    for (int frame = 0; frame < 200 && lab.playback.mode == Mode::playing; ++frame) advance(lab, 0.02);
+    set_mode(lab, Mode::playing);
+    for (int frame = 0; frame < 50; ++frame) advance(lab, 0.02);
+    EXPECT_EQ(lab.playback.mode, Mode::playing) << "it goes on";
+}
+
+TEST_F(LabLecturePages, ThePageAtWhichARunPausesShowsTheNumbersOfATurn) {
+    open("four-numbers");
+    show_page(lab, 5, 1);
+    set_mode(lab, Mode::playing);
+    for (int frame = 0; frame < 400 && lab.playback.mode == Mode::playing; ++frame) advance(lab, 0.02);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_FALSE(lab.pages->shows(PagePart::values)) << "no numbers beside a hidden brain";
+    press({key::page_down});
+    EXPECT_TRUE(lab.pages->shows(PagePart::values));
+    EXPECT_TRUE(lab.pages->shows(PagePart::brain));
+    const VehicleView& vehicle = lab.document.session.snapshot().vehicles.front();
+    EXPECT_GT(vehicle.motor[0], vehicle.motor[1] + 0.1f) << "it turns away from the lamp on its left";
 }
 
 TEST_F(LabLecturePages, ANoticeLeavesTheBarOfALectureSoon) {

@@ -205,7 +205,7 @@ TEST_F(LecturePages, TheDiagramTakesThePlaceOfAnAnsweredQuestion) {
 
 TEST_F(LecturePages, ShowsThePageNumberAndTheTitleOfTheLecture) {
     show(1, 0);
-    EXPECT_TRUE(desk.says("2/9"));
+    EXPECT_TRUE(desk.says("2/10"));
     EXPECT_TRUE(desk.says("Four numbers"));
     EXPECT_FALSE(desk.says("A scene")) << "the title of the scene could tell the answer";
 }

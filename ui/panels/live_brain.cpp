@@ -74,8 +74,7 @@ public:
         const Rect between{from, bar_.y, wheels_.front().place.x - from, bar_.h};
         mark(ui_, "lecture.wires", between);
         if (hides_brain(view_, vehicle_.kind))
-            put_centred(ui_, {between.x + between.w / 2, between.y + (between.h - line_height(ui_, Face::title)) / 2},
-                        "?", ui_.palette.second_text, Face::title);
+            say_hidden(between);
         else if (is_graph_)
             draw_graph(between);
         else
@@ -83,6 +82,18 @@ public:
     }
 
 private:
+    // In place of the wires of a hidden brain.
+    void say_hidden(Rect between) {
+        const std::string_view words = ui_.strings("wiring.hidden");
+        const float width = between.w - 2 * ui_.px(spacing::large), line = line_height(ui_, Face::text);
+        const auto lines = lines_of_words(ui_, words, Face::text, width);
+        float y = between.y + (between.h - static_cast<float>(lines.size()) * line) / 2;
+        for (const std::string& each : lines) {
+            put_centred(ui_, {between.x + between.w / 2, y}, each, ui_.palette.second_text, Face::text);
+            y += line;
+        }
+    }
+
     void lay_out(const std::vector<std::string>& names, std::vector<LiveRow>& rows, Rect area) {
         const float each = area.h / static_cast<float>(std::max<std::size_t>(1, names.size()));
         for (std::size_t i = 0; i < names.size(); ++i) {
