@@ -39,16 +39,6 @@ TEST_F(LecturePages, CaptionAndOptionsFitIntoSmallWindowsInEveryLanguage) {
         }
 }
 
-TEST_F(LecturePages, ACaptionThatFitsIntoOneLineOfSmallerTypeHasOneLine) {
-    desk.strings = speaking_in_lectures("de");
-    int lines_of_all = 0;
-    for (int page = 0; page < 9; ++page) {
-        show(page, 0);
-        for (const Written& w : desk.written) lines_of_all += is_inside(w.rect, desk.where("lecture.caption"));
-    }
-    EXPECT_LE(lines_of_all, 11);
-}
-
 namespace {
 
 // Windows with the scale that a lecture has in them.
@@ -104,6 +94,74 @@ void each_revealed_page(const Check& check) {
 }
 
 }  // namespace
+
+TEST(LecturePageType, TheCaptionsOfALectureHaveTheSizeOfCaptionsAndAtMostTwoLines) {
+    for (const Size& size : sizes)
+        for (const char* code : {"en", "de", "es"})
+            for (const char* lecture : {"four-numbers", "wheels-to-neurons"}) {
+                Desk desk(size.width, size.height, size.scale, true);
+                LectureView pages = opened_lecture(lecture);
+                if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+                desk.view.pages = &pages;
+                desk.view.lecture = true;
+                for (; pages.page < static_cast<int>(pages.lecture->pages.size()); ++pages.page) {
+                    desk.frame(2);
+                    SCOPED_TRACE(std::string(code) + " " + lecture + " " + std::to_string(pages.page + 1) + " at " +
+                                 std::to_string(size.width));
+                    int lines = 0;
+                    for (const Written& w : desk.written) {
+                        if (!is_inside(w.rect, desk.where("lecture.caption"))) continue;
+                        ++lines;
+                        EXPECT_NEAR(w.size, 28 * size.scale, 1) << w.words;
+                    }
+                    EXPECT_GE(lines, 1);
+                    EXPECT_LE(lines, 2);
+                }
+            }
+}
+
+TEST_F(LecturePages, ALongCaptionOfAnyPageMakesAllOfThemSmaller) {
+    auto lecture = std::make_shared<Lecture>(*pages.lecture);
+    lecture->pages[4].caption.clear();
+    for (int word = 0; word < 13; ++word) lecture->pages[4].caption += "mmmmmmmm ";
+    pages.lecture = lecture;
+    for (const int page : {1, 4}) {
+        show(page, 0);
+        for (const Written& w : desk.written)
+            if (is_inside(w.rect, desk.where("lecture.caption"))) {
+                EXPECT_NEAR(w.size, 20 * 1.4f, 1) << page;
+            }
+    }
+}
+
+TEST(LecturePageType, QuestionsAndAnswersAreLegibleFromTheLastRowAndOptionsHaveOneSize) {
+    constexpr float line_by_letters = 1.362f;
+    for (const Size& size : sizes)
+        for (const char* lecture : {"four-numbers", "wheels-to-neurons"}) {
+            Desk desk(size.width, size.height, size.scale, true);
+            LectureView pages = opened_lecture(lecture);
+            desk.strings = speaking_in_lectures("de");
+            desk.view.pages = &pages;
+            desk.view.lecture = true;
+            float of_options = 0;
+            for (; pages.page < static_cast<int>(pages.lecture->pages.size()); ++pages.page)
+                for (pages.step = 0; pages.step <= 2; ++pages.step) {
+                    const LectureQuestion& asked = pages.current().question;
+                    desk.frame(4);
+                    if (asked.options.empty() || !desk.anchors.find("lecture.question")) continue;
+                    SCOPED_TRACE(std::string(lecture) + " " + std::to_string(pages.page + 1) + "." +
+                                 std::to_string(pages.step) + " at " + std::to_string(size.width));
+                    for (const Written& w : desk.written) {
+                        if (!is_inside(w.rect, desk.where("lecture.question"))) continue;
+                        EXPECT_GE(w.rect.h, 0.022f * line_by_letters * size.height - 0.6f) << w.words;
+                        if (w.words != "A" || pages.shows(PagePart::answer)) continue;
+                        if (of_options == 0) of_options = w.size;
+                        EXPECT_EQ(w.size, of_options);
+                    }
+                }
+            EXPECT_GE(of_options, 20 * size.scale - 1);
+        }
+}
 
 TEST(LecturePageType, AMapHasNoAnchorsOfLabels) {
     RevealedPage page("wheels-to-neurons", 12, sizes[1], "en");

@@ -22,8 +22,10 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float caption_side = 20, caption_above = spacing::tight, page_padding = spacing::medium;  // layout pixels
-constexpr float hands_field = 56, hands_button = 32, bar_thickness = 12, between_options = spacing::medium,
-                between_answers = spacing::small, count_width = 36;
+constexpr float hands_field = 56, hands_button = 32, bar_thickness = 16, between_options = spacing::medium,
+                between_answers = spacing::small, count_width = 48;
+constexpr float letter_column = 36;  // of "A", at the caption's size
+constexpr float card_around = 60;    // heading and padding of the card, in height
 
 std::string option_id(const char* stem, std::size_t option) { return stem + std::to_string(option + 1); }
 
@@ -64,16 +66,43 @@ void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colou
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0f, ImGui::GetWindowPos().x + card_width(ui) - at.x), h = ui.px(bar_thickness);
     const Rect bar{at.x, at.y + (row - h) / 2, width, h};
-    fill_box(ui, bar, ui.palette.line, Corner::round);
+    line_box(ui, bar, ui.palette.second_text.with_alpha(0.5f), Corner::round);  // an empty frame: no hands
     if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, Corner::round);
     mark(ui, option_id("lecture.share.", option), bar);
     ImGui::Dummy({width, row});
 }
 
-void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option) {
+// The captions of a lecture have one size: the largest in which each of them has two lines at most.
+Face face_of_captions(const Lecture& lecture, const Ui& ui, float width) {
+    const bool fits = std::all_of(lecture.pages.begin(), lecture.pages.end(), [&](const LecturePage& page) {
+        return lines_of_words(ui, translated(ui, page.caption), Face::caption, width).size() <= 2;
+    });
+    return fits ? Face::caption : Face::title;
+}
+
+// So have the options of its questions: the largest in which each question fits into this height.
+Face face_of_options(const Lecture& lecture, const Ui& ui, float width, float height) {
+    const float letter = ui.px(letter_column), row = ui.px(button_height + between_options + 2 * spacing::tight);
+    const bool fits = std::all_of(lecture.pages.begin(), lecture.pages.end(), [&](const LecturePage& page) {
+        float used = 0;
+        for (const std::string& option : page.question.options) {
+            const auto lines = lines_of_words(ui, translated(ui, option), Face::caption, width - letter).size();
+            used += static_cast<float>(lines) * line_height(ui, Face::caption) + row;
+        }
+        return used <= height;
+    });
+    return fits ? Face::caption : Face::title;
+}
+
+// An option with the letter by which the lecturer calls it.
+void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option, Face face) {
     const LectureView& page = *view.pages;
-    const Face face = page.notes ? Face::strong : Face::title;  // beside notes there is less room
+    const float indent = page.notes ? 0 : ui.px(letter_column);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (indent > 0) put(ui, at, std::string(1, static_cast<char>('A' + option)), ui.palette.accent, face);
+    ImGui::SetCursorScreenPos({at.x + indent, at.y});
     paragraph(ui, translated(ui, page.current().question.options[option]), ui.palette.text, face);
+    ImGui::SetCursorScreenPos({at.x + indent, ImGui::GetCursorScreenPos().y});
     count_row(page, state, ui, option);
     ImGui::SameLine();
     share_bar(page, ui, option, ui.palette.accent, ui.px(button_height));
@@ -92,12 +121,13 @@ void answered_option(const LabView& view, Ui& ui, std::size_t option) {
     const LectureView& page = *view.pages;
     const LectureQuestion& asked = page.current().question;
     const bool right = static_cast<int>(option) == asked.answer;
-    const Colour colour = right ? ui.palette.success : ui.palette.second_text;
+    const Colour colour = right ? ui.palette.success : ui.palette.text;
     const Face face = right ? Face::title : Face::strong;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = line_height(ui, face), width = card_width(ui) - ui.px(count_width);
     const std::string count = std::to_string(page.hands[static_cast<std::size_t>(page.page)][option]);
-    put_right(ui, {at.x + card_width(ui), at.y}, count, colour, face);
+    put_right(ui, {at.x + card_width(ui), at.y + (line - line_height(ui, Face::title)) / 2}, count, colour,
+              Face::title);
     mark(ui, option_id("lecture.count.", option), {at.x + width, at.y, ui.px(count_width), line});
     if (right) mark(ui, "lecture.right", {at.x, at.y, width, line});
     paragraph(ui, (right ? "✓ " : "") + std::string(translated(ui, asked.options[option])), colour, face, width);
@@ -129,13 +159,9 @@ std::string time_words(const LectureView& page, const Strings& strings) {
 
 void lecture_caption(const LabView& view, Ui& ui, Rect r) {
     begin_bar(ui, "lecture caption", r);
-    const std::string_view words = translated(ui, view.pages->current().caption);
     const float width = r.w - 2 * ui.px(caption_side);
-    Face face = Face::caption;
-    auto lines = lines_of_words(ui, words, face, width);
-    // In one line of smaller type rather than in two lines; in two lines at most.
-    if (lines.size() > 1 && (lines.size() > 2 || text_width(ui, Face::title, words) <= width))
-        face = Face::title, lines = lines_of_words(ui, words, face, width);
+    const Face face = face_of_captions(*view.pages->lecture, ui, width);
+    const auto lines = lines_of_words(ui, translated(ui, view.pages->current().caption), face, width);
     float y = r.y + (r.h - static_cast<float>(lines.size()) * line_height(ui, face)) / 2;
     for (const std::string& line : lines) {
         put(ui, {r.x + ui.px(caption_side), y}, line, ui.palette.text, face);
@@ -158,8 +184,11 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
             gap(ui, page_padding);
         }
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
+        // Beside notes there is less room.
+        const Face face =
+            page.notes ? Face::strong : face_of_options(*page.lecture, ui, card_width(ui), r.h - ui.px(card_around));
         for (std::size_t i = 0; i < asked.options.size(); ++i)
-            page.shows(PagePart::answer) ? answered_option(view, ui, i) : option_to_count(view, state, ui, i);
+            page.shows(PagePart::answer) ? answered_option(view, ui, i) : option_to_count(view, state, ui, i, face);
         ImGui::PopStyleVar();
     }
     end_card(card);
