@@ -145,7 +145,7 @@ constexpr Palette palette(Theme theme) {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E), p.success = rgb(0x1B7A43);
-        p.sky = rgb(0xECE8E1), p.floor = rgb(0xE6E0D6), p.grid = rgb(0xCBC4B6), p.wall = rgb(0xB4BEC9);
+        p.sky = rgb(0xECE8E1), p.floor = rgb(0xE7E1D7), p.grid = rgb(0xCBC4B6), p.wall = rgb(0xB4BEC9);
         p.rim = rgb(0xD0AB7C);
         p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
