@@ -25,11 +25,11 @@ TrailPlan plan_of(const Trail& trail, std::size_t vehicles, bool selected) {
     return {std::clamp<std::size_t>((trail.count() + most - 1) / most, 1, widest), most};
 }
 
-// True if a step of the path between points i and k, i < k, is a jump, as over the edge of a torus.
-bool jumps_between(const Trail& trail, std::size_t i, std::size_t k) {
+// True if the vehicle drove from point k to point i, i < k.
+bool are_joined(const Trail& trail, std::size_t i, std::size_t k) {
     for (; i < k; ++i)
-        if (maths::distance(trail.at(i), trail.at(i + 1)) > Trail::jump) return true;
-    return false;
+        if (!trail.is_joined(i)) return false;
+    return true;
 }
 
 }  // namespace
@@ -49,11 +49,11 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
     const TrailColour& wanted = drawing.picture.settings.overlays.trail_colour;
     const bool plain = wanted.value == TrailValue::plain;
     const float top_speed = wanted.value == TrailValue::speed ? top_speed_of(drawing.now) : 0;
-    const Colour role = colour_of(drawing.colours, s.view.role);
+    const Colour own = colour_of(drawing.colours, drawing.now, s.view);
     const auto colour = [&](std::size_t i) {  // of the piece between points i and i + 1
-        if (plain) return role;
+        if (plain) return own;
         const auto share = share_of_scale(wanted, trail.moment(shown[i]), s.kind.sensors, top_speed);
-        return share ? colour_of_share(wanted.value, *share, drawing.picture.theme) : role;
+        return share ? colour_of_share(wanted.value, *share, drawing.picture.theme) : own;
     };
     // A coloured trail fades less, so that its colours can be compared with the legend.
     const float newest = s.selected ? (plain ? 0.95f : 1) : (plain ? 0.75f : 0.8f),
@@ -65,8 +65,7 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
     };
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const vec2 a = point(i), b = point(i + 1), na = side(i), nb = side(i + 1);
-        const bool jumps = i == 0 ? maths::distance(a, b) > Trail::jump : jumps_between(trail, shown[i - 1], shown[i]);
-        if (jumps) continue;
+        if (i > 0 && !are_joined(trail, shown[i - 1], shown[i])) continue;
         drawing.list.trails.push_back({{a.x, a.y, b.x, b.y},
                                        {na.x, na.y, nb.x, nb.y},
                                        rgb_with(colour(i), s.selected ? 6.0f : 4.0f),

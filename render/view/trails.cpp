@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brain/brain.h"
+
 namespace braitenlab::render {
 
 namespace {
 
 constexpr float still = 0.04f;  // m, least distance between two points
-constexpr float beside = 0.2f;  // m: largest distance from the recorded path of a vehicle that still follows it
+constexpr float far = 2.5f;     // m: a vehicle moved farther starts a new path
+constexpr float fastest = 15;   // m/s: more than a wheel of any body
 
 // Number of recorded points: ten minutes of a few vehicles, the minute that can be rewound of more, of a crowd only the
 // points that are drawn.
@@ -21,7 +24,12 @@ std::size_t recorded_points(std::size_t vehicles) {
 bool went_round(const Arena& arena, maths::vec2 from, maths::vec2 to) {
     const auto around = [](float way, float side) { return std::min(std::fabs(way), side - std::fabs(way)); };
     return arena.edge == Boundary::torus &&
-           std::hypot(around(to.x - from.x, arena.width), around(to.y - from.y, arena.height)) <= Trail::jump;
+           std::hypot(around(to.x - from.x, arena.width), around(to.y - from.y, arena.height)) <= far;
+}
+
+// True if a vehicle can drive this far, m, in that many ticks.
+bool can_drive(float distance, std::uint64_t ticks) {
+    return distance <= std::min(far, still + fastest * tick_seconds * static_cast<float>(ticks));
 }
 
 // Distance from a point to a segment, m.
@@ -34,31 +42,45 @@ float distance_to_way(maths::vec2 place, maths::vec2 from, maths::vec2 to) {
 
 }  // namespace
 
-// Compares with the segment between the recorded points before and after the current tick.
+// Compares with the segment between the recorded points before and after the current tick. A vehicle that drives the
+// same curve again is beside the segment by a small part of its length.
 bool Trail::is_on_the_known_way(maths::vec2 place) const {
     const std::size_t next = places_.size() - later_;
-    const maths::vec2 after = places_[next].at, before = next > 0 ? places_[next - 1].at : after;
-    return maths::distance(before, after) > jump || distance_to_way(place, before, after) < beside;
+    const maths::vec2 after = places_[next].at;
+    if (next == 0 || !places_[next].is_joined)
+        return maths::distance(place, next == 0 ? after : places_[next - 1].at) < still;
+    const maths::vec2 before = places_[next - 1].at;
+    return distance_to_way(place, before, after) < still + maths::distance(before, after) / 4;
 }
 
 bool Trail::extend(std::uint64_t tick, maths::vec2 place, const Arena& arena, std::size_t most) {
+    Place before{place_, tick_};
     if (tick != tick_) {  // count the points after this tick
         while (later_ < places_.size() && places_[places_.size() - 1 - later_].tick > tick) ++later_;
         while (later_ > 0 && places_[places_.size() - later_].tick <= tick) --later_;
     }
-    tick_ = tick;
+    tick_ = tick, place_ = place;
     if (later_ > 0) {
         if (is_on_the_known_way(place)) return false;
         places_.resize(places_.size() - later_);
         later_ = 0;
     }
+    bool is_joined = false;
     if (!places_.empty()) {
-        if (tick < places_.back().tick + ticks_between) return false;
-        const float moved = maths::distance(places_.back().at, place);
+        const Place& last = places_.back();
+        const float moved = maths::distance(last.at, place);
         if (moved < still) return false;
-        if (moved > jump && !went_round(arena, places_.back().at, place)) dropped_ += places_.size(), places_.clear();
+        if (before.tick < last.tick || before.tick > tick) before = last;
+        is_joined = can_drive(maths::distance(before.at, place), tick - before.tick);
+        if (is_joined && tick < last.tick + ticks_between) return false;
+        if (!is_joined && !went_round(arena, last.at, place)) {
+            if (moved > far)
+                dropped_ += places_.size(), places_.clear();
+            else if (!last.is_joined)
+                ++dropped_, places_.pop_back();  // moved once more
+        }
     }
-    places_.push_back({place, tick});
+    places_.push_back({place, tick, is_joined});
     while (places_.size() > most) places_.pop_front(), ++dropped_;
     return true;
 }

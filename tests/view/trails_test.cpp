@@ -121,6 +121,89 @@ TEST(Trails, BreakAtAJump) {
     EXPECT_LE(trails.of(0)->count(), 2U);
 }
 
+// A vehicle of another brain leaves the recorded path slowly at first.
+TEST(Trails, FollowTheVehicleOfAnotherBrainAfterAReset) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    const auto curve = [&](float rate) {
+        now.tick = 0, now.vehicles[0].x = 0, now.vehicles[0].y = 0;
+        trails.record(now);
+        for (int i = 1; i <= 240; ++i) {
+            now.tick = static_cast<std::uint64_t>(i);
+            const float angle = rate * static_cast<float>(i);
+            now.vehicles[0].x = 2 * std::sin(angle), now.vehicles[0].y = 2 * (1 - std::cos(angle));
+            trails.record(now);
+        }
+    };
+    curve(0.006f);
+    curve(0.004f);
+    const Trail& trail = *trails.of(0);
+    for (std::size_t i = 0; i < trail.count(); ++i) {
+        const float angle = 0.004f * 240 * (1 - static_cast<float>(i) / static_cast<float>(trail.count() - 1));
+        EXPECT_NEAR(std::hypot(trail.at(i).x, trail.at(i).y - 2), 2, 0.03f);
+        EXPECT_NEAR(std::atan2(trail.at(i).x, 2 - trail.at(i).y), angle, 0.06f) << "point " << i;
+    }
+}
+
+TEST(Trails, KeepThePathOfARunThatIsRepeated) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    const auto place = [&](int tick) {
+        now.tick = static_cast<std::uint64_t>(tick);
+        const float angle = 0.25f * static_cast<float>(tick);  // fast, on a small circle
+        now.vehicles[0].x = 0.2f * std::cos(angle), now.vehicles[0].y = 0.2f * std::sin(angle);
+        trails.record(now);
+    };
+    for (int tick = 1; tick <= 300; ++tick) place(tick);
+    const std::size_t recorded = trails.of(0)->count();
+    for (int tick = 1; tick <= 100; ++tick) place(tick);
+    place(300);
+    EXPECT_EQ(trails.of(0)->count(), recorded);
+}
+
+TEST(Trails, StartWhereTheVehicleIsPlacedBeforeARun) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    trails.record(now);
+    for (int i = 0; i < 10; ++i) {
+        now.vehicles[0].y += 0.1f;  // dragged while the run rests
+        trails.record(now);
+    }
+    const float start = now.vehicles[0].y;
+    drive(now, trails, 60);
+    for (std::size_t i = 0; i < trails.of(0)->count(); ++i) EXPECT_EQ(trails.of(0)->at(i).y, start);
+}
+
+TEST(Trails, HaveAGapWhereAVehicleIsMovedByHand) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    drive(now, trails, 60);
+    for (int i = 0; i < 60; ++i) ++now.tick, trails.record(now);  // at rest
+    const std::size_t before = trails.of(0)->count();
+    for (int i = 0; i < 5; ++i) now.vehicles[0].y += 0.2f, trails.record(now);
+    EXPECT_EQ(trails.of(0)->count(), before + 1) << "the path before stays";
+    EXPECT_FALSE(trails.of(0)->is_joined(0));
+    drive(now, trails, 60);
+    DrawList list;
+    fill(list, now, {}, trails);
+    EXPECT_GT(list.trails.size(), before);
+    for (const TrailInstance& piece : list.trails) EXPECT_EQ(piece.ends.y, piece.ends.w) << "no line across the gap";
+}
+
+TEST(Trails, HaveTheColourOfTheirVehicle) {
+    Snapshot now = one_vehicle();
+    Scene scene = *now.scene;
+    scene.kinds[0].colour = "#ff0000";
+    now.scene = std::make_shared<Scene>(scene);
+    Trails trails;
+    drive(now, trails, 60);
+    DrawList list;
+    fill(list, now, {}, trails);
+    ASSERT_FALSE(list.trails.empty());
+    EXPECT_GT(list.trails[0].colour.x, 0.9f);
+    EXPECT_LT(list.trails[0].colour.z, 0.2f);
+}
+
 TEST(Trails, ContinueOverTheEdgeOfATorus) {
     auto scene = hand_made::scene();
     scene->arena.edge = Boundary::torus;
