@@ -311,4 +311,40 @@ TEST(BrainAnalysis, TwoEyesForDifferentColoursHaveNoCharacterInAnyBrain) {
     EXPECT_TRUE(shown_character(known, now, now.vehicles[0], {})) << "one eye has one";
 }
 
+TEST(BrainAnalysis, ABrainThatReadsNoSensorIsIndifferentOrStillWithAnySensors) {
+    const Snapshot before = snapshot(0);
+    BrainGraph brain = *brain_of(before, before.vehicles[0]);
+    brain.wires.clear();
+    for (const bool drives : {true, false}) {
+        for (Node& node : brain.nodes)
+            if (node.kind == NodeKind::motor) node.bias = drives ? 0.5f : 0;
+        for (const bool has_eyes : {true, false}) {
+            Snapshot now = before;
+            now.brains[0] = std::make_shared<BrainGraph>(brain);
+            Scene scene = *now.scene;
+            if (!has_eyes) scene.kinds[0].sensors.clear();
+            now.scene = std::make_shared<Scene>(scene);
+            Recognised known;
+            recognised(known, now, now.vehicles[0], 0);
+            EXPECT_EQ(character_key(known, now, now.vehicles[0], {"SL", "SR"}), drives ? "indifferent" : "still");
+        }
+    }
+}
+
+TEST(BrainAnalysis, OnlyABrainWithANeuronIsNamedAfterItsNeurons) {
+    Snapshot now = snapshot(0);
+    Scene scene = *now.scene;
+    scene.kinds[0].sensors[0].channel = Channel::red, scene.kinds[0].sensors[1].channel = Channel::green;
+    now.scene = std::make_shared<Scene>(scene);
+    Recognised known;
+    recognised(known, now, now.vehicles[0], 0);
+    EXPECT_EQ(character_key(known, now, now.vehicles[0], {}), "single_sensors");
+    BrainGraph brain = *brain_of(now, now.vehicles[0]);
+    Node& neuron = brain.nodes.emplace_back();
+    neuron.name = "N", neuron.kind = NodeKind::neuron;
+    now.brains[0] = std::make_shared<BrainGraph>(brain);
+    recognised(known, now, now.vehicles[0], 1);
+    EXPECT_EQ(character_key(known, now, now.vehicles[0], {}), "parts");
+}
+
 }  // namespace braitenlab::tests::motor_sum_test

@@ -117,7 +117,8 @@ std::set<std::string> composed() {
     for (const ChannelTraits& channel : channel_table)  // others fit the words of response.explorer
         if (!std::set<std::string_view>{"light", "heat", "smell", "oxygen"}.contains(channel.word))
             keys.insert("response_to.explorer_" + std::string(channel.word));
-    for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("parts"));
+    for (const char* stem : {"character.", "character_story."})
+        for (const char* instead : {"parts", "single_sensors"}) keys.insert(stem + std::string(instead));
     for (const char* stem : {"hide", "reveal", "rebuild", "compare"})
         keys.insert("mystery." + std::string(stem) + "_how");
     for (const auto& row : insight::compare_measure_table) keys.insert("slots.measure." + std::string(row.word));

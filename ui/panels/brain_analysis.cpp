@@ -188,6 +188,18 @@ bool has_eyes_of_one_channel(const std::vector<Sensor>& sensors) {
     return channel.has_value();
 }
 
+bool reads_a_sensor(const BrainGraph& brain) {
+    return std::any_of(brain.wires.begin(), brain.wires.end(), [&](const Wire& wire) {
+        const Node* from = find_node(brain, wire.from);
+        return wire.weight != 0 && from && from->kind == NodeKind::sensor;
+    });
+}
+
+bool has_neurons(const BrainGraph& brain) {
+    return std::any_of(brain.nodes.begin(), brain.nodes.end(),
+                       [](const Node& node) { return node.kind == NodeKind::neuron; });
+}
+
 std::vector<Reading> rounded_readings(std::vector<Reading> readings) {
     for (Reading& reading : readings) reading.value = std::round(reading.value * 20) / 20;
     return readings;
@@ -205,7 +217,8 @@ const Recognised& recognised(Recognised& known, const Snapshot& now, const Vehic
     known.pairs = characters_of(*brain, kind_of(now, vehicle), readings);
     known.single.reset();
     const auto& sensors = kind_of(now, vehicle).sensors;
-    if (known.pairs.empty() && has_eyes_of_one_channel(sensors)) known.single = recognise(*brain, {}, readings);
+    if ((known.pairs.empty() && has_eyes_of_one_channel(sensors)) || !reads_a_sensor(*brain))
+        known.single = recognise(*brain, {}, readings);
     known.brain = brain;
     known.vehicle = vehicle.id;
     known.scene = now.scene;
@@ -220,10 +233,14 @@ std::optional<Character> shown_character(const Recognised& known, const Snapshot
         if (each.pair.sensors == pair && each.is_wired) character = each.character;
     const bool says_little =
         character == Character::still || character == Character::indifferent || character == Character::mixed;
-    const auto& nodes = brain_of(now, vehicle)->nodes;
-    const auto is_neuron = [](const Node& node) { return node.kind == NodeKind::neuron; };
-    if (says_little && std::any_of(nodes.begin(), nodes.end(), is_neuron)) return std::nullopt;
+    if (says_little && has_neurons(*brain_of(now, vehicle))) return std::nullopt;
     return character;
+}
+
+std::string_view character_key(const Recognised& known, const Snapshot& now, const VehicleView& vehicle,
+                               const SensorPair& pair) {
+    if (const auto shown = shown_character(known, now, vehicle, pair)) return name(*shown);
+    return has_neurons(*brain_of(now, vehicle)) ? "parts" : "single_sensors";
 }
 
 }  // namespace braitenlab::ui

@@ -72,14 +72,19 @@ struct Recognised {
     std::vector<Reading> readings;  // rounded to 0.05, so that noise does not change the result
     double at = 0;                  // wall seconds
     std::vector<PairCharacter> pairs;
-    std::optional<Character> single;  // response to SL and SR, for a vehicle that has one of them and no pairs
+    // Without a wired pair: the response to SL and SR, or, if the brain reads no sensor, indifferent or still.
+    std::optional<Character> single;
 };
 
 // Recomputed at once for another brain or vehicle, and at most four times a second for changed readings.
 const Recognised& recognised(Recognised&, const Snapshot&, const VehicleView&, double wall_seconds);
 
-// The character for this pair, `single` for a vehicle without pairs. nullopt: the brain does not read the pair, or it
-// has neurons and its response to the pair says little about it.
+// The character for this pair, `single` without a wired pair. nullopt: the brain reads only sensors without a pair, or
+// it has neurons and its response to the pair says little about it.
 std::optional<Character> shown_character(const Recognised&, const Snapshot&, const VehicleView&, const SensorPair&);
+
+// Key of the word for it, below "character." and "character_story.": the name of the shown character, or what decides
+// instead, "parts" (neurons) or "single_sensors".
+std::string_view character_key(const Recognised&, const Snapshot&, const VehicleView&, const SensorPair&);
 
 }  // namespace braitenlab::ui

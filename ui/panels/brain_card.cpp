@@ -56,7 +56,7 @@ float widest_chip(const Ui& ui) {
     const auto take = [&](const std::string& word) { widest = std::max(widest, chip_width(ui, ui.strings(word))); };
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         take("character." + std::string(name(static_cast<Character>(i))));
-    take("character.hidden"), take("character.parts"), take("brain.secret");
+    take("character.hidden"), take("character.parts"), take("character.single_sensors"), take("brain.secret");
     for (const Driver driver : {Driver::manual, Driver::path, Driver::wander, Driver::parked})
         take("driver." + std::string(word(driver)));
     return widest;
@@ -72,12 +72,10 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     // When the brain does not drive the vehicle, the chip names the driver.
     const bool thinks = vehicle.driver == Driver::brain;
     const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
-    const auto shown = shown_character(known, *view.now, vehicle, shown_pair(view, vehicle));
-    const bool hidden = hides_character(view, vehicle);
-    const std::string_view character = !thinks  ? word(vehicle.driver)
-                                       : hidden ? "hidden"
-                                       : shown  ? name(*shown)
-                                                : "parts";
+    const std::string_view character = !thinks ? word(vehicle.driver)
+                                       : hides_character(view, vehicle)
+                                           ? "hidden"
+                                           : character_key(known, *view.now, vehicle, shown_pair(view, vehicle));
     const bool secret = thinks && is_brain_secret(view, vehicle.kind);
     const std::string_view label =
         secret ? ui.strings("brain.secret")
