@@ -100,9 +100,8 @@ void add_obstacles(Drawing& drawing, const Scene& scene) {
             movable ? mix(drawing.colours.obstacle, drawing.colours.crate, 0.75f) : drawing.colours.obstacle;
         const std::vector<vec2> corners = corners_of(obstacle);
         const float height = obstacle_height(scene.arena) * (movable ? 0.8f : 1.0f);
-        drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y},
-                                            plain ? corners : blunted(corners, scale_of(scene.arena)), height,
-                                            (plain ? 0.11f : 0.17f) * height, rgb_with(colour, movable ? 1.0f : 0.0f)));
+        drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y}, blunted(corners, scale_of(scene.arena)),
+                                            height, 0.17f * height, rgb_with(colour, movable ? 1.0f : 0.0f)));
         if (!plain) add_obstacle_casts(drawing, {pose.x, pose.y}, ahead, corners, height);
     }
 }

@@ -43,12 +43,20 @@ TEST(DrawWorld, UsesTheCornersOfAnObstacle) {
     scene->obstacles.push_back({.name = "wedge", .corners = {{-1, -1}, {1.5f, 0}, {-1, 1}}});
     const DrawList list = drawn(hand_made::empty(scene));
     ASSERT_EQ(list.blocks.size(), 2U);
-    EXPECT_EQ(list.blocks[0].size.z, 4);
-    EXPECT_EQ(list.blocks[0].corners[0].z, 2);   // the second corner: ahead
-    EXPECT_EQ(list.blocks[0].corners[0].w, -1);  // on the right
-    EXPECT_EQ(list.blocks[1].size.z, 3);
-    EXPECT_EQ(list.blocks[1].corners[0].z, 1.5f);
-    EXPECT_EQ(list.blocks[1].corners[1].y, 1);
+    // Each corner is cut: its two points are on the edges beside it, near it.
+    const auto is_cut = [&](std::size_t block, std::size_t corner, maths::vec2 sharp) {
+        const maths::vec4 two = list.blocks[block].corners.at(corner);
+        for (const maths::vec2 point : {maths::vec2{two.x, two.y}, maths::vec2{two.z, two.w}}) {
+            EXPECT_GT(maths::distance(point, sharp), 0.01f);
+            EXPECT_LT(maths::distance(point, sharp), 0.2f);
+        }
+    };
+    EXPECT_EQ(list.blocks[0].size.z, 8);
+    is_cut(0, 0, {-2, -1});
+    is_cut(0, 1, {2, -1});  // ahead, on the right
+    EXPECT_EQ(list.blocks[1].size.z, 6);
+    is_cut(1, 1, {1.5f, 0});
+    is_cut(1, 2, {-1, 1});
     EXPECT_EQ(list.blocks[0].colour.w, 0);
 }
 
@@ -253,6 +261,18 @@ TEST(DrawWorld, HasOneRingAroundAVehicleThatReachesOverTheEdgeOfATorus) {
     const DrawList list = drawn(now, picture);
     ASSERT_EQ(list.rings.size(), 1U);
     EXPECT_NEAR(list.rings[0].place.x, 9.8f, 1e-4);
+}
+
+TEST(DrawWorld, AnObstacleHasTheSameShapeAtEveryQuality) {
+    auto scene = bare();
+    scene->obstacles.push_back({.name = "post", .length = 0.2f, .width = 0.2f});
+    const Snapshot now = hand_made::empty(scene);
+    Picture low, high;
+    low.quality = Quality::low, high.quality = Quality::high;
+    const BlockInstance plain = drawn(now, low).blocks.at(0), fine = drawn(now, high).blocks.at(0);
+    EXPECT_EQ(plain.size.y, fine.size.y);
+    EXPECT_EQ(plain.size.z, fine.size.z);
+    EXPECT_EQ(plain.corners[0].x, fine.corners[0].x);
 }
 
 }  // namespace
