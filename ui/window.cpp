@@ -216,9 +216,9 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (state.marks.drawing) {  // the mouse draws and does nothing else
         LabView without_camera = view;
         without_camera.camera_view = nullptr;
-        scene_input(without_camera, state.scene_input, ui, layout.scene);
+        scene_input(without_camera, state.scene_input, ui, layout.scene, {});
     } else {
-        scene_input(view, state.scene_input, ui, layout.scene);
+        scene_input(view, state.scene_input, ui, layout.scene, place_of_tool_palette(view, ui, layout.tools));
     }
     trail_legend(view, ui, layout.scene);
     why_callout(view, ui, layout.scene);
@@ -235,7 +235,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     try_without_wire(view, state, ui, layout.scene);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
     drop_signals(view, state, ui, layout.charts);
-    if (!view.lecture) tool_palette(view, state, ui, layout.tools);
+    tool_palette(view, state, ui, layout.tools);
     if (view.lecture) {
         lecture_figures(view, state, ui, layout.hint_bar);
         lecture_bar(view, state, ui, layout.toolbar);

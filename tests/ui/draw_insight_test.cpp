@@ -115,6 +115,26 @@ TEST_F(DrawInsight, TheWordsOfTheLastRunCoverNoVehicle) {
     EXPECT_EQ(covered, 0);
 }
 
+TEST_F(DrawInsight, TheWordsOfTheLastRunAreNotBelowTheTools) {
+    const Rect first = desk.where("tool.hand"), last = desk.where("tool.ruler");
+    int shown = 0;
+    for (const float y : {first.y + 8, first.y + first.h - 8, first.y + first.h + 10})
+        for (float x = first.x + 16; x < last.x; x += 24) {
+            const auto floor = unproject(camera_view, {x, y});
+            ASSERT_TRUE(floor);
+            std::vector<Pose> ends{{floor->x, floor->y, 0}};
+            desk.view.last_run = GhostView{ends[0], 1, 0.7f, &ends, 1};
+            desk.now.tick = 0, desk.view.mode = Mode::paused;
+            desk.frame();
+            for (const ui::Written& w : desk.written) {
+                if (w.words != "Last run") continue;
+                ++shown;
+                EXPECT_TRUE(w.rect.y >= first.y + first.h || w.rect.x >= last.x + last.w) << x << ", " << y;
+            }
+        }
+    EXPECT_GT(shown, 20);
+}
+
 TEST_F(DrawInsight, TheWordsOfBothPathsDoNotOverlap) {
     std::vector<Pose> before = path;
     for (const float apart : {-0.61f, 0.61f}) {

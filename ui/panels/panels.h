@@ -49,8 +49,10 @@ void object_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view
 void toolbar(const LabView&, PanelState&, Ui&, Rect);
 void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect, std::string_view hint);  // `hint`: key of a prompt's words, or empty
-void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // in the upper left corner of the scene
-void scene_menu(const LabView&, PanelState&, Ui&, Rect window);   // menu of an object or of the floor
+void tool_palette(const LabView&, PanelState&, Ui&, Rect area);   // in the upper left corner of the area
+// Where it is drawn; width 0 where it is not.
+Rect place_of_tool_palette(const LabView&, const Ui&, Rect area);
+void scene_menu(const LabView&, PanelState&, Ui&, Rect window);  // menu of an object or of the floor
 
 // menu_bar.cpp: the menu bar. A chosen action is added to PanelState::chosen.
 void menu_bar(PanelState&, Ui&, Rect bar);                              // the titles

@@ -73,10 +73,16 @@ void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
 
 }  // namespace
 
-void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
-    if (!view.camera_view || view.mode == Mode::wiring) return;
+Rect place_of_tool_palette(const LabView& view, const Ui& ui, Rect area) {
+    if (!view.camera_view || view.mode == Mode::wiring || view.lecture) return {};
+    const float inset = ui.px(tool_pad), size = ui.px(tool_size);
+    return {area.x, area.y, tool_looks.size() * size + 2 * inset, size + 2 * inset};
+}
+
+void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
+    const Rect bar = place_of_tool_palette(view, ui, area);
+    if (bar.w <= 0) return;
     const float size = ui.px(tool_size), inset = ui.px(tool_pad);
-    const Rect bar{scene.x, scene.y, tool_looks.size() * size + 2 * inset, size + 2 * inset};
     begin_bar(ui, "tools", bar, false, Corner::box);
     const Palette& p = ui.palette;
     float x = bar.x + inset;

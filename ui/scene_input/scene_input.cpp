@@ -186,12 +186,13 @@ bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) 
            (ctrl && view.settings.selection.vehicle != no_vehicle);
 }
 
-void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
+void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area, Rect tools) {
     follow_document(state, view);
     state.labels = {};
     if (!view.camera_view) return;
     state.labels.keep_free(*view.now, *view.camera_view);
     state.labels.keep_obstacles_free(*view.now, *view.camera_view);
+    if (tools.w > 0) state.labels.take(tools);
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area), &state.labels};
     interact(state, frame, ui.outbox);
     show_cursor(state);

@@ -120,8 +120,9 @@ inline void choose_tool(SceneInputState& state, SceneInputTool tool) {
 SceneObject chosen(const LabView&);
 
 // Handles one frame of mouse input, and draws rings, handles and previews below the cards. Notes are within `area`,
-// which no card covers. Does nothing without view.camera_view. Anchor: stage.knob, the handle of the chosen object.
-void scene_input(const LabView&, SceneInputState&, Ui&, Rect area);
+// which no card covers, and beside the `tools` over it. Does nothing without view.camera_view. Anchor: stage.knob, the
+// handle of the chosen object.
+void scene_input(const LabView&, SceneInputState&, Ui&, Rect area, Rect tools);
 
 // Handles a key: Esc, Enter, Backspace and arrows while a tool draws, arrows for the chosen lamp, obstacle or zone
 // (with Ctrl also for vehicles), and keys of the open menu. Returns false if the key is not used.
