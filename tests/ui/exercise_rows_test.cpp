@@ -138,6 +138,31 @@ TEST_F(LongExercise, NoLetterIsCutWhereverTheCardIsScrolledAndHoweverLowItIs) {
     EXPECT_GT(left_out, 0) << "lines at an edge are left out";
 }
 
+TEST_F(LongExercise, NoHeadingIsAloneAtTheEndOfTheCard) {
+    int visible = 0, left_out = 0;
+    for (float height = 600; height <= 1100; height += 7) {
+        Desk desk(1024, height, 1, true);
+        begin(desk, 1);
+        desk.lesson.as_given = false;  // the steps are above the prediction
+        desk.frame(4);
+        const std::string heading(desk.strings("exercise.predict")), question = desk.opened.prediction.question;
+        const auto first_line_of = [&](std::string_view words) {
+            const auto found = std::find_if(desk.written.begin(), desk.written.end(),
+                                            [&](const Written& each) { return each.words == words; });
+            return found != desk.written.end() && found->clip.h > 0 &&
+                   found->rect.y + found->size * line_height_em <= found->clip.y + found->clip.h + 1;
+        };
+        if (!first_line_of(heading)) {
+            ++left_out;
+            continue;
+        }
+        ++visible;
+        EXPECT_TRUE(first_line_of(question)) << height;
+    }
+    EXPECT_GT(visible, 0);
+    EXPECT_GT(left_out, 0);
+}
+
 TEST_F(LongExercise, NoLineIsCutAboveANewHint) {
     for (const char* language : languages_of_rows)
         for (const float height : {600.0f, 640.0f, 700.0f, 768.0f}) {

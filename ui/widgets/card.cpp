@@ -9,6 +9,7 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -216,6 +217,10 @@ void gap(const Ui& ui, float layout_pixels) {
     ImGui::Dummy({1, std::max(0.0f, ui.px(layout_pixels) - ui.px(spacing::small))});
 }
 
-void subheading(Ui& ui, std::string_view words) { paragraph(ui, words, ui.palette.second_text, Face::small); }
+void subheading(Ui& ui, std::string_view words) {
+    const float with_text = line_height(ui, Face::small) + ui.px(spacing::small) + line_height(ui, Face::text);
+    const WholeLines whole(ImGui::GetCursorScreenPos().y, with_text);
+    paragraph(ui, words, ui.palette.second_text, Face::small);
+}
 
 }  // namespace braitenlab::ui
