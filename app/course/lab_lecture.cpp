@@ -23,6 +23,7 @@ Camera camera_of(const LecturePage& page) {
 // An open lecture without hands, and lecture mode.
 void begin_pages(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     if (!lab.before_lecture) begin_lecture(lab);
+    if (!lab.pages) lab.slots_before_pages = std::exchange(lab.slots, {});
     std::vector<std::vector<int>> hands;
     for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
     lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
@@ -97,6 +98,7 @@ void begin_lecture(Lab& lab) {
 void leave_pages(Lab& lab) {
     if (!lab.pages) return;
     lab.left_pages = std::exchange(lab.pages, std::nullopt);
+    lab.slots = std::exchange(lab.slots_before_pages, {});
     lab.left_run = 0;
 }
 
@@ -151,6 +153,8 @@ void show_page(Lab& lab, int page, int steps) {
     auto document = open_document(next.file, next.seed > 0 ? std::optional(next.seed) : std::nullopt, next.settings);
     if (!document) return say(lab, document.error());
     replace_document(lab, std::move(*document));
+    lab.slots = {};
+    lab.view.map = lab.view.reality = false;
     lab.pages->page = page;
     lab.pages->step = std::clamp(steps, 0, static_cast<int>(next.reveal.size()));
     lab.view.camera = camera_of(next);

@@ -30,7 +30,8 @@ struct SlotRuns {
     std::vector<insight::ComparedRun> runs{};  // two, or empty while they are computed
 };
 
-// Slots stay when another document is opened; the runs end with the document, and when a slot changes.
+// Slots stay when another document is opened, but not on another page of a lecture; the runs end with the document,
+// and when a slot changes.
 struct Slots {
     std::array<std::optional<insight::Design>, 2> stored{};
     std::array<std::string, 2> kinds{};  // name of the vehicle's kind

@@ -216,6 +216,32 @@ TEST_F(LabLecturePages, EscapeAndF9RestoreTheViewSettings) {
     }
 }
 
+TEST_F(LabLecturePages, StoredBrainsAndTheirCardsEndWithThePage) {
+    handle(lab, Action::slot);
+    lab.view.map = true;
+    ASSERT_TRUE(view_of(lab).slots.has_any());
+    for (const int leave : {key::escape, key::f9}) {
+        open("four-numbers");
+        EXPECT_FALSE(view_of(lab).slots.has_any()) << "those of the lecturer";
+        EXPECT_FALSE(lab.view.map);
+        show_page(lab, 6);
+        handle(lab, Action::slot);
+        handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
+        handle(lab, Action::slot);
+        handle(lab, Action::compare);
+        lab.view.map = lab.view.reality = true;
+        ASSERT_TRUE(lab.slots.runs);
+        show_page(lab, 7);
+        EXPECT_FALSE(view_of(lab).slots.has_any());
+        EXPECT_FALSE(lab.slots.runs);
+        EXPECT_FALSE(lab.view.map || lab.view.reality);
+        press({leave});
+        EXPECT_TRUE(view_of(lab).slots.slots[0].design) << "what was stored before the lecture";
+        EXPECT_FALSE(view_of(lab).slots.slots[1].design);
+        EXPECT_TRUE(lab.view.map);
+    }
+}
+
 TEST_F(LabLecturePages, F9GoesBackToThePageThatWasLeft) {
     for (const int leave : {key::escape, key::f9}) {
         open("four-numbers");
