@@ -166,9 +166,10 @@ std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
 OpenCards open_cards(const LabView& view, const PanelState& state) {
     OpenCards open{.charts = state.charts_open};
     if (view.pages && view.pages->notes) open.notes = state.notes_height, open.question = state.question_height;
-    for (const CardTraits& row : cards())
-        open.right |=
-            row.column == Column::right && row.shown(view) && !state.cards[static_cast<std::size_t>(row.card)].folded;
+    for (const CardTraits& row : cards()) {
+        if (row.column == Column::none || state.cards[static_cast<std::size_t>(row.card)].folded) continue;
+        (row.column == Column::left ? open.left : open.right) |= row.shown(view);
+    }
     return open;
 }
 

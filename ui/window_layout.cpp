@@ -63,21 +63,20 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
     }
 }
 
-// Whether the question of a page is beside the scene. Once it is answered and the brain
-// is shown, an open card or the diagram takes its place.
+// Whether the question of a page is beside the scene. Once it is answered and the brain is shown, an open card, the
+// diagram or a comparison of two brains takes its place.
 bool asks_beside(const LabView& view, OpenCards open) {
     const LectureView& page = *view.pages;
     const bool is_answered = page.shows(PagePart::answer) && view.settings.revealed.brain;
     return page.shows(PagePart::question) && !page.shows(PagePart::exercise) &&
-           !(is_answered && (open.right || view.settings.watching));
+           !(is_answered && (open.right || view.settings.watching || view.slots.seconds > 0));
 }
 
 // In a lecture the type is large: the right column is wider where nothing else is beside the scene.
 float right_share(const LabView& view, OpenCards open) {
     if (!view.lecture) return column_share;
     if (!view.pages) return lone_column_share;
-    const bool has_left = asks_beside(view, open) || view.pages->shows(PagePart::exercise);
-    return has_left ? column_share : lone_column_share;
+    return asks_beside(view, open) || open.left ? column_share : lone_column_share;
 }
 
 // The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
@@ -105,10 +104,9 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
     s.h = std::max(0.0f, bottom - s.y);
     l.left.y = l.right.y = s.y;
     l.left.h = l.right.h = s.h;
-    const bool has_card = page.shows(PagePart::exercise);  // takes the place of the question
     if (asks) l.question = {margin, s.y, question_share * l.window.w - margin, s.h};
-    const bool has_left = has_card || view.map || view.robots || view.slots.has_any();
-    if (asks || !has_left) l.left = {};
+    if (asks) l.left = {};
+    const bool has_left = open.left && l.left.w > 0;
     const float from = asks ? l.question.x + l.question.w + margin : has_left ? l.left.x + l.left.w + margin : s.x;
     if (!open.right) l.right = {};
     const float until = open.right ? l.right.x - margin : s.x + s.w;
@@ -164,15 +162,14 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     }
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
-    if (view.lecture && (view.map || view.robots || view.slots.has_any()) && l.left.w > 0)
-        l.scene.x = from_left, l.scene.w -= from_left - margin;
+    if (view.lecture && open.left && l.left.w > 0) l.scene.x = from_left, l.scene.w -= from_left - margin;
     const bool covers = view.lecture && open.right && !view.pages && view.mode != Mode::wiring;
     if (covers && !view.settings.watching) l.scene.w -= l.right.w + margin;  // an open card has a column of its own
     if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
 
     if (view.mode == Mode::wiring) {
         // There is no left column in a narrow window and without an exercise.
-        if (!view.lesson || width / scale < narrow_window) l.left = {};
+        if (!view.lesson || width / scale < narrow_window || (view.pages && !open.left)) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
         // Above the inset the exercise needs the height where it has no column of its own.
         const bool is_shared = view.lesson && l.left.w <= 0;

@@ -24,6 +24,7 @@ struct WindowLayout {
 // The cards that take space of the scene while they are open.
 struct OpenCards {
     bool charts = false;  // the chart card
+    bool left = false;    // any card of the left column
     bool right = false;   // any card of the right column
     float notes = 0;      // wanted height of the lecturer's notes, window pixels; 0: they are not shown
     float question = 0;   // wanted height of the page's question, window pixels

@@ -7,13 +7,14 @@
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
+#include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float between_cards = spacing::medium, title_width = 150;  // layout pixels
+constexpr float between_cards = spacing::medium, title_width = 150, around_title = 56;  // layout pixels
 
 constexpr CardTraits card_traits[]{
     {.card = Card::exercise,
@@ -131,8 +132,9 @@ static_assert(has_a_row_for_each_card());
 
 // A folded card of a lecture covers part of the scene: it is only as wide as its heading.
 Rect lecture_place(const LabView& view, const Ui& ui, const CardTraits& row, bool folded, Rect r) {
-    if (!view.lecture || !folded || row.in_lecture != InLecture::folded) return r;
-    const float w = std::min(r.w, ui.px(title_width));
+    if (!view.lecture || !folded) return r;
+    const float words = row.heading.empty() ? 0 : text_width(ui, Face::small, ui.strings(row.heading));
+    const float w = std::min(r.w, std::max(ui.px(title_width), words + ui.px(around_title)));
     return {row.column == Column::right ? r.x + r.w - w : r.x, r.y, w, r.h};
 }
 

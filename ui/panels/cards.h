@@ -15,7 +15,7 @@ namespace braitenlab::ui {
 enum class Column { left, right, none };  // none: the window sets the rectangle of the card
 
 // The effect of a lecture on the state of a card. restored: the state at the start is restored at the end. folded: as
-// restored, and the card is folded at the start; a folded card is then only as wide as its heading.
+// restored, and the card is folded at the start. In a lecture a folded card is only as wide as its heading.
 enum class InLecture { unchanged, restored, folded };
 
 struct CardTraits {

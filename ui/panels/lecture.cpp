@@ -192,7 +192,7 @@ void follow_page(const LabView& view, PanelState& state) {
     const std::array<int, 3> before = std::exchange(state.lecture_step, step);
     if (!view.pages || before == step) return;
     const bool new_page = before[0] != step[0] || before[1] != step[1];
-    if (new_page) state.hands.clear();
+    if (new_page) state.hands.clear(), state.card(Card::slots).folded = false;
     for (const auto& [part, card] : {std::pair{PagePart::sliders, Card::brain}, {PagePart::exercise, Card::exercise}}) {
         const bool shown = view.pages->shows(part);
         const bool was_shown = shows(view.pages->current(), part, before[2]);
@@ -200,10 +200,18 @@ void follow_page(const LabView& view, PanelState& state) {
     }
 }
 
-}  // namespace
+// Folds the cards of the brain and of the slots while the runs of both slots are shown, so that these have the room.
+// After the runs the card of the slots unfolds: it has their numbers.
+void follow_comparison(const LabView& view, PanelState& state) {
+    const bool compares = view.lecture && view.slots.a && view.slots.b;
+    if (std::exchange(state.lecture_compares, compares) == compares || !view.lecture) return;
+    if (compares) state.card(Card::brain).folded = true;
+    state.card(Card::slots).folded = compares;
+}
 
-void follow_lecture(const LabView& view, PanelState& state) {
-    if (view.lecture == state.before_lecture.has_value()) return follow_page(view, state);
+// Folds cards when lecture mode begins, and restores them when it ends.
+void follow_lecture_mode(const LabView& view, PanelState& state) {
+    if (view.lecture == state.before_lecture.has_value()) return;
     if (view.lecture) {
         BeforeLecture& before = state.before_lecture.emplace();
         before.focus = std::exchange(state.keyboard.focus, {});
@@ -212,7 +220,7 @@ void follow_lecture(const LabView& view, PanelState& state) {
             before.cards[static_cast<std::size_t>(row.card)] = card;
             card.folded |= row.in_lecture == InLecture::folded;
         }
-        return follow_page(view, state);
+        return;
     }
     for (const CardTraits& row : cards())
         if (row.in_lecture != InLecture::unchanged)
@@ -221,6 +229,14 @@ void follow_lecture(const LabView& view, PanelState& state) {
     state.before_lecture.reset();
     state.pressed.clear();
     state.lecture_controls = false;
+}
+
+}  // namespace
+
+void follow_lecture(const LabView& view, PanelState& state) {
+    follow_lecture_mode(view, state);
+    follow_page(view, state);
+    follow_comparison(view, state);
 }
 
 }  // namespace braitenlab::ui

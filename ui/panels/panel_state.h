@@ -230,6 +230,7 @@ struct PanelState {
     CardState question;                           // of that page
     float question_height = 0;                    // wanted, as drawn last; window pixels
     std::array<int, 3> lecture_step{-1, -1, -1};  // run, page and step whose cards are shown
+    bool lecture_compares = false;                // in a lecture both runs of slots A and B were shown last
 };
 
 }  // namespace braitenlab::ui

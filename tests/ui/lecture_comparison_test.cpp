@@ -1,0 +1,102 @@
+// Two brains from the same start, on a page of a lecture.
+#include <string>
+
+#include "lecture_on_desk.h"
+
+namespace braitenlab::tests::lecture_comparison_test {
+
+using namespace ui;
+
+namespace {
+
+constexpr int call_four_numbers = 6, two_slides_on = 8;  // pages
+
+struct LectureComparison : LectureOnDesk {
+    insight::Design design;
+    insight::CompareNumbers of_a{0.4f, 5.3f, 0.5f, 7, 3}, of_b{3.1f, 4.2f, 9.5f, 12, 2};
+    std::vector<Pose> path{{0, 0, 0}, {1, 0, 0}};
+
+    LectureComparison() {
+        design.brain = *desk.now.brains[0];
+        show(call_four_numbers, 0);
+    }
+    void store() {
+        for (SlotView& slot : desk.view.slots.slots) slot = {.design = &design, .kind = "vehicle"};
+        desk.frame(4);
+    }
+    void compare() {
+        desk.view.slots.seconds = 30;
+        desk.view.slots.slots[0].numbers = &of_a, desk.view.slots.slots[1].numbers = &of_b;
+        desk.view.slots.a = desk.view.slots.b = GhostView{.path = &path, .count = 2};
+        desk.frame(4);
+    }
+    void end_runs() {
+        desk.view.slots.a.reset(), desk.view.slots.b.reset();
+        desk.frame(4);
+    }
+    float width_of_scene() const { return desk.where("viewport").w / desk.layout.window.w; }
+};
+
+}  // namespace
+
+TEST_F(LectureComparison, HasTheRoomOfTheCards) {
+    ASSERT_TRUE(desk.anchors.find("slider.LL"));
+    store();
+    EXPECT_TRUE(desk.anchors.find("button.compare"));
+    EXPECT_LT(width_of_scene(), 0.5f);
+    compare();
+    EXPECT_FALSE(desk.anchors.find("card.brain")) << "the brain";
+    EXPECT_FALSE(desk.anchors.find("slots.closest")) << "the numbers, which tell how it ends";
+    EXPECT_GT(width_of_scene(), 0.95f);
+    EXPECT_LT(desk.where("card.slots").w, 0.3f * desk.layout.window.w);
+}
+
+TEST_F(LectureComparison, ShowsItsNumbersAfterTheRuns) {
+    store();
+    compare();
+    desk.click("card.slots.fold");
+    desk.rest();
+    EXPECT_TRUE(desk.anchors.find("button.compare")) << "or when the lecturer opens them";
+    desk.click("card.slots.fold");
+    end_runs();
+    const Rect numbers = desk.where("slots.final");
+    EXPECT_TRUE(is_inside(numbers, desk.where("card.slots")));
+    EXPECT_FALSE(overlap(desk.where("card.slots"), desk.where("viewport")));
+}
+
+TEST_F(LectureComparison, TakesThePlaceOfAnAnsweredQuestion) {
+    pages = opened_lecture("wheels-to-neurons");
+    show(5, 3);
+    store();
+    compare();
+    EXPECT_FALSE(desk.anchors.find("lecture.question"));
+    EXPECT_GT(width_of_scene(), 0.95f);
+}
+
+TEST_F(LectureComparison, NoCardOfTheSceneOrTheExerciseIsBesideIt) {
+    desk.open_exercise();
+    store();
+    EXPECT_FALSE(desk.anchors.find("card.exercise"));
+    desk.view.lesson = nullptr;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.scene"));
+}
+
+TEST_F(LectureComparison, AnotherPageUnfoldsTheCardForTheNextBrains) {
+    store();
+    desk.panels.card(Card::slots).folded = true;
+    show(two_slides_on, 0);
+    EXPECT_FALSE(desk.panels.card(Card::slots).folded);
+}
+
+TEST_F(LectureComparison, LeavesTheCardsAsTheyWereBeforeTheLecture) {
+    store();
+    compare();
+    desk.view.lecture = false, desk.view.pages = nullptr;
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.card(Card::brain).folded);
+    EXPECT_FALSE(desk.panels.card(Card::slots).folded);
+    EXPECT_FALSE(desk.panels.before_lecture);
+}
+
+}  // namespace braitenlab::tests::lecture_comparison_test
