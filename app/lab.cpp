@@ -96,7 +96,7 @@ LabView view_of(const Lab& lab) {
     view.has_left_run = has_left_run(lab);
     view.mystery = mystery_of(lab, view);
     view.slots = slots_of(lab, view);
-    if (view.slots.b) view.last_run.reset();
+    if (view.slots.b) view.last_run.reset(), view.prediction.reset();
     view.map = map_of(lab, view);
     view.study = study_of(lab.study);
     view.robots = robots_of(lab, view);

@@ -57,6 +57,22 @@ TEST_F(SlotsTest, OneKeyFillsAThenBThenExchanges) {
     EXPECT_FALSE(shown().slots[0].is_in_vehicle);
 }
 
+TEST_F(SlotsTest, AComparisonHasNoForecast) {
+    store_both();
+    const auto try_out = [&] {
+        lab.predictions.what_if = {TurnDial{target(), Dial::LM, 0.4f}};
+        for (int i = 0; i < 4; ++i) update_predictions(lab, jobs), jobs.finish();
+        return prediction_of(lab).has_value();
+    };
+    ASSERT_TRUE(try_out());
+    EXPECT_TRUE(view_of(lab).prediction);
+    handle(lab, Action::compare);
+    compute();
+    ASSERT_TRUE(try_out());
+    ASSERT_TRUE(shown().b);
+    EXPECT_FALSE(view_of(lab).prediction);
+}
+
 TEST_F(SlotsTest, TheSameBrainIsNotStoredTwice) {
     handle(lab, Action::slot);
     handle(lab, Action::slot);

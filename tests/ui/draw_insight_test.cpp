@@ -226,6 +226,32 @@ TEST_F(DrawInsight, ALabelWithoutAFreePlaceNearIsLeftOut) {
     EXPECT_FALSE(label_of_path(desk));
 }
 
+TEST_F(DrawInsight, TheLettersOfTwoBrainsAreNearerToTheirOwnVehicles) {
+    desk.now.vehicles.resize(1);
+    VehicleView& vehicle = desk.now.vehicles[0];
+    vehicle.x = path[100].x, vehicle.y = path[100].y;
+    desk.view.slots.a = GhostView{path[100], 1, 0.7f, &path, 101};
+    const auto label = [&](std::string_view letter) {
+        const auto found = std::find_if(desk.written.begin(), desk.written.end(),
+                                        [&](const ui::Written& one) { return one.words == letter; });
+        EXPECT_NE(found, desk.written.end()) << letter;
+        return found == desk.written.end() ? maths::vec2{}
+                                           : maths::vec2{found->rect.x + found->rect.w / 2, found->rect.y + found->rect.h / 2};
+    };
+    for (int turn = 0; turn < 12; ++turn)
+        for (const float away : {0.4f, 0.8f, 1.4f, 2.5f}) {
+            const maths::vec2 place =
+                maths::vec2{vehicle.x, vehicle.y} + maths::from_polar(away, 0.5236f * static_cast<float>(turn));
+            std::vector<Pose> other = path;
+            other[100] = {place.x, place.y, 0};
+            desk.view.slots.b = GhostView{other[100], 1, 0.7f, &other, 101};
+            desk.frame();
+            const maths::vec2 a = pixel({vehicle.x, vehicle.y}), b = pixel(place);
+            EXPECT_LT(maths::distance(label("A"), a) + 6, maths::distance(label("A"), b)) << turn << " " << away;
+            EXPECT_LT(maths::distance(label("B"), b) + 6, maths::distance(label("B"), a)) << turn << " " << away;
+        }
+}
+
 TEST_F(DrawInsight, TheLabelOfAPathCoversNoPost) {
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->obstacles = {{.name = "left"}, {.name = "right"}};

@@ -333,9 +333,14 @@ void paint_note(const Ui& ui, const Rect& place, std::string_view words, Colour 
 
 constexpr std::array label_gaps{7.0f, 14.0f, 21.0f, 28.0f, label_reach};
 
-// The free place nearest to the thing; on the other side only if there is none on its own.
+float between_middles(const Rect& a, const Rect& b) {
+    return std::hypot(b.x + b.w / 2 - a.x - a.w / 2, b.y + b.h / 2 - a.y - a.h / 2);
+}
+
+// The free place nearest to the thing that `suits`; on the other side only if there is none on its own.
+template <class Suits>
 std::optional<Rect> place_of_label(const SceneInputFrame& frame, const Ui& ui, ImVec2 size, const Rect& thing,
-                                   NoteSide side) {
+                                   NoteSide side, const Suits& suits) {
     const Rect& room = frame.area;
     const float slanted = 0.7071f;
     const vec2 ways[]{{slanted, slanted},
@@ -360,9 +365,21 @@ std::optional<Rect> place_of_label(const SceneInputFrame& frame, const Ui& ui, I
                                  std::floor(along(way.y, thing.y, thing.h, size.y, ui.px(gap))), size.x, size.y};
                 const bool is_inside = place.x >= room.x && place.x + place.w <= room.x + room.w && place.y >= room.y &&
                                        place.y + place.h <= room.y + room.h;
-                if (is_inside && frame.labels->is_free(place)) return place;
+                if (is_inside && frame.labels->is_free(place) && suits(place)) return place;
             }
     return std::nullopt;
+}
+
+// The same, clearly nearer to the thing than to the other one if there is such a place.
+std::optional<Rect> place_of_label(const SceneInputFrame& frame, const Ui& ui, ImVec2 size, const Rect& thing,
+                                   NoteSide side, const std::optional<Rect>& other) {
+    constexpr float clearly = 20, share = 0.5f;  // layout pixels, but at most this share of the things' distance
+    const float nearer = other ? std::min(ui.px(clearly), share * between_middles(thing, *other)) : 0;
+    const auto is_nearer = [&](const Rect& place) {
+        return !other || between_middles(place, thing) + nearer <= between_middles(place, *other);
+    };
+    if (const auto place = place_of_label(frame, ui, size, thing, side, is_nearer)) return place;
+    return place_of_label(frame, ui, size, thing, side, [](const Rect&) { return true; });
 }
 
 // From the label to the thing, where there is floor between them.
@@ -379,8 +396,8 @@ void draw_leader(const Ui& ui, const Rect& label, const Rect& thing, Colour colo
 }  // namespace
 
 void draw_label(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, Rect thing,
-                NoteSide side) {
-    const auto place = place_of_label(frame, ui, note_size(ui, words), thing, side);
+                NoteSide side, std::optional<Rect> other) {
+    const auto place = place_of_label(frame, ui, note_size(ui, words), thing, side, other);
     if (!place) return;
     frame.labels->take(*place);
     draw_leader(ui, *place, thing, edge);

@@ -1,6 +1,7 @@
 // Drawing over the 3D view: rings, handles, previews, and notes at the pointer.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,9 +29,9 @@ void draw_note(const SceneInputFrame&, const Ui&, std::string_view words, Colour
                NoteSide = NoteSide::any);
 // The name of something in the scene, at most label_reach from the rectangle around it and with a line to it where it
 // is not adjacent. It covers nothing of LabelSpace; without a free place the name is left out. SceneInputFrame::labels
-// must be set.
+// must be set. `other`: something that has another name; the label is nearer to its own thing where there is room.
 inline constexpr float label_reach = 34;
 void draw_label(const SceneInputFrame&, const Ui&, std::string_view words, Colour edge, Rect thing,
-                NoteSide = NoteSide::any);
+                NoteSide = NoteSide::any, std::optional<Rect> other = std::nullopt);
 
 }  // namespace braitenlab::ui

@@ -150,13 +150,19 @@ std::vector<vec2> driven(const GhostView& run) {
     return points;
 }
 
+std::optional<Rect> picture_of_ghost(const SceneInputFrame& frame, const std::optional<GhostView>& ghost) {
+    if (!ghost) return std::nullopt;
+    return picture_of_body(frame, {ghost->pose.x, ghost->pose.y}, ghost->length);
+}
+
 void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slots) {
     constexpr float line_width = 2.5f;  // layout pixels
     const Palette& p = ui.palette;
+    const std::optional<Rect> a = picture_of_ghost(frame, slots.a), b = picture_of_ghost(frame, slots.b);
     if (slots.a) {
         const std::vector<vec2> points = driven(*slots.a);
         draw_floor_line(frame, ui, points, p.slot_a, line_width);
-        draw_label(frame, ui, "A", p.slot_a, picture_of_body(frame, points.back(), slots.a->length));
+        draw_label(frame, ui, "A", p.slot_a, *a, NoteSide::any, b);
         if (const auto at = project(frame.camera_view, points.back())) {
             const float size = ui.px(24);
             ui.anchors.record("stage.slot_a", {at->x - size / 2, at->y - size / 2, size, size});
@@ -165,7 +171,7 @@ void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slo
     if (!slots.b) return;
     draw_dashes(frame, ui, driven(*slots.b), p.slot_b);
     if (is_beside(frame.view, slots.b->pose))
-        draw_ghost(frame, ui, *slots.b, {p.slot_b, p.slot_b, "B", "stage.slot_b"});
+        draw_ghost(frame, ui, *slots.b, {p.slot_b, p.slot_b, "B", "stage.slot_b", a});
 }
 
 // Names are placed beside all paths that are drawn.
@@ -179,6 +185,8 @@ void keep_paths_free(const SceneInputFrame& frame, const Ui& ui) {
     if (view.mode == Mode::wiring) return;
     for (const auto& slot : {view.slots.a, view.slots.b})
         if (slot) keep_line_free(frame, ui, driven(*slot));
+    if (const auto ghost = picture_of_ghost(frame, view.slots.b); ghost && is_beside(view, view.slots.b->pose))
+        frame.labels->keep_free(*ghost);
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ void draw_ghost(const SceneInputFrame& frame, const Ui& ui, const GhostView& gho
     if (at && frame.labels) {
         const Rect body = picture_of_body(frame, place, ghost.length);
         frame.labels->take(body);
-        draw_label(frame, ui, look.words, look.edge, body);
+        draw_label(frame, ui, look.words, look.edge, body, NoteSide::any, look.other);
     }
     const float size = ui.px(24);
     if (at) ui.anchors.record(std::string(look.anchor), {at->x - size / 2, at->y - size / 2, size, size});

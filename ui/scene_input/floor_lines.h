@@ -51,6 +51,7 @@ void draw_coming_dots(const SceneInputFrame&, const Ui&, const ComingPath&, Colo
 struct GhostLook {
     Colour colour, edge;  // of the outline and of the name's frame
     std::string_view words, anchor;
+    std::optional<Rect> other{};  // something that has another name
 };
 void draw_ghost(const SceneInputFrame&, const Ui&, const GhostView&, const GhostLook&);
 
