@@ -113,6 +113,7 @@ void App::frame(float passed) {
     view.languages = &words_.languages;
     view.native_language = settings_.native_language;
     view.type_size = reduced_type_size();
+    view.quality = facts_.quality;
     view.recent = &settings_.state.recent;
     view.files = &files_;
     view.version = version_text();
@@ -284,14 +285,14 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     facts_.graphics_errors = window_.graphics_errors();
 }
 
-Quality App::quality() const { return options_.quality.value_or(quality_.level()); }
+Quality App::quality() const { return lab_.preferences.quality.value_or(quality_.level()); }
 
-float App::resolution() const { return options_.quality ? 1 : quality_.resolution(); }
+float App::resolution() const { return lab_.preferences.quality ? 1 : quality_.resolution(); }
 
 void App::draw_measured(const Picture& picture) {
     if (quality_of_ != shown_lab().document.name) quality_.start_over(), quality_of_ = shown_lab().document.name;
     facts_.quality = picture.quality, facts_.resolution = picture.resolution;
-    if (options_.quality || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
+    if (lab_.preferences.quality || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
     renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();
     renderer_.draw(shown_, picture);

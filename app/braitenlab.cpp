@@ -107,7 +107,8 @@ int open_and_run(Options options) {
     const UserFolders folders = options.only_draws() ? UserFolders{} : user_folders();
     SettingsFiles files(folders.config, folders.state);
     Settings settings =
-        read_settings(std::move(files), {options.theme, options.language}, native_language(*data / "ui" / "strings"));
+        read_settings(std::move(files), {options.theme, options.language, options.has_quality, options.quality},
+                      native_language(*data / "ui" / "strings"));
     options.title |= is_first_start(options, settings);
     auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());

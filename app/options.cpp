@@ -111,18 +111,17 @@ CommandLine read_command_line(int argc, char** argv) {
            "how sensor fields are drawn: by geometry shaders or by instances")
         ->type_name("WAY")
         ->check(CLI::IsMember({"automatic", "geometry", "instanced"}));
-    bool quality_given = false;
     app.add_option_function<std::string>(
            "--quality",
            [&](const std::string& level) {
-               quality_given = true;
+               o.has_quality = level != "auto-low";
                for (std::size_t i = 0; i < quality_words.size(); ++i)
                    if (level == quality_words[i]) o.quality = static_cast<Quality>(i);
                if (level == "auto-low") o.first_quality = Quality::low;
            },
            "how much work a picture may be; auto: by measured frame time, auto-low: the same, beginning with low "
            "and half the pixels each way; "
-           "default: auto, high with --screenshot and --clip")
+           "default: as in the settings, high with --screenshot and --clip")
         ->type_name("LEVEL")
         ->check(CLI::IsMember({"low", "medium", "high", "auto", "auto-low"}));
     app.add_option_function<std::string>(
@@ -163,7 +162,7 @@ CommandLine read_command_line(int argc, char** argv) {
         // Help and version answer 0; everything else is bad input.
         line.exit_code = app.exit(error) == 0 ? 0 : 2;
     }
-    if (!quality_given && o.only_draws()) o.quality = Quality::high;
+    if (!o.has_quality && o.only_draws()) o.has_quality = true, o.quality = Quality::high;
     return line;
 }
 

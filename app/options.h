@@ -33,8 +33,9 @@ struct Options {
     std::optional<Theme> theme;            // unset: as in the settings
     std::optional<CameraMode> camera;      // unset: as stored
     render::SectorPath sectors = render::SectorPath::automatic;
-    std::optional<Quality> quality;           // unset: chosen by measured frame time
-    Quality first_quality = Quality::medium;  // with `quality` unset
+    bool has_quality = false;                 // false: as in the settings
+    std::optional<Quality> quality;           // with has_quality; nullopt: chosen by measured frame time
+    Quality first_quality = Quality::medium;  // of the measured ones
     bool watch_graphics = false;
     int frame_rate = 0;                    // most pictures per second; 0: those of the display
     std::optional<Channel> field;          // its intensity is shown on the floor at the start

@@ -276,6 +276,7 @@ struct LabView {
     Theme theme = Theme::dark;
     Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
     float type_size = 0;      // in effect where the window is too small for preferences.type_size; 0: as preferred
+    Quality quality = Quality::medium;                 // of the last picture
     const std::vector<Language>* languages = nullptr;  // null: no choice
     std::string native_language = "en";                // of the first start; Reset All chooses it
     bool reduce_motion = false;

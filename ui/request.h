@@ -162,10 +162,11 @@ inline constexpr Action last_action = Action::step_down;
 // User settings that do not depend on the scene.
 struct Preferences {
     Theme theme = Theme::dark;
-    std::string language = "en";  // code of the strings file
-    float type_size = 1;          // factor on the display's scale; least_type_size .. largest_type_size
-    bool reduce_motion = false;   // no easing, no pulsing
-    std::string link_base{};      // address of the lab on the web, for links; only in the file of the settings
+    std::string language = "en";       // code of the strings file
+    float type_size = 1;               // factor on the display's scale; least_type_size .. largest_type_size
+    bool reduce_motion = false;        // no easing, no pulsing
+    std::optional<Quality> quality{};  // nullopt: chosen by measured frame time
+    std::string link_base{};           // address of the lab on the web, for links; only in the file of the settings
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

@@ -66,9 +66,14 @@ Result<Preferences> parse_preferences(std::string_view toml, std::string file_na
     reader->read("language", p.language, "text_in_quotes");
     reader->read("type_size", p.type_size, "a_number");
     reader->read("reduce_motion", p.reduce_motion, "true_or_false");
+    std::string quality;
+    reader->read("quality", quality, "text_in_quotes");
     reader->read("link_base", p.link_base, "text_in_quotes");
     if (reader->error) return *reader->error;
     p.theme = theme == word(Theme::light) ? Theme::light : Theme::dark;
+    for (std::size_t i = 0; i < quality_words.size(); ++i)
+        if (quality == quality_words[i]) p.quality = static_cast<Quality>(i);
+    if (quality == "auto") p.quality.reset();
     p.type_size = p.type_size > least_type_size ? std::min(p.type_size, largest_type_size) : least_type_size;
     return p;
 }
@@ -78,7 +83,8 @@ std::string write_preferences(const Preferences& p) {
                       {"theme", word(p.theme)},
                       {"language", p.language},
                       {"type_size", p.type_size},
-                      {"reduce_motion", p.reduce_motion}};
+                      {"reduce_motion", p.reduce_motion},
+                      {"quality", p.quality ? word(*p.quality) : "auto"}};
     if (!p.link_base.empty()) table.insert("link_base", p.link_base);
     return toml_text(table, "Preferences of Braitenlab.");
 }
@@ -286,6 +292,7 @@ Settings read_settings(SettingsFiles files, const PreferenceOverrides& overrides
     settings.at_start = settings.stored;
     if (overrides.theme) settings.at_start.theme = *overrides.theme;
     if (!overrides.language.empty()) settings.at_start.language = overrides.language;
+    if (overrides.has_quality) settings.at_start.quality = overrides.quality;
     settings.last = settings.at_start;
     return settings;
 }
@@ -306,6 +313,7 @@ std::optional<Error> save(Settings& settings, const Preferences& now, std::pair<
     if (now.language != before.language) stored.language = now.language;
     if (now.type_size != before.type_size) stored.type_size = now.type_size;
     if (now.reduce_motion != before.reduce_motion) stored.reduce_motion = now.reduce_motion;
+    if (now.quality != before.quality) stored.quality = now.quality;
     std::tie(settings.state.width, settings.state.height) = window_size;
     return settings.files.write(stored, settings.state);
 }

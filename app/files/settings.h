@@ -82,6 +82,8 @@ private:
 struct PreferenceOverrides {
     std::optional<Theme> theme;
     std::string language;  // empty: not given
+    bool has_quality = false;
+    std::optional<Quality> quality{};  // with has_quality
 };
 
 struct Settings {

@@ -15,12 +15,6 @@
 
 namespace braitenlab {
 
-// How much work a picture may be. low: plain shapes and pools of light; medium: rounded vehicles that are large on the
-// screen, light and shadows from lamps on the floor; high: rounded vehicles also where they are small.
-enum class Quality { low, medium, high };
-inline constexpr std::array<std::string_view, 3> quality_words{"low", "medium", "high"};
-constexpr std::string_view word(Quality quality) { return quality_words[static_cast<std::size_t>(quality)]; }
-
 // Words in the language for names of sources and zones.
 using NameMap = std::map<std::string, std::string, std::less<>>;
 

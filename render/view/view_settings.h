@@ -2,8 +2,10 @@
 // mode: a new view flag is a member here and nowhere else.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -14,6 +16,12 @@
 namespace braitenlab {
 
 inline constexpr int longest_prediction = 20;  // s
+
+// How much work a picture may be. low: plain shapes and pools of light; medium: rounded vehicles that are large on the
+// screen, light and shadows from lamps on the floor; high: rounded vehicles also where they are small.
+enum class Quality { low, medium, high };
+inline constexpr std::array<std::string_view, 3> quality_words{"low", "medium", "high"};
+constexpr std::string_view word(Quality quality) { return quality_words[static_cast<std::size_t>(quality)]; }
 
 // Layers drawn over the scene, each of which can be switched off.
 struct Overlays {

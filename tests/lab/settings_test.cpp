@@ -11,6 +11,11 @@ const Preferences chosen{Theme::light, "es", 1.5f, true};
 
 TEST(Settings, AreReadAsTheyWereWritten) {
     EXPECT_EQ(*parse_preferences(write_preferences(chosen), "s"), chosen);
+    for (const std::optional<Quality> quality : {std::optional<Quality>{}, {Quality::low}, {Quality::high}}) {
+        Preferences each = chosen;
+        each.quality = quality;
+        EXPECT_EQ(*parse_preferences(write_preferences(each), "s"), each);
+    }
     StoredState state{1280, 800, "/a \"b\"/c.toml", {{"/x.toml", "A scene"}, {"/ünï.toml"}}, "/a"};
     EXPECT_EQ(*parse_state(write_state(state), "s"), state);
 }
@@ -140,6 +145,24 @@ TEST(Settings, ReadTheRecentFilesOfAnEarlierVersionWithoutTitles) {
         parse_state(R"(recent = ["/a.toml", {path = "/b.toml", title = "B"}, 7, {title = "no path"}])", "s");
     ASSERT_TRUE(state);
     EXPECT_EQ(state->recent, (std::vector<RecentFile>{{"/a.toml"}, {"/b.toml", "B"}}));
+}
+
+TEST_F(SettingsOnDisk, OverridesApplyToOneStartOnly) {
+    preferences.quality = Quality::high;
+    ASSERT_FALSE(files.write(preferences, state));
+    const auto next = [&](PreferenceOverrides overrides) {
+        return read_settings({folder / "config", folder / "state"}, overrides, "en");
+    };
+    EXPECT_EQ(next({}).at_start.quality, Quality::high);
+    Settings measured = next({.has_quality = true});
+    EXPECT_EQ(measured.at_start.quality, std::nullopt);
+    ASSERT_FALSE(save(measured, measured.at_start, {1280, 800}));
+    EXPECT_EQ(next({}).at_start.quality, Quality::high) << "not stored";
+    Settings low = next({.has_quality = true, .quality = Quality::low});
+    EXPECT_EQ(low.at_start.quality, Quality::low);
+    low.at_start.quality = Quality::medium;  // chosen in the window
+    ASSERT_FALSE(save(low, low.at_start, {1280, 800}));
+    EXPECT_EQ(next({}).at_start.quality, Quality::medium);
 }
 
 }  // namespace

@@ -41,6 +41,10 @@ TEST_F(SettingsCard, ChangesOneSettingPerClick) {
     EXPECT_EQ(wanted(), (Preferences{.theme = Theme::light, .type_size = 1.5f}));
     desk.click("settings.motion.2");
     EXPECT_TRUE(wanted().reduce_motion);
+    desk.click("settings.quality.2");
+    EXPECT_EQ(wanted().quality, Quality::low);
+    desk.click("settings.quality.1");
+    EXPECT_EQ(wanted().quality, std::nullopt);
     desk.click("settings.language.3");
     EXPECT_EQ(wanted().language, desk.spoken[2].code);
     desk.click("settings.language.3");
@@ -69,8 +73,21 @@ TEST(SettingsCardWithFonts, ShowsTheTypeSizeInEffectWhereTheWindowIsTooSmallForT
     }
 }
 
+TEST_F(SettingsCard, TellsTheQualityThatIsMeasured) {
+    for (const auto& [quality, words] :
+         {std::pair{Quality::low, "Auto now uses: Low"}, {Quality::high, "Auto now uses: High"}}) {
+        desk.view.quality = quality;
+        desk.frame(2);
+        EXPECT_TRUE(desk.says(words));
+    }
+    desk.view.preferences.quality = Quality::high;
+    desk.frame(2);
+    EXPECT_FALSE(desk.says("Auto now uses: High"));
+    EXPECT_TRUE(desk.says("Every vehicle rounded, smooth edges"));
+}
+
 TEST_F(SettingsCard, ResetsEverythingAndCanUndoIt) {
-    const Preferences mine{Theme::light, "es", 1.5f, true};
+    const Preferences mine{Theme::light, "es", 1.5f, true, Quality::low};
     desk.view.native_language = "de";
     desk.view.preferences = mine;
     desk.panels.card(Card::brain).folded = true;

@@ -1,4 +1,4 @@
-// The sheet of preferences: language, theme, type size, motion.
+// The sheet of preferences: language, theme, type size, motion, picture quality.
 #include <array>
 #include <cmath>
 #include <string>
@@ -74,6 +74,26 @@ void motion_choice(Ui& ui, Preferences& wanted) {
     if (clicked >= 0) wanted.reduce_motion = clicked == 1;
 }
 
+void quality_choice(const LabView& view, Ui& ui, Preferences& wanted) {
+    const std::array<std::string_view, 4> words{ui.strings("settings.quality_auto"), ui.strings("settings.quality_low"),
+                                                ui.strings("settings.quality_medium"),
+                                                ui.strings("settings.quality_high")};
+    const int chosen = wanted.quality ? 1 + static_cast<int>(*wanted.quality) : 0;
+    subheading(ui, ui.strings("settings.quality"));
+    const int clicked =
+        segments(ui, "settings.quality", words, chosen, card_width(ui), ui.strings("settings.quality_how"));
+    const std::array<std::string_view, 3> levels{ui.strings("settings.quality_is_low"),
+                                                 ui.strings("settings.quality_is_medium"),
+                                                 ui.strings("settings.quality_is_high")};
+    const std::string about = wanted.quality ? std::string(levels[static_cast<std::size_t>(*wanted.quality)])
+                                             : fill(ui.strings("settings.quality_now"),
+                                                    {std::string(words[1 + static_cast<std::size_t>(view.quality)])});
+    gap(ui, 4);
+    paragraph(ui, about, ui.palette.second_text, Face::small);
+    gap(ui, 12);
+    if (clicked >= 0) wanted.quality = clicked == 0 ? std::nullopt : std::optional(static_cast<Quality>(clicked - 1));
+}
+
 // Resets preferences and cards to their state at the first start. A second button restores the preferences.
 void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& wanted) {
     Preferences fresh;
@@ -110,6 +130,7 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     theme_choice(ui, wanted);
     type_size_choice(view, ui, wanted);
     motion_choice(ui, wanted);
+    quality_choice(view, ui, wanted);
     sheet_buttons(ui, state.settings);
     const Item close = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
