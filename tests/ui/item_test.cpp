@@ -2,6 +2,7 @@
 #include "ui/widgets/item.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "desk.h"
@@ -334,6 +335,7 @@ TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
             };
             EXPECT_TRUE(contains(card, ring, 0, 0));
             EXPECT_TRUE(contains(card, bulb, 0, 0));
+            EXPECT_LE(std::fabs(bulb.y + bulb.h / 2 - ring.y), 16 * window.scale) << "at the upper corner";
             int texts = 0;
             for (const Written& w : desk.written) {
                 const float x = w.rect.x + w.rect.w / 2, y = w.rect.y + w.rect.h / 2;

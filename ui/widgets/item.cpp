@@ -164,7 +164,8 @@ void point_out(const Ui& ui, Rect rect, RingRoom room) {
     const bool reaches_the_margin = high.x - right <= ui.px(spacing::large);
     const float radius = ui.px(reaches_the_margin ? in_margin : hint_badge_radius);
     const Rect card = grown(card_rect(), -radius - ui.px(1), -radius - ui.px(1));
-    ImVec2 middle = reaches_the_margin ? ImVec2{right + ui.px(spacing::tight) + radius, line.y + line.h / 2}
+    ImVec2 middle = reaches_the_margin ? ImVec2{card.x + card.w,
+                                                std::min(line.y + line.h / 2, line.y + radius + ui.px(spacing::tight))}
                                        : ImVec2{right + 0.25f * radius, rect.y - 0.25f * radius};
     middle.x = std::clamp(middle.x, card.x, std::max(card.x, card.x + card.w));
     middle.y = std::clamp(middle.y, card.y, std::max(card.y, card.y + card.h));
@@ -178,8 +179,14 @@ void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 middle, float layout_radi
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
     draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
     draw.AddCircleFilled(middle, radius, paint(ui.palette.accent), 24);
-    const ImVec2 size{text_width(ui, Face::small, icon::hint), line_height(ui, Face::small)};
-    put_on(draw, ui, {middle.x - size.x / 2, middle.y - size.y / 2}, icon::hint, ui.palette.panel, Face::small);
+    // The sign stays inside the disc.
+    const float height = std::min(1.7f * radius, line_height(ui, Face::small));
+    ImFont* f = font(ui, Face::small);
+    const ImVec2 size = f->CalcTextSizeA(height, 1e9f, 0, icon::hint.data(), icon::hint.data() + icon::hint.size());
+    record_text(ui, draw, {middle.x - size.x / 2, middle.y - size.y / 2, size.x, size.y}, icon::hint,
+                line_height(ui, Face::small));
+    draw.AddText(f, height, {middle.x - size.x / 2, middle.y - size.y / 2}, paint(ui.palette.panel), icon::hint.data(),
+                 icon::hint.data() + icon::hint.size());
     draw.PopClipRect();
 }
 

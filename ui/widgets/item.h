@@ -43,7 +43,8 @@ Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true, RingRoom =
 void mark(Ui&, std::string_view id, Rect, RingRoom = around_words);
 
 // What a hint is about: a wash over the rectangle, a ring that widens with Ui::pulse, and the light bulb of the hint
-// bar at its upper right corner, or in the margin of its card if it reaches that. Ring and bulb stay inside the card.
+// bar at its upper right corner; a smaller bulb where it reaches the margin of its card. Ring and bulb stay inside the
+// card.
 // The keyboard focus is a thin ring without a wash and a bulb.
 void point_out(const Ui&, Rect, RingRoom = around_button);
 
