@@ -58,7 +58,7 @@ struct Lab {
     std::optional<Together> together{};                                  // set while the graded starts run at once
     std::optional<LectureView> pages{};                                  // the open lecture; only in lecture mode
     std::optional<LectureView> left_pages{};                             // the lecture that was left last
-    Slots slots_before_pages{};  // restored when the open lecture is left; each page begins without stored brains
+    Slots slots_before_pages{};   // restored when the open lecture is left; each page begins without stored brains
     std::uint64_t left_run = 0;   // Document::run_id when it was left; F9 then goes back to it
     double lecture_began = 0;     // wall seconds
     std::string notes_written{};  // the page of notes as written last; empty: none is open. See app/course/notes_page.h

@@ -235,8 +235,9 @@ TEST_F(DrawInsight, TheLettersOfTwoBrainsAreNearerToTheirOwnVehicles) {
         const auto found = std::find_if(desk.written.begin(), desk.written.end(),
                                         [&](const ui::Written& one) { return one.words == letter; });
         EXPECT_NE(found, desk.written.end()) << letter;
-        return found == desk.written.end() ? maths::vec2{}
-                                           : maths::vec2{found->rect.x + found->rect.w / 2, found->rect.y + found->rect.h / 2};
+        return found == desk.written.end()
+                   ? maths::vec2{}
+                   : maths::vec2{found->rect.x + found->rect.w / 2, found->rect.y + found->rect.h / 2};
     };
     for (int turn = 0; turn < 12; ++turn)
         for (const float away : {0.4f, 0.8f, 1.4f, 2.5f}) {
