@@ -191,6 +191,48 @@ TEST_F(Gallery, TypingSearchesAndEnterOpensTheFirstMatch) {
     EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/2a-coward.toml");
 }
 
+TEST_F(Gallery, CtrlASelectsWhatIsSearchedAndTheNextLetterReplacesIt) {
+    open_browser();
+    for (const char c : std::string("AGGR")) desk.key({c});
+    desk.frame(3);
+    desk.key({'A', true});
+    desk.frame(2);
+    desk.key({'T'});
+    desk.frame(3);
+    EXPECT_EQ(desk.panels.files.search, "t");
+    desk.key({'U'});
+    desk.key({'A', true});
+    desk.key({key::backspace});
+    desk.frame(3);
+    EXPECT_EQ(desk.panels.files.search, "");
+}
+
+TEST_F(Gallery, ASearchShowsNoHeadingOfAnEmptyList) {
+    open_browser();
+    const float narrow = desk.where("gallery.05-aggressor").x;
+    EXPECT_TRUE(desk.says("SCENES"));
+    desk.panels.files.search = "shy";
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("EXERCISES"));
+    EXPECT_FALSE(desk.says("SCENES"));
+    EXPECT_LT(desk.where("gallery.05-aggressor").x, narrow) << "it is the first one";
+    desk.panels.files.search = "it turns away";
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("SCENES"));
+    EXPECT_FALSE(desk.says("EXERCISES"));
+}
+
+TEST_F(Gallery, ATileHasTheLetterOfItsExerciseAlsoInASearch) {
+    catalogue = {entry_of("14-logic"), entry_of("14-xor")};
+    open_browser();
+    EXPECT_TRUE(desk.says("14a"));
+    EXPECT_TRUE(desk.says("14b"));
+    desk.panels.files.search = "exactly";
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("14a"));
+    EXPECT_TRUE(desk.says("14b")) << "it keeps its letter";
+}
+
 TEST_F(Gallery, TheSearchFindsWordsWithAccentsByPlainLetters) {
     catalogue.back().title = "Über die große Brücke, mañana";
     for (const char* typed : {"UBER", "GROSSE", "BRUCKE", "MANANA"}) {

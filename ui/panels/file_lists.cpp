@@ -42,15 +42,19 @@ std::string_view kind_key(FileKind kind) {
 
 bool search_by_typing(FilesState& files, KeyPress press) {
     constexpr std::size_t longest = 40;
-    if (files.saving || files.place != FilesPlace::shipped || press.ctrl) return false;
+    if (files.saving || files.place != FilesPlace::shipped) return false;
+    if (press.ctrl && press.key == 'A') return files.search_selected = !files.search.empty();
+    if (press.ctrl) return false;
     if (press.key == key::escape || press.key == key::backspace) {
         if (files.search.empty()) return false;
-        press.key == key::escape ? files.search.clear() : files.search.pop_back();
+        const bool all = std::exchange(files.search_selected, false) || press.key == key::escape;
+        all ? files.search.clear() : files.search.pop_back();
         return true;
     }
     const bool is_space = press.key == ' ' && !files.search.empty();
     if (!is_space && (press.key <= ' ' || press.key > '~')) return false;
     const char typed = static_cast<char>(press.key);
+    if (std::exchange(files.search_selected, false)) files.search.clear();
     if (files.search.size() < longest)
         files.search += typed >= 'A' && typed <= 'Z' ? static_cast<char>(typed - 'A' + 'a') : typed;
     return true;
@@ -104,9 +108,12 @@ void search_row(const FilesState& files, Ui& ui) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, card_width(ui), ui.px(28)};
     const bool empty = files.search.empty();
-    line_box(ui, box, empty ? ui.palette.line : ui.palette.accent);
-    put(ui, {box.x + ui.px(spacing::small), box.y + (box.h - line_height(ui, Face::text)) / 2},
-        empty ? std::string(ui.strings("files.search_how")) : files.search,
+    const ImVec2 words{box.x + ui.px(spacing::small), box.y + (box.h - line_height(ui, Face::text)) / 2};
+    line_box(ui, box, empty ? ui.palette.line : ui.palette.second_text);
+    if (files.search_selected && !empty)
+        fill_box(ui, {words.x, words.y, text_width(ui, Face::text, files.search), line_height(ui, Face::text)},
+                 ui.palette.accent.with_alpha(0.4f), Corner::square);
+    put(ui, words, empty ? std::string(ui.strings("files.search_how")) : files.search,
         empty ? ui.palette.second_text : ui.palette.text);
     mark(ui, "files.search", box);
     ImGui::Dummy({box.w, box.h});
@@ -220,21 +227,20 @@ std::string chapter_title(const Ui& ui, int chapter) {
 
 namespace {
 
+bool is_exercise(const CatalogueEntry& entry) { return entry.number > 0; }
+
 // Left of the scenes are the exercises.
-void leave_scenes(const LabView& view, Ui& ui) {
-    if (!view.catalogue || !ui.keyboard || !ui.keyboard->focus.starts_with("open.") || !take(*ui.keyboard, key::left))
-        return;
-    const auto& all = *view.catalogue;
-    const auto exercise = std::find_if(all.begin(), all.end(), [](const auto& entry) { return entry.number > 0; });
-    if (exercise == all.end()) return;
+void leave_scenes(const std::vector<CatalogueEntry>& listed, Ui& ui) {
+    if (!ui.keyboard || !ui.keyboard->focus.starts_with("open.") || !take(*ui.keyboard, key::left)) return;
+    const auto exercise = std::find_if(listed.begin(), listed.end(), is_exercise);
+    if (exercise == listed.end()) return;
     ui.keyboard->focus = "gallery." + exercise->name;
     ui.keyboard->revealed = true;
 }
 
-void shipped_scenes(const LabView& view, FilesState& files, Ui& ui) {
-    if (!view.catalogue) return;
-    for (const CatalogueEntry& entry : *view.catalogue) {
-        if (entry.number > 0) continue;
+void shipped_scenes(const LabView& view, const std::vector<CatalogueEntry>& listed, FilesState& files, Ui& ui) {
+    for (const CatalogueEntry& entry : listed) {
+        if (is_exercise(entry)) continue;
         const FileRow row{"open." + entry.name,
                           std::string(translated(ui, entry.title)),
                           std::string(translated(ui, entry.story)),
@@ -258,37 +264,39 @@ void list_heading(Ui& ui, bool exercises) {
 
 }  // namespace
 
-// Exercises on the left, scenes on the right. Each list scrolls.
-void list_shipped(const LabView& all_entries, FilesState& files, Ui& ui, float bottom) {
+// Exercises on the left, scenes on the right. Each list scrolls; if one is empty, the other one has the whole width.
+void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     search_row(files, ui);
-    LabView view = all_entries;
-    std::vector<CatalogueEntry> found;
-    if (!files.search.empty() && view.catalogue) {
+    std::vector<CatalogueEntry> listed;
+    if (view.catalogue)
         for (const CatalogueEntry& entry : *view.catalogue)
-            if (matches(view, ui, entry, files.search)) found.push_back(entry);
-        if (found.empty()) {
-            begin_list(files, ui, "no match", bottom);
-            paragraph(ui, ui.strings("files.no_match"), ui.palette.second_text);
-            return end_list();
-        }
-        if (ui.keyboard && files.search != files.searched) keep_focus_in(found, *ui.keyboard);
-        view.catalogue = &found;
+            if (files.search.empty() || matches(view, ui, entry, files.search)) listed.push_back(entry);
+    const bool is_new = std::exchange(files.searched, files.search) != files.search;
+    if (listed.empty()) {
+        begin_list(files, ui, "no match", bottom);
+        if (!files.search.empty()) paragraph(ui, ui.strings("files.no_match"), ui.palette.second_text);
+        return end_list();
     }
-    files.searched = files.search;
+    if (ui.keyboard && is_new && !files.search.empty()) keep_focus_in(listed, *ui.keyboard);
     constexpr float exercises_share = 0.66f;  // of the width
+    const auto exercises = std::count_if(listed.begin(), listed.end(), is_exercise);
+    const bool has_both = exercises > 0 && exercises < std::ssize(listed);
     const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
-    const std::string listed = files.listed;  // both lists are of one place
-    leave_scenes(view, ui);
-    begin_list(files, ui, "shipped", bottom, "exercises", left);
-    list_heading(ui, true);
-    exercise_gallery(view, files, ui);
-    end_list();
-    ImGui::SameLine(0, between);
-    files.listed = listed;
-    begin_list(files, ui, "shipped", bottom, "scenes", all - between - left);
-    list_heading(ui, false);
-    shipped_scenes(view, files, ui);
-    end_list();
+    const std::string before = files.listed;  // both lists are of one place
+    leave_scenes(listed, ui);
+    if (exercises > 0) {
+        begin_list(files, ui, "shipped", bottom, "exercises", has_both ? left : all);
+        list_heading(ui, true);
+        exercise_gallery(view, listed, files, ui);
+        end_list();
+    }
+    if (has_both) ImGui::SameLine(0, between), files.listed = before;
+    if (exercises < std::ssize(listed)) {
+        begin_list(files, ui, "shipped", bottom, "scenes", has_both ? all - between - left : all);
+        list_heading(ui, false);
+        shipped_scenes(view, listed, files, ui);
+        end_list();
+    }
 }
 
 void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {

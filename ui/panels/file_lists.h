@@ -25,6 +25,7 @@ struct FilesState {
     FileKind kind = FileKind::scene;         // when saving
     std::string search;                      // typed while what ships is listed: only entries with these words
     std::string searched;                    // `search` in the last frame
+    bool search_selected = false;            // the next letter replaces it
     TextField typed;                         // a path, or the name to save under
     TextField title, story;                  // of the scene to be saved
     std::string listed;                      // the folder or place listed; a new one is scrolled to its top
@@ -47,7 +48,7 @@ std::string recent_words(const LabView&, const Ui&, const std::vector<RecentFile
 std::string_view kind_key(FileKind);
 
 // A key typed while the browser lists what ships: letters, digits, Space and Backspace edit FilesState::search, Esc
-// empties it. False for other keys.
+// empties it, Ctrl+A selects it. False for other keys.
 bool search_by_typing(FilesState&, KeyPress);
 
 // Sends a request. FilesView::done or FilesView::refused reports its result.
@@ -64,7 +65,7 @@ bool put_scene_picture(const LabView&, const Ui&, const std::string& path, Rect 
 inline constexpr float picture_share = 0.58f;  // height by width
 
 // The shipped exercises as cards by chapter, `gallery.ID` each; gallery.cpp
-void exercise_gallery(const LabView&, FilesState&, Ui&);
+void exercise_gallery(const LabView&, const std::vector<CatalogueEntry>& listed, FilesState&, Ui&);
 
 // "1 · Two wheels, two eyes"
 std::string chapter_title(const Ui&, int chapter);

@@ -63,8 +63,8 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
     if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}))
         card_picture(view, ui, entry, progress, {at.rect.x + inset, at.rect.y + inset, inner, picture});
     const ImVec2 words{at.rect.x + inset, at.rect.y + inset + picture + ui.px(spacing::tight)};
-    const std::string number = std::to_string(entry.number), best = best_words(progress);
-    const float beside = text_width(ui, Face::strong, "88") + ui.px(6);
+    const std::string number = number_words(view, entry.number, entry.name), best = best_words(progress);
+    const float beside = std::max(text_width(ui, Face::strong, "88"), text_width(ui, Face::strong, number)) + ui.px(6);
     const float aside = best.empty() ? 0 : text_width(ui, Face::small, best) + ui.px(6);
     put(ui, {words.x, words.y - (line_height(ui, Face::strong) - line_height(ui, Face::small)) / 2}, number,
         ui.palette.text, Face::strong);
@@ -78,10 +78,10 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
 
 // The names of the exercises, in rows as they are drawn: a chapter begins a row.
 using Rows = std::vector<std::vector<std::string_view>>;
-Rows rows_of_gallery(const std::vector<CatalogueEntry>& catalogue, std::size_t columns) {
+Rows rows_of_gallery(const std::vector<CatalogueEntry>& listed, std::size_t columns) {
     Rows rows;
     int chapter = -1;
-    for (const CatalogueEntry& entry : catalogue) {
+    for (const CatalogueEntry& entry : listed) {
         if (entry.number == 0) continue;
         if (entry.chapter != chapter || rows.back().size() == columns) rows.emplace_back();
         chapter = entry.chapter;
@@ -90,30 +90,30 @@ Rows rows_of_gallery(const std::vector<CatalogueEntry>& catalogue, std::size_t c
     return rows;
 }
 
-std::string first_scene(const LabView& view) {
-    for (const CatalogueEntry& entry : *view.catalogue)
+std::string first_scene(const std::vector<CatalogueEntry>& listed) {
+    for (const CatalogueEntry& entry : listed)
         if (entry.number == 0) return "open." + entry.name;
     return {};
 }
 
 // The anchor that gets the focus from the card in this row and column: the nearest one in this direction. Beyond the
 // first row it is the choice of the place; beyond the last row and right of a row, the first scene.
-std::string neighbour(const LabView& view, const FilesState& files, const Rows& rows, std::size_t row,
-                      std::size_t column, int direction) {
+std::string neighbour(const std::vector<CatalogueEntry>& listed, const FilesState& files, const Rows& rows,
+                      std::size_t row, std::size_t column, int direction) {
     const auto card = [&](std::size_t r, std::size_t c) {
         return std::string(gallery_stem) + std::string(rows[r][std::min(c, rows[r].size() - 1)]);
     };
     if (direction == key::left) return card(row, column == 0 ? 0 : column - 1);
-    if (direction == key::right) return column + 1 < rows[row].size() ? card(row, column + 1) : first_scene(view);
+    if (direction == key::right) return column + 1 < rows[row].size() ? card(row, column + 1) : first_scene(listed);
     if (direction == key::up)
         return row > 0 ? card(row - 1, column) : "files.place." + std::to_string(static_cast<int>(files.place) + 1);
-    return row + 1 < rows.size() ? card(row + 1, column) : first_scene(view);
+    return row + 1 < rows.size() ? card(row + 1, column) : first_scene(listed);
 }
 
 // The arrow keys move the focus from card to card. Call before the cards are drawn.
-void move_in_gallery(const LabView& view, const FilesState& files, Ui& ui, int columns) {
+void move_in_gallery(const std::vector<CatalogueEntry>& listed, const FilesState& files, Ui& ui, int columns) {
     if (!ui.keyboard || !ui.keyboard->focus.starts_with(gallery_stem)) return;
-    const Rows rows = rows_of_gallery(*view.catalogue, static_cast<std::size_t>(columns));
+    const Rows rows = rows_of_gallery(listed, static_cast<std::size_t>(columns));
     for (const int direction : {key::left, key::right, key::up, key::down})
         while (take(*ui.keyboard, direction))
             for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -121,7 +121,7 @@ void move_in_gallery(const LabView& view, const FilesState& files, Ui& ui, int c
                                           std::string_view(ui.keyboard->focus).substr(gallery_stem.size()));
                 if (at == rows[row].end()) continue;
                 const auto column = static_cast<std::size_t>(at - rows[row].begin());
-                const std::string next = neighbour(view, files, rows, row, column, direction);
+                const std::string next = neighbour(listed, files, rows, row, column, direction);
                 if (!next.empty()) ui.keyboard->focus = next;
                 ui.keyboard->revealed = true;
                 break;
@@ -141,15 +141,14 @@ bool put_scene_picture(const LabView& view, const Ui& ui, const std::string& pat
     return true;
 }
 
-void exercise_gallery(const LabView& view, FilesState& files, Ui& ui) {
-    if (!view.catalogue) return;
+void exercise_gallery(const LabView& view, const std::vector<CatalogueEntry>& listed, FilesState& files, Ui& ui) {
     const float all = card_width(ui), gap_between = ui.px(between_cards);
     const int columns = std::max(1, static_cast<int>((all + gap_between) / (ui.px(least_card) + gap_between)));
     const float width = (all - gap_between * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    move_in_gallery(view, files, ui, columns);
+    move_in_gallery(listed, files, ui, columns);
     int chapter = -1, column = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap_between, gap_between});
-    for (const CatalogueEntry& entry : *view.catalogue) {
+    for (const CatalogueEntry& entry : listed) {
         if (entry.number == 0) continue;
         if (entry.chapter != chapter) {
             paragraph(ui, chapter_title(ui, entry.chapter), ui.palette.second_text, Face::small);
