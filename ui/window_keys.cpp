@@ -25,9 +25,10 @@ std::optional<std::size_t> slider_number(Action action) {
     return static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::slider_LL);
 }
 
-bool key_for_typing(SliderState& sliders, KeyPress press) {
+bool key_for_typing(SliderState& sliders, Keyboard& keyboard, KeyPress press) {
     if (sliders.typed.empty()) return false;
-    if (press.key == key::enter) sliders.commit = true;
+    if (press.key == key::enter || press.key == key::tab) sliders.commit = true;
+    if (press.key == key::tab) keyboard.focus = sliders.typed, keyboard.presses.push_back(press);
     if (press.key == key::escape) sliders.give_up = true;
     return true;
 }
@@ -350,7 +351,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         outbox.push_back(Action::exit);
         return true;
     }
-    if (key_for_typing(state.sliders, press)) return true;
+    if (key_for_typing(state.sliders, state.keyboard, press)) return true;
     if (state.sheet == Sheet::none &&
         (for_record_text(state.fields, press) || for_text_field(state.values.seed, press) ||
          for_text_area(state.note, press) || key_for_hands(state, press) || for_text_field(state.hand_in.name, press)))

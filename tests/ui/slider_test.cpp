@@ -130,6 +130,20 @@ TEST_P(SliderWithTypedNumber, ClampsToTheRange) {
     EXPECT_TRUE(desk.panels.sliders.typed.empty());
 }
 
+TEST(Slider, TabTakesTheTypedNumberAndGoesToTheNextSlider) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.LL", 0, 0.95f);
+    desk.type("0.75");
+    desk.frame(2);
+    desk.key({key::tab});
+    desk.frame(3);
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_FLOAT_EQ(turned(desk.edits()[0]).value, 0.75f);
+    EXPECT_TRUE(desk.panels.sliders.typed.empty());
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR");
+}
+
 INSTANTIATE_TEST_SUITE_P(Numbers, SliderWithTypedNumber,
                          ::testing::Values(std::pair{"0.75", 0.75f}, std::pair{"9", 2.0f}, std::pair{"-7.5", -2.0f},
                                            std::pair{"0,5", 0.5f}));
