@@ -62,12 +62,13 @@ std::optional<FloorBox> paths_of_change(const Lab& lab) {
     return box;
 }
 
-// The height from the top of the area to below the cards that hide a vehicle or a bulb, at most half of it; 0: none.
+// The height from the top of the area to below its cards that hide a vehicle or a bulb, at most half of it; 0: none. A
+// card that has just got a column of its own is beside the area, and hides what the last frame has shown there.
 float height_of_cards(const Snapshot& now, const CameraView& seen, const Rect& area, std::span<const Rect> cards) {
     float height = 0;
     const auto look_at = [&](const Rect& thing) {
         for (const Rect& card : cards)
-            if (card.overlaps(thing)) height = std::max(height, card.y + card.h - area.y);
+            if (card.overlaps(area) && card.overlaps(thing)) height = std::max(height, card.y + card.h - area.y);
     };
     for (const VehicleView& vehicle : now.vehicles) look_at(picture_of(now, seen, vehicle));
     for (const SourceView& source : now.sources) look_at(picture_of(now, seen, source));

@@ -71,6 +71,18 @@ TEST_F(SlowOrbit, FramesTheSceneBelowACardThatHidesAVehicle) {
     EXPECT_NEAR(vehicle_at().y, first.y, 1) << "outside a lecture";
 }
 
+TEST_F(SlowOrbit, ACardThatTakesAColumnOfTheSceneDoesNotMoveItDown) {
+    const Rect window{0, 0, 1280, 800}, area{16, 72, 1248, 600};
+    for (int i = 0; i < 200; ++i) aim(state, lab, window, area, 1.0f / 60);
+    const Snapshot& now = lab.document.session.snapshot();
+    const Rect vehicle = picture_of(now, state.camera_view, now.vehicles[0]);
+    const float beside = vehicle.x + vehicle.w + 10;
+    const Rect card{area.x, area.y, beside - 10 - area.x, area.h}, cards[]{card};
+    const Rect rest{beside, area.y, area.x + area.w - beside, area.h};
+    aim(state, lab, window, rest, 1.0f / 60, {}, cards);
+    EXPECT_EQ(state.below_cards, 0);
+}
+
 TEST_F(SlowOrbit, TurnsTheCameraSlowlyUntilItIsStopped) {
     EXPECT_EQ(turn(), 0);
     handle(lab, Action::slow_orbit);
