@@ -8,6 +8,7 @@
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
 #include "app/lab_requests.h"
+#include "core/maths/angle.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
 #include "ui/window.h"
@@ -121,6 +122,22 @@ TEST_F(LabLecturePages, ThePageAtWhichARunPausesShowsTheNumbersOfATurn) {
     EXPECT_TRUE(lab.pages->shows(PagePart::brain));
     const VehicleView& vehicle = lab.document.session.snapshot().vehicles.front();
     EXPECT_GT(vehicle.motor[0], vehicle.motor[1] + 0.1f) << "it turns away from the lamp on its left";
+}
+
+TEST_F(LabLecturePages, TheVehicleThatABrakeTurnsPausesWhenItFacesTheLamp) {
+    open("wheels-to-neurons");
+    show_page(lab, 6, 1);
+    const auto degrees_to_lamp = [&] {
+        const Snapshot& now = lab.document.session.snapshot();
+        const VehicleView& vehicle = now.vehicles.front();
+        const maths::vec2 way{now.sources.front().x - vehicle.x, now.sources.front().y - vehicle.y};
+        return maths::degrees(maths::wrap_angle(maths::to_polar(way).angle - vehicle.heading));
+    };
+    EXPECT_LT(degrees_to_lamp(), -45) << "it is clearly on the right";
+    set_mode(lab, Mode::playing);
+    for (int frame = 0; frame < 400 && lab.playback.mode == Mode::playing; ++frame) advance(lab, 0.02);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_NEAR(degrees_to_lamp(), 0, 5) << "as the marked answer says";
 }
 
 TEST_F(LabLecturePages, ANoticeLeavesTheBarOfALectureSoon) {
