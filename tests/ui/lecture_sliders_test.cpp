@@ -38,6 +38,7 @@ TEST_F(LectureSliders, TheCardOfTheBrainIsShownWholeWithItsNamesApart) {
                 if (!overlap(w.rect, desk.where("card.brain"))) continue;
                 ++texts;
                 EXPECT_FALSE(w.scrolls) << w.words;
+                EXPECT_LE(w.rect.y + w.rect.h, w.clip.y + w.clip.h) << w.words << " is cut below";
                 for (const Written& other : desk.written) {
                     const bool same_line = std::fabs(other.rect.y - w.rect.y) < 1 && other.rect.x > w.rect.x;
                     EXPECT_FALSE(same_line && other.rect.x - w.rect.x - w.rect.w < 3)

@@ -1,6 +1,7 @@
 #include "ui/widgets/card.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "ui/imgui_compat.h"
@@ -115,7 +116,10 @@ float width_of_parts(const Ui& ui, Rect card) { return card.w - ui.px(side_paddi
 void begin_body(const Ui& ui, CardState& state, Rect r) {
     const float top = ui.px(card_heading) + state.head.value_or(0.0f), bottom = ui.px(bottom_padding) + state.footer;
     ImGui::SetCursorPos({ui.px(side_padding), top});
-    begin_part(ui, "body", {width_of_parts(ui, r), std::max(1.0f, r.h - top - bottom)}, ImGuiWindowFlags_NoNav);
+    // Dear ImGui moves the line below a text to a whole pixel before it subtracts the spacing, so a measured height is
+    // up to a pixel less than that of its texts.
+    const float height = std::ceil(std::max(1.0f, r.h - top - bottom));
+    begin_part(ui, "body", {width_of_parts(ui, r), height}, ImGuiWindowFlags_NoNav);
     if (state.head && ImGui::GetScrollY() > 0)
         ImGui::GetWindowDrawList()->AddLine({r.x + ui.px(side_padding), r.y + top},
                                             {r.x + r.w - ui.px(side_padding), r.y + top}, paint(ui.palette.line),
