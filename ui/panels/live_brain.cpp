@@ -249,7 +249,13 @@ private:
     std::vector<LiveRow> eyes_, wheels_;
 };
 
-// Character and speed, at the left end.
+// What its neurons hold decides what such a brain does; one word for all of its states would be wrong in most of them.
+bool has_neurons(const Snapshot& now, const VehicleView& vehicle) {
+    const std::vector<Node>& nodes = brain_of(now, vehicle)->nodes;
+    return std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::neuron; });
+}
+
+// Character and speed, at the left end; of a brain with neurons the speed.
 void live_words(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, Rect bar) {
     const Palette& p = ui.palette;
     const float x = bar.x + ui.px(live_inset), width = words_share * bar.w - 2 * ui.px(live_inset);
@@ -259,9 +265,10 @@ void live_words(const LabView& view, PanelState& state, Ui& ui, const VehicleVie
     const std::string word = view.settings.revealed.character ? std::string(ui.strings("character." + key)) : "?";
     const std::string speed = fill(ui.strings("info.metres_a_second"), {fixed(ui, vehicle.speed, 2)});
     const float small = line_height(ui, Face::small), large = line_height(ui, Face::title);
+    const bool has_word = is_unknown || !has_neurons(*view.now, vehicle);
     const float gap = ui.px(spacing::small), both = 2 * (small + large) + gap;
     const float caption = both <= bar.h ? small : 0;  // a low bar has no room for captions
-    float y = bar.y + (bar.h - 2 * (caption + large) - gap) / 2;
+    float y = bar.y + (bar.h - (has_word ? 2 * (caption + large) + gap : caption + large)) / 2;
     const auto figure = [&](std::string_view anchor, const std::string& words) {
         if (caption > 0) put(ui, {x, y}, ui.strings(anchor), p.second_text, Face::small);
         const Face face = text_width(ui, Face::title, words) <= width ? Face::title : Face::strong;
@@ -269,7 +276,7 @@ void live_words(const LabView& view, PanelState& state, Ui& ui, const VehicleVie
         mark(ui, anchor, {x, y, width, caption + large});
         y += caption + large + gap;
     };
-    figure("lecture.character", word);
+    if (has_word) figure("lecture.character", word);
     figure("lecture.speed", speed);
 }
 
