@@ -38,6 +38,14 @@ TEST_F(TrailMoments, ThePointerOverTheTrailShowsTheTimeAndAHand) {
     EXPECT_FALSE(desk.says("why?"));
 }
 
+TEST_F(TrailMoments, ALectureShowsNoNoteAtThePointer) {
+    desk.view.lecture = true;
+    point(at(30));
+    EXPECT_FALSE(desk.says("why?"));
+    click(at(30));
+    EXPECT_EQ(requests<WhyRequest>().size(), 1u) << "a click still asks";
+}
+
 TEST_F(TrailMoments, ADragThatBeginsOnTheTrailMovesTheCamera) {
     hold(at(30), at(30) + maths::vec2{3, 0});
     EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::orbit);

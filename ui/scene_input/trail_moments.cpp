@@ -44,7 +44,7 @@ std::optional<std::uint64_t> trail_moment_at_pointer(const SceneInputState& stat
 }
 
 void draw_trail_moment(const SceneInputFrame& frame, const Ui& ui, std::uint64_t tick) {
-    if (tick >= shown_poses(frame.view)) return;
+    if (tick >= shown_poses(frame.view) || frame.view.lecture) return;  // a lecture has no tooltips
     const auto at = project(frame.camera_view, position((*frame.view.path)[static_cast<std::size_t>(tick)]));
     if (!at) return;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
