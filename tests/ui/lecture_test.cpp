@@ -1,5 +1,6 @@
 // Lecture mode: shown widgets and restored settings.
 #include <algorithm>
+#include <set>
 
 #include "desk.h"
 #include "ui/panels/cards.h"
@@ -184,6 +185,25 @@ TEST(Lecture, WritesTheNamesOfTheWatchedDiagramLegibly) {
                 for (const Rect& other : names) EXPECT_FALSE(overlap(name, other)) << node.name;
                 names.push_back(name);
             }
+        }
+}
+
+TEST(Lecture, NamesTheSideOfEachEyeAndMotorInTheWatchedDiagram) {
+    for (const char* code : {"en", "de", "es"})
+        for (const auto& [width, height] : {std::pair{1920.0f, 1080.0f}, std::pair{1024.0f, 768.0f}}) {
+            SCOPED_TRACE(code + std::string(" at ") + std::to_string(width));
+            Desk desk(width, height, width > 1500 ? 2.0f : 1.6f, true);
+            desk.strings = speaking(code);
+            desk.now = shipped_scene("2b-aggressor");
+            desk.view.lecture = desk.view.settings.watching = true;
+            desk.frame(4);
+            std::set<std::string, std::less<>> captions;
+            for (const char* key : {"node.SL", "node.SR", "node.ML", "node.MR", "side.left", "side.right"})
+                captions.emplace(desk.strings(std::string("wiring.") + key));
+            const auto shown = std::count_if(desk.written.begin(), desk.written.end(), [&](const ui::Written& w) {
+                return is_inside(w.rect, desk.where("canvas")) && captions.contains(w.words);
+            });
+            EXPECT_EQ(shown, 4);
         }
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/maths/portable.h"
@@ -167,6 +168,21 @@ Colour caption_colour(const Pen& pen, const Picture& picture) {
     return picture.view.lecture ? pen.palette().text : pen.palette().second_text;
 }
 
+constexpr float large_words_inset = 12;
+
+// "motor izquierdo"; in large letters, where one of the eyes' and motors' captions has no room, "izquierdo" in all.
+std::string_view caption_of(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node) {
+    constexpr std::array<std::string_view, 4> sides{"SL", "SR", "ML", "MR"};
+    const std::string_view whole = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
+    const bool has_side = std::find(sides.begin(), sides.end(), node.name) != sides.end();
+    if (!has_side || !picture.view.lecture || detail_of(pen) == Detail::full) return whole;
+    const float room = shape.size.x - 2 * large_words_inset;
+    const bool all_fit = std::none_of(sides.begin(), sides.end(), [&](std::string_view name) {
+        return pen.cuts(pen.ui.strings("wiring.node." + std::string(name)), Face::small, room);
+    });
+    return all_fit ? whole : pen.ui.strings(node.name.back() == 'L' ? "wiring.side.left" : "wiring.side.right");
+}
+
 struct CardWords {
     const std::string &name, &number;
     std::string_view caption;
@@ -180,11 +196,11 @@ void draw_large_words(const Pen& pen, const Picture& picture, const NodeShape& s
     const auto width_of = [&](Face face, std::string_view text) {
         return text_width(pen.ui, face, text) * height / own;
     };
-    constexpr float beside_icon = 8, inset = 12;
-    const float left = text_left(shape) - beside_icon, right = shape.centre.x + shape.size.x / 2 - beside_icon;
+    constexpr float beside_icon = 18, at_edge = 6, inset = large_words_inset;
+    const float left = text_left(shape) - beside_icon, right = shape.centre.x + shape.size.x / 2 - at_edge;
     const float room = right - left;
     const float first = shape.centre.y - shape.size.y / 4 + 2, second = shape.centre.y + shape.size.y / 4;
-    const bool fits = width_of(Face::strong, words.name) + width_of(Face::text, words.number) + 8 <= room;
+    const bool fits = width_of(Face::strong, words.name) + width_of(Face::text, words.number) + at_edge <= room;
     const std::string& id = picture.graph.nodes[shape.node].name;
     record_name(pen, picture, id,
                 pen.text({left, first}, height, 0, words.name, p.text, Face::strong, fits ? 0 : room));
@@ -204,7 +220,7 @@ void draw_words(const Pen& pen, const Picture& picture, const NodeShape& shape, 
     const float shown = shown_value(node, value);
     const std::string number = node.kind == NodeKind::sensor ? fixed(pen.ui, shown, 2) : with_sign(pen.ui, shown, 2);
     const float room = high.x - low.x, of_name = name_room(shape, detail_of(pen));
-    const std::string_view caption = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
+    const std::string_view caption = caption_of(pen, picture, shape, node);
     const Colour pale = caption_colour(pen, picture);
     const std::string name = name_of(pen, picture, node);
     const auto put_name = [&](float y, float height) {
@@ -238,7 +254,7 @@ void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shap
     const bool far = detail_of(pen) != Detail::full;
     const vec2 half = shape.size / 2;
     const float above = neuron ? 0.0f : !far ? 9.0f : picture.view.lecture ? 23.0f : 13.0f;
-    const float right = neuron || (far && picture.view.lecture) ? 38.0f : 44.0f;
+    const float right = neuron ? 38.0f : far && picture.view.lecture ? 33.0f : 44.0f;
     const vec2 icon = shape.centre + vec2{-half.x + right, -above};
     if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value, node.silenced);
     if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value, node.silenced);
