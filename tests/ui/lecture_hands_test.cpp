@@ -111,6 +111,23 @@ TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {
         }
 }
 
+TEST_F(LectureHands, TheReasonIsInTheSizeOfTheTextWhereItHasRoom) {
+    const auto size_of_reason = [&] {
+        const std::string first = pages.current().question.why.substr(0, 12);
+        float size = 0;
+        for (const Written& w : desk.written)
+            if (w.words.rfind(first, 0) == 0) size = w.size;
+        return size;
+    };
+    ImGui::GetIO().DisplaySize = {1920, 1080};
+    show(1, 2);
+    const float large = size_of_reason();
+    ImGui::GetIO().DisplaySize = {1024, 500};
+    show(1, 2);
+    EXPECT_GT(size_of_reason(), 0);
+    EXPECT_GT(large, 1.05f * size_of_reason());
+}
+
 TEST_F(LectureHands, TheAnswerOfThePageTellsTheOutcomeOfItsExercise) {
     pages = opened_lecture("wheels-to-neurons");
     desk.open_exercise();

@@ -320,4 +320,19 @@ TEST_F(LecturePages, ANoticeIsInTheBarAndCoversNothing) {
     EXPECT_EQ(lines, 2);
 }
 
+TEST_F(LecturePages, AShortNoticeIsInTheSizeOfTheText) {
+    show(2, 2);
+    const auto size_of_notice = [&](const std::string& words) {
+        desk.view.notice = {NoticeKind::failure, "", words};
+        desk.frame(2);
+        float size = 0;
+        for (const Written& w : desk.written)
+            if (is_inside(w.rect, desk.where("hint.bar"))) size = w.size;
+        return size;
+    };
+    std::string much;
+    for (int i = 0; i < 30; ++i) much += "words to read ";
+    EXPECT_GT(size_of_notice("a short one"), 1.1f * size_of_notice(much));
+}
+
 }  // namespace braitenlab::tests::lecture_page_test

@@ -43,6 +43,24 @@ TEST_F(SlotsCard, IsThereOnceABrainIsStored) {
     EXPECT_FALSE(desk.anchors.find("card.slots"));
 }
 
+TEST(SlotsCardInALecture, TellsInLargerTypeHowTheRunsAreMeasured) {
+    const auto size_of_note = [](bool lecture) {
+        const insight::Design design;
+        const CompareNumbers of_a{0.4f, 5.3f, 0.5f, 7, 3};
+        Desk desk(1280, 800, 1, true);
+        for (auto& slot : desk.view.slots.slots) slot = {.design = &design, .kind = "vehicle", .numbers = &of_a};
+        desk.view.slots.seconds = 30;
+        desk.view.lecture = lecture;
+        desk.frame(4);
+        float size = 0;
+        for (const Written& w : desk.written)
+            if (w.words.rfind("Both runs", 0) == 0) size = w.size;
+        return size;
+    };
+    ASSERT_GT(size_of_note(false), 0);
+    EXPECT_GT(size_of_note(true), 1.1f * size_of_note(false));
+}
+
 TEST_F(SlotsCard, ALetterPutsItsBrainAndAnEmptyOneStores) {
     desk.frame(4);
     desk.click("slot.a");

@@ -111,10 +111,11 @@ void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
     const float text = from + (has_icons(ui) ? ui.px(22) : 0), width = from + room - text;
     put_icon(ui, {from + ui.px(7), bar.y + bar.h / 2}, sign_of(view.notice.kind), colour);
     const std::string words = text_of(view.notice, ui.strings);
-    const auto lines = lines_of_words(ui, words, Face::small, width);
-    const float line = line_height(ui, Face::small);
+    const Face face = lines_of_words(ui, words, Face::text, width).size() <= 2 ? Face::text : Face::small;
+    const auto lines = lines_of_words(ui, words, face, width);
+    const float line = line_height(ui, face);
     const float y = bar.y + (bar.h - (lines.size() == 1 ? 1 : 2) * line) / 2;
-    put_lines(ui, {text, y}, words, colour, Face::small, width, 2);
+    put_lines(ui, {text, y}, words, colour, face, width, 2);
     mark(ui, "hint.bar", {from, bar.y, room, bar.h});
 }
 

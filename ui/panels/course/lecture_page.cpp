@@ -109,20 +109,36 @@ void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t
     gap(ui, between_options);
 }
 
-// A long reason is in small type, so that it pushes no option out of a small window.
-Face face_of_reason(const Ui& ui, const LectureQuestion& asked) {
-    constexpr std::size_t most_lines = 4;
-    const auto lines = lines_of_words(ui, translated(ui, asked.why), Face::text, card_width(ui));
-    return lines.size() > most_lines ? Face::small : Face::text;
+// Once the answer is known the right option is larger.
+Face face_of_answer(bool right) { return right ? Face::title : Face::strong; }
+
+std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::size_t option) {
+    const bool right = static_cast<int>(option) == asked.answer;
+    return (right ? "✓ " : "") + std::string(translated(ui, asked.options[option]));
+}
+
+// The reason is in the size of the text where it fits with the options into this height, else in small type, so that it
+// pushes no option out of a small window.
+Face face_of_reason(const Ui& ui, const LectureQuestion& asked, float height) {
+    const float below_option = ui.px(bar_thickness + between_answers + 2 * spacing::tight);
+    const auto height_of = [&](std::string_view words, Face face, float width) {
+        return static_cast<float>(lines_of_words(ui, words, face, width).size()) * line_height(ui, face);
+    };
+    float used = height_of(translated(ui, asked.why), Face::text, card_width(ui)) + ui.px(spacing::tight);
+    for (std::size_t i = 0; i < asked.options.size(); ++i)
+        used +=
+            below_option + height_of(words_of_answer(ui, asked, i), face_of_answer(static_cast<int>(i) == asked.answer),
+                                     card_width(ui) - ui.px(count_width));
+    return used <= height ? Face::text : Face::small;
 }
 
 // Once the answer is known the count is beside the option, and wrong options are smaller: the reason finds room.
-void answered_option(const LabView& view, Ui& ui, std::size_t option) {
+void answered_option(const LabView& view, Ui& ui, std::size_t option, Face of_reason) {
     const LectureView& page = *view.pages;
     const LectureQuestion& asked = page.current().question;
     const bool right = static_cast<int>(option) == asked.answer;
     const Colour colour = right ? ui.palette.success : ui.palette.text;
-    const Face face = right ? Face::title : Face::strong;
+    const Face face = face_of_answer(right);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = line_height(ui, face), width = card_width(ui) - ui.px(count_width);
     const std::string count = std::to_string(page.hands[static_cast<std::size_t>(page.page)][option]);
@@ -130,10 +146,9 @@ void answered_option(const LabView& view, Ui& ui, std::size_t option) {
               Face::title);
     mark(ui, option_id("lecture.count.", option), {at.x + width, at.y, ui.px(count_width), line});
     if (right) mark(ui, "lecture.right", {at.x, at.y, width, line});
-    paragraph(ui, (right ? "✓ " : "") + std::string(translated(ui, asked.options[option])), colour, face, width);
+    paragraph(ui, words_of_answer(ui, asked, option), colour, face, width);
     share_bar(page, ui, option, colour, ui.px(bar_thickness));
-    if (right && !asked.why.empty())
-        paragraph(ui, translated(ui, asked.why), ui.palette.text, face_of_reason(ui, asked));
+    if (right && !asked.why.empty()) paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
     gap(ui, between_answers);
 }
 
@@ -187,8 +202,10 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         // Beside notes there is less room.
         const Face face =
             page.notes ? Face::strong : face_of_options(*page.lecture, ui, card_width(ui), r.h - ui.px(card_around));
+        const Face of_reason = face_of_reason(ui, asked, r.h - ui.px(card_around));
         for (std::size_t i = 0; i < asked.options.size(); ++i)
-            page.shows(PagePart::answer) ? answered_option(view, ui, i) : option_to_count(view, state, ui, i, face);
+            page.shows(PagePart::answer) ? answered_option(view, ui, i, of_reason)
+                                         : option_to_count(view, state, ui, i, face);
         ImGui::PopStyleVar();
     }
     end_card(card);
