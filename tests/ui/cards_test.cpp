@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "desk.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::cards_test {
 
@@ -48,6 +49,41 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     desk.frame(3);
     note(desk);
     for (const CardTraits& row : cards()) EXPECT_TRUE(drawn.count(row.anchor)) << row.anchor;
+}
+
+// Shades at the upper and at the lower edges of cards: rectangles that begin or end without opacity.
+std::pair<int, int> shades(const Desk& desk) {
+    const ImU32 full = paint(palette(desk.view.theme).panel);
+    const ImU32 none = paint(palette(desk.view.theme).panel.with_alpha(0));
+    std::pair<int, int> found{};
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int l = 0; l < data.CmdListsCount; ++l) {
+        const auto& v = data.CmdLists[l]->VtxBuffer;
+        for (int i = 0; i + 3 < v.Size; ++i) {
+            const auto are = [&](ImU32 above, ImU32 below) {
+                return v[i].col == above && v[i + 1].col == above && v[i + 2].col == below && v[i + 3].col == below &&
+                       v[i].pos.y == v[i + 1].pos.y;
+            };
+            found.first += are(full, none), found.second += are(none, full);
+        }
+    }
+    return found;
+}
+
+TEST(Cards, ShadeTheEdgesBeyondWhichThereIsMore) {
+    Desk desk(1280, 1100, 1, true);
+    desk.open_exercise();
+    desk.frame(6);
+    EXPECT_EQ(shades(desk), (std::pair{0, 0}));
+    ImGui::GetIO().DisplaySize = {1280, 600};
+    desk.panels.card(Card::brain).folded = true;
+    desk.frame(6);
+    EXPECT_EQ(shades(desk), (std::pair{0, 1}));
+    const Rect card = desk.where("card.exercise");
+    desk.point(card.x + card.w / 2, card.y + card.h / 2);
+    ImGui::GetIO().MouseWheel = -0.5f;
+    desk.frame(4);
+    EXPECT_EQ(shades(desk), (std::pair{1, 1}));
 }
 
 TEST(Cards, TellThatTheyAreTooLowForAFrameWhenTheirWordsGrow) {

@@ -50,7 +50,7 @@ public:
                     gestures.push_back(edit->gesture);
                 }
             }
-            end_card(card);
+            end_card(ui, card);
             end_keyboard(keyboard);
             ImGui::Render();
         }
@@ -212,7 +212,7 @@ TEST(RecordFields, ShowOnlyTheKeysAskedFor) {
         constexpr std::string_view only[]{"width", "edge"};
         (void)record_fields(FieldRows{ui, fields, sliders}, Arena{}, Arena{}, only);
     }
-    end_card(card);
+    end_card(ui, card);
     ImGui::Render();
     EXPECT_TRUE(desk.anchors.find("arena.width"));
     EXPECT_TRUE(desk.anchors.find("arena.edge.1"));

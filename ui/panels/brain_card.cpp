@@ -405,7 +405,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         presets_menu(view, state, ui, *vehicle, wanted,
                      {place.x + place.w - ui.px(spacing::large), place.y + ui.px(spacing::medium + spacing::wide)});
     }
-    end_card(state.card(Card::brain));
+    end_card(ui, state.card(Card::brain));
 }
 
 }  // namespace braitenlab::ui

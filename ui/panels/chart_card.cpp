@@ -269,7 +269,7 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         }
     }
     CardState& card = state.card(Card::charts);
-    end_card(card);
+    end_card(ui, card);
     if (card.folded) card.folded = state.charts_open = false;  // folding closes it
 }
 

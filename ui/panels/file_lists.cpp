@@ -14,6 +14,7 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -213,7 +214,8 @@ void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bott
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::hair)});
 }
 
-void end_list() {
+void end_list(const Ui& ui) {
+    shade_edges(ui);
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }
@@ -275,7 +277,7 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
     if (listed.empty()) {
         begin_list(files, ui, "no match", bottom);
         if (!files.search.empty()) paragraph(ui, ui.strings("files.no_match"), ui.palette.second_text);
-        return end_list();
+        return end_list(ui);
     }
     if (ui.keyboard && is_new && !files.search.empty()) keep_focus_in(listed, *ui.keyboard);
     constexpr float exercises_share = 0.66f;  // of the width
@@ -288,14 +290,14 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
         begin_list(files, ui, "shipped", bottom, "exercises", has_both ? left : all);
         list_heading(ui, true);
         exercise_gallery(view, listed, files, ui);
-        end_list();
+        end_list(ui);
     }
     if (has_both) ImGui::SameLine(0, between), files.listed = before;
     if (exercises < std::ssize(listed)) {
         begin_list(files, ui, "shipped", bottom, "scenes", has_both ? all - between - left : all);
         list_heading(ui, false);
         shipped_scenes(view, listed, files, ui);
-        end_list();
+        end_list(ui);
     }
 }
 
@@ -311,7 +313,7 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
                          ui.strings("files.open_how")))
                 request_file(view, files, ui, OpenRequest{file.path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
-    end_list();
+    end_list(ui);
 }
 
 namespace {
@@ -359,7 +361,7 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
                                        [](const FileEntry& entry) { return !entry.is_folder; });
     if (!any && listing.problem.empty())
         paragraph(ui, ui.strings(has_files ? "files.none_of_kind" : "files.nothing"), ui.palette.second_text);
-    end_list();
+    end_list(ui);
 }
 
 }  // namespace braitenlab::ui

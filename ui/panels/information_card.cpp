@@ -243,7 +243,7 @@ void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place
             population_strip(state.history, ui);
         inactivity(*view.now, ui);
     }
-    end_card(state.card(Card::information));
+    end_card(ui, state.card(Card::information));
 }
 
 }  // namespace braitenlab::ui

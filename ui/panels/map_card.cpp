@@ -74,7 +74,7 @@ void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect c
                   Face::small);
     }
     CardState& card = state.card(Card::map);
-    end_card(card);
+    end_card(ui, card);
     make_room(view, state, ui, place);
     if (!card.folded) return;
     card.folded = false;  // folding closes it

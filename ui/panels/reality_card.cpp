@@ -267,7 +267,7 @@ void reality_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
             paragraph(ui, ui.strings("unavailable.reality"), ui.palette.second_text, Face::small);
     }
     CardState& card = state.card(Card::reality);
-    end_card(card);
+    end_card(ui, card);
     if (!card.folded) return;
     card.folded = false;  // folding closes it
     ui.outbox.push_back(Action::reality);

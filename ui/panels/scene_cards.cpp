@@ -254,7 +254,7 @@ void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
             obstacle_values(view, state, ui, object.index);
         object_buttons(ui);
     }
-    end_card(state.card(Card::object));
+    end_card(ui, state.card(Card::object));
 }
 
 void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
@@ -270,7 +270,7 @@ void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (scene.goal.role != Role::none) goal_row(state, ui, scene.goal);
         start_row(view, state, ui);
     }
-    end_card(state.card(Card::scene));
+    end_card(ui, state.card(Card::scene));
 }
 
 }  // namespace braitenlab::ui

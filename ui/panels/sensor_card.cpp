@@ -371,7 +371,7 @@ void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (open && !vehicle) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);
     if (open && vehicle) SensorEditor(view, state, ui, *vehicle).draw();
-    end_card(state.card(Card::sensors));
+    end_card(ui, state.card(Card::sensors));
 }
 
 }  // namespace braitenlab::ui

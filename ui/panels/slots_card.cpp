@@ -152,7 +152,7 @@ void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
             paragraph(ui, ui.strings("slots.computing"), ui.palette.second_text, Face::small);
         }
     }
-    end_card(state.card(Card::slots));
+    end_card(ui, state.card(Card::slots));
 }
 
 }  // namespace braitenlab::ui

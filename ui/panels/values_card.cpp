@@ -185,7 +185,7 @@ void values_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (chosen >= 0) state.values.kinds = chosen == 1;
         state.values.kinds ? kind_values(view, state, ui) : arena_values(view, state, ui);
     }
-    end_card(state.card(Card::values));
+    end_card(ui, state.card(Card::values));
 }
 
 }  // namespace braitenlab::ui

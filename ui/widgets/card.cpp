@@ -160,8 +160,9 @@ void end_head(const Ui& ui, CardState& state, Rect r) {
 
 namespace {
 
-void end_body(CardState& state) {
+void end_body(const Ui& ui, CardState& state) {
     if (!state.in_body) return;
+    shade_edges(ui);
     measure(state, state.content, end_part());
     state.in_body = false;
 }
@@ -169,7 +170,7 @@ void end_body(CardState& state) {
 }  // namespace
 
 void begin_footer(Ui& ui, CardState& state, Rect r) {
-    end_body(state);
+    end_body(ui, state);
     ImGui::SetCursorScreenPos(
         {r.x + ui.px(side_padding), r.y + r.h - ui.px(bottom_padding) - state.footer + ui.px(above_footer)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::small)});
@@ -182,8 +183,8 @@ void end_footer(const Ui& ui, CardState& state) {
     measure(state, state.footer, ImGui::GetItemRectSize().y + ui.px(above_footer));
 }
 
-void end_card(CardState& state) {
-    end_body(state);
+void end_card(const Ui& ui, CardState& state) {
+    end_body(ui, state);
     ImGui::End();
 }
 

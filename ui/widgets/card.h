@@ -40,7 +40,7 @@ struct HeadingButton {
 // then. Call end_card() in both cases. With CardState::head set, the head is begun: draw it, then call end_head().
 bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect,
                 std::span<HeadingButton> = {});  // from right to left
-void end_card(CardState&);
+void end_card(const Ui&, CardState&);
 
 // Ends the head, measures its height for the next frame, and begins the body.
 void end_head(const Ui&, CardState&, Rect card);

@@ -14,6 +14,7 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace braitenlab::ui {
 
@@ -55,6 +56,7 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
 
 void sheet_buttons(Ui& ui, SheetState& state) {
     ImGui::EndGroup();
+    shade_edges(ui);
     state.content = ImGui::GetItemRectSize().y;
     ImGui::PopStyleVar();
     ImGui::EndChild();

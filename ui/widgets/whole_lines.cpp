@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/imgui_compat.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::ui {
 
@@ -21,6 +22,18 @@ WholeLines::WholeLines(float top, float line) {
 
 WholeLines::~WholeLines() {
     if (narrowed_) ImGui::PopClipRect();
+}
+
+void shade_edges(const Ui& ui) {
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
+    const float height = ui.px(20), hidden = ui.px(4);  // what is less than this is space below the content
+    const ImVec2 low = window.InnerClipRect.Min, high = window.InnerClipRect.Max;
+    if (window.ScrollMax.y <= hidden || high.y - low.y < 3 * height) return;
+    const ImU32 full = paint(ui.palette.panel), none = paint(ui.palette.panel.with_alpha(0));
+    if (window.Scroll.y > hidden)
+        window.DrawList->AddRectFilledMultiColor(low, {high.x, low.y + height}, full, full, none, none);
+    if (window.ScrollMax.y - window.Scroll.y > hidden)
+        window.DrawList->AddRectFilledMultiColor({low.x, high.y - height}, high, none, none, full, full);
 }
 
 }  // namespace braitenlab::ui

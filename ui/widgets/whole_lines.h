@@ -1,5 +1,8 @@
-// Lines of text at the edges of a part that scrolls: a line whose letters an edge would cut is not drawn.
+// The edges of a part that scrolls: a line of text whose letters an edge would cut is not drawn, and a shade tells that
+// there is more.
 #pragma once
+
+#include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
 
@@ -15,5 +18,9 @@ public:
 private:
     bool narrowed_ = false;
 };
+
+// Shades the upper and lower edge of the current part with the colour of the panel where content lies beyond it. Call
+// after the contents.
+void shade_edges(const Ui&);
 
 }  // namespace braitenlab::ui

@@ -182,7 +182,7 @@ void draw_inspector(const LabView& view, CanvasState& state, SliderState& slider
     else
         in.target.vehicle = vehicle->id;
     if (begin_card(ui, state.inspector, "card.inspector", heading(in), rect)) show(in);
-    end_card(state.inspector);
+    end_card(ui, state.inspector);
 }
 
 }  // namespace braitenlab::wiring

@@ -414,7 +414,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         exercise_buttons(view, state, ui, card_width(ui, place));
         end_footer(ui, card);
     }
-    end_card(card);
+    end_card(ui, card);
 }
 
 }  // namespace braitenlab::ui

@@ -50,7 +50,7 @@ void findings_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
                                      .icon = icon::cross}};
     if (open_card(state, ui, Card::findings, place, buttons))
         for (const Finding& finding : *view.findings) finding_row(finding, ui);
-    end_card(state.card(Card::findings));
+    end_card(ui, state.card(Card::findings));
     if (buttons[0].pressed) ui.outbox.emplace_back(HideFindingsRequest{});
 }
 

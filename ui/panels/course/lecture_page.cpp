@@ -208,7 +208,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
                                          : option_to_count(view, state, ui, i, face);
         ImGui::PopStyleVar();
     }
-    end_card(card);
+    end_card(ui, card);
     state.question_height = wanted_height(ui, card);
 }
 
@@ -219,7 +219,7 @@ void lecture_notes(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         if (std::exchange(state.notes_page, page.page) != page.page) ImGui::SetScrollY(0);
         paragraph(ui, translated(ui, page.current().notes), ui.palette.text, Face::small);
     }
-    end_card(card);
+    end_card(ui, card);
     state.notes_height = wanted_height(ui, card);
 }
 
