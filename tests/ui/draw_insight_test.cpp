@@ -226,6 +226,16 @@ TEST_F(DrawInsight, ALabelWithoutAFreePlaceNearIsLeftOut) {
     EXPECT_FALSE(label_of_path(desk));
 }
 
+TEST_F(DrawInsight, ThePredictionHasNoTimeWhereItEndsNow) {
+    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("in 8 s"));
+    path.resize(10);
+    desk.frame(2);
+    EXPECT_FALSE(desk.says("in 0 s"));
+    EXPECT_TRUE(desk.anchors.find("stage.prediction"));
+}
+
 TEST_F(DrawInsight, TheLettersOfTwoBrainsAreNearerToTheirOwnVehicles) {
     desk.now.vehicles.resize(1);
     VehicleView& vehicle = desk.now.vehicles[0];

@@ -84,7 +84,9 @@ void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const Predictio
     draw_coming_dots(frame, ui, {shown.path, shown.tick, now}, colour);
     const std::uint64_t end = shown.tick + shown.path->size() - 1;
     const auto seconds = static_cast<int>(std::lround(static_cast<double>(end - now) / 60));
-    name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour, side);
+    if (seconds > 0)
+        name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour,
+                 side);
     if (const auto at = project(frame.camera_view, points.back())) {
         const float size = ui.px(16);
         ui.anchors.record("stage.prediction", {at->x - size / 2, at->y - size / 2, size, size});
