@@ -19,7 +19,7 @@ void tidy_up(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const BrainGraph bare = without_places(frame.graph);
     if (bare != frame.graph) outbox.push_back(EditRequest{none, state.next_gesture++});
     state.held = tidy(bare);
-    fit(state.camera, lay_out(bare, {}), frame.area, frame.ui_scale, frame.has_buttons);
+    fit(state.camera, lay_out(bare, {}, frame.layout.room), frame.area, frame.ui_scale, frame.has_buttons);
 }
 
 void toggle_lesion(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {

@@ -62,11 +62,25 @@ bool has_foreign_nodes(const BrainGraph& brain, const BrainGraph& before, const 
 // A lecture shows few controls: the watched diagram takes the space of the buttons.
 bool has_buttons(const LabView& lab) { return !lab.lecture || lab.mode == Mode::wiring; }
 
+// Fits the brain. The layout depends on the zoom, because letters have a least height; labels that grow need more room.
+template <class LayOut>
+void fit_letters(CanvasCamera& camera, LayOut lay_out, Rect area, float ui_scale, bool with_buttons) {
+    constexpr int most_rounds = 5;
+    camera.zoom = most_zoom;  // labels at their least size
+    float before = 0;
+    for (int round = 0; round < most_rounds && camera.zoom != before; ++round) {
+        before = camera.zoom;
+        fit(camera, lay_out(), area, ui_scale, with_buttons);
+    }
+}
+
 // Moves the camera between frames. Parts of the picture stay under the mouse while the brain is edited or a card opens
 // or folds. The whole brain is fitted when the canvas is entered, when it is another brain (a preset, a file) and when
 // the window or the pane beside the scene changes its size, unless the user has moved the camera.
+// `lay_out` returns the layout at the camera's zoom.
+template <class LayOut>
 void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
-            const std::shared_ptr<const BrainGraph>& brain, const Layout& layout, Rect area, float ui_scale) {
+            const std::shared_ptr<const BrainGraph>& brain, LayOut lay_out, Rect area, float ui_scale) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ShownBefore now{lab.run_id, vehicle.kind, brain, area, {window.x, window.y}, ui_scale, lab.mode != Mode::wiring};
     ShownBefore& before = state.shown;
@@ -86,9 +100,9 @@ void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
                                (state.camera.zoom * ui_scale);
     const bool outgrown = !another && before.brain != brain &&
                           has_foreign_nodes(*brain, *before.brain, state.selection) &&
-                          !shows_all(layout, view_of(state.camera, area, ui_scale), area);
+                          !shows_all(lay_out(), view_of(state.camera, area, ui_scale), area);
     if (another || (!state.camera.by_user && (resized || state.entered || outgrown)))
-        fit(state.camera, layout, area, ui_scale, has_buttons(lab));
+        fit_letters(state.camera, lay_out, area, ui_scale, has_buttons(lab));
     before = std::move(now);
 }
 
@@ -164,8 +178,12 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     const auto& brain = view.now->brains[static_cast<std::size_t>(vehicle.brain)];
     const BrainGraph& graph = *brain;
     if (state.drag.phase != DragPhase::move_nodes) state.held.clear();
-    const Layout& before = state.layout.get(brain, state.held);
-    follow(state, view, vehicle, brain, before, area, ui.scale);
+    const auto lay_out = [&]() -> const Layout& {
+        const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state.camera, area, ui.scale)};
+        return state.layout.get(brain, state.held, letter_room(pen, view, vehicle, graph));
+    };
+    follow(state, view, vehicle, brain, lay_out, area, ui.scale);
+    const Layout& before = lay_out();
     drop_stale_selection(state, before);
 
     Target target;
@@ -192,8 +210,8 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
                            [&](const CornerButton& button) { return button.anchor == anchor && button.pressed; });
     };
     if (pressed("canvas.arrange")) execute(state, frame, Action::tidy, ui.outbox);
-    const Layout& layout = state.layout.get(brain, state.held);
-    if (pressed("canvas.fit")) fit(state.camera, layout, area, ui.scale);
+    if (pressed("canvas.fit")) fit_letters(state.camera, lay_out, area, ui.scale, true);
+    const Layout& layout = lay_out();
 
     const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state.camera, area, ui.scale)};
     update(state.readings, *view.now, vehicle, graph, layout);

@@ -170,6 +170,37 @@ Detail detail_of(const Pen& pen) {
     return pen.view.scale < 0.75f * pen.ui.scale ? Detail::sketch : Detail::full;
 }
 
+namespace {
+
+// The least width of a neuron's card in which every neuron's name is whole on the map, within the gap of two columns.
+float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
+    const float least = LetterRoom{}.neuron_width, most = 1.6f * least;
+    const float own = compat::size_of(font(pen.ui, Face::strong)), height = pen.least_type() / pen.view.scale;
+    float widest = 0;
+    for (const Node& node : graph.nodes)
+        if (node.kind == NodeKind::neuron)
+            widest = std::max(widest, text_width(pen.ui, Face::strong, shown_name(pen.ui, view, vehicle, node)));
+    return std::clamp(std::ceil(widest * height / own) + 2 * map_name_margin, least, most);
+}
+
+}  // namespace
+
+LetterRoom letter_room(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
+    constexpr float steps = 20;  // so that few zooms need another layout
+    LetterRoom room;
+    const Detail detail = detail_of(pen);
+    if (detail != Detail::map) {
+        const float growth = pen.least_type() / pen.size(label_letters(detail));
+        room.label_growth = std::max(1.0f, std::ceil(growth * steps) / steps);
+    } else if (view.lecture) {
+        room.neuron_width = neuron_width(pen, view, vehicle, graph);
+    }
+    const bool has_neurons = std::any_of(graph.nodes.begin(), graph.nodes.end(),
+                                         [](const Node& node) { return node.kind == NodeKind::neuron; });
+    room.has_free_labels = !view.lecture || !has_neurons;
+    return room;
+}
+
 void draw_ground(const Pen& pen, Rect area) {
     const Palette& p = pen.palette();
     pen.list.AddRectFilled({area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.ground),
@@ -231,9 +262,9 @@ void record_anchors(Ui& ui, const Pen& pen, const Picture& picture, Rect area) {
     if (detail_of(pen) == Detail::map) return;
     for (const WireShape& wire : layout.wires) {
         const Rect label = label_rect(view, wire);
-        if (!area.overlaps(label)) continue;
+        if (label.w > 0 && !area.overlaps(label)) continue;
         const std::string name = name_of(graph, layout, wire);
-        record_anchor(ui, area, "wire." + name, label);
+        if (label.w > 0) record_anchor(ui, area, "wire." + name, label);
         const vec2 beside = view.to_window(bezier_point(wire.bezier, clear_of_label(wire)));
         record_anchor(ui, area, "curve." + name, {beside.x - 1, beside.y - 1, 2, 2});
     }

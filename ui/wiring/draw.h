@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include <imgui.h>
@@ -14,7 +15,8 @@
 
 namespace braitenlab::wiring {
 
-inline constexpr float too_small = 6;  // letters' heights, layout pixels
+inline constexpr float too_small = 6;        // letters' heights, layout pixels
+inline constexpr float map_name_margin = 8;  // beside the letters in a neuron's card on the map of a lecture, units
 
 // Draws in canvas units on Dear ImGui's draw list.
 struct Pen {
@@ -60,6 +62,13 @@ struct Pen {
 enum class Detail { map, sketch, full };  // boxes and lines; with text as large as it fits; everything
 Detail detail_of(const Pen&);
 
+// The room that the pen's letters need in the layout of a brain, the free places' labels left out between the large
+// ones of a lecture.
+LetterRoom letter_room(const Pen&, const LabView&, const VehicleView&, const BrainGraph&);
+
+// The height of a label's letters at this level of detail, units, where they are not enlarged.
+inline float label_letters(Detail detail) { return detail == Detail::full ? 17.0f : 20.0f; }
+
 // The state to draw.
 struct Picture {
     const LabView& view;
@@ -97,6 +106,9 @@ float first_dot(std::uint64_t tick);
 
 // The input at the right end of a neuron's curve glyph, at least 1: the glyph always contains the step or the peak.
 float glyph_reach(const Curve&);
+
+// The name of a node on its card: in a lecture a neuron of a shipped brain has one in words.
+std::string shown_name(const ui::Ui&, const LabView&, const VehicleView&, const Node&);
 
 // Cards with name, value and icon, and their pins.
 void draw_nodes(const Pen&, const Picture&);

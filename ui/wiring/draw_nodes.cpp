@@ -129,11 +129,8 @@ void record_name(const Pen& pen, const Picture& picture, const std::string& name
     if (picture.view.mode != Mode::wiring) pen.ui.anchors.record("name." + name, rect);
 }
 
-// A neuron of a shipped brain has a name in words in a lecture.
 std::string name_of(const Pen& pen, const Picture& picture, const Node& node) {
-    if (picture.view.lecture && node.kind == NodeKind::neuron)
-        return std::string(pen.ui.strings.find("neuron." + node.name, node.name));
-    return short_name(kind_of(*picture.view.now, picture.vehicle).sensors, node.name);
+    return shown_name(pen.ui, picture.view, picture.vehicle, node);
 }
 
 // The text of a card begins here, right of its icon; and ends here.
@@ -150,14 +147,16 @@ float name_room(const NodeShape& shape, Detail detail) {
     return text_right(shape) - text_left(shape) - (beside_number ? 62 : 0);
 }
 
-// The width for the name on the map: between the pins. In a lecture, where the pins are not used, and for a name of a
-// few letters, of which nothing is left otherwise, it may be wider, because there is space between the columns.
+// The width for the name on the map: between the pins. In a lecture, where the pins are not used, it is that of the
+// card. A name of a few letters, of which nothing is left otherwise, may be wider, because there is space between the
+// columns.
 float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, std::string_view name) {
     constexpr float overhang = 1.5f;  // of the card's width
     constexpr int few = 4;
     const float inner = shape.size.x - 30, own = compat::size_of(font(pen.ui, Face::strong));
     const auto letters = std::count_if(name.begin(), name.end(),
                                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    if (picture.view.lecture && shape.kind == NodeKind::neuron) return shape.size.x - 2 * map_name_margin + 1;
     if (letters > few && !picture.view.lecture) return inner;
     const float readable = text_width(pen.ui, Face::strong, name) * pen.least_type() / own / pen.view.scale;
     return std::clamp(readable + 1, inner, overhang * shape.size.x);
@@ -339,6 +338,12 @@ bool invites(const Picture& picture, const NodeShape& shape, bool out) {
 }
 
 }  // namespace
+
+std::string shown_name(const Ui& ui, const LabView& view, const VehicleView& vehicle, const Node& node) {
+    if (view.lecture && node.kind == NodeKind::neuron)
+        return std::string(ui.strings.find("neuron." + node.name, node.name));
+    return short_name(kind_of(*view.now, vehicle).sensors, node.name);
+}
 
 float glyph_reach(const Curve& curve) {
     constexpr float beyond = 1.4f;  // of the peak

@@ -230,9 +230,9 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     const bool cut = wire != nullptr && wire->cut, selected = picture.state.selection.wires.count(shape.ends) > 0;
     const Hit& over = picture.state.hovered;
     const bool hovered = (over.part == Part::wire || over.part == Part::label) && over.wire == shape.ends;
-    const bool sketch = detail_of(pen) != Detail::full;  // with larger letters
-    const float letters = sketch ? 20 : 17, grow = std::max(1.0f, pen.least_type() / pen.size(letters));
-    const vec2 extent = shape.label_size * grow, at = shape.label;
+    const Detail detail = detail_of(pen);
+    const float letters = label_letters(detail);
+    const vec2 extent = shape.label_size, at = shape.label;
     const float value = wire == nullptr ? 0 : wire->weight;
     if (!shape.ghost) pen.halo(at + vec2{0, 1}, extent, extent.y / 2, 4, p.shadow.with_alpha(p.shadow.a * 0.3f));
     pen.box(at, extent, extent.y / 2, shape.ghost || cut ? p.panel : p.raised);
@@ -252,7 +252,7 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
         if (picture.view.mode != Mode::wiring) pen.ui.anchors.record("weight." + name(), rect);
     };
     if (!shape.direct) return put_weight(at, 0.5f);
-    const float pad = (sketch ? 9.0f : 13.0f) * grow;
+    const float pad = (detail == Detail::full ? 13.0f : 9.0f) * picture.layout.room.label_growth;
     pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name(), pale, Face::strong);
     put_weight(at + vec2{extent.x / 2 - pad, 0}, 1);
 }
@@ -268,8 +268,7 @@ void draw_labels(const Pen& pen, const Picture& picture) {
     for (std::size_t i = 0; i < picture.layout.wires.size(); ++i) {
         const WireShape& shape = picture.layout.wires[i];
         const vec2 half = shape.label_size / 2;
-        // Between neurons the large labels of a lecture leave no room for those of free places.
-        if (shape.ghost && picture.view.lecture && picture.layout.has_neurons) continue;
+        if (shape.label_size.x <= 0) continue;
         if ((all || is_marked(picture, shape)) && picture.is_visible(shape.label - half, shape.label + half))
             draw_label(pen, picture, i);
     }

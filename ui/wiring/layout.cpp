@@ -38,6 +38,7 @@ void add_nodes(Layout& layout, const BrainGraph& graph, const Positions& held) {
         const Node& node = graph.nodes[i];
         NodeShape shape;
         shape.id = node.id, shape.kind = node.kind, shape.size = card_size(node.kind), shape.node = i;
+        if (node.kind == NodeKind::neuron) shape.size.x = layout.room.neuron_width;
         const auto own = own_position(node, held);
         shape.centre = own ? *own : arranged.at(node.id);
         shape.has_in = node.kind != NodeKind::sensor;
@@ -90,6 +91,8 @@ void add_wires(Layout& layout, const BrainGraph& graph) {
         const bool has_learned = shape.wire >= 0 && learns(graph.wires[static_cast<std::size_t>(shape.wire)]);
         shape.label_size = vec2{shape.direct ? 108.0f : 72.0f, shape.direct ? 34.0f : 28.0f};
         if (has_learned) shape.label_size.x += 60;
+        const bool has_label = !shape.ghost || layout.room.has_free_labels;
+        shape.label_size = shape.label_size * (has_label ? layout.room.label_growth : 0);
         layout.wires.push_back(shape);
     }
 }
@@ -133,6 +136,7 @@ void place_label(const OccupiedBoxes& taken, WireShape& wire, bool may_leave_wir
     const bool climbs = std::abs(wire.bezier[3].y - wire.bezier[0].y) > 80;
     const float wanted = climbs ? 0.3f : 0.5f;
     wire.label = bezier_point(wire.bezier, wanted);
+    if (wire.label_size.x <= 0) return;
     for (int i = 0; i < 32; ++i) {
         const float t = wanted + (i % 2 == 0 ? 0.03f : -0.03f) * static_cast<float>((i + 1) / 2);
         if (t < 0.12f || t > 0.88f) continue;
@@ -150,7 +154,7 @@ void place_labels(Layout& layout) {
     for (const NodeShape& node : layout.nodes) taken.add(node.centre, node.size);
     for (WireShape& wire : layout.wires) {
         place_label(taken, wire, layout.wires.size() <= many_wires);
-        taken.add(wire.label, wire.label_size);
+        if (wire.label_size.x > 0) taken.add(wire.label, wire.label_size);
         wire.low = wire.label - wire.label_size / 2, wire.high = wire.label + wire.label_size / 2;
         for (const vec2 corner : wire.bezier) wire.low = lower(wire.low, corner), wire.high = upper(wire.high, corner);
     }
@@ -158,8 +162,9 @@ void place_labels(Layout& layout) {
 
 }  // namespace
 
-Layout lay_out(const BrainGraph& graph, const Positions& held) {
+Layout lay_out(const BrainGraph& graph, const Positions& held, const LetterRoom& room) {
     Layout layout;
+    layout.room = room;
     add_nodes(layout, graph, held);
     add_wires(layout, graph);
     shape_curves(layout);
@@ -167,9 +172,10 @@ Layout lay_out(const BrainGraph& graph, const Positions& held) {
     return layout;
 }
 
-const Layout& LayoutCache::get(const std::shared_ptr<const BrainGraph>& graph, const Positions& held) {
-    if (graph_ != graph || held_ != held) {
-        layout_ = lay_out(*graph, held);
+const Layout& LayoutCache::get(const std::shared_ptr<const BrainGraph>& graph, const Positions& held,
+                               const LetterRoom& room) {
+    if (graph_ != graph || held_ != held || layout_.room != room) {
+        layout_ = lay_out(*graph, held, room);
         graph_ = graph;
         held_ = held;
     }
@@ -181,7 +187,8 @@ vec2 card_size(NodeKind kind) { return kind == NodeKind::neuron ? vec2{150, 80} 
 vec2 free_position(const Layout& layout, vec2 wanted, vec2 size) {
     OccupiedBoxes taken;
     for (const NodeShape& node : layout.nodes) taken.add(node.centre, node.size);
-    for (const WireShape& wire : layout.wires) taken.add(wire.label, wire.label_size);
+    for (const WireShape& wire : layout.wires)
+        if (wire.label_size.x > 0) taken.add(wire.label, wire.label_size);
     constexpr float step = 28;  // between tries
     constexpr int rings = 40;
     for (int ring = 0; ring <= rings; ++ring) {

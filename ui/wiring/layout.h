@@ -38,11 +38,19 @@ struct WireShape {
     std::array<maths::vec2, 4> bezier{};  // start, two controls, end
     bool ghost = false;                   // weight 0 and not learning: drawn as a free place for a wire
     bool direct = false;                  // one of LL, LR, RL, RR
-    maths::vec2 label, label_size;        // centre and size of the weight's label
+    maths::vec2 label, label_size;        // centre and size of the weight's label; size 0: it has none
     maths::vec2 low, high;                // corners of the box around curve and label
     int wire = -1;                        // index in BrainGraph::wires; −1: a direct place without a wire
     std::size_t from = 0, to = 0;         // indices in Layout::nodes
     int learner = -1;                     // rank among the learning wires by (from, to); −1: does not learn
+};
+
+// What letters need where they are large in comparison with the cards: at a small zoom and in a lecture.
+struct LetterRoom {
+    float label_growth = 1;       // labels are so many times as large
+    bool has_free_labels = true;  // free places for a wire have a label, too
+    float neuron_width = 150;
+    friend bool operator==(const LetterRoom&, const LetterRoom&) = default;
 };
 
 struct Layout {
@@ -51,16 +59,17 @@ struct Layout {
     maths::vec2 low, high;                              // corners of the box around all nodes; both 0 without nodes
     std::vector<std::pair<NodeId, std::size_t>> by_id;  // of nodes, ascending
     bool has_neurons = false;
+    LetterRoom room;
 };
 
-// Depends on the graph and `held` only. The position of a node is that in `held`, else Node::place, else that of
-// tidy().
-Layout lay_out(const BrainGraph&, const Positions& held);
+// Depends on its arguments only, the centres of nodes on the graph and `held`. The position of a node is that in
+// `held`, else Node::place, else that of tidy().
+Layout lay_out(const BrainGraph&, const Positions& held, const LetterRoom& = {});
 
-// Caches the last layout until the graph or the held positions change.
+// Caches the last layout until one of the arguments changes.
 class LayoutCache {
 public:
-    const Layout& get(const std::shared_ptr<const BrainGraph>&, const Positions& held);
+    const Layout& get(const std::shared_ptr<const BrainGraph>&, const Positions& held, const LetterRoom& = {});
 
 private:
     std::shared_ptr<const BrainGraph> graph_;  // shared ownership, so that no other graph can have the same address
