@@ -153,6 +153,41 @@ TEST(Lecture, ShowsTheSumsOfTheOpenBrainWholeOrNotAtAll) {
     EXPECT_GT(absent, 2);
 }
 
+TEST(Lecture, TheOpenBrainIsWholeInTheWindowOfAProjectorAndOfALargeDisplay) {
+    struct Size {
+        float width, height, scale;
+    };
+    int sums = 0;
+    for (const Size size : {Size{1024, 768, 1.375f}, {1280, 800, 1.4f}, {1920, 1080, 2}, {2560, 1440, 2}})
+        for (const char* scene : {"2b-aggressor", "2c", "3b-explorer", "3c-values", "5-logic", "tortoise"})
+            for (const char* code : {"en", "de", "es"})
+                for (const bool watching : {false, true}) {
+                    SCOPED_TRACE(scene + std::string(" ") + code + " at " + std::to_string(size.width) +
+                                 (watching ? ", watching" : ""));
+                    Desk desk(size.width, size.height, size.scale, true);
+                    desk.strings = speaking(code);
+                    desk.now = shipped_scene(scene);
+                    desk.view.lecture = true;
+                    desk.view.settings.watching = watching;
+                    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+                    desk.frame(3);
+                    desk.panels.card(Card::brain).folded = false;
+                    desk.frame(20);
+                    const Rect card = desk.where("card.brain");
+                    EXPECT_LE(card.y + card.h, desk.layout.hint_bar.y);
+                    int motors = 0;
+                    for (const Written& w : desk.written) {
+                        if (!overlap(w.rect, card)) continue;
+                        motors += w.words == "ML" || w.words == "MR";
+                        EXPECT_FALSE(w.scrolls) << w.words;
+                        EXPECT_TRUE(is_inside(w.rect, card)) << w.words;
+                    }
+                    EXPECT_NE(motors, 1) << "one of two equations";
+                    sums += motors == 2;
+                }
+    EXPECT_GT(sums, 20);
+}
+
 TEST(Lecture, ExtendsTheDiagramOverTheCardBelowIt) {
     Desk desk(1280, 800, 1.4f, true);
     desk.view.mode = Mode::wiring;

@@ -20,9 +20,10 @@ bool shows(const Desk& desk, std::string_view words) {
 struct Size {
     float width, height, scale;
 };
-constexpr Size sizes[]{{1024, 768, 1.6f}, {1280, 800, 1.6f}, {1920, 1080, 2.0f}};
+constexpr Size sizes[]{{1024, 768, 1.6f}, {1280, 800, 1.6f}, {1920, 1080, 2.0f}, {2560, 1440, 2.0f}};
 
-constexpr const char* scenes[]{"2a-coward", "2b-aggressor", "2c", "3b-explorer", "3c-values", "5-logic", "tortoise"};
+constexpr const char* scenes[]{"2a-coward", "2b-aggressor", "2c",       "3b-explorer",
+                               "3c-values", "5-logic",      "tortoise", "7-mnemotrix"};
 
 void begin_lecture(Desk& desk, const char* scene) {
     desk.now = shipped_scene(scene);
@@ -82,20 +83,24 @@ TEST(LiveBrain, NoTextCoversAnotherOrLeavesThePicture) {
 }
 
 TEST(LiveBrain, LeavesRoomForTheWatchedDiagram) {
-    Desk desk(1024, 768, 1.6f, true);
-    begin_lecture(desk, "2c");
-    const float large = desk.layout.hint_bar.h;
-    desk.view.settings.watching = true;
-    desk.frame(3);
-    EXPECT_LT(desk.layout.hint_bar.h, 0.7f * large);
-    for (const ui::Written& w : desk.written)
-        EXPECT_TRUE(!overlap(w.rect, desk.layout.hint_bar) || is_inside(w.rect, desk.layout.hint_bar)) << w.words;
-    const auto pills = weights(desk);
-    ASSERT_EQ(pills.size(), 4u);
-    for (std::size_t i = 0; i < pills.size(); ++i) {
-        EXPECT_TRUE(is_inside(pills[i], desk.layout.hint_bar)) << i;
-        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(pills[i], pills[j])) << i << " " << j;
-    }
+    for (const Size& size : sizes)
+        for (const char* scene : scenes) {
+            SCOPED_TRACE(scene + std::string(" at ") + std::to_string(size.width));
+            Desk desk(size.width, size.height, size.scale, true);
+            begin_lecture(desk, scene);
+            const float large = desk.layout.hint_bar.h;
+            desk.view.settings.watching = true;
+            desk.frame(3);
+            EXPECT_LT(desk.layout.hint_bar.h, 0.7f * large);
+            for (const ui::Written& w : desk.written)
+                EXPECT_TRUE(!overlap(w.rect, desk.layout.hint_bar) || is_inside(w.rect, desk.layout.hint_bar))
+                    << w.words;
+            const auto pills = weights(desk);
+            for (std::size_t i = 0; i < pills.size(); ++i) {
+                EXPECT_TRUE(is_inside(pills[i], desk.layout.hint_bar)) << i;
+                for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(pills[i], pills[j])) << i << " " << j;
+            }
+        }
 }
 
 TEST(LiveBrain, ShowsEyesWeightsAndWheels) {

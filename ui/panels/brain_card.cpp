@@ -398,7 +398,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         // The wiring canvas shows the same brain larger.
         const float height = column.h < ui.px(low_column) ? 90 : 116;
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
-            !(view.lecture && would_be_cut(ui, height, column)))
+            !(view.lecture && would_be_cut(ui, brain_picture_height(view, *vehicle, height), column)))
             brain_picture(view, state, ui, *vehicle, height);
         const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
         ImGui::PopStyleVar();

@@ -46,7 +46,7 @@ public:
           is_graph_(!sketch::is_four_wires(brain_, pair_)),
           unit_(ui.px(1)) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        all_ = {at.x, at.y, card_width(ui), ui.px(layout_height + (is_graph_ ? graph_height(layout_height) : 0))};
+        all_ = {at.x, at.y, card_width(ui), ui.px(brain_picture_height(view, vehicle, layout_height))};
         if (!is_graph_)
             unit_ = std::min(
                 ui.px(1), (all_.w / 2 - text_width(ui, Face::small, with_sign(ui, 1, 2)) - ui.px(2)) / reach_of_pair);
@@ -76,13 +76,6 @@ public:
     }
 
 private:
-    float graph_height(float layout_height) const {
-        constexpr float low = 100;
-        const bool has_neurons = std::any_of(brain_.nodes.begin(), brain_.nodes.end(),
-                                             [](const Node& node) { return node.kind == NodeKind::neuron; });
-        return has_neurons || layout_height > low ? sketch::graph_height : sketch::low_graph_height;
-    }
-
     // The value of a node; 0 for a silenced one and for a node that the brain does not have.
     float reading(const Node* node) const {
         return node && !node->silenced ? node_value(*view_.now, vehicle_, node->id) : 0;
@@ -284,6 +277,15 @@ private:
 };
 
 }  // namespace
+
+float brain_picture_height(const LabView& view, const VehicleView& vehicle, float of_pair) {
+    constexpr float low = 100;
+    const BrainGraph& brain = *brain_of(*view.now, vehicle);
+    if (sketch::is_four_wires(brain, shown_pair(view, vehicle))) return of_pair;
+    const bool has_neurons = std::any_of(brain.nodes.begin(), brain.nodes.end(),
+                                         [](const Node& node) { return node.kind == NodeKind::neuron; });
+    return of_pair + (has_neurons || of_pair > low ? sketch::graph_height : sketch::low_graph_height);
+}
 
 void brain_picture(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, float layout_height) {
     BrainPicture(view, state, ui, vehicle, layout_height).draw();

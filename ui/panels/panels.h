@@ -128,6 +128,8 @@ bool wheels_push(float left, float right);
 bool is_stuck(const LabView&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);
+// The height of the picture whose height for a pair of sensors is `of_pair`: the whole brain needs more. Layout pixels.
+float brain_picture_height(const LabView&, const VehicleView&, float of_pair);
 
 // LabView::why beside the vehicle, over the scene and below the cards, within `area`. Anchor: why.
 void why_callout(const LabView&, const Ui&, Rect area);
