@@ -14,7 +14,8 @@ constexpr std::string_view fixed_anchors[]{
     "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.thresholds", "button.presets", "button.drive",
     "button.why", "button.map", "button.reality", "curve.peak", "curve.width",
     // the map of behaviour
-    "card.map", "card.map.fold", "map", "map.dot", "map.x", "map.y", "map.measure",
+    "card.map", "card.map.fold", "map", "map.dot", "map.x", "map.y", "map.measure", "map.x.low", "map.x.high",
+    "map.y.low", "map.y.high",
     // slots A and B
     "card.slots", "card.slots.fold", "slot.a", "slot.b", "slot.a.store", "slot.b.store", "button.compare",
     // the trial with real robots

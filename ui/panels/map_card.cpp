@@ -22,22 +22,26 @@ constexpr float least_field = 160, least_field_in_lecture = 128;  // layout pixe
 void draw_map(const MapFrame& frame, float room) {
     const Ui& ui = frame.ui;
     const bool in_lecture = frame.view.lecture;
-    const float width = card_width(ui);
+    const float width = card_width(ui), ends = map_ends_width(frame);
     constexpr float heading_and_gaps = 108, rows = 2 * (small_button_height + 4);  // layout pixels
     const bool has_kinds = frame.map.measure == insight::MapMeasure::behaviour;
     const float legend = map_legend_width(frame);
     // In a lecture, where type is large and the height is little, as far as the words leave room for the field.
-    const bool is_beside = in_lecture && has_kinds && legend <= width - ui.px(beside_field + least_field_in_lecture);
+    const bool is_beside =
+        in_lecture && has_kinds && legend <= width - ends - ui.px(beside_field + least_field_in_lecture);
     const auto lines = static_cast<float>((is_beside ? 0 : map_legend_rows(frame)) + (in_lecture ? 0 : 1));
     const float words_and_legend = line_height(ui, Face::strong) + lines * (line_height(ui, Face::small) + ui.px(4));
     const float left = room - ui.px(heading_and_gaps + rows) - words_and_legend - frame.state.added_height;
-    const float most = is_beside ? width - legend - ui.px(beside_field) : width;
+    const float most = width - ends - (is_beside ? legend + ui.px(beside_field) : 0);
     const float side = std::clamp(left, std::min(ui.px(in_lecture ? least_field_in_lecture : least_field), most), most);
     map_upper_row(frame, width);
     const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect field{at.x + ends, at.y, side, side};
+    map_vertical_ends(frame, field);
+    ImGui::SetCursorScreenPos({field.x, field.y});
     map_field(frame, side);
-    if (is_beside) map_legend_beside(frame, {at.x, at.y, side, side}, legend);
-    map_lower_row(frame, side, width);
+    if (is_beside) map_legend_beside(frame, field, legend);
+    map_lower_row(frame, field, at.x, width);
     map_words(frame, width);
     if (!is_beside) map_legend(frame, width);
 }

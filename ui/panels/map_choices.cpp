@@ -107,6 +107,24 @@ std::string end_words(const Ui& ui, const AxisValue& value, float end, bool unit
     return fixed(ui, end, decimals) + (unit ? unit_after(value.unit) : "");
 }
 
+struct AxisEnds {
+    std::string low, high;
+    float width(const Ui& ui) const {
+        return std::max(text_width(ui, Face::small, low), text_width(ui, Face::small, high));
+    }
+};
+
+AxisEnds ends_of(const Ui& ui, const AxisValue& value, const MapAxis& axis) {
+    return {end_words(ui, value, axis.from, false), end_words(ui, value, axis.to, true)};
+}
+
+// A number with its right end here, in the size of the name of the axis.
+void put_end(Ui& ui, std::string_view anchor, const std::string& number, float right, float y) {
+    const float width = text_width(ui, Face::small, number);
+    put_right(ui, {right, y}, number, ui.least_type > 0 ? ui.palette.text : ui.palette.second_text, Face::small);
+    mark(ui, anchor, {right - width, y, width, line_height(ui, Face::small)});
+}
+
 }  // namespace
 
 std::string value_words(const Ui& ui, const AxisValue& value, const MapAxis& axis, float number) {
@@ -131,38 +149,45 @@ void map_upper_row(const MapFrame& frame, float width) {
     axis = shortened(ui, axis, Face::small, room - text_width(ui, Face::small, measure));
     const SmallButton shown = opener_look(frame, "map.measure", MapList::measure, measure);
     const float right = small_button_width(ui, shown, true);
-    const SmallButton y = opener_look(frame, "map.y", MapList::y, axis);
-    const float after = small_button_width(ui, y, true) + gap_between;
-    opener(frame, y, MapList::y, "map.up_how", at);
-    const MapAxis& up = frame.map.y;
-    const std::string range =
-        fill(ui.strings("map.range"), {end_words(ui, *frame.y, up.from, false), end_words(ui, *frame.y, up.to, true)});
-    const bool fits = after + text_width(ui, Face::small, range) + gap_between + right <= width;
-    const float row = ui.px(small_button_height + 4), line = line_height(ui, Face::small) + ui.px(2);
-    put(ui, fits ? ImVec2{at.x + after, at.y + ui.px(4)} : ImVec2{at.x, at.y + row}, range, ui.palette.second_text,
-        Face::small);
+    opener(frame, opener_look(frame, "map.y", MapList::y, axis), MapList::y, "map.up_how", at);
+    const float row = ui.px(small_button_height + 4);
     opener(frame, shown, MapList::measure, "map.shows_how", {at.x + width - right, at.y});
-    ImGui::SetCursorScreenPos({at.x, at.y + row + (fits ? 0 : line)});
+    ImGui::SetCursorScreenPos({at.x, at.y + row});
     if (frame.state.open == MapList::y) axes(frame, width);
     if (frame.state.open == MapList::measure) measures(frame, at.x + width);
     frame.state.added_height = ImGui::GetCursorScreenPos().y - at.y - row;
 }
 
-void map_lower_row(const MapFrame& frame, float side, float width) {
+float map_ends_width(const MapFrame& frame) {
+    const AxisEnds ends = ends_of(frame.ui, *frame.y, frame.map.y);
+    return std::ceil(ends.width(frame.ui) + frame.ui.px(spacing::tight));
+}
+
+void map_vertical_ends(const MapFrame& frame, Rect field) {
     Ui& ui = frame.ui;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string axis = axis_words(ui, *frame.x);
+    const AxisEnds ends = ends_of(ui, *frame.y, frame.map.y);
+    const float right = field.x - ui.px(spacing::tight);
+    put_end(ui, "map.y.high", ends.high, right, field.y);
+    put_end(ui, "map.y.low", ends.low, right, field.y + field.h - line_height(ui, Face::small));
+}
+
+void map_lower_row(const MapFrame& frame, Rect field, float left, float width) {
+    Ui& ui = frame.ui;
+    const float y = ImGui::GetCursorScreenPos().y;
+    const AxisEnds ends = ends_of(ui, *frame.x, frame.map.x);
+    const float beside = ends.width(ui) + ui.px(6), most = left + width - field.x;
+    std::string axis = axis_words(ui, *frame.x);
+    const float bare =
+        small_button_width(ui, opener_look(frame, "map.x", MapList::x, axis), true) - text_width(ui, Face::small, axis);
+    axis = shortened(ui, axis, Face::small, most - 2 * beside - bare);
     const SmallButton x = opener_look(frame, "map.x", MapList::x, axis);
     const float room = small_button_width(ui, x, true);
-    const std::string low = end_words(ui, *frame.x, frame.map.x.from, false),
-                      high = end_words(ui, *frame.x, frame.map.x.to, true);
     // Wider than the field where the words need it.
-    const float ends = 2 * (std::max(text_width(ui, Face::small, low), text_width(ui, Face::small, high)) + ui.px(6));
-    const float row = std::max(side, std::min(width, room + ends));
-    put(ui, {at.x, at.y}, low, ui.palette.second_text, Face::small);
-    put_right(ui, {at.x + row, at.y}, high, ui.palette.second_text, Face::small);
-    opener(frame, x, MapList::x, "map.across_how", {at.x + (row - room) / 2, at.y});
-    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(small_button_height + 4)});
+    const float row = std::max(field.w, room + 2 * beside), numbers = y + ui.px(spacing::hair);
+    put_end(ui, "map.x.low", ends.low, field.x + text_width(ui, Face::small, ends.low), numbers);
+    put_end(ui, "map.x.high", ends.high, field.x + row, numbers);
+    opener(frame, x, MapList::x, "map.across_how", {field.x + (row - room) / 2, y});
+    ImGui::SetCursorScreenPos({left, y + ui.px(small_button_height + 4)});
     if (frame.state.open != MapList::x) return;
     const float top = ImGui::GetCursorScreenPos().y;
     axes(frame, width);

@@ -34,10 +34,15 @@ struct MapFrame {
 std::string value_words(const Ui&, const insight::AxisValue&, const insight::MapAxis&, float value);
 std::string measure_words(const Ui&, insight::MapMeasure);
 
-// map_choices.cpp: the vertical axis and what is shown, above the field; the horizontal axis below it. An unfolded list
-// follows its row.
+// map_choices.cpp: the vertical axis and what is shown, above the field; the horizontal axis below it, between its
+// ends. An unfolded list follows its row. `left`, `width`: of the card's content, window pixels. Anchors of the ends of
+// the axes: map.x.low, map.x.high, map.y.low, map.y.high.
 void map_upper_row(const MapFrame&, float width);
-void map_lower_row(const MapFrame&, float side, float width);
+void map_lower_row(const MapFrame&, Rect field, float left, float width);
+
+// The ends of the vertical axis at the left of the field, and the width that they need there, window pixels.
+float map_ends_width(const MapFrame&);
+void map_vertical_ends(const MapFrame&, Rect field);
 
 inline Colour as_colour(MapColour c) { return {c.r, c.g, c.b, 1}; }
 
