@@ -69,6 +69,12 @@ FloorBox within(FloorBox box, const Arena& arena) {
     return {inside(box.low), inside(box.high)};
 }
 
+// True if a vehicle has left a torus at one edge and entered it at the opposite one.
+bool crosses_seam(vec2 from, vec2 to, const Arena& arena) {
+    const bool is_far = std::fabs(to.x - from.x) > arena.width / 2 || std::fabs(to.y - from.y) > arena.height / 2;
+    return arena.edge == Boundary::torus && is_far;
+}
+
 FloorBox with_border(const FloorBox& box, float border) {
     return {box.low - vec2{border, border}, box.high + vec2{border, border}};
 }
@@ -371,7 +377,7 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     const std::string name = now.scene ? now.scene->name : std::string{};
     if (now.seed != seed_ || now.generation != generation_ || name != scene_) start_over();
     // A run that is back at its start has the picture of the start, which the camera reaches by a glide.
-    if (now.tick == 0 && tick_ > 0) grown_.reset(), rests_ = false;
+    if (now.tick == 0 && tick_ > 0) grown_.reset(), place_.reset(), rests_ = false;
     seed_ = now.seed, generation_ = now.generation, scene_ = name, tick_ = now.tick;
     const bool moved = in.camera.zoom != 1 || !(in.camera.pan == vec2{});
     if (shown_ && (in.held || moved)) return speed_ = {}, turning_ = 0, *shown_;
@@ -405,7 +411,11 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
         choice_ = next, rests_ = true, reason_ = reason, chosen_at_ = now.tick;
     }
     const FloorBox goal = wanted(now, in, choice_);
-    if (!shown_ || in.seconds <= 0) {
+    // A glide would not show the vehicle until its end.
+    const std::optional<vec2> place = vehicle && are_few ? std::optional(vec2{vehicle->x, vehicle->y}) : std::nullopt;
+    const bool has_crossed = place && place_ && crosses_seam(*place_, *place, arena);
+    place_ = place;
+    if (!shown_ || in.seconds <= 0 || has_crossed) {
         speed_ = {}, turning_ = 0, elevation_ = choice_.elevation;
         return *(shown_ = goal);
     }

@@ -32,10 +32,11 @@ inline constexpr float wanted_cover = 0.75f;
 float floor_cover(const CameraView&, const Arena&, Rect free_area);
 
 // Follows the action of a run: the box grows with it until the run is back at its start, and moves without a jump of
-// its speed. Where the vehicle would be too small or the floor would not cover enough, the box is a part of that, in
-// which the present vehicles and the sources near them are; the paths behind them may then leave the picture. While the
-// user has zoomed or moved the camera, the box stays. A camera that the user has not turned is lower over a box that is
-// deep for the free area and higher over one that is wide for it.
+// its speed, except with a selected vehicle that enters a torus at the opposite edge. Where the vehicle would be too
+// small or the floor would not cover enough, the box is a part of that, in which the present vehicles and the sources
+// near them are; the paths behind them may then leave the picture. While the user has zoomed or moved the camera, the
+// box stays. A camera that the user has not turned is lower over a box that is deep for the free area and higher over
+// one that is wide for it.
 class Framing {
 public:
     // The box of this frame.
@@ -45,7 +46,7 @@ public:
     Camera raised(Camera) const;
 
     // Fits the box to the present action at the next call.
-    void start_over() { shown_.reset(), grown_.reset(), rests_ = false; }
+    void start_over() { shown_.reset(), grown_.reset(), place_.reset(), rests_ = false; }
 
 private:
     enum class Sources { all, nearest, none };  // that stay in the picture
@@ -77,6 +78,7 @@ private:
 
     std::optional<FloorBox> shown_, grown_;  // displayed box; box around the action since the start
     std::optional<FloorBox> driven_;         // where vehicles and sources have been
+    std::optional<maths::vec2> place_;       // of the selected vehicle in the last frame, in scenes of few vehicles
     Choice choice_;
     bool rests_ = false;  // the present choice stays unless another one is clearly better
     Reason reason_;

@@ -12,6 +12,7 @@
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 #include "render/view/framing.h"
+#include "render/view/label_space.h"
 
 namespace braitenlab::tests::framing_scenes_test {
 namespace {
@@ -189,6 +190,47 @@ TEST(Framing, KeepsTheSharesOfVehicleAndFloorInARunOfEachShippedScene) {
         expect_framed_in_run(scene, name, lectures[0], least_of(covered_in_lectures_later, name, wanted_cover),
                              least_of(small_in_lectures_later, name, lectures[0].least_share));
     });
+}
+
+namespace {
+
+// Between a caption of two lines and the lower edge, beside a question or a diagram.
+constexpr Place page_with_question{"a small page with a question", {0, 0, 1024, 768}, {462, 200, 552, 558}, 0.08f};
+constexpr Place page_with_diagram{"a small page with a diagram", {0, 0, 1024, 768}, {17, 200, 470, 558}, 0.08f};
+
+bool is_inside(const Rect& a, const Rect& b) {
+    return a.x >= b.x && a.y >= b.y && a.x + a.w <= b.x + b.w && a.y + a.h <= b.y + b.h;
+}
+
+}  // namespace
+
+TEST(Framing, AVehicleThatEntersATorusAtItsOtherEdgeIsWholeInThePicture) {
+    const auto lesson = load_exercise(fs::path(BRAITENLAB_SOURCE) / "exercises" / "guided" / "04-coward.toml");
+    ASSERT_TRUE(lesson);
+    for (const Place& place : {page_with_question, page_with_diagram}) {
+        SCOPED_TRACE(place.name);
+        auto world = World::create(lesson->scene, 1);
+        ASSERT_TRUE(world);
+        Snapshot now;
+        world->capture(now);
+        FramingInput in = input(place, now.vehicles.front().id);
+        in.seconds = 1.0f / 60;
+        Framing framing;
+        framing.follow(now, in);
+        int crossings = 0, outside = 0;
+        for (int tick = 1; tick <= 15 * 60; ++tick) {
+            const float before = now.vehicles.front().y;
+            world->step();
+            world->capture(now);
+            const FloorBox box = framing.follow(now, in);
+            const CameraView seen =
+                look(framing.raised(in.camera), now.scene->arena, nullptr, in.window, in.free_area, &box);
+            crossings += std::fabs(now.vehicles.front().y - before) > lesson->scene.arena.height / 2;
+            outside += !is_inside(picture_of(now, seen, now.vehicles.front()), place.free_area);
+        }
+        EXPECT_GT(crossings, 0);
+        EXPECT_EQ(outside, 0) << "ticks";
+    }
 }
 
 TEST(Framing, ShowsEachSourceOfTheScenesOfLecturesBetweenCaptionAndValues) {
