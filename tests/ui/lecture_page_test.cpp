@@ -45,7 +45,8 @@ namespace {
 struct Size {
     float width, height, scale;
 };
-constexpr Size sizes[]{{1280, 800, 1.4f}, {1024, 768, 1.4f}, {1920, 1080, 1.75f}};  // as the lab scales a lecture
+constexpr Size sizes[]{
+    {1280, 800, 1.4f}, {1024, 768, 1.4f}, {1920, 1080, 1.75f}, {2560, 1440, 2.8f}};  // as the lab scales a lecture
 
 Snapshot first_moment(const LecturePage& page) {
     Scene scene;
