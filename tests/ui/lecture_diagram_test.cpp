@@ -28,18 +28,6 @@ struct Diagram {
     }
 };
 
-Snapshot first_moment(const LecturePage& page) {
-    Scene scene;
-    if (page.exercise.empty()) {
-        if (auto loaded = load_scene(page.file)) scene = std::move(*loaded);
-    } else if (auto exercise = load_exercise(page.file)) {
-        scene = exercise->scene;
-    }
-    Snapshot now;
-    World::create(scene, 1)->capture(now);
-    return now;
-}
-
 // Every page with a diagram, and scenes with neurons.
 template <class Check>
 void each_diagram(const Check& check) {

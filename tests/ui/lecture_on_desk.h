@@ -21,6 +21,19 @@ inline LectureView opened_lecture(const std::string& name) {
     return view;
 }
 
+// The scene of a page at its start.
+inline Snapshot first_moment(const LecturePage& page) {
+    Scene scene;
+    if (page.exercise.empty()) {
+        if (auto loaded = load_scene(page.file)) scene = std::move(*loaded);
+    } else if (auto exercise = load_exercise(page.file)) {
+        scene = exercise->scene;
+    }
+    Snapshot now;
+    World::create(scene, 1)->capture(now);
+    return now;
+}
+
 // The strings with the words of the shipped lectures.
 inline Strings speaking_in_lectures(const std::string& code) {
     Strings strings = speaking(code);

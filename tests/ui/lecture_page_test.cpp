@@ -48,18 +48,6 @@ struct Size {
 constexpr Size sizes[]{
     {1280, 800, 1.4f}, {1024, 768, 1.4f}, {1920, 1080, 1.75f}, {2560, 1440, 2.8f}};  // as the lab scales a lecture
 
-Snapshot first_moment(const LecturePage& page) {
-    Scene scene;
-    if (page.exercise.empty()) {
-        if (auto loaded = load_scene(page.file)) scene = std::move(*loaded);
-    } else if (auto exercise = load_exercise(page.file)) {
-        scene = exercise->scene;
-    }
-    Snapshot now;
-    World::create(scene, 1)->capture(now);
-    return now;
-}
-
 // A page of a lecture with all of its steps, with the diagram or the card of the brain.
 struct RevealedPage {
     LectureView pages;
