@@ -124,6 +124,25 @@ TEST_F(LabLecturePages, ThePageAtWhichARunPausesShowsTheNumbersOfATurn) {
     EXPECT_GT(vehicle.motor[0], vehicle.motor[1] + 0.1f) << "it turns away from the lamp on its left";
 }
 
+TEST_F(LabLecturePages, ARunPausesWhileItsNumbersShowTheAnswer) {
+    open("wheels-to-neurons");
+    const auto motors_at_pause = [&](int page) {
+        show_page(lab, page, 1);
+        set_mode(lab, Mode::playing);
+        for (int frame = 0; frame < 800 && lab.playback.mode == Mode::playing; ++frame) advance(lab, 0.02);
+        EXPECT_EQ(lab.playback.mode, Mode::paused) << page + 1;
+        return lab.document.session.snapshot().vehicles.front().motor;
+    };
+    for (const int turns_left : {4, 5}) {
+        const auto motor = motors_at_pause(turns_left);
+        EXPECT_GT(motor[1], motor[0] + 0.1f) << "the right wheel is faster on page " << turns_left + 1;
+    }
+    const auto beside_red = motors_at_pause(7), one_lamp = motors_at_pause(10), two_lamps = motors_at_pause(11);
+    EXPECT_NEAR(beside_red[0], beside_red[1], 0.02f) << "it drives straight";
+    EXPECT_GT(one_lamp[0], 0.1f) << "one lamp is enough";
+    EXPECT_NEAR(two_lamps[0], one_lamp[0], 0.01f) << "two lamps do not change it";
+}
+
 TEST_F(LabLecturePages, TheVehicleThatABrakeTurnsPausesWhenItFacesTheLamp) {
     open("wheels-to-neurons");
     show_page(lab, 6, 1);
