@@ -85,7 +85,8 @@ TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
     pages.hands[1] = {3, 12, 1};
     show(1, 2);
     EXPECT_TRUE(desk.anchors.find("lecture.right"));
-    EXPECT_TRUE(desk.says("✓ " + asked.options[1]));
+    EXPECT_TRUE(desk.says("A  " + asked.options[0])) << "options keep their letters";
+    EXPECT_TRUE(desk.says("B  ✓ " + asked.options[1]));
     EXPECT_TRUE(desk.says(asked.why));
     EXPECT_TRUE(desk.says("12"));
     EXPECT_FALSE(desk.anchors.find("lecture.more.1"));

@@ -94,12 +94,14 @@ Face face_of_options(const Lecture& lecture, const Ui& ui, float width, float he
     return fits ? Face::caption : Face::title;
 }
 
+std::string letter_of(std::size_t option) { return {static_cast<char>('A' + option)}; }
+
 // An option with the letter by which the lecturer calls it.
 void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option, Face face) {
     const LectureView& page = *view.pages;
     const float indent = page.notes ? 0 : ui.px(letter_column);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (indent > 0) put(ui, at, std::string(1, static_cast<char>('A' + option)), ui.palette.accent, face);
+    if (indent > 0) put(ui, at, letter_of(option), ui.palette.accent, face);
     ImGui::SetCursorScreenPos({at.x + indent, at.y});
     paragraph(ui, translated(ui, page.current().question.options[option]), ui.palette.text, face);
     ImGui::SetCursorScreenPos({at.x + indent, ImGui::GetCursorScreenPos().y});
@@ -109,12 +111,12 @@ void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t
     gap(ui, between_options);
 }
 
-// Once the answer is known the right option is larger.
+// Once the answer is known the right option is larger. Each keeps its letter.
 Face face_of_answer(bool right) { return right ? Face::title : Face::strong; }
 
 std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::size_t option) {
     const bool right = static_cast<int>(option) == asked.answer;
-    return (right ? "✓ " : "") + std::string(translated(ui, asked.options[option]));
+    return letter_of(option) + (right ? "  ✓ " : "  ") + std::string(translated(ui, asked.options[option]));
 }
 
 // The reason is in the size of the text where it fits with the options into this height, else in small type, so that it
