@@ -92,6 +92,15 @@ TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
     EXPECT_FALSE(desk.anchors.find("lecture.more.1"));
 }
 
+TEST_F(LectureHands, TellsThatTheFirstFrameOfAQuestionHasNotItsHeight) {
+    show(1, 0);
+    desk.panels.question = {};
+    desk.frame();
+    EXPECT_TRUE(desk.panels.cards_are_cut) << "its height is not known yet";
+    desk.frame();
+    EXPECT_FALSE(desk.panels.cards_are_cut);
+}
+
 TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {
     for (const char* code : {"en", "de", "es"})
         for (const char* name : {"four-numbers", "wheels-to-neurons"}) {

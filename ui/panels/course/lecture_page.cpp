@@ -193,6 +193,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureQuestion& asked = page.current().question;
     if (state.hands.size() != asked.options.size()) state.hands.assign(asked.options.size(), {});
     CardState& card = state.question;
+    const bool is_first = !card.folded && card.content == 0;  // it has the whole height until it is measured
     Rect place = r;
     if (card.content > 0) place.h = std::min(r.h, wanted_height(ui, card));
     if (begin_card(ui, card, "lecture.question", ui.strings("lecture.question"), place)) {
@@ -211,6 +212,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         ImGui::PopStyleVar();
     }
     end_card(ui, card);
+    state.cards_are_cut |= is_first || (!card.folded && card.is_cut);
     state.question_height = wanted_height(ui, card);
 }
 
