@@ -323,7 +323,7 @@ TEST(Lecture, TellsNoOutcomeBeforeThePrediction) {
         return std::any_of(desk.written.begin(), desk.written.end(),
                            [&](const Written& written) { return written.words == words; });
     };
-    const std::string_view title = desk.opened.title, character = desk.strings("character.hidden");
+    const std::string_view title = desk.opened.title, character = "?";
     EXPECT_FALSE(writes(title));
     EXPECT_TRUE(writes(character));
     desk.lesson.prediction = 0;

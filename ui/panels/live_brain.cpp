@@ -261,8 +261,11 @@ void live_words(const LabView& view, PanelState& state, Ui& ui, const VehicleVie
     const float x = bar.x + ui.px(live_inset), width = words_share * bar.w - 2 * ui.px(live_inset);
     const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
     const bool is_unknown = hides_outcome(view) || is_brain_secret(view, vehicle.kind);
-    const std::string key(is_unknown ? "hidden" : character_key(known, *view.now, vehicle, shown_pair(view, vehicle)));
-    const std::string word = view.settings.revealed.character ? std::string(ui.strings("character." + key)) : "?";
+    const bool is_told = view.settings.revealed.character && !is_unknown;
+    const std::string word =
+        is_told ? std::string(ui.strings(
+                      "character." + std::string(character_key(known, *view.now, vehicle, shown_pair(view, vehicle)))))
+                : "?";
     const std::string speed = fill(ui.strings("info.metres_a_second"), {fixed(ui, vehicle.speed, 2)});
     const float small = line_height(ui, Face::small), large = line_height(ui, Face::title);
     const bool has_word = is_unknown || !has_neurons(*view.now, vehicle);
