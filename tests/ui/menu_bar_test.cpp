@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/brain/presets.h"
 #include "desk.h"
 
 namespace braitenlab::tests::menu_bar_test {
@@ -448,6 +449,17 @@ TEST_F(MenuBar, ConsumesTheClickThatClosesIt) {
     desk.frame(2);
     desk.click("menu.view");
     EXPECT_FALSE(desk.anchors.find("menu.rows")) << "its title closes it too";
+}
+
+TEST(PresetsMenu, EndsInsideALowWindow) {
+    Desk desk(1280, 640);
+    desk.panels.open_presets = true;
+    desk.frame(4);
+    ASSERT_TRUE(desk.panels.presets_open);
+    const Rect last = desk.where("preset.load");
+    EXPECT_GT(last.h, 20) << "not clipped";
+    EXPECT_LE(last.y + last.h, 640);
+    EXPECT_GE(desk.where("preset." + std::string(presets().front().name)).y, 0);
 }
 
 TEST(PresetsMenu, ConsumesTheClickThatClosesIt) {

@@ -209,6 +209,7 @@ struct PanelState {
     std::string clipboard_at_copy;  // the system's clipboard when objects were copied last; a later link is opened
     std::vector<Action> chosen;     // with toolbar and menus, executed at the end of the frame
     bool presets_open = false, close_presets = false;
+    float presets_height = 0;     // of their menu, as drawn last; window pixels
     std::string preset_asked;     // the preset whose sensors the menu offers to use, too; empty: it lists the presets
     bool open_presets = false;    // requested by a click on their button while another menu covered it
     bool outcome_seen = false;    // the outcome of the prediction has been scrolled to

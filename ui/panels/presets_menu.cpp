@@ -154,6 +154,8 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     // A menu that is opened by key gets the focus. When it is closed, the focus before it is restored.
     if (wanted && ui.keyboard && ui.keyboard->focus == "button.presets")
         ui.keyboard->focus = "preset." + std::string(presets().front().name);
+    const float lowest = ImGui::GetIO().DisplaySize.y - ui.px(spacing::small);
+    corner.y = std::max(ui.px(spacing::small), std::min(corner.y, lowest - state.presets_height));
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::tight), ui.px(spacing::hair)});
@@ -168,6 +170,7 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
             kept_sensors(ui, *brain_of(*view.now, vehicle));
             own_brains(state, ui);
         }
+        state.presets_height = ImGui::GetWindowHeight();
         ImGui::EndPopup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
         ui.keyboard->focus = "button.presets";
