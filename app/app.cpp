@@ -249,7 +249,13 @@ bool App::repeatable() const { return !options_.screenshot.empty() && options_.p
 
 bool App::picture_is_due(double wall_seconds) const {
     if (options_.screenshot.empty()) return false;
-    return (repeatable() ? lab_.document.session.snapshot().seconds : wall_seconds) >= options_.after - 1e-9;
+    if (repeatable()) return lab_.document.session.snapshot().seconds >= options_.after - 1e-9;
+    return facts_.frames >= frames_of_layout && wall_seconds >= options_.after;
+}
+
+bool App::draws_scene() const {
+    if (repeatable()) return picture_is_due(0);
+    return options_.screenshot.empty() || facts_.frames + 1 >= frames_of_layout;
 }
 
 std::string App::anchors_text() const { return anchors_json(anchors_); }

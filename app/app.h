@@ -31,6 +31,8 @@ namespace braitenlab {
 // Prints the error to stderr. Returns 2, the exit code for bad input.
 int complain(const Error&);
 
+// Until the layout is settled: it follows the cards and the heights of their text in the frame before.
+inline constexpr int frames_of_layout = 4;
 inline constexpr float label_em = 14;  // layout pixels, letters of the scene's labels
 
 // Wall seconds from `then` until now.
@@ -86,6 +88,8 @@ private:
     // True for --screenshot with --play: one tick per frame, so that the picture does not depend on wall time.
     bool repeatable() const;
     bool picture_is_due(double wall_seconds) const;
+    // False for frames of --screenshot that cannot be its picture: they have the layout only.
+    bool draws_scene() const;
     void write_reports();
 
     // ── A frame, app_frame.cpp ──

@@ -128,7 +128,9 @@ void App::frame(float passed) {
     const Rect area = window_.area();
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
-    aim(viewport_, shown_lab(), area, arena, passed, title_ ? SlotsView{} : view.slots, cards_of_lecture());
+    constexpr float end_of_glide = 1000;  // s: the camera does not glide while the layout settles
+    const float aimed = facts_.frames < frames_of_layout ? end_of_glide : passed;
+    aim(viewport_, shown_lab(), area, arena, aimed, title_ ? SlotsView{} : view.slots, cards_of_lecture());
     view.camera_view = &viewport_.camera_view;
     outbox_.clear();
     bool arrows_are_free = true;
@@ -163,8 +165,8 @@ void App::frame(float passed) {
     window_.bind();
     // The heights of cards are those of the frame before. Where a card is too low for its words, the last frame stays.
     held_back_ = panels_.cards_are_cut && !held_back_ && !options_.only_draws() && !lab_.screenshot;
-    if (held_back_ || (repeatable() && !picture_is_due(0)))
-        renderer_.remember(shown_snapshot(shown_lab()));  // no frame is shown before the picture is taken
+    if (held_back_ || !draws_scene())
+        renderer_.remember(shown_snapshot(shown_lab()));
     else
         draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view), layout);
     const ImGuiIO& io = ImGui::GetIO();

@@ -252,6 +252,22 @@ TEST(LabWindow, TakesTheSamePictureTwice) {
     EXPECT_GT(std::stoi(shell(fmt::format("identify -format '%k' {}", a)).out), 200) << "colours in the picture";
 }
 
+TEST(LabWindow, TakesAPictureAtOnceWithTheLayoutOfLaterFrames) {
+    const Home home;
+    const auto shoot = [&](const char* after) {
+        const std::string file = (home.path / after).string() + ".png";
+        const Ran ran =
+            shell(fmt::format("{} wheels-to-neurons --page 12 --revealed 2 --size 800x600 --quality low "
+                              "--after {} --screenshot {}",
+                              program("braitenlab"), after, file));
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        return file;
+    };
+    const std::string at_once = shoot("0"), later = shoot("3");
+    const std::string differ = shell(fmt::format("compare -metric AE {} {} null:", at_once, later)).out;
+    EXPECT_LT(std::stoi(differ), 500) << "pixels; an eye that moves has about 50";
+}
+
 TEST(LabWindow, TakesAPictureLargerThanTheDisplay) {
     const Home home;
     const auto file = (home.path / "large.png").string();
