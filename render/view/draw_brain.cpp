@@ -23,11 +23,12 @@ void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer
     const vec2 a = s.to_world(run.from), b = s.to_world(run.to), c = s.to_world(run.bend);
     // Different heights keep crossing wires from flickering.
     const float height = (deck_height + 0.010f) * s.height_scale + 0.003f * static_cast<float>(layer % 8);
+    const float thinnest = s.fine ? 0.042f : 0.028f;  // m; cables are visible from farther away
     const bool excites = weight > 0;
     const Colour colour = excites ? drawing.colours.excites : drawing.colours.inhibits;
     drawing.list.wires.push_back(
         {{a.x, a.y, b.x, b.y},
-         {c.x, c.y, height, (0.028f + 0.05f * std::fabs(weight) / limits::weight) * thin * s.height_scale * s.detail},
+         {c.x, c.y, height, (thinnest + 0.05f * std::fabs(weight) / limits::weight) * thin * s.height_scale * s.detail},
          rgb_with(wire.cut ? mix(colour, drawing.colours.wheel, 0.6f) : colour, excites ? 1.0f : -1.0f),
          {now, wire.cut ? 1.0f : 0.0f, s.fine ? 0.05f * s.height_scale : 0.0f, 0}});
 }
