@@ -56,8 +56,7 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
         return share ? colour_of_share(wanted.value, *share, drawing.picture.theme) : own;
     };
     // A coloured trail fades less, so that its colours can be compared with the legend.
-    const float newest = s.selected ? (plain ? 0.95f : 1) : (plain ? 0.75f : 0.8f),
-                oldest = (plain ? 0.45f : 0.8f) * newest;
+    const float newest = s.selected ? (plain ? 0.95f : 1) : 0.85f, oldest = (plain ? 0.45f : 0.8f) * newest;
     const bool ends = drawing.now.vehicles.size() > 64;  // the recent part only: it fades out
     const auto opacity = [&](std::size_t i) {
         const float age = static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(count, 24));
@@ -68,7 +67,7 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
         if (i > 0 && !are_joined(trail, shown[i - 1], shown[i])) continue;
         drawing.list.trails.push_back({{a.x, a.y, b.x, b.y},
                                        {na.x, na.y, nb.x, nb.y},
-                                       rgb_with(colour(i), s.selected ? 6.0f : 4.0f),
+                                       rgb_with(colour(i), s.selected ? 7.0f : 5.0f),
                                        {opacity(i), opacity(i + 1), 0, 0}});
     }
 }

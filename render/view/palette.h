@@ -93,7 +93,6 @@ struct Palette {
 
 constexpr Colour colour_of(const Palette& p, Channel channel) { return p.channels[static_cast<std::size_t>(channel)]; }
 
-// The colour of a vehicle's role.
 // The colour of a surface; of the plain floor for `none`.
 constexpr Colour colour_of(const Palette& p, Surface surface) {
     switch (surface) {
