@@ -175,10 +175,17 @@ void add_eyes(Drawing& drawing, const Subject& s) {
 
 void add_shadow(Drawing& drawing, const Subject& s) {
     const Body& body = s.kind.body;
-    drawing.list.marks.push_back(
-        {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
-         {body.length / 2, body.width / 2, 0.16f * around(drawing, s), static_cast<float>(MarkKind::shadow)},
-         rgb_with(drawing.colours.shadow, drawing.colours.shadow.a)});
+    const auto add = [&](vec2 at, float softness, float strength) {
+        drawing.list.marks.push_back(
+            {{at.x, at.y, s.ahead.x, s.ahead.y},
+             {body.length / 2, body.width / 2, softness * around(drawing, s), static_cast<float>(MarkKind::shadow)},
+             rgb_with(drawing.colours.shadow, strength * drawing.colours.shadow.a)});
+    };
+    if (!s.fine) return add(s.place, 0.16f, 1);
+    // Under the body, and away from the light of the sky.
+    constexpr vec2 away{0.15f, 0.12f};  // m, as the sun of frame_block() is
+    add(s.place, 0.10f, 0.75f);
+    add(s.place + away * s.height_scale, 0.32f, 0.6f);
     if (s.fine) add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
 }
 
@@ -190,12 +197,12 @@ void add_lamps(Drawing& drawing, const Subject& s) {
 
 void add_ring(Drawing& drawing, const Subject& s) {
     if (s.driven || (!s.selected && !s.hovered)) return;
-    const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.16f * around(drawing, s);
+    const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.12f * around(drawing, s);
     const bool first = s.selected && !drawing.picture.settings.selection.object;  // what Delete would take
     const MarkKind kind = first ? MarkKind::ring : MarkKind::thin_ring;
     drawing.list.rings.push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
-         {radius, radius, (first ? 0.013f : 0.007f) * around(drawing, s), static_cast<float>(kind)},
+         {radius, radius, (first ? 0.010f : 0.007f) * around(drawing, s), static_cast<float>(kind)},
          first ? rgb_with(drawing.colours.selected, 1) : rgb_with(drawing.colours.second_text, 0.9f)});
 }
 

@@ -241,7 +241,7 @@ TEST_F(RendererTest, DrawsAYellowRingAroundTheSelectedVehicle) {
     picture.settings.selection.vehicle = hand_made::add(now, 0, 0, 0, 0);
     picture.settings.sensors = false;
     renderer->draw(now, picture);
-    const float radius = 0.5f * std::hypot(1.0f, 0.7f) + 0.16f;
+    const float radius = 0.5f * std::hypot(1.0f, 0.7f) + 0.12f;
     const Colour ring = stage.pixel(*project(picture.camera_view, {radius, 0}));
     EXPECT_GT(ring.r, 0.7f);
     EXPECT_GT(ring.g, 0.7f);
