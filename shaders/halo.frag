@@ -1,13 +1,15 @@
 in vec2 v_own;
 in vec4 v_base;
+flat in float v_bulb;
 
 out vec4 colour;
 
 void main() {
     float d = dot(v_own, v_own), t = max(0.0, 1.0 - d);
     float glow = v_base.a * t * t * (0.35 + 0.65 * exp(-9.0 * d));
-    // In the light theme around the bulb only, which it would darken, and as bright as a screen shows the hue.
-    glow *= mix(1.0, smoothstep(0.03, 0.09, d), counts.y);
+    // Around the bulb only, which it would darken in the light theme and burn out in the dark one; in the light theme as
+    // bright as a screen shows the hue.
+    glow *= smoothstep(0.85 * v_bulb, mix(1.0, 1.6, counts.y) * v_bulb, d);
     vec3 bright = mix(v_base.rgb / max(max(v_base.r, v_base.g), max(v_base.b, 1e-3)), vec3(1.0), 0.15);
     colour = vec4(mix(v_base.rgb, bright, counts.y) * glow, glow * mix(0.25, 1.0, counts.y));
 }

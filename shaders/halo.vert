@@ -5,6 +5,7 @@ layout(location = 5) in vec4 base;
 
 out vec2 v_own;
 out vec4 v_base;
+flat out float v_bulb;  // squared radius of the bulb, as v_own
 
 void main() {
     v_own = corner.xy;
@@ -12,6 +13,10 @@ void main() {
     vec3 middle = to_gl(vec3(place.xy, place.z));
     // Moved towards the camera, so that the floor behind does not cut it.
     vec3 towards = normalize(eye.xyz - middle);
+    // The bulb's radius is 0.168 of the glow's on a dark floor, 0.247 on a light one (add_source in
+    // render/view/draw_world.cpp); the glow is nearer and looks larger.
+    float radius = mix(0.168, 0.247, counts.y) * (1.0 - 0.8 * place.w / distance(eye.xyz, middle));
+    v_bulb = radius * radius;
     vec3 at = middle + (picture_right.xyz * corner.x + picture_up.xyz * corner.y) * place.w + towards * place.w * 0.8;
     gl_Position = view_projection * vec4(at, 1.0);
 }

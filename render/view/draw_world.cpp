@@ -220,7 +220,7 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
     const bool on = strength > 0;
     const Colour unlit = mix(drawing.colours.obstacle, colour_of(drawing.colours, channel), 0.2f);
     const Colour colour = on ? colour_of(drawing.colours, channel) : unlit;
-    const float bulb = foot + 0.44f * size;
+    const float bulb = foot + 0.41f * size;
     // A source on a vehicle lights a smaller area than one on the floor.
     const float reach = foot > 0 ? 0.5f * std::max(0.4f, drawing.crowd) : 1;
     if (!in_sight(drawing, at, 4)) return;
