@@ -46,7 +46,7 @@ void add_walls(Drawing& drawing, const Arena& arena) {
     if (arena.edge != Boundary::wall) return;
     const float half_w = arena.width / 2, half_h = arena.height / 2;
     const WallSize wall = wall_of(arena);
-    const float thick = wall.thickness / 2, high = wall.height, chamfer = 0.1f * high;  // m
+    const float thick = wall.thickness / 2, high = wall.height, chamfer = 0.9f * thick;  // m; the rim is a round bar
     const vec4 colour = rgb_with(drawing.colours.rim, 0);
     if (arena.round) {
         for (const WallBox& box : round_wall(arena, wall.thickness)) {
@@ -60,7 +60,7 @@ void add_walls(Drawing& drawing, const Arena& arena) {
         drawing.list.blocks.push_back(block({0, side * (half_h + thick), 1, 0}, rectangle(half_w + 2 * thick, thick),
                                             high, chamfer, colour, true));
         drawing.list.blocks.push_back(
-            block({side * (half_w + thick), 0, 0, 1}, rectangle(half_h, thick), high, chamfer, colour, true));
+            block({side * (half_w + thick), 0, 0, 1}, rectangle(half_h + thick, thick), high, chamfer, colour, true));
     }
 }
 
