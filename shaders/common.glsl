@@ -141,10 +141,10 @@ float beside_field(vec2 own, vec4 edges) { return own.x * edges.x - abs(own.y) *
 // A field in this colour. `part`: 1 at the edge of the arena, along x and y; the field ends at the walls.
 vec4 field_colour(vec3 tone, float alpha, vec2 part) {
     float out_there = form.x < 0.5 ? max(abs(part.x), abs(part.y)) : dot(part, part);
-    // On a dark floor the colours of overlapping fields are added, because blended colours become grey. In the light
-    // theme they are faint and warm, like light on paper.
+    // On a dark floor the colours of overlapping fields are partly added, because blended colours become grey. In the
+    // light theme they are faint and warm, like light on paper.
     alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.55, counts.y);
-    return vec4(tone * alpha, alpha * mix(0.45, 1.0, counts.y));
+    return vec4(tone * alpha, alpha * mix(0.75, 1.0, counts.y));
 }
 
 // Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn

@@ -30,6 +30,13 @@ float visible_radius(float fill, float reach, const Sensor& sensor) {
     return 0;
 }
 
+// The colour of a channel without most of its white: a pale colour over the blue of the dark floor becomes grey.
+Colour deep(Colour c) {
+    const float white = 0.8f * std::min({c.r, c.g, c.b}), most = std::max({c.r, c.g, c.b});
+    const float scale = most / std::max(most - white, 1e-3f);
+    return {(c.r - white) * scale, (c.g - white) * scale, (c.b - white) * scale, c.a};
+}
+
 // Index of the first sensor on a side (1 left, −1 right), or the number of sensors.
 std::size_t first_sensor_on(const Kind& kind, int side) {
     std::size_t i = 0;
@@ -46,10 +53,12 @@ void add_fields(Drawing& drawing, const Subject& s) {
         const Sensor& sensor = s.kind.sensors[i];
         const float seen = std::sqrt(sensed(drawing, s, i));
         const bool light = drawing.picture.theme == Theme::light;
+        const Colour channel = colour_of(drawing.colours, sensor.channel);
         // With many vehicles idle fields are fainter, because many overlapping colours turn grey.
         const bool chosen = s.selected || s.hovered;
-        const float idle = chosen ? 0.20f : 0.09f * std::max(0.3f, drawing.crowd * drawing.crowd);
-        const float strong = (chosen ? 0.60f : 0.42f) - (light ? 0.10f : 0.0f);
+        const float idle =
+            (chosen ? 0.30f : 0.15f * std::max(0.2f, drawing.crowd * drawing.crowd)) * (light ? 0.6f : 1);
+        const float strong = (chosen ? 0.50f : 0.36f) - (light ? 0.08f : 0.0f);
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;
         const bool leads = s.driven && (i == first_sensor_on(s.kind, 1) || i == first_sensor_on(s.kind, -1));
@@ -65,7 +74,7 @@ void add_fields(Drawing& drawing, const Subject& s) {
         drawing.list.fields.push_back({{at.x, at.y, towards.x, towards.y},
                                        {line > 0 ? sensor.range * 1.01f : radius, half,
                                         sensor.response == SensorResponse::boolean ? 0 : sensor.half_distance, reach},
-                                       rgb_with(colour_of(drawing.colours, sensor.channel), fill),
+                                       rgb_with(light ? channel : deep(channel), fill),
                                        {line, chord ? -sensor.range * maths::cosine(half) : sensor.range, 0, 0}});
     }
 }
