@@ -173,6 +173,9 @@ vec3 floor_at(vec2 place, float outside, float inside) {
 // Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014.
 float dither() { return (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0; }
 
+// The sky mirrored in the floor: stronger where one looks along it. `far`: depth in the picture, 1 in its middle.
+float sheen(float far) { return 1.0 + mix(0.35, 0.08, counts.y) * clamp(far - 1.0, -0.4, 0.5); }
+
 const float floor_wall_width = 0.22;  // m, as in render/view/drawing.h
 
 // The floor is darker at the foot of walls, on both sides, and fades into the sky outside the arena within `beyond` m.
