@@ -49,7 +49,7 @@ struct Sensor {
 
 struct Wheel {
     float x = 0, y = 0;    // m, contact point
-    float radius = 0.16f;  // m
+    float radius = 0.20f;  // m
     float width = 0.09f;   // m
     Motor motor = Motor::none;
     float grip = 0;      // friction coefficient mu, along and across; 0 for a castor
@@ -67,8 +67,8 @@ struct Body {
     float mismatch = 0;                 // ± share of top_speed by which each motor of each vehicle differs, random
     float dead_band = 0;                // a motor does not turn for commands of smaller size
     std::vector<Wheel> wheels{
-        {0, 0.30f, 0.16f, 0.10f, Motor::left, 0.9f, 0.4f, 0.010f},
-        {0, -0.30f, 0.16f, 0.10f, Motor::right, 0.9f, 0.4f, 0.010f},
+        {0, 0.30f, 0.20f, 0.10f, Motor::left, 0.9f, 0.4f, 0.010f},
+        {0, -0.30f, 0.20f, 0.10f, Motor::right, 0.9f, 0.4f, 0.010f},
         {0.38f, 0, 0.07f, 0.05f, Motor::none, 0, 0.1f, 0.004f},
         {-0.38f, 0, 0.07f, 0.05f, Motor::none, 0, 0.1f, 0.004f},
     };

@@ -215,7 +215,7 @@ TEST(Body, KeepsTheProportionsOfItsWheelsWhenResized) {
     const Body to = resized(Body{}, 2, 0.35f);
     EXPECT_FLOAT_EQ(to.wheels[0].y, 0.15f);
     EXPECT_FLOAT_EQ(to.wheels[2].x, 0.76f);
-    EXPECT_FLOAT_EQ(to.wheels[0].radius, 0.32f);
+    EXPECT_FLOAT_EQ(to.wheels[0].radius, 0.40f);
     EXPECT_EQ(to.wheels[0].grip, Body{}.wheels[0].grip);
     EXPECT_GE(resized(Body{}, 0.05f, 0.05f).wheels[2].radius, 0.005f) << "within the range";
 }

@@ -124,7 +124,7 @@ void wheel(const Ui& ui, ImVec2 c, float outward, float motor, float angle, bool
     const ImVec2 low{c.x - w, c.y - h}, high{c.x + w, c.y + h};
     draw.AddRectFilled(low, high, paint(ui.palette.wheel), ui.px(radius::box));
     draw.PushClipRect(low, high, true);
-    const float spacing = ui.px(9), phase = std::fmod(std::fmod(angle * 0.16f * ui.px(60), spacing) + spacing, spacing);
+    const float spacing = ui.px(9), phase = std::fmod(std::fmod(angle * 0.20f * ui.px(60), spacing) + spacing, spacing);
     for (float y = low.y - phase + spacing; y < high.y + spacing; y += spacing)
         draw.AddLine({low.x + ui.px(3), y}, {high.x - ui.px(3), y}, paint(ui.palette.second_text.with_alpha(0.7f)),
                      ui.px(1.5f));
