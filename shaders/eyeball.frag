@@ -20,8 +20,11 @@ void main() {
     float lid = above(0.12, dot(own, vec3(-0.72, 0.0, 0.69)));
     float highlight = above(0.975, dot(own, vec3(0.88, 0.27, 0.39)));
 
-    vec3 glass = mix(v_base.rgb * v_base.rgb * 0.55, v_base.rgb, 0.55 + 0.45 * reading);
-    vec3 bright = mix(lit(glass * 0.95, v_light), mix(v_base.rgb, vec3(1.0), 0.25 * reading), 0.25 + 0.75 * reading);
+    // The channel's colour with little white: a pale iris is hardly different from the ball.
+    vec3 pure = v_base.rgb - 0.7 * min(min(v_base.r, v_base.g), v_base.b);
+    pure *= max(max(v_base.r, v_base.g), v_base.b) / max(max(max(pure.r, pure.g), pure.b), 1e-3);
+    vec3 glass = mix(pure * pure * 0.55, pure, 0.70 + 0.30 * reading);
+    vec3 bright = mix(lit(glass * 0.95, v_light), mix(pure, vec3(1.0), 0.25 * reading), 0.40 + 0.60 * reading);
     vec3 seen = mix(lit(vec3(0.93, 0.94, 0.96), v_light), bright * 0.72, iris);
     seen = mix(seen, bright, ring);
     seen = mix(seen, ink.rgb * 0.6, pupil);

@@ -101,7 +101,7 @@ void add_obstacles(Drawing& drawing, const Scene& scene) {
         const std::vector<vec2> corners = corners_of(obstacle);
         const float height = obstacle_height(scene.arena) * (movable ? 0.8f : 1.0f);
         drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y}, blunted(corners, scale_of(scene.arena)),
-                                            height, 0.17f * height, rgb_with(colour, movable ? 1.0f : 0.0f)));
+                                            height, 0.26f * height, rgb_with(colour, movable ? 1.0f : 0.0f)));
         if (!plain) add_obstacle_casts(drawing, {pose.x, pose.y}, ahead, corners, height);
     }
 }
