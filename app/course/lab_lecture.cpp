@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/course/lab_lesson.h"
 #include "app/files/data.h"
 #include "app/lab_selection.h"
 #include "core/world/snapshot.h"
@@ -81,6 +82,29 @@ void select_vehicle(Lab& lab, const LecturePage& page) {
         if (starts[i].name == page.select) select(lab, vehicle_object(vehicles[i].id));
 }
 
+// Shows the open scene as this page does, with so many of its steps.
+void look_at_page(Lab& lab, int page, int steps) {
+    const LecturePage& next = lab.pages->lecture->pages[static_cast<std::size_t>(page)];
+    lab.slots = {};
+    lab.view.map = lab.view.reality = false;
+    lab.pages->page = page;
+    lab.pages->step = std::clamp(steps, 0, static_cast<int>(next.reveal.size()));
+    lab.view.camera = camera_of(next);
+    select_vehicle(lab, next);
+    for (const PagePartTraits& part : page_part_table) show_part(lab, part.value, lab.pages->shows(part.value));
+}
+
+bool have_the_same_scene(const LecturePage& a, const LecturePage& b) {
+    const auto is_same = [](const Setting& x, const Setting& y) { return x.path == y.path && x.value == y.value; };
+    return a.file == b.file && a.seed == b.seed &&
+           std::equal(a.settings.begin(), a.settings.end(), b.settings.begin(), b.settings.end(), is_same);
+}
+
+// True if the step, the first is 0, starts the run.
+bool starts_the_run(const LecturePage& page, int step) {
+    return page.reveal[static_cast<std::size_t>(step)][static_cast<std::size_t>(PagePart::play)];
+}
+
 }  // namespace
 
 float lecture_growth(Rect window, float display_scale) {
@@ -133,12 +157,18 @@ void open_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
 
 void resume_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     const LectureView left = *lab.left_pages;
+    const bool is_open = lab.left_run == lab.document.run_id && lab.document.edits == lab.document.saved_edits;
     begin_pages(lab, std::move(lecture));
     lab.pages->notes = left.notes;
     const auto is_as_long = [](const std::vector<int>& a, const std::vector<int>& b) { return a.size() == b.size(); };
     if (std::equal(left.hands.begin(), left.hands.end(), lab.pages->hands.begin(), lab.pages->hands.end(), is_as_long))
         lab.pages->hands = left.hands;
-    show_page(lab, left.page, left.step);
+    const auto& pages = lab.pages->lecture->pages;
+    const auto page = static_cast<std::size_t>(left.page);
+    if (is_open && page < pages.size() && have_the_same_scene(pages[page], left.current()))
+        look_at_page(lab, left.page, left.step);
+    else
+        show_page(lab, left.page, left.step);
 }
 
 void request_left_lecture(Lab& lab, bool resume) {
@@ -153,13 +183,7 @@ void show_page(Lab& lab, int page, int steps) {
     auto document = open_document(next.file, next.seed > 0 ? std::optional(next.seed) : std::nullopt, next.settings);
     if (!document) return say(lab, document.error());
     replace_document(lab, std::move(*document));
-    lab.slots = {};
-    lab.view.map = lab.view.reality = false;
-    lab.pages->page = page;
-    lab.pages->step = std::clamp(steps, 0, static_cast<int>(next.reveal.size()));
-    lab.view.camera = camera_of(next);
-    select_vehicle(lab, next);
-    for (const PagePartTraits& part : page_part_table) show_part(lab, part.value, lab.pages->shows(part.value));
+    look_at_page(lab, page, steps);
     if (next.play || next.at_first[static_cast<std::size_t>(PagePart::play)]) set_mode(lab, Mode::playing);
 }
 
@@ -169,8 +193,7 @@ void next_page(Lab& lab) {
     const int step = lab.pages->step;
     if (step < static_cast<int>(page.reveal.size())) {
         go_to_step(lab, step + 1);
-        const bool plays = page.reveal[static_cast<std::size_t>(step)][static_cast<std::size_t>(PagePart::play)];
-        if (plays && lab.playback.mode != Mode::playing) set_mode(lab, Mode::playing);
+        if (starts_the_run(page, step) && lab.playback.mode != Mode::playing) set_mode(lab, Mode::playing);
     } else if (lab.pages->page + 1 < static_cast<int>(lab.pages->lecture->pages.size())) {
         show_page(lab, lab.pages->page + 1);
     } else {
@@ -180,7 +203,11 @@ void next_page(Lab& lab) {
 
 void previous_page(Lab& lab) {
     if (!lab.pages) return;
-    if (lab.pages->step > 0) return go_to_step(lab, lab.pages->step - 1);
+    if (const int step = lab.pages->step; step > 0) {
+        go_to_step(lab, step - 1);
+        if (starts_the_run(lab.pages->current(), step - 1)) set_mode(lab, Mode::paused), reset(lab);
+        return;
+    }
     if (lab.pages->page == 0) return;
     const LecturePage& page = lab.pages->lecture->pages[static_cast<std::size_t>(lab.pages->page - 1)];
     show_page(lab, lab.pages->page - 1, static_cast<int>(page.reveal.size()));

@@ -298,6 +298,43 @@ TEST_F(LabLecturePages, F9GoesBackToThePageThatWasLeft) {
     }
 }
 
+TEST_F(LabLecturePages, F9GoesOnWithTheRunAndTheWeightsOfThePageThatWasLeft) {
+    open("four-numbers");
+    for (int i = 0; i < 2; ++i) press({key::page_down});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    set_mode(lab, Mode::playing);
+    for (int frame = 0; frame < 20; ++frame) advance(lab, 0.02);
+    press({key::escape});
+    const std::uint64_t tick = lab.document.session.snapshot().tick;
+    const Scene edited = lab.document.session.edited_scene();
+    ASSERT_GT(tick, 10u);
+    ASSERT_NE(edited, *lab.document.file);
+    press({key::f9});
+    execute_file_requests(lab, files, state, folders);
+    ASSERT_TRUE(lab.pages);
+    EXPECT_FALSE(files.leaving) << "edits of the lecture are not asked to be saved";
+    EXPECT_EQ(lab.document.session.snapshot().tick, tick);
+    EXPECT_EQ(lab.document.session.edited_scene(), edited);
+    EXPECT_EQ(lab.view.overlays.labels, lab.pages->shows(PagePart::labels)) << "it looks as the page does";
+    show_page(lab, lab.pages->page);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u) << "a page is opened anew otherwise";
+}
+
+TEST_F(LabLecturePages, PageUpOverTheStepThatStartsTheRunReturnsToItsStart) {
+    open("four-numbers");
+    while (lab.pages->page < 1) press({key::page_down});
+    const LecturePage& page = lab.pages->current();
+    ASSERT_TRUE(page.reveal[0][static_cast<std::size_t>(PagePart::play)]);
+    press({key::page_down});
+    ASSERT_EQ(lab.playback.mode, Mode::playing);
+    for (int frame = 0; frame < 20; ++frame) advance(lab, 0.02);
+    ASSERT_GT(lab.document.session.snapshot().tick, 10u);
+    press({key::page_up});
+    EXPECT_EQ(lab.pages->step, 0);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+}
+
 TEST_F(LabLecturePages, F9AsksAboutEditsMadeSinceTheLectureWasLeft) {
     open("four-numbers");
     press({key::page_down});
