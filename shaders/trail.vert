@@ -1,11 +1,11 @@
-// One segment of a vehicle's trail.
+// One piece of a vehicle's trail, or a round end of one (TrailInstance in render/view/draw_list.h).
 layout(location = 0) in vec3 corner;   // along 0..1, side -1..1
 layout(location = 4) in vec4 ends;     // from, to
 layout(location = 5) in vec4 sides;    // unit normals at both ends
 layout(location = 6) in vec4 base;     // w: width on the screen, layout pixels
-layout(location = 7) in vec4 opacity;  // at both ends
+layout(location = 7) in vec4 opacity;  // at both ends; z: 1 for a round end
 
-out float v_side;
+out vec2 v_place;  // half widths: beyond the end, across
 out vec4 v_colour;
 
 void main() {
@@ -14,10 +14,11 @@ void main() {
     vec4 beside = view_projection * vec4(to_gl(vec3(at + vec2(-side.y, side.x) * 0.05, 0.006)), 1.0);
     // Constant width on the screen: moved across the trail's direction in the picture.
     vec2 along = (beside.xy / beside.w - middle.xy / middle.w) * window.xy;
-    vec2 across = vec2(along.y, -along.x) / max(length(along), 1e-6);
+    along /= max(length(along), 1e-6);
+    vec2 across = vec2(along.y, -along.x);
     float half_width = 0.5 * base.w * arena.w + 0.5;
-    v_side = corner.y;
+    v_place = vec2(corner.x * opacity.z, corner.y);
     v_colour = vec4(base.rgb, mix(opacity.x, opacity.y, corner.x));
     gl_Position = middle;
-    gl_Position.xy += across * corner.y * (2.0 * half_width * middle.w) / window.xy;
+    gl_Position.xy += (across * v_place.y - along * v_place.x) * (2.0 * half_width * middle.w) / window.xy;
 }

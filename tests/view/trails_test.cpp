@@ -1,6 +1,9 @@
 #include "render/view/trails.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -188,6 +191,35 @@ TEST(Trails, HaveAGapWhereAVehicleIsMovedByHand) {
     fill(list, now, {}, trails);
     EXPECT_GT(list.trails.size(), before);
     for (const TrailInstance& piece : list.trails) EXPECT_EQ(piece.ends.y, piece.ends.w) << "no line across the gap";
+}
+
+TEST(Trails, HaveRoundEndsAtTheStartAndAtGapsButNotAtTheVehicle) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    drive(now, trails, 60);
+    DrawList list;
+    const auto round_ends = [&] {
+        std::vector<TrailInstance> all;
+        fill(list, now, {}, trails);
+        std::copy_if(list.trails.begin(), list.trails.end(), std::back_inserter(all),
+                     [](const TrailInstance& piece) { return piece.opacity.z == 1; });
+        return all;
+    };
+    ASSERT_EQ(round_ends().size(), 1u);
+    EXPECT_NEAR(round_ends()[0].ends.x, 0, 0.13f);
+    EXPECT_LT(round_ends()[0].sides.y, -0.99f) << "its right is the direction back";
+
+    for (int i = 0; i < 5; ++i) now.vehicles[0].y += 0.2f, trails.record(now);  // moved by hand: a gap
+    drive(now, trails, 60);
+    ASSERT_EQ(round_ends().size(), 3u);
+    const TrailInstance after_gap = round_ends()[0], before_gap = round_ends()[1];
+    EXPECT_EQ(after_gap.ends.y, now.vehicles[0].y);
+    EXPECT_LT(before_gap.ends.y, now.vehicles[0].y - 0.5f);
+    EXPECT_LT(after_gap.sides.y, -0.99f);
+    EXPECT_GT(before_gap.sides.y, 0.99f) << "turned towards the gap";
+
+    for (int i = 0; i < 70; ++i) hand_made::add(now, 0, 0, 0, 0);
+    EXPECT_EQ(round_ends().size(), 2u) << "a trail among many vehicles fades out at its start";
 }
 
 TEST(Trails, HaveTheColourOfTheirVehicle) {
