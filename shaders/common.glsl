@@ -88,10 +88,18 @@ vec3 light_at(vec3 normal, vec3 place, float darkness) {
         float squared = dot(towards, towards);
         // Lamps are large and low: a surface that faces away from a lamp still gets part of its light.
         float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.8 + 0.2, 0.0);
-        float amount = 1.5 * lamps[i].place.w * facing * lamp_law(squared) * passes;
+        float amount = 1.9 * lamps[i].place.w * facing * lamp_law(squared) * passes;
         light += lamps[i].colour.rgb * lamps[i].colour.rgb * amount;
     }
     return light;
+}
+
+// Sun and sky mirrored in varnish: a highlight with a wide edge, and the sky where one looks along the surface.
+vec3 gloss_at(vec3 normal, vec3 place) {
+    vec3 towards = normalize(eye.xyz - place), mirrored = reflect(-towards, normal);
+    float sunny = max(dot(mirrored, sun.xyz), 0.0), along = 1.0 - max(dot(towards, normal), 0.0);
+    float wide = sunny * sunny * sunny * sunny;
+    return sun_light.rgb * (0.10 * wide + 0.34 * pow(sunny, 32.0)) + sky_light.rgb * (0.45 * along * along * along);
 }
 
 vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
@@ -126,12 +134,12 @@ vec4 sector_edges(vec4 shape) {
 #ifdef FRAGMENT_STAGE
 
 // The fill of a sensor field at `own` (m, the sensor's axis along x): it follows the sensor's response to distance.
-// `beside`: distance inside the nearer side, m; sides get softer with distance. `edges`: from sector_edges().
+// `beside`: distance inside the nearer side, m; sides are sharp, because the reading ends there. `edges`: from sector_edges().
 float field_fill(vec2 own, float beside, vec4 edges) {
     float squared = dot(own, own), rest = max(1.0 - squared * edges.w, 0.0);
     float answer = edges.z > 0.0 ? rest * rest : 0.4 * min(rest * 8.0, 1.0);
     // About the distance from the sensor; a root costs a software renderer more.
-    float away = abs(own.x) + 0.4 * abs(own.y), soft = 0.02 + 0.06 * away;
+    float away = abs(own.x) + 0.4 * abs(own.y), soft = 0.015 + 0.016 * away;
     return answer * clamp(beside, 0.0, soft) / ((1.0 + squared * max(edges.z, 0.0)) * soft);
 }
 
@@ -164,7 +172,7 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     vec2 from_middle = place / arena.xy;
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
     float faint = max(middle, lines(place, pixel, many, form.z, 0.016 * form.z) * 0.75) * inside;
-    float bright = lines(place, pixel, many, 5.0 * form.z, 0.032 * form.z) * inside;
+    float bright = lines(place, pixel, many, 5.0 * form.z, 0.022 * form.z) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
     return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright);
 }

@@ -24,8 +24,7 @@ void main() {
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
     v_own = collar ? vec3(0.0) : corner;
     v_light = light_at(up, at, size.w);
-    vec3 towards = normalize(eye.xyz - at);
-    v_gloss = sun_light.rgb * (0.30 * pow(max(dot(reflect(-towards, up), sun.xyz), 0.0), 24.0));
+    v_gloss = gloss_at(up, at);
     v_base = base;
     v_lid = vec4(lid.rgb, size.z);
     gl_Position = view_projection * vec4(at, 1.0);

@@ -40,17 +40,17 @@ void main() {
         if (kind == paint_gauge) tone = vec3(0.55, 0.85, 0.40);
     }
     vec3 light = light_at(up, at, look.z);
+    // The floor takes light from the lower part of a rounded body.
+    if (look.y > 0.5) light *= 0.55 + 0.45 * clamp(own.z / 0.2, 0.0, 1.0);
     v_colour = lit(tone, light);
     // The empty part of the gauge.
     v_empty = kind == paint_gauge ? lit(mix(tone, ink.rgb, max(detail, look.y)), light) : v_colour;
     if (look.y > 0.5 && kind != paint_inlay) {
-        // The sky and the sun mirrored in the varnish.
-        vec3 towards = normalize(eye.xyz - at), mirrored = reflect(-towards, up);
-        float rim = 1.0 - max(dot(towards, up), 0.0);
-        float gloss = 0.28 * pow(max(dot(mirrored, sun.xyz), 0.0), 24.0) + 0.10 * rim * rim * rim;
-        v_colour += sun_light.rgb * gloss;
-        v_empty += sun_light.rgb * gloss;
+        vec3 gloss = gloss_at(up, at);
+        v_colour += gloss;
+        v_empty += gloss;
     }
-    v_gauge = vec2(-corner.y / 0.32, size.w * 2.0 - 1.0);
+    // Half the width of the gauge, a share of the body's: as fine_hull_shape() and hull_shape() have it.
+    v_gauge = vec2(-corner.y / (look.y > 0.5 ? 0.264 : 0.32), size.w * 2.0 - 1.0);
     gl_Position = view_projection * vec4(at, 1.0);
 }

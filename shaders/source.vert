@@ -12,7 +12,7 @@ void main() {
     vec3 at = to_gl(vec3(place.xy, base.w) + corner * place.z);
     vec3 up = to_gl(normal);
     int kind = int(paint + 0.5);
-    vec3 solid = lit(kind == paint_deck ? vec3(0.62) : ink.rgb * 0.35, light_at(up, at));
+    vec3 solid = lit(kind == paint_deck ? vec3(0.62) : vec3(0.06, 0.06, 0.065), light_at(up, at));
     // White in the centre, coloured towards the rim. In the light theme, whose colours are dark, a lamp that is lit is as
     // bright as a screen shows its hue, also a dim one, and only yellow light is nearly white in the centre: another
     // colour would be as pale as the floor.
@@ -23,6 +23,7 @@ void main() {
     vec3 day_rim = mix(base.rgb, mix(mix(deep, hue, place.w), vec3(1.0), 0.25 * max(2.0 * yellow - 1.0, 0.0) * place.w), shines);
     vec3 core = mix(mix(base.rgb, vec3(1.0), 0.70 * place.w), day_core, counts.y);
     vec3 rim = mix(mix(base.rgb, vec3(1.0), 0.35 * yellow * place.w), day_rim, counts.y);
+    if (kind != paint_light) solid += 0.5 * gloss_at(up, at);
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
     v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;
     v_normal = up;

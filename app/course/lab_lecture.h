@@ -27,9 +27,9 @@ void open_lecture(Lab&, std::shared_ptr<const Lecture>);
 // Does nothing without an open lecture.
 void leave_pages(Lab&);
 
-// Shows the page of Lab::left_pages. Its scene goes on with its run and the edits made in the lecture; it is opened anew
-// if another file has been opened, if the scene has been edited since, or if the page has another scene now. The lecture
-// is the file as it is now: if the author has changed its questions, the counted hands are lost. Precondition:
+// Shows the page of Lab::left_pages. Its scene goes on with its run and the edits made in the lecture; it is opened
+// anew if another file has been opened, if the scene has been edited since, or if the page has another scene now. The
+// lecture is the file as it is now: if the author has changed its questions, the counted hands are lost. Precondition:
 // Lab::left_pages.
 void resume_lecture(Lab&, std::shared_ptr<const Lecture>);
 
@@ -44,8 +44,8 @@ void show_page(Lab&, int page, int steps = 0);
 // Shows the next step of the page; after the last one, the next page. The step `play` starts the run. Do nothing
 // without an open lecture.
 void next_page(Lab&);
-// Hides the last step shown; hiding the step `play` returns the run to its start and keeps edits. Before the first step,
-// goes to the previous page with all of its steps. Its run begins anew; the step `play` does not start it.
+// Hides the last step shown; hiding the step `play` returns the run to its start and keeps edits. Before the first
+// step, goes to the previous page with all of its steps. Its run begins anew; the step `play` does not start it.
 void previous_page(Lab&);
 
 // Sets the number of raised hands, 0 .. 999.

@@ -267,7 +267,9 @@ Shape fine_hull_shape(Role role) {
     const float front = role == Role::predator ? 0.20f : 0.24f;
     add_rounded_plate(shape, rounded_box(-0.30f, front, -0.165f, 0.165f, 0.05f), 0.25f, 0.272f, 0, 0.012f, 1,
                       Paint::inlay);
-    add_rounded_plate(shape, rounded_box(-0.435f, -0.375f, -0.19f, 0.19f, 0.025f), 0.25f, 0.274f, 0, 0.012f, 1,
+    add_rounded_plate(shape, rounded_box(-0.45f, -0.365f, -0.21f, 0.21f, 0.03f), 0.24f, 0.268f, 0, 0.010f, 1,
+                      Paint::inlay);
+    add_rounded_plate(shape, rounded_box(-0.428f, -0.387f, -0.185f, 0.185f, 0.018f), 0.25f, 0.276f, 0, 0.008f, 1,
                       Paint::gauge);
     for (const float side : {-0.156f, 0.156f})
         add_rounded_plate(shape, rounded_box(-0.21f, -0.11f, side - 0.036f, side + 0.036f, 0.02f), 0.265f, 0.315f, 0,
@@ -279,6 +281,7 @@ Shape fine_hull_shape(Role role) {
 Shape tyre_shape() {
     constexpr int facets = 24, holes = 5;
     Shape shape;
+    add_band(shape, facets, 0.02f, -0.44f, -1.57f, 0.78f, -0.5f, -1.4f, Paint::dark);  // the side at the body
     add_band(shape, facets, 0.78f, -0.5f, -0.9f, 0.92f, -0.40f, -0.3f, Paint::dark);
     add_band(shape, facets, 0.92f, -0.40f, -0.2f, 0.92f, 0.40f, 0.2f, Paint::dark);
     add_band(shape, facets, 0.92f, 0.40f, 0.3f, 0.78f, 0.5f, 1.2f, Paint::dark);

@@ -134,9 +134,9 @@ constexpr Palette palette(Theme theme) {
         p.ground = rgb(0x14171C), p.panel = rgb(0x1C2128), p.raised = rgb(0x262D36), p.line = rgb(0x343D48);
         p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
         p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70), p.success = rgb(0x6FCF97);
-        p.sky = rgb(0x0D1220), p.floor = rgb(0x27324E), p.grid = rgb(0x364364), p.wall = rgb(0x3A4552);
+        p.sky = rgb(0x0B0F1C), p.floor = rgb(0x202B4B), p.grid = rgb(0x35426A), p.wall = rgb(0x3A4552);
         p.rim = rgb(0x7A5A40);
-        p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115);
+        p.shadow = Colour{0, 0, 0, 0.68f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115);
         p.crate = rgb(0xB49A78), p.ice = rgb(0x4E6C84), p.carpet = rgb(0x463D49), p.sand = rgb(0x5C5341);
         p.slot_a = rgb(0x63B3FF), p.slot_b = rgb(0xFF9BD2);
         p.tape = rgb(0x06080A), p.recharge = rgb(0xB6E36B);
@@ -144,9 +144,9 @@ constexpr Palette palette(Theme theme) {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E), p.success = rgb(0x1B7A43);
-        p.sky = rgb(0xECE8E1), p.floor = rgb(0xE7E1D7), p.grid = rgb(0xCBC4B6), p.wall = rgb(0xB4BEC9);
+        p.sky = rgb(0xEAE7E1), p.floor = rgb(0xE6E1D8), p.grid = rgb(0xCDC7BC), p.wall = rgb(0xB4BEC9);
         p.rim = rgb(0xD0AB7C);
-        p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
+        p.shadow = Colour{0, 0, 0, 0.32f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
         p.slot_a = rgb(0x1456C8), p.slot_b = rgb(0xB01E78);
         p.tape = rgb(0x20252C), p.recharge = rgb(0x5E8C14);
