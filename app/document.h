@@ -73,6 +73,7 @@ struct Lesson {
     std::optional<Job<Grade>> shipped_grading{};  // for Exercise::median; begins with the first grade
     std::optional<GradedSubmission> graded{};     // view.grade is its grade while the vehicle has this submission
     std::optional<Selecting> selecting{};         // nullopt: not begun
+    std::optional<std::uint64_t> changed_at{};    // first tick of the run that is not as given; nullopt: none
     std::optional<Submission> done_with{};        // when every step of this run was done; nullopt: they are not
     bool was_shown = false;                  // the solution, since the exercise was opened; it may come back by undo
     std::uint64_t selections = 0;            // begun since the exercise was opened

@@ -56,7 +56,7 @@ struct LessonView {
     int runs = 0;                              // begun since it was opened
     bool at_start = true;                      // of a run; in a selection by hand also before the first choice
     bool outcome_known = false;                // a run of the scene as given has shown what was to be predicted
-    bool as_given = true;                      // every brain, sensor and body is that of the exercise's file
+    bool as_given = true;                      // every brain, sensor and body was that of the file since the start
     int hints_shown = 0;                       // of exercise->hints
     bool hint_ready = true;                    // the next hint, after the last one the solution, may be shown now
     int hint_in = 0;                           // seconds until it may be without a run, while it may not be now

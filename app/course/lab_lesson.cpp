@@ -39,6 +39,16 @@ bool is_as_shipped(const Snapshot& now, const Scene& shipped) {
     return true;
 }
 
+// True if the run up to now was that of the scene as given: a change that has been undone during the run counts, too.
+bool is_run_as_given(Lesson& lesson, const Snapshot& now) {
+    const bool is_given = is_as_shipped(now, lesson.exercise->scene);
+    if (!is_given)
+        lesson.changed_at = std::min(lesson.changed_at.value_or(now.tick), now.tick);
+    else if (lesson.changed_at && now.tick <= *lesson.changed_at)
+        lesson.changed_at.reset();  // the change was undone before the run went on, or the run was rewound
+    return !lesson.changed_at;
+}
+
 // True if this moment of a run shows what the prediction asks for: what the scene does as given, with every brain,
 // sensor and body of the file and with nothing moved. A run with the student's changes does not show it, also where the
 // question is about another vehicle, because its options may compare both.
@@ -131,7 +141,7 @@ void watch(Lab& lab) {
     lesson.referee.watch(lab.document.session.snapshot());
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
-    lesson.view.as_given = is_as_shipped(lab.document.session.snapshot(), lesson.exercise->scene);
+    lesson.view.as_given = is_run_as_given(lesson, lab.document.session.snapshot());
     const bool has_chosen = lesson.selecting && lesson.selecting->parents.size() > 1;
     lesson.view.at_start = lab.document.session.snapshot().tick == 0 && !has_chosen;
     // A prediction about a selection is about its end, not about the first run.

@@ -87,6 +87,21 @@ TEST(LabPrediction, KnowsTheOutcomeOfTheShippedBrainAndLampOnly) {
     EXPECT_TRUE(lesson_of(rewired).outcome_known);
 }
 
+TEST(LabPrediction, IsNotJudgedByARunWhoseChangeWasUndoneOnTheWay) {
+    Lab lab = aggressor();
+    handle(lab, PredictRequest{0});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    for (int i = 0; i < 300; ++i) tick(lab);
+    handle(lab, Action::undo);
+    for (int i = 0; i < 300; ++i) tick(lab);
+    EXPECT_FALSE(lesson_of(lab).outcome_known);
+    EXPECT_FALSE(lesson_of(lab).as_given) << "the card asks for a run of the scene as given";
+    handle(lab, Action::reset);
+    EXPECT_TRUE(lesson_of(lab).as_given);
+    for (int i = 0; i < 600; ++i) tick(lab);
+    EXPECT_TRUE(lesson_of(lab).outcome_known);
+}
+
 TEST(LabPrediction, JudgesAPredictionAboutTwoVehiclesOnlyByARunWithBothAsGiven) {
     for (const int changed : {-1, 0, 1}) {
         Lab lab = opened_lab("07-further");
