@@ -12,7 +12,9 @@ void main() {
     vec3 at = to_gl(vec3(place.xy, base.w) + corner * place.z);
     vec3 up = to_gl(normal);
     int kind = int(paint + 0.5);
-    vec3 solid = lit(kind == paint_deck ? vec3(0.62) : vec3(0.06, 0.06, 0.065), light_at(up, at));
+    // Its own light would make the foot as bright as the floor.
+    vec3 light = light_at(up, at);
+    vec3 solid = lit(kind == paint_deck ? vec3(0.62) : vec3(0.06), kind == paint_deck ? light : min(light, vec3(0.9)));
     // White in the centre, coloured towards the rim. In the light theme, whose colours are dark, a lamp that is lit is as
     // bright as a screen shows its hue, also a dim one, and only yellow light is nearly white in the centre: another
     // colour would be as pale as the floor.
