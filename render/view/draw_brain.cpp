@@ -26,6 +26,17 @@ void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer
     const float thinnest = s.fine ? 0.042f : 0.028f;  // m; cables are visible from farther away
     const bool excites = weight > 0;
     const Colour colour = excites ? drawing.colours.excites : drawing.colours.inhibits;
+    constexpr float shadow_above = 70;  // layout pixels of the vehicle
+    if (s.fine && s.pixels >= shadow_above && !wire.cut) {
+        // On the deck below the cable, away from the sun.
+        const vec2 away = vec2{0.018f, 0.014f} * s.height_scale;
+        const vec2 d = a + away, e = b + away, f = c + away;
+        drawing.list.wires.push_back(
+            {{d.x, d.y, e.x, e.y},
+             {f.x, f.y, (deck_height + 0.0045f) * s.height_scale, 0.05f * thin * s.height_scale},
+             rgb_with(drawing.colours.wheel, 0),
+             {}});
+    }
     drawing.list.wires.push_back(
         {{a.x, a.y, b.x, b.y},
          {c.x, c.y, height, (thinnest + 0.05f * std::fabs(weight) / limits::weight) * thin * s.height_scale * s.detail},

@@ -61,7 +61,7 @@ struct EyeballInstance {
 struct WireInstance {
     maths::vec4 ends;    // x, y of its start and of its end
     maths::vec4 shape;   // x, y of the control point, height m, width m
-    maths::vec4 colour;  // w: 1 excites, −1 inhibits, 0: a stroke of a sign, without an end of its own
+    maths::vec4 colour;  // w: 1 excites, −1 inhibits, 0: a stroke of a sign, or the shadow of a cable
     maths::vec4 signal;  // x: size 0..1; y: 1: cut; z: rise of its middle, m: above 0 for a round cable
 };
 struct NeuronInstance {

@@ -183,9 +183,9 @@ void add_shadow(Drawing& drawing, const Subject& s) {
     };
     if (!s.fine) return add(s.place, 0.16f, 1);
     // Under the body, and away from the light of the sky.
-    constexpr vec2 away{0.15f, 0.12f};  // m, as the sun of frame_block() is
-    add(s.place, 0.10f, 0.75f);
-    add(s.place + away * s.height_scale, 0.32f, 0.6f);
+    constexpr vec2 away{0.10f, 0.08f};  // m, as the sun of frame_block() is
+    add(s.place, 0.09f, 0.85f);
+    add(s.place + away * s.height_scale, 0.26f, 0.6f);
     if (s.fine) add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
 }
 

@@ -192,6 +192,25 @@ TEST(DrawList, GrowsSmallPartsWithTheVehiclesSizeOnTheScreen) {
     EXPECT_LT(largest_step, 0.08f);
 }
 
+TEST(DrawList, CablesThatAreWholeCastAShadowOnTheDeckWhereTheyAreLarge) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    const auto shadows = [&](float zoom) {
+        Picture picture = seen_at_zoom(zoom);
+        picture.quality = Quality::high;
+        const DrawList list = drawn(now, picture);
+        EXPECT_FALSE(list.bodies[0].empty());
+        return std::count_if(list.wires.begin(), list.wires.end(),
+                             [](const WireInstance& wire) { return wire.colour.w == 0 && wire.signal.z == 0; });
+    };
+    EXPECT_EQ(shadows(6), 2);
+    EXPECT_EQ(shadows(1), 0);
+    auto brain = std::make_shared<BrainGraph>(*now.brains[0]);
+    for (Wire& wire : brain->wires) wire.cut = true;
+    now.brains[0] = brain;
+    EXPECT_EQ(shadows(6), 0) << "the ends of a cut cable are pale";
+}
+
 TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0, 0.25f, 0);
@@ -203,7 +222,9 @@ TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
         EXPECT_EQ(list.eyeballs.size(), 2 * list.bodies[0].size());
         EXPECT_EQ(list.tyres.size(), 4 * list.bodies[0].size());
         if (!list.bodies[0].empty()) {
-            EXPECT_EQ(list.wires.size(), 2U) << "a rounded vehicle has its wires";
+            const auto cables = std::count_if(list.wires.begin(), list.wires.end(),
+                                              [](const WireInstance& wire) { return wire.colour.w != 0; });
+            EXPECT_EQ(cables, 2) << "a rounded vehicle has its wires";
             EXPECT_TRUE(list.eyes.empty() && list.wheels.empty());
             EXPECT_NEAR(list.eyeballs[0].size.z, 0.5f, 1e-5);
         }
