@@ -15,6 +15,20 @@ namespace {
 
 constexpr float crossed_out = -1;  // in place of a neuron's value
 
+// On the deck below a cable, away from the sun; of vehicles that are large in the picture.
+void add_cable_shadow(Drawing& drawing, const Subject& s, const DeckWire& run, float thin) {
+    constexpr float least_pixels = 70, width = 0.05f;  // layout pixels of the vehicle; m
+    constexpr vec2 away{0.018f, 0.014f};               // m
+    if (s.pixels < least_pixels) return;
+    const vec2 offset = away * s.height_scale;
+    const vec2 a = s.to_world(run.from) + offset, b = s.to_world(run.to) + offset, c = s.to_world(run.bend) + offset;
+    const float height = (deck_height + 0.0045f) * s.height_scale;  // above the inlay, below the ends of cables
+    drawing.list.wires.push_back({{a.x, a.y, b.x, b.y},
+                                  {c.x, c.y, height, width * thin * s.height_scale},
+                                  rgb_with(drawing.colours.wheel, 0),
+                                  {}});
+}
+
 void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer, float thin) {
     const Wire& wire = s.brain->wires[run.wire];
     const float more = learns(wire) ? learned(drawing.now, s.view, wire.from, wire.to) : 0;
@@ -26,17 +40,7 @@ void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer
     const float thinnest = s.fine ? 0.042f : 0.028f;  // m; cables are visible from farther away
     const bool excites = weight > 0;
     const Colour colour = excites ? drawing.colours.excites : drawing.colours.inhibits;
-    constexpr float shadow_above = 70;  // layout pixels of the vehicle
-    if (s.fine && s.pixels >= shadow_above && !wire.cut) {
-        // On the deck below the cable, away from the sun.
-        const vec2 away = vec2{0.018f, 0.014f} * s.height_scale;
-        const vec2 d = a + away, e = b + away, f = c + away;
-        drawing.list.wires.push_back(
-            {{d.x, d.y, e.x, e.y},
-             {f.x, f.y, (deck_height + 0.0045f) * s.height_scale, 0.05f * thin * s.height_scale},
-             rgb_with(drawing.colours.wheel, 0),
-             {}});
-    }
+    if (s.fine && !wire.cut) add_cable_shadow(drawing, s, run, thin);
     drawing.list.wires.push_back(
         {{a.x, a.y, b.x, b.y},
          {c.x, c.y, height, (thinnest + 0.05f * std::fabs(weight) / limits::weight) * thin * s.height_scale * s.detail},
