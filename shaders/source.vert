@@ -26,6 +26,8 @@ void main() {
     vec3 core = mix(mix(base.rgb, vec3(1.0), 0.70 * place.w), day_core, counts.y);
     vec3 rim = mix(mix(base.rgb, vec3(1.0), 0.35 * yellow * place.w), day_rim, counts.y);
     if (kind != paint_light) solid += 0.5 * gloss_at(up, at);
+    // A bright lamp of white light has nearly one tone up to its edge.
+    rim = mix(rim, core, mix(0.9, 0.4, counts.y) * smoothstep(0.28, 0.40, yellow) * smoothstep(0.5, 1.0, place.w));
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
     v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;
     v_normal = up;

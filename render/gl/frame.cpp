@@ -26,8 +26,8 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     const maths::vec3 sun =
         maths::normalise(maths::vec3{-0.45f, 0.82f, 0.38f});  // from above, left and behind the camera's default
     block.sun = {sun.x, sun.y, sun.z, 0};
-    block.sun_light = light ? maths::vec4{0.74f, 0.72f, 0.68f, 0} : maths::vec4{0.43f, 0.445f, 0.455f, 0};
-    block.sky_light = light ? maths::vec4{0.36f, 0.37f, 0.39f, 0} : maths::vec4{0.27f, 0.315f, 0.37f, 0};
+    block.sun_light = light ? maths::vec4{0.74f, 0.72f, 0.68f, 0} : maths::vec4{0.385f, 0.395f, 0.405f, 0};
+    block.sky_light = light ? maths::vec4{0.36f, 0.37f, 0.39f, 0} : maths::vec4{0.26f, 0.30f, 0.35f, 0};
     block.ground_light = light ? maths::vec4{0.24f, 0.23f, 0.21f, 0} : maths::vec4{0.08f, 0.085f, 0.10f, 0};
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);

@@ -175,17 +175,20 @@ void add_eyes(Drawing& drawing, const Subject& s) {
 
 void add_shadow(Drawing& drawing, const Subject& s) {
     const Body& body = s.kind.body;
-    const auto add = [&](vec2 at, float softness, float strength) {
+    const Colour shade = drawing.colours.shadow;
+    const auto add = [&](vec2 at, float softness, float strength, Colour colour) {
         drawing.list.marks.push_back(
             {{at.x, at.y, s.ahead.x, s.ahead.y},
              {body.length / 2, body.width / 2, softness * around(drawing, s), static_cast<float>(MarkKind::shadow)},
-             rgb_with(drawing.colours.shadow, strength * drawing.colours.shadow.a)});
+             rgb_with(colour, strength * shade.a)});
     };
-    if (!s.fine) return add(s.place, 0.16f, 1);
-    // Under the body, and away from the light of the sky.
+    if (!s.fine) return add(s.place, 0.16f, 1, shade);
+    // Under the body, and away from the light of the sky; the body's colour is reflected onto the floor beside it.
     constexpr vec2 away{0.10f, 0.08f};  // m, as the sun of frame_block() is
-    add(s.place, 0.09f, 0.85f);
-    add(s.place + away * s.height_scale, 0.26f, 0.6f);
+    add(s.place, 0.09f, 0.85f, shade);
+    add(s.place + away * s.height_scale, 0.26f, 0.6f,
+        mix(shade, colour_of(drawing.colours, drawing.now, s.view),
+            drawing.picture.theme == Theme::light ? 0.45f : 0.16f));
     if (s.fine) add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
 }
 
