@@ -176,20 +176,25 @@ void add_eyes(Drawing& drawing, const Subject& s) {
 void add_shadow(Drawing& drawing, const Subject& s) {
     const Body& body = s.kind.body;
     const Colour shade = drawing.colours.shadow;
-    const auto add = [&](vec2 at, float softness, float strength, Colour colour) {
+    const auto add = [&](vec2 at, vec2 half, float softness, float strength, Colour colour) {
         drawing.list.marks.push_back(
             {{at.x, at.y, s.ahead.x, s.ahead.y},
-             {body.length / 2, body.width / 2, softness * around(drawing, s), static_cast<float>(MarkKind::shadow)},
+             {half.x, half.y, softness * around(drawing, s), static_cast<float>(MarkKind::shadow)},
              rgb_with(colour, strength * shade.a)});
     };
-    if (!s.fine) return add(s.place, 0.16f, 1, shade);
-    // Under the body, and away from the light of the sky; the body's colour is reflected onto the floor beside it.
-    constexpr vec2 away{0.10f, 0.08f};  // m, as the sun of frame_block() is
-    add(s.place, 0.09f, 0.85f, shade);
-    add(s.place + away * s.height_scale, 0.26f, 0.6f,
-        mix(shade, colour_of(drawing.colours, drawing.now, s.view),
-            drawing.picture.theme == Theme::light ? 0.45f : 0.16f));
-    if (s.fine) add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
+    if (!s.fine) return add(s.place, {body.length / 2, body.width / 2}, 0.16f, 1, shade);
+    // Away from the light of the sky, with the colour that the body reflects onto the floor; under the body; tight and
+    // dark where the driven wheels touch the floor. The rounded body is narrower than its wheels.
+    constexpr vec2 away{0.16f, 0.13f};  // m, as the sun of frame_block() is
+    const vec2 hull{0.48f * body.length, 0.43f * body.width};
+    const float reflected = drawing.picture.theme == Theme::light ? 0.45f : 0.16f;
+    add(s.place + away * s.height_scale, hull, 0.20f, 0.9f,
+        mix(shade, colour_of(drawing.colours, drawing.now, s.view), reflected));
+    add(s.place, hull, 0.07f, 0.7f, shade);
+    for (const Wheel& wheel : body.wheels)
+        if (wheel.motor != Motor::none)
+            add(s.to_world({wheel.x, wheel.y}), {0.5f * wheel.radius, 0.5f * wheel.width}, 0.05f, 0.9f, shade);
+    add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
 }
 
 void add_lamps(Drawing& drawing, const Subject& s) {
