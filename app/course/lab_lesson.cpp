@@ -39,14 +39,14 @@ bool is_as_shipped(const Snapshot& now, const Scene& shipped) {
     return true;
 }
 
-// True if the run up to now was that of the scene as given: a change that has been undone during the run counts, too.
-bool is_run_as_given(Lesson& lesson, const Snapshot& now) {
-    const bool is_given = is_as_shipped(now, lesson.exercise->scene);
-    if (!is_given)
-        lesson.changed_at = std::min(lesson.changed_at.value_or(now.tick), now.tick);
-    else if (lesson.changed_at && now.tick <= *lesson.changed_at)
-        lesson.changed_at.reset();  // the change was undone before the run went on, or the run was rewound
-    return !lesson.changed_at;
+// Keeps the first tick at which the run was not that of the scene as given, so that a change that is undone during the
+// run counts, too. A change that is undone before the run goes on does not count, and a new run begins without one.
+void note_change_of_run(Lesson& lesson, const Snapshot& now) {
+    std::optional<std::uint64_t>& at = lesson.changed_at;
+    if (!is_as_shipped(now, lesson.exercise->scene))
+        at = std::min(at.value_or(now.tick), now.tick);
+    else if (now.tick == 0 || now.tick == at)
+        at.reset();
 }
 
 // True if this moment of a run shows what the prediction asks for: what the scene does as given, with every brain,
@@ -141,7 +141,8 @@ void watch(Lab& lab) {
     lesson.referee.watch(lab.document.session.snapshot());
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
-    lesson.view.as_given = is_run_as_given(lesson, lab.document.session.snapshot());
+    note_change_of_run(lesson, lab.document.session.snapshot());
+    lesson.view.as_given = !lesson.changed_at || lab.document.session.snapshot().tick < *lesson.changed_at;
     const bool has_chosen = lesson.selecting && lesson.selecting->parents.size() > 1;
     lesson.view.at_start = lab.document.session.snapshot().tick == 0 && !has_chosen;
     // A prediction about a selection is about its end, not about the first run.

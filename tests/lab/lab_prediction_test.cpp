@@ -102,6 +102,21 @@ TEST(LabPrediction, IsNotJudgedByARunWhoseChangeWasUndoneOnTheWay) {
     EXPECT_TRUE(lesson_of(lab).outcome_known);
 }
 
+TEST(LabPrediction, IsNotJudgedAfterAJumpOverAChangeThatWasUndone) {
+    Lab lab = aggressor();
+    handle(lab, PredictRequest{0});
+    for (int i = 0; i < 30; ++i) tick(lab);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    for (int i = 0; i < 300; ++i) tick(lab);
+    handle(lab, Action::undo);
+    for (int i = 0; i < 270; ++i) tick(lab);
+    handle(lab, SeekRequest{20});
+    EXPECT_TRUE(lesson_of(lab).as_given) << "before the change";
+    handle(lab, SeekRequest{600});
+    EXPECT_FALSE(lesson_of(lab).as_given);
+    EXPECT_FALSE(lesson_of(lab).outcome_known);
+}
+
 TEST(LabPrediction, JudgesAPredictionAboutTwoVehiclesOnlyByARunWithBothAsGiven) {
     for (const int changed : {-1, 0, 1}) {
         Lab lab = opened_lab("07-further");
