@@ -94,6 +94,8 @@ vec3 light_at(vec3 normal, vec3 place, float darkness) {
     return light;
 }
 
+vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
+
 // Sun and sky mirrored in varnish: a highlight with a wide edge, and the sky where one looks along the surface.
 vec3 gloss_at(vec3 normal, vec3 place) {
     vec3 towards = normalize(eye.xyz - place), mirrored = reflect(-towards, normal);
@@ -101,8 +103,6 @@ vec3 gloss_at(vec3 normal, vec3 place) {
     float wide = sunny * sunny * sunny * sunny;
     return sun_light.rgb * (0.10 * wide + 0.34 * pow(sunny, 32.0)) + sky_light.rgb * (0.45 * along * along * along);
 }
-
-vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
 
 // The screen colour of a surface of this screen colour in linear light.
 vec3 lit(vec3 tone, vec3 light) { return on_screen(tone * tone * light); }
@@ -134,7 +134,8 @@ vec4 sector_edges(vec4 shape) {
 #ifdef FRAGMENT_STAGE
 
 // The fill of a sensor field at `own` (m, the sensor's axis along x): it follows the sensor's response to distance.
-// `beside`: distance inside the nearer side, m; sides are sharp, because the reading ends there. `edges`: from sector_edges().
+// `beside`: distance inside the nearer side, m; sides are sharp, because the reading ends there. `edges`: from
+// sector_edges().
 float field_fill(vec2 own, float beside, vec4 edges) {
     float squared = dot(own, own), rest = max(1.0 - squared * edges.w, 0.0);
     float answer = edges.z > 0.0 ? rest * rest : 0.4 * min(rest * 8.0, 1.0);

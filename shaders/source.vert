@@ -14,7 +14,8 @@ void main() {
     int kind = int(paint + 0.5);
     // Its own light would make the foot as bright as the floor.
     vec3 light = light_at(up, at);
-    vec3 solid = lit(kind == paint_deck ? vec3(0.62) : vec3(0.06), kind == paint_deck ? light : min(light, vec3(0.9)));
+    vec3 solid = kind == paint_deck ? lit(vec3(0.62), light) : lit(vec3(0.06), min(light, vec3(0.9)));
+    solid += 0.5 * gloss_at(up, at);
     // White in the centre, coloured towards the rim. In the light theme, whose colours are dark, a lamp that is lit is as
     // bright as a screen shows its hue, also a dim one, and only yellow light is nearly white in the centre: another
     // colour would be as pale as the floor.
@@ -25,7 +26,6 @@ void main() {
     vec3 day_rim = mix(base.rgb, mix(mix(deep, hue, place.w), vec3(1.0), 0.45 * max(2.0 * yellow - 1.0, 0.0) * place.w), shines);
     vec3 core = mix(mix(base.rgb, vec3(1.0), 0.70 * place.w), day_core, counts.y);
     vec3 rim = mix(mix(base.rgb, vec3(1.0), 0.35 * yellow * place.w), day_rim, counts.y);
-    if (kind != paint_light) solid += 0.5 * gloss_at(up, at);
     // A bright lamp of white light has nearly one tone up to its edge.
     rim = mix(rim, core, mix(0.9, 0.4, counts.y) * smoothstep(0.28, 0.40, yellow) * smoothstep(0.5, 1.0, place.w));
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;

@@ -194,6 +194,7 @@ void add_shadow(Drawing& drawing, const Subject& s) {
     for (const Wheel& wheel : body.wheels)
         if (wheel.motor != Motor::none)
             add(s.to_world({wheel.x, wheel.y}), {0.5f * wheel.radius, 0.5f * wheel.width}, 0.05f, 0.9f, shade);
+    // Away from lamps, of the body with its wheels.
     add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
 }
 

@@ -1,5 +1,6 @@
 #include "render/view/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -66,6 +67,20 @@ TEST(Shapes, HaveCoarseMeshesOfLessThanSixtyPercentOfTheTriangles) {
 
 TEST(Shapes, HaveRoundedMeshesOfAThousandTrianglesAtMost) {
     for (const Shape& shape : fine_shapes()) EXPECT_LT(shape.indices.size() / 3, 1000U);
+}
+
+// shaders/hull.vert divides by this width, so that the gauge is full at energy 1 and empty at 0.
+TEST(Shapes, HaveAnEnergyGaugeOfTheWidthThatTheShaderExpects) {
+    const auto half_width = [](const Shape& shape) {
+        float widest = 0;
+        for (const Corner& corner : shape.corners)
+            if (corner.paint == static_cast<float>(Paint::gauge)) widest = std::max(widest, std::fabs(corner.place.y));
+        return widest;
+    };
+    for (const Role role : {Role::none, Role::predator, Role::prey}) {
+        EXPECT_NEAR(half_width(hull_shape(role)), 0.32f, 0.002f);
+        EXPECT_NEAR(half_width(fine_hull_shape(role)), 0.264f, 0.002f);
+    }
 }
 
 // On a rounded body the normals of neighbouring triangles are shared, so no edge of it is sharp.
