@@ -96,6 +96,12 @@ vec3 light_at(vec3 normal, vec3 place, float darkness) {
 
 vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
 
+// Share of the light that a rounded body keeps: most light comes from above, so its sides are darker and it looks round.
+float from_above(vec3 normal) {
+    float side = mix(0.60, 0.80, counts.y);
+    return side + (1.0 - side) * max(normal.y, 0.0);
+}
+
 // Sun and sky mirrored in varnish: a highlight with a wide edge, and the sky where one looks along the surface.
 vec3 gloss_at(vec3 normal, vec3 place) {
     vec3 towards = normalize(eye.xyz - place), mirrored = reflect(-towards, normal);
@@ -152,7 +158,7 @@ vec4 field_colour(vec3 tone, float alpha, vec2 part) {
     float out_there = form.x < 0.5 ? max(abs(part.x), abs(part.y)) : dot(part, part);
     // On a dark floor the colours of overlapping fields are partly added, because blended colours become grey. In the
     // light theme they are faint and warm, like light on paper.
-    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.55, counts.y);
+    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.65, counts.y);
     return vec4(tone * alpha, alpha * mix(0.75, 1.0, counts.y));
 }
 
@@ -172,8 +178,8 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     // Slightly brighter at the centre of the arena. Outside walls the ground is a plain table.
     vec2 from_middle = place / arena.xy;
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
-    float faint = max(middle, lines(place, pixel, many, form.z, 0.016 * form.z) * 0.75) * inside;
-    float bright = lines(place, pixel, many, 5.0 * form.z, 0.022 * form.z) * inside;
+    float faint = max(middle, lines(place, pixel, many, form.z, 0.010 * form.z) * 0.75) * inside;
+    float bright = lines(place, pixel, many, 5.0 * form.z, 0.016 * form.z) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
     return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright);
 }

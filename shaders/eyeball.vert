@@ -23,7 +23,7 @@ void main() {
     vec3 at = to_gl(vec3(place.xy + turn(own.xy, place.zw), own.z + size.y));
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
     v_own = collar ? vec3(0.0) : corner;
-    v_light = light_at(up, at, size.w);
+    v_light = light_at(up, at, size.w) * from_above(up);
     v_gloss = gloss_at(up, at);
     v_base = base;
     v_lid = vec4(lid.rgb, size.z);

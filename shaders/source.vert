@@ -14,7 +14,7 @@ void main() {
     int kind = int(paint + 0.5);
     // Its own light would make the foot as bright as the floor.
     vec3 light = light_at(up, at);
-    vec3 solid = kind == paint_deck ? lit(vec3(0.62), light) : lit(vec3(0.06), min(light, vec3(0.9)));
+    vec3 solid = kind == paint_deck ? lit(vec3(0.62), light) : lit(vec3(0.06, 0.065, 0.09), min(light, vec3(0.9)));
     solid += 0.5 * gloss_at(up, at);
     // White in the centre, coloured towards the rim. In the light theme, whose colours are dark, a lamp that is lit is as
     // bright as a screen shows its hue, also a dim one, and only yellow light is nearly white in the centre: another

@@ -51,7 +51,7 @@ std::optional<Error> Programs::load(const std::filesystem::path& folder, SectorP
                           {&hull, "hull", "hull"},       {&rim, "rim", "rim"},
                           {&sign, "sign", "sign"},       {&wheel, "wheel", "wheel"},
                           {&eye, "eye", "eye"},          {&wire, "wire", "wire"},
-                          {&neuron, "neuron", "neuron"}, {&source, "source", "source"},
+                          {&neuron, "neuron", "neuron"}, {&deck_shade, "neuron", "deck_shade"}, {&source, "source", "source"},
                           {&shade, "mark", "shade"},     {&mark, "mark", "mark"},
                           {&trail, "trail", "trail"},    {&halo, "halo", "halo"},
                           {&letter, "letter", "letter"}, {&eyeball, "eyeball", "eyeball"},

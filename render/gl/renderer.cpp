@@ -102,6 +102,7 @@ struct Renderer::Parts {
     Kit wires = kit<WireInstance>(strip(12));
     Batch coarse_wires{wire_strip(), wires.instances};
     Kit neurons = kit<NeuronInstance>(quad());
+    Kit deck_shades = kit<DeckShadeInstance>(quad());
     Kit contours = kit<ContourInstance>(quad());
     Kit letters = kit<LetterInstance>(quad());
     Texture intensities{Texture::Kind::numbers, sensing::Intensity::most_columns, sensing::Intensity::most_rows};
@@ -165,6 +166,7 @@ struct Renderer::Parts {
         casts.instances.upload(list.casts);
         wires.instances.upload(list.wires);
         neurons.instances.upload(list.neurons);
+        deck_shades.instances.upload(list.deck_shades);
         contours.instances.upload(contour);
         letters.instances.upload(type);
         fields.instances.upload(list.fields);
@@ -266,6 +268,7 @@ struct Renderer::Parts {
         draw(with.skirt, skirts, blocks.instances);
         draw(with.cast, casts);
         draw(with.shade, marks);
+        draw(with.deck_shade, deck_shades);
         draw(with.trail, trail_strips);
         draw(need_outlines(list.fields) ? with.outlined : with.field,
              with.sectors_from_points ? field_points : fields.batch, fields.instances);

@@ -12,7 +12,7 @@ void DrawList::clear() {
     for (auto& of_role : signs) of_role.clear();
     for (auto& of_shape : sources) of_shape.clear();
     for (auto& of_role : bodies) of_role.clear();
-    tyres.clear(), eyeballs.clear(), casts.clear();
+    tyres.clear(), eyeballs.clear(), deck_shades.clear(), casts.clear();
     floor_lamps = 0, coarse = true;
     wheels.clear(), eyes.clear(), wires.clear(), neurons.clear(), labels.clear(), label_space = {}, fields.clear(),
                                                                                   blocks.clear(), zones.clear();

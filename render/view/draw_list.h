@@ -69,6 +69,11 @@ struct NeuronInstance {
     maths::vec4 colour;  // w: size of the value, 0..1; 0 also for the disc below a driver's sign; −1: crossed out
                          // (silenced neuron or motor)
 };
+// A soft dark disc on the deck of a vehicle, below an eye.
+struct DeckShadeInstance {
+    maths::vec4 place;   // x, y, height, radius; m
+    maths::vec4 colour;  // w: opacity in the middle
+};
 struct FieldInstance {
     maths::vec4 place;
     maths::vec4 shape;   // drawn radius m, half the opening angle rad, d0 m (0: boolean), radius where the fill ends m
@@ -182,6 +187,7 @@ struct DrawList {
     std::vector<EyeballInstance> eyeballs;
     std::vector<WireInstance> wires;
     std::vector<NeuronInstance> neurons;
+    std::vector<DeckShadeInstance> deck_shades;
     std::vector<FieldInstance> fields;
     std::vector<BlockInstance> blocks;
     std::vector<ZoneInstance> zones;

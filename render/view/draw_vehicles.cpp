@@ -127,6 +127,20 @@ float eye_scale(float pixels) {
     return most + (1 - most) * std::clamp((pixels - small) / (large - small), 0.0f, 1.0f);
 }
 
+// On the deck around the foot of an eye; of vehicles that are large in the picture.
+void add_eye_shade(Drawing& drawing, const Subject& s, const Sensor& sensor, float radius) {
+    constexpr float least_pixels = 70, strength = 0.75f, spread = 1.5f;  // layout pixels of the vehicle
+    if (s.pixels < least_pixels) return;
+    // The disc is moved from the edge of the body inwards, because beyond it there is no deck to darken.
+    const Body& body = s.kind.body;
+    const float inside_x = 0.49f * body.length - 0.9f * radius, inside_y = 0.37f * body.width - 0.9f * radius;
+    const vec2 own{std::clamp(sensor.x, -inside_x, inside_x), std::clamp(sensor.y, -inside_y, inside_y)};
+    const vec2 at = s.to_world(own);
+    drawing.list.deck_shades.push_back(
+        {{at.x, at.y, (deck_height + 0.004f) * s.height_scale, spread * radius * s.height_scale},
+         {0, 0, 0, strength * std::sqrt(drawing.colours.shadow.a)}});
+}
+
 // Balls with a lid above the places of the sensors; of a small vehicle one a side, which shows the strongest reading.
 void add_eyeballs(Drawing& drawing, const Subject& s) {
     constexpr float above_deck = 0.02f;   // m
@@ -141,6 +155,7 @@ void add_eyeballs(Drawing& drawing, const Subject& s) {
         const vec2 at = s.to_world({sensor.x, sensor.y});
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
         const float radius = one_a_side ? largest : eye_radius(s.kind, i, largest);
+        add_eye_shade(drawing, s, sensor, radius);
         drawing.list.eyeballs.push_back({{at.x, at.y, towards.x, towards.y},
                                          {radius * s.height_scale, (deck_height + radius + above_deck) * s.height_scale,
                                           std::sqrt(sensed(drawing, s, *strongest)), 0},

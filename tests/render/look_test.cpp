@@ -180,6 +180,18 @@ TEST_F(RoundedTest, ShowsAnEyeWhoseIrisBrightensWithItsReading) {
     EXPECT_LT(brightness(on_left_eye(0.05f, 0)), 0.2f) << "the pupil stays dark";
 }
 
+TEST_F(RoundedTest, DarkensTheDeckBesideAnEye) {
+    renderer->draw(now, picture);
+    const float x = now.scene->kinds[0].sensors[0].x;
+    const auto deck = [&](vec2 at) { return brightness(stage.pixel(*project(picture.camera_view, at, 0.26f))); };
+    for (const float side : {-1.0f, 1.0f}) EXPECT_LT(deck({x, 0.09f * side}), 0.85f * deck({-0.33f, 0.22f * side}));
+}
+
+TEST_F(RoundedTest, DarkensTheSidesOfABody) {
+    // The lid of an eye: its left side and its top.
+    EXPECT_LT(brightness(on_left_eye(1.57f, 1.0f)), 0.79f * brightness(on_left_eye(1.0f, 0)));
+}
+
 TEST_F(RoundedTest, ClosesTheLidOfASilencedSensorAndCrossesIt) {
     now.sensed = {0.9f, 0.9f};
     const Colour open = on_left_eye(0.05f, 0.52f);

@@ -211,6 +211,27 @@ TEST(DrawList, CablesThatAreWholeCastAShadowOnTheDeckWhereTheyAreLarge) {
     EXPECT_EQ(shadows(6), 0) << "the ends of a cut cable are pale";
 }
 
+TEST(DrawList, EyesShadeTheDeckInsideTheBodyWhereTheyAreLarge) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    const auto shades = [&](float zoom) {
+        Picture picture = seen_at_zoom(zoom);
+        picture.quality = Quality::high;
+        return drawn(now, picture).deck_shades;
+    };
+    EXPECT_TRUE(shades(1).empty());
+    const auto large = shades(6);
+    ASSERT_EQ(large.size(), 2U);
+    const Body& body = now.scene->kinds[0].body;
+    for (const DeckShadeInstance& shade : large) {
+        EXPECT_LT(std::fabs(shade.place.y) + 0.5f * shade.place.w, 0.5f * body.width);
+        EXPECT_LT(shade.place.x + 0.5f * shade.place.w, 0.5f * body.length);
+        EXPECT_GT(shade.colour.w, 0.2f);
+    }
+    EXPECT_GT(large[0].place.y, 0.05f) << "each below its eye";
+    EXPECT_LT(large[1].place.y, -0.05f);
+}
+
 TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0, 0.25f, 0);
