@@ -98,7 +98,7 @@ vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
 
 // Share of the light that a rounded body keeps: most light comes from above, so its sides are darker and it looks round.
 float from_above(vec3 normal) {
-    float side = mix(0.60, 0.80, counts.y);
+    float side = mix(0.66, 0.86, counts.y);
     return side + (1.0 - side) * max(normal.y, 0.0);
 }
 
@@ -107,7 +107,7 @@ vec3 gloss_at(vec3 normal, vec3 place) {
     vec3 towards = normalize(eye.xyz - place), mirrored = reflect(-towards, normal);
     float sunny = max(dot(mirrored, sun.xyz), 0.0), along = 1.0 - max(dot(towards, normal), 0.0);
     float wide = sunny * sunny * sunny * sunny;
-    return sun_light.rgb * (0.10 * wide + 0.34 * pow(sunny, 32.0)) + sky_light.rgb * (0.45 * along * along * along);
+    return sun_light.rgb * (0.10 * wide + 0.34 * pow(sunny, 32.0)) + sky_light.rgb * (0.03 + 0.45 * along * along * along);
 }
 
 // The screen colour of a surface of this screen colour in linear light.

@@ -9,7 +9,7 @@ void main() {
     float glow = v_base.a * t * t * (0.35 + 0.65 * exp(-9.0 * d));
     // Around the bulb only, which it would darken in the light theme and burn out in the dark one; in the light theme as
     // bright as a screen shows the hue.
-    glow *= smoothstep(mix(0.88, 0.85, counts.y) * v_bulb, mix(1.05, 1.15, counts.y) * v_bulb, d);
+    glow *= smoothstep(mix(0.97, 0.85, counts.y) * v_bulb, mix(1.03, 1.15, counts.y) * v_bulb, d);
     vec3 bright = mix(v_base.rgb / max(max(v_base.r, v_base.g), max(v_base.b, 1e-3)), vec3(1.0), 0.15);
     colour = vec4(mix(v_base.rgb, bright, counts.y) * glow, glow * mix(0.25, 1.0, counts.y));
 }

@@ -22,7 +22,7 @@ void main() {
     float half_width = 0.5 * shape.w;
     float tip = smoothstep(0.70, 0.75, t);
     if (base.w > 0.0)
-        half_width *= mix(1.0, (signal.z > 0.0 ? 1.9 : 2.6) * clamp((1.0 - t) * 4.0, 0.0, 1.0), tip);
+        half_width *= mix(1.0, (signal.z > 0.0 ? 1.75 : 2.6) * clamp((1.0 - t) * 4.0, signal.z > 0.0 ? 0.2 : 0.0, 1.0), tip);
     else if (base.w < 0.0)
         half_width *= mix(1.0, 2.1 * sqrt(max(0.0, 1.0 - pow((t - 0.87) / 0.13, 2.0))) + 0.15, tip);
     vec2 at = on + vec2(-ahead.y, ahead.x) * corner.y * half_width;

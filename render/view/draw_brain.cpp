@@ -37,7 +37,7 @@ void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer
     const vec2 a = s.to_world(run.from), b = s.to_world(run.to), c = s.to_world(run.bend);
     // Different heights keep crossing wires from flickering.
     const float height = (deck_height + 0.010f) * s.height_scale + 0.003f * static_cast<float>(layer % 8);
-    const float thinnest = s.fine ? 0.042f : 0.028f;  // m; cables are visible from farther away
+    const float thinnest = s.fine ? 0.052f : 0.028f;  // m; cables are visible from farther away
     const bool excites = weight > 0;
     const Colour colour = excites ? drawing.colours.excites : drawing.colours.inhibits;
     if (s.fine && !wire.cut) add_cable_shadow(drawing, s, run, thin);

@@ -203,7 +203,7 @@ void add_shadow(Drawing& drawing, const Subject& s) {
     constexpr vec2 away{0.16f, 0.13f};  // m, as the sun of frame_block() is
     const vec2 hull{0.48f * body.length, 0.43f * body.width};
     const float reflected = drawing.picture.theme == Theme::light ? 0.45f : 0.16f;
-    add(s.place + away * s.height_scale, hull, 0.20f, 0.9f,
+    add(s.place + away * s.height_scale, hull, 0.20f, 0.75f,
         mix(shade, colour_of(drawing.colours, drawing.now, s.view), reflected));
     add(s.place, hull, 0.07f, 0.7f, shade);
     for (const Wheel& wheel : body.wheels)
