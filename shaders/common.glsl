@@ -159,7 +159,10 @@ vec4 field_colour(vec3 tone, float alpha, vec2 part) {
     // On a dark floor the colours of overlapping fields are partly added, because blended colours become grey. In the
     // light theme they are faint and warm, like light on paper.
     alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.65, counts.y);
-    return vec4(tone * alpha, alpha * mix(0.75, 1.0, counts.y));
+    // Noise hides the bands of the blend: each of its two factors is rounded to one of 255 levels. A lattice of the
+    // plastic number (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), cheaper than dither().
+    float noise = (fract(dot(gl_FragCoord.xy, vec2(0.75487767, 0.56984029))) - 0.5) * (2.0 / 255.0);
+    return vec4(tone * alpha + noise, alpha * mix(0.75, 1.0, counts.y));
 }
 
 // Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn
