@@ -39,8 +39,12 @@ void main() {
     bool shadow = level < level_foot;
     vec2 at = here + outwards * (on_top ? -size.y : level == level_shadow_end ? shadow_reach * form.y : 0.0);
     float height = shadow ? 0.004 : level == level_foot ? 0.0 : on_top ? size.x : size.x - size.y;
-    // Edges are shaded as if they were round: across the chamfer, and across a short face between two long ones.
-    if (size.w < 0.5 && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < 0.14)
+    // Edges are shaded as if they were round: across the chamfer, across a short face between two long ones, and at a
+    // corner of two short faces.
+    const float short_face = 0.14;  // m
+    if (size.w < 0.5 && max(distance(here, before), distance(here, after)) < short_face)
+        face = normalize(out_before + out_after);
+    else if (size.w < 0.5 && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < short_face)
         face = corner.y < 0.5 ? out_before : out_after;
     vec3 normal = level == level_top       ? vec3(0.0, 0.0, 1.0)
                   : level == level_inner   ? vec3(face * 0.35, 1.0)

@@ -169,8 +169,10 @@ void add_post(Drawing& drawing, vec2 place, float scale) {
     for (std::size_t i = 0; i < most_corners; ++i)
         corners.push_back(maths::direction(maths::pi / 8 + maths::pi / 4 * static_cast<float>(i)) *
                           (scale * solid_source_radius));
+    // Nearly as dark as the foot of a lamp.
+    const Colour colour = mix(drawing.colours.obstacle, drawing.colours.wheel, 0.75f);
     drawing.list.blocks.push_back(
-        block({place.x, place.y, 1, 0}, corners, 0.26f * scale, 0.03f * scale, rgb_with(drawing.colours.obstacle, 0)));
+        block({place.x, place.y, 1, 0}, corners, 0.26f * scale, 0.03f * scale, rgb_with(colour, 0)));
 }
 
 void add_sources(Drawing& drawing) {
