@@ -72,6 +72,12 @@ void select_object(Lab& lab, const SceneObject& object) {
     lab.object_name = name_of(*now.scene, object);
 }
 
+void select_none(Lab& lab) {
+    select_object(lab, {});
+    lab.view.selection.vehicle = no_vehicle;
+    lab.deselected = true;
+}
+
 void select(Lab& lab, const SceneObject& object) {
     select_object(lab, object);
     if (object.kind == SceneObjectKind::vehicle) lab.view.selection.vehicle = object.index;

@@ -1,6 +1,7 @@
 #include "app/title.h"
 
 #include "app/files/data.h"
+#include "app/lab_selection.h"
 #include "app/viewport.h"
 
 namespace braitenlab {
@@ -9,7 +10,7 @@ namespace {
 
 constexpr const char* title_scene = "moth-and-hunter";
 constexpr int ticks_before = 5 * 60;  // the paths are then long enough to be seen
-constexpr float title_elevation = 0.55f, title_zoom = 1.3f, words_share = 0.36f;
+constexpr float title_elevation = 0.55f, title_zoom = 1.25f, words_share = 0.42f;
 
 }  // namespace
 
@@ -23,8 +24,7 @@ std::optional<Lab> title_lab(const std::function<void(const Snapshot&)>& seen) {
         title.document.session.step();
         seen(title.document.session.snapshot());
     }
-    title.deselected = true;
-    title.view.selection.vehicle = no_vehicle;
+    select_none(title);
     title.view.sensors = title.view.overlays.labels = false;
     title.view.camera.elevation = title_elevation;
     title.view.camera.zoom = title_zoom;

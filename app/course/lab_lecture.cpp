@@ -76,6 +76,9 @@ void go_to_step(Lab& lab, int step) {
 }
 
 void select_vehicle(Lab& lab, const LecturePage& page) {
+    if (page.select == nothing_selected) return select_none(lab);
+    lab.deselected = false;
+    if (page.select.empty()) return keep_selection(lab);
     const std::vector<Start>& starts = lab.document.session.snapshot().scene->starts;
     const std::vector<VehicleView>& vehicles = lab.document.session.snapshot().vehicles;
     for (std::size_t i = 0; i < std::min(starts.size(), vehicles.size()); ++i)

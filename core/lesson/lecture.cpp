@@ -47,7 +47,8 @@ void describe(Visitor& v, Of<LecturePage>) {
              "shift of the point in the middle of the view");
     v.number("y", &LecturePage::y, "m", {-limits::place, limits::place}, "the same in y");
     v.text("select", &LecturePage::select, limits::name_length,
-           "NAME of the [vehicle.NAME] that is selected; without it, the scene's first");
+           "NAME of the [vehicle.NAME] that is selected; none: no vehicle, so that no ring marks one; without it, the "
+           "scene's first");
     v.flag("play", &LecturePage::play, "the page begins with a playing run");
     v.number("pause", &LecturePage::pause, "s", {0, 3600},
              "second of the run at which it pauses, so that the values of this moment stay; Space goes on; 0: never");
@@ -249,7 +250,8 @@ std::optional<Error> error_of_page(const Lecture& lecture, const LecturePage& pa
     if (!scene) return scene.error();
     std::vector<std::string_view> names;
     for (const Start& start : scene->starts) names.emplace_back(start.name);
-    if (page.select.empty() || std::find(names.begin(), names.end(), page.select) != names.end()) return std::nullopt;
+    if (page.select.empty() || page.select == nothing_selected ||
+        std::find(names.begin(), names.end(), page.select) != names.end()) return std::nullopt;
     return error_of(message_of("no_vehicle_to_select", in_quotes(page.select)) + nearest_of(page.select, names),
                     lecture.path.string(), page.line);
 }

@@ -83,6 +83,8 @@ struct LectureQuestion {
     std::string why;  // shown with the answer
 };
 
+inline constexpr std::string_view nothing_selected = "none";  // in LecturePage::select
+
 struct LecturePage {
     std::string scene, exercise;    // name or path as in the file; exactly one is given
     std::filesystem::path file;     // of the scene or the exercise
@@ -95,7 +97,7 @@ struct LecturePage {
     float azimuth = -1.5707963f, elevation = 1.0f;  // rad; as Camera in render/view/camera.h
     float zoom = 1;
     float x = 0, y = 0;  // m, shift of the point that the camera looks at
-    std::string select;  // name of the selected vehicle; empty: the scene's first
+    std::string select;  // name of the selected vehicle; empty: the scene's first; nothing_selected: no vehicle
     bool play = false;   // the page begins with a playing run
     float pause = 0;     // s of the run; it pauses there, so that the values of this moment stay. 0: never
     std::vector<std::string> show, hide, steps;

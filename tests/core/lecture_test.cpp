@@ -108,6 +108,7 @@ TEST(Lecture, ChecksThatEveryPageCanBeOpened) {
     const auto page = [](const std::string& more) { return check_pages(*read(scene_page + more)); };
     EXPECT_FALSE(page(""));
     EXPECT_FALSE(page("select = \"one\"\n"));
+    EXPECT_FALSE(page("select = \"none\"\n"));
     const auto unknown = page("select = \"two\"\n");
     ASSERT_TRUE(unknown);
     EXPECT_EQ(unknown->file, "/nowhere/own.toml");

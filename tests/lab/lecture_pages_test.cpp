@@ -88,6 +88,18 @@ TEST_F(LabLecturePages, AStepStartsTheRunAndShowsOverlaysOnce) {
     EXPECT_FALSE(hides_brain(view_of(lab), 0));
 }
 
+TEST_F(LabLecturePages, APageWhoseQuestionARingWouldAnswerSelectsNoVehicle) {
+    open("four-numbers");
+    EXPECT_EQ(lab.view.selection.vehicle, no_vehicle);
+    for (int frame = 0; frame < 50; ++frame) advance(lab, 0.02);
+    EXPECT_EQ(lab.view.selection.vehicle, no_vehicle);
+    press({key::page_down});
+    press({key::page_up});
+    EXPECT_EQ(lab.view.selection.vehicle, no_vehicle);
+    press({key::page_down});
+    EXPECT_NE(lab.view.selection.vehicle, no_vehicle) << "the first of the next page";
+}
+
 TEST_F(LabLecturePages, ARunPausesAtTheMomentThatItsPageNames) {
     open("four-numbers");
     show_page(lab, 2, 2);
