@@ -11,12 +11,18 @@ void main() {
     v_own = corner.xy;
     v_base = base;
     vec3 middle = to_gl(vec3(place.xy, place.z));
-    // Moved towards the camera, so that the floor behind does not cut it.
-    vec3 towards = normalize(eye.xyz - middle);
+    // Moved towards the camera, so that the floor behind does not cut it, and perpendicular to the ray from the camera:
+    // the outline of the bulb, a ball, is a circle on such a plane.
+    vec3 towards = eye.xyz - middle;
+    float far = length(towards);
+    towards /= far;
+    vec3 right = normalize(cross(picture_up.xyz, towards)), up = cross(towards, right);
+    float nearer = 0.8 * place.w;
     // The bulb's radius is 0.168 of the glow's on a dark floor, 0.247 on a light one (add_source in
     // render/view/draw_world.cpp); the glow is nearer and looks larger.
-    float radius = mix(0.168, 0.247, counts.y) * (1.0 - 0.8 * place.w / distance(eye.xyz, middle));
+    float share = mix(0.168, 0.247, counts.y), around = share * place.w / far;
+    float radius = share * (1.0 - nearer / far) / sqrt(max(1.0 - around * around, 0.1));
     v_bulb = radius * radius;
-    vec3 at = middle + (picture_right.xyz * corner.x + picture_up.xyz * corner.y) * place.w + towards * place.w * 0.8;
+    vec3 at = middle + (right * corner.x + up * corner.y) * place.w + towards * nearer;
     gl_Position = view_projection * vec4(at, 1.0);
 }

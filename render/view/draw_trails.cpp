@@ -68,7 +68,8 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
             static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(count, fades_out ? 24 : 200));
         return newest + ((fades_out ? 0 : oldest) - newest) * age;
     };
-    const float width = s.selected ? 7 : 5;
+    // Among many vehicles trails are thinner than the vehicles they come from.
+    const float width = (s.selected ? 7.0f : 5.0f) * std::max(drawing.crowd, 0.6f);
     // A round end at point i of the piece from point `of`; `away`: 1 in the direction back, −1 in the other one.
     const auto add_end = [&](std::size_t i, std::size_t of, float away) {
         const vec2 at = point(i), n = side(i) * away;

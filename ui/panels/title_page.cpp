@@ -23,11 +23,20 @@ constexpr float title_words_width = 400, below_name = 6, above_button = 28, begi
 void shade_words(const Ui& ui, Rect window, float words_end, float until) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const Colour table = mix(ui.palette.floor, ui.palette.sky, 0.72f);
-    const ImU32 full = paint(table.with_alpha(0.96f)), most = paint(table.with_alpha(0.92f)),
-                none = paint(table.with_alpha(0.0f));
+    const ImU32 full = paint(table.with_alpha(0.96f)), most = paint(table.with_alpha(0.92f));
     const float bottom = window.y + window.h;
     draw.AddRectFilledMultiColor({window.x, window.y}, {words_end, bottom}, full, most, most, full);
-    draw.AddRectFilledMultiColor({words_end, window.y}, {until, bottom}, most, none, none, most);
+    // In steps of a smooth curve: a straight one shows an edge at both ends.
+    constexpr int steps = 12;
+    const auto share = [](int i) {
+        const float t = static_cast<float>(i) / steps;
+        return 1 - t * t * (3 - 2 * t);
+    };
+    for (int i = 0; i < steps; ++i) {
+        const float step = (until - words_end) / steps, from = words_end + step * static_cast<float>(i);
+        const ImU32 left = paint(table.with_alpha(0.92f * share(i))), right = paint(table.with_alpha(0.92f * share(i + 1)));
+        draw.AddRectFilledMultiColor({from, window.y}, {from + step, bottom}, left, right, right, left);
+    }
 }
 
 }  // namespace
@@ -45,7 +54,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     const auto lines = lines_of_words(ui, ui.strings("title.sentence"), Face::title, width);
     float widest = 0;
     for (const std::string& each : lines) widest = std::max(widest, text_width(ui, Face::title, each));
-    shade_words(ui, window, x + widest, std::min(window.x + window.w, x + widest + 1.4f * inset));
+    shade_words(ui, window, x + widest, std::min(window.x + window.w, x + widest + 2.0f * inset));
     const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
     const float height =
         name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button) + ui.px(button_height);
