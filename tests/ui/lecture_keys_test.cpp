@@ -73,6 +73,18 @@ TEST_F(LectureKeys, PressedKeysAreInTheBarAndThoseOfThePagesAreNotShown) {
     EXPECT_FALSE(overlap(desk.where("lecture.keys"), desk.where("lecture.page")));
 }
 
+TEST_F(LectureKeys, ButtonsBesideThePageNumberDoWhatAClickerDoes) {
+    show(1, 0);
+    for (const char* each : {"lecture.previous", "lecture.page", "lecture.next"})
+        EXPECT_TRUE(is_inside(desk.where(each), desk.layout.toolbar)) << each;
+    EXPECT_FALSE(overlap(desk.where("lecture.previous"), desk.where("lecture.page")));
+    EXPECT_FALSE(overlap(desk.where("lecture.next"), desk.where("lecture.page")));
+    EXPECT_FALSE(overlap(desk.where("lecture.next"), desk.where("lecture.leave")));
+    desk.click("lecture.next");
+    desk.click("lecture.previous");
+    EXPECT_EQ(desk.actions(), (std::vector{Action::next_page, Action::previous_page}));
+}
+
 TEST_F(LectureKeys, TheMenuGoesBackToTheLectureThatWasLeft) {
     pages.page = 3;
     desk.view.lecture = false;

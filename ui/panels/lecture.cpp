@@ -85,15 +85,31 @@ float past_sign(const LabView& view, Ui& ui, float left, Rect bar) {
 
 namespace {
 
-// The number of the page, at the right end; returns its left edge.
-float page_number(const LabView& view, Ui& ui, float right, Rect bar) {
+// The number of the page between buttons that do what a clicker's keys do, at the right end; without the buttons where
+// they would be left of `free_from`. Returns its left edge.
+float page_number(const LabView& view, Ui& ui, float free_from, float right, Rect bar) {
+    const auto look = [&](std::string_view sign, std::string_view letter) {
+        return has_icons(ui) ? ButtonLook{sign, {}, Emphasis::quiet} : ButtonLook{{}, letter, Emphasis::quiet};
+    };
+    const ButtonLook back = look(icon::previous, "<"), on = look(icon::next, ">");
+    const auto page_button = [&](std::string_view anchor, const ButtonLook& its_look, Action action, float x) {
+        ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
+        const Item item = button(ui, anchor, its_look);
+        tooltip(ui, item, ui.strings("action." + std::string(name(action))), key_name(action, ui.strings));
+        if (item.pressed) ui.outbox.push_back(action);
+    };
     const std::string words =
         std::to_string(view.pages->page + 1) + "/" + std::to_string(view.pages->lecture->pages.size());
-    const float w = text_width(ui, Face::title, words), h = line_height(ui, Face::title);
-    const Rect place{right - ui.px(12) - w, bar.y + (bar.h - h) / 2, w, h};
+    const float w = text_width(ui, Face::title, words), h = line_height(ui, Face::title), gap = ui.px(spacing::tight);
+    const float next = right - gap - button_width(ui, on), previous = next - w - 2 * gap - button_width(ui, back);
+    const bool has_room = previous >= free_from;
+    const Rect place{(has_room ? next - gap : right - ui.px(12)) - w, bar.y + (bar.h - h) / 2, w, h};
     put(ui, {place.x, place.y}, words, ui.palette.text, Face::title);
     mark(ui, "lecture.page", place);
-    return place.x;
+    if (!has_room) return place.x;
+    page_button("lecture.next", on, Action::next_page, next);
+    page_button("lecture.previous", back, Action::previous_page, previous);
+    return previous;
 }
 
 // Without the title of an exercise or a scene that could tell the answer.
@@ -142,13 +158,17 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
     if (end.pressed) ui.outbox.push_back(Action::lecture);
     // The title, between the clock and the button that ends the lecture.
-    const float page = view.pages ? page_number(view, ui, end.rect.x, bar) : end.rect.x;
+    const std::string title = title_of_bar(view, ui);
+    const float after_clock = start.right() + ui.px(16 + 96);
+    const float page = view.pages ? page_number(view, ui, after_clock + text_width(ui, Face::title, title) + ui.px(12),
+                                                end.rect.x, bar)
+                                  : end.rect.x;
     const float right = pressed_keys(view, state, ui, page, bar);
-    const float from = past_sign(view, ui, start.right() + ui.px(16 + 96), bar);
+    const float from = past_sign(view, ui, after_clock, bar);
     const float room = std::max(0.0f, right - ui.px(12) - from);
     if (view.notice.empty())
-        put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2},
-            shortened(ui, title_of_bar(view, ui), Face::title, room), ui.palette.second_text, Face::title);
+        put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, title, Face::title, room),
+            ui.palette.second_text, Face::title);
     else
         bar_notice(view, ui, from, room, bar);
     end_bar();
