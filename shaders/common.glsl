@@ -174,6 +174,15 @@ float lines(vec2 place, vec2 pixel, vec2 many, float spacing, float width) {
     return max(cover.x, cover.y);
 }
 
+// Slight differences of tone, so that the floor looks like a material: of each tile of the grid, and of places that are
+// worn; less where a tile is a few pixels only. `many`: pixels per metre.
+float worn(vec2 place, vec2 many) {
+    vec2 tile = floor(place / form.z), at = place * 2.1 / form.z;
+    float each = fract(dot(tile, vec2(0.75487767, 0.56984029))) - 0.5;
+    float spots = sin(at.x + 1.9 * sin(0.7 * at.y)) * sin(1.3 * at.y + 1.7 * sin(0.6 * at.x));
+    return 1.0 + (0.016 * each + 0.012 * spots) * clamp(0.05 * min(many.x, many.y) * form.z - 0.5, 0.0, 1.0);
+}
+
 // The floor in even light, for floor.frag and lamplit.frag: `outside`: distance from the arena, m; `inside`: 1 in it, or
 // everywhere where the arena has no walls.
 vec3 floor_at(vec2 place, float outside, float inside) {
@@ -184,7 +193,7 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     float faint = max(middle, lines(place, pixel, many, form.z, 0.010 * form.z) * 0.75) * inside;
     float bright = lines(place, pixel, many, 5.0 * form.z, 0.016 * form.z) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
-    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright);
+    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * worn(place, many);
 }
 
 // Noise of one of 255 levels, so that a slow gradient shows no bands. Interleaved gradient noise: J. Jimenez, "Next

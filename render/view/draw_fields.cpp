@@ -57,8 +57,8 @@ void add_fields(Drawing& drawing, const Subject& s) {
         // With many vehicles idle fields are fainter, because many overlapping colours turn grey.
         const bool chosen = s.selected || s.hovered;
         const float idle =
-            (chosen ? 0.30f : 0.20f * std::max(0.2f, drawing.crowd * drawing.crowd)) * (light ? 0.6f : 1);
-        const float strong = (chosen ? 0.56f : 0.46f) - (light ? 0.08f : 0.0f);
+            (chosen ? 0.30f : 0.20f * std::max(0.2f, drawing.crowd * drawing.crowd)) * (light ? 0.6f : 1.2f);
+        const float strong = (chosen ? 0.56f : 0.46f) + (light ? -0.08f : 0.12f);
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;
         const bool leads = s.driven && (i == first_sensor_on(s.kind, 1) || i == first_sensor_on(s.kind, -1));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,18 @@ TEST_F(LookTest, LightsTheFloorByTheSensorsLawOfDistance) {
     const float at_3 = added(3);
     for (const float d : {4.0f, 6.0f, 8.0f})
         EXPECT_NEAR(added(d) / at_3, reading_at(d) / reading_at(3), 0.06) << d << " m";
+}
+
+TEST_F(LookTest, GivesTheTilesOfTheFloorSlightlyDifferentTones) {
+    look_down(2);
+    picture.theme = Theme::light;
+    const Snapshot now = hand_made::empty(hand_made::scene());
+    std::vector<float> tones;
+    for (const float x : {-1.5f, -0.5f, 0.5f, 1.5f})
+        for (const float y : {-1.5f, -0.5f, 0.5f, 1.5f}) tones.push_back(brightness(seen(now, {x, y})));
+    const auto [least, most] = std::minmax_element(tones.begin(), tones.end());
+    EXPECT_GT(*most - *least, 0.01f);
+    EXPECT_LT(*most - *least, 0.04f) << "no tile looks like another material";
 }
 
 TEST_F(LookTest, KeepsTheHueOfTheFloorBesideALamp) {
