@@ -107,7 +107,9 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
         tick(lab);
         if (seen) seen(shown_snapshot(lab));
         playback.debt -= tick_length;
-        if (pauses_here(lab)) return set_mode(lab, Mode::paused);
+        if (!pauses_here(lab)) continue;
+        set_mode(lab, Mode::paused);
+        return say(lab, {NoticeKind::notice, "notice.page_pauses"});
     }
     measure_pace(playback, wall_seconds, shown_snapshot(lab).seconds - before);
     if (playback.debt >= tick_length) playback.debt = 0;

@@ -162,6 +162,7 @@ void resume_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     const LectureView left = *lab.left_pages;
     const bool is_open = lab.left_run == lab.document.run_id && lab.document.edits == lab.document.saved_edits;
     begin_pages(lab, std::move(lecture));
+    if (lab.notice.key == "notice.lecture_left") lab.notice = {};
     lab.pages->notes = left.notes;
     const auto is_as_long = [](const std::vector<int>& a, const std::vector<int>& b) { return a.size() == b.size(); };
     if (std::equal(left.hands.begin(), left.hands.end(), lab.pages->hands.begin(), lab.pages->hands.end(), is_as_long))

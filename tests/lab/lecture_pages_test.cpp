@@ -109,6 +109,7 @@ TEST_F(LabLecturePages, ARunPausesAtTheMomentThatItsPageNames) {
         set_mode(lab, Mode::playing);
         for (int frame = 0; frame < 200 && lab.playback.mode == Mode::playing; ++frame) advance(lab, 0.02);
         EXPECT_EQ(lab.playback.mode, Mode::paused);
+        EXPECT_EQ(lab.notice.key, "notice.page_pauses");
         EXPECT_EQ(lab.document.session.snapshot().tick, static_cast<std::uint64_t>(std::lround(pause * 60)));
         const VehicleView& vehicle = lab.document.session.snapshot().vehicles.front();
         EXPECT_GT(vehicle.motor[0], vehicle.motor[1] + 0.1f) << "the numbers show why it turns";
@@ -307,6 +308,7 @@ TEST_F(LabLecturePages, F9GoesBackToThePageThatWasLeft) {
         EXPECT_EQ(lab.pages->step, 2);
         EXPECT_EQ(lab.pages->hands[1], (std::vector{0, 12, 0}));
         EXPECT_FALSE(lab.left_pages);
+        EXPECT_TRUE(lab.notice.empty()) << "it said that the lecture was left";
     }
 }
 

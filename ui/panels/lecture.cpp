@@ -158,14 +158,14 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
     if (end.pressed) ui.outbox.push_back(Action::lecture);
     // The title, between the clock and the button that ends the lecture.
-    const std::string title = title_of_bar(view, ui);
     const float after_clock = start.right() + ui.px(16 + 96);
-    const float page = view.pages ? page_number(view, ui, after_clock + text_width(ui, Face::title, title) + ui.px(12),
-                                                end.rect.x, bar)
-                                  : end.rect.x;
+    const float page = view.pages ? page_number(view, ui, after_clock, end.rect.x, bar) : end.rect.x;
     const float right = pressed_keys(view, state, ui, page, bar);
     const float from = past_sign(view, ui, after_clock, bar);
     const float room = std::max(0.0f, right - ui.px(12) - from);
+    // In a lecture file the number of the page says enough where the title has no room.
+    std::string title = title_of_bar(view, ui);
+    if (view.pages && text_width(ui, Face::title, title) > room) title.clear();
     if (view.notice.empty())
         put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, title, Face::title, room),
             ui.palette.second_text, Face::title);
