@@ -251,7 +251,8 @@ std::optional<Error> error_of_page(const Lecture& lecture, const LecturePage& pa
     std::vector<std::string_view> names;
     for (const Start& start : scene->starts) names.emplace_back(start.name);
     if (page.select.empty() || page.select == nothing_selected ||
-        std::find(names.begin(), names.end(), page.select) != names.end()) return std::nullopt;
+        std::find(names.begin(), names.end(), page.select) != names.end())
+        return std::nullopt;
     return error_of(message_of("no_vehicle_to_select", in_quotes(page.select)) + nearest_of(page.select, names),
                     lecture.path.string(), page.line);
 }

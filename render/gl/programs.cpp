@@ -45,17 +45,29 @@ std::optional<Error> Programs::load(const std::filesystem::path& folder, SectorP
         const char* vertex;
         const char* fragment;
     };
-    const Stages all[] = {{&floor, "floor", "floor"},    {&brink, "floor", "brink"},
-                          {&zone, "zone", "zone"},       {&contour, "contour", "contour"},
-                          {&block, "block", "block"},    {&skirt, "block", "skirt"},
-                          {&hull, "hull", "hull"},       {&rim, "rim", "rim"},
-                          {&sign, "sign", "sign"},       {&wheel, "wheel", "wheel"},
-                          {&eye, "eye", "eye"},          {&wire, "wire", "wire"},
-                          {&neuron, "neuron", "neuron"}, {&deck_shade, "neuron", "deck_shade"}, {&source, "source", "source"},
-                          {&shade, "mark", "shade"},     {&mark, "mark", "mark"},
-                          {&trail, "trail", "trail"},    {&halo, "halo", "halo"},
-                          {&letter, "letter", "letter"}, {&eyeball, "eyeball", "eyeball"},
-                          {&cast, "cast", "cast"},       {&lamplit, "floor", "lamplit"}};
+    const Stages all[] = {{&floor, "floor", "floor"},
+                          {&brink, "floor", "brink"},
+                          {&zone, "zone", "zone"},
+                          {&contour, "contour", "contour"},
+                          {&block, "block", "block"},
+                          {&skirt, "block", "skirt"},
+                          {&hull, "hull", "hull"},
+                          {&rim, "rim", "rim"},
+                          {&sign, "sign", "sign"},
+                          {&wheel, "wheel", "wheel"},
+                          {&eye, "eye", "eye"},
+                          {&wire, "wire", "wire"},
+                          {&neuron, "neuron", "neuron"},
+                          {&deck_shade, "neuron", "deck_shade"},
+                          {&source, "source", "source"},
+                          {&shade, "mark", "shade"},
+                          {&mark, "mark", "mark"},
+                          {&trail, "trail", "trail"},
+                          {&halo, "halo", "halo"},
+                          {&letter, "letter", "letter"},
+                          {&eyeball, "eyeball", "eyeball"},
+                          {&cast, "cast", "cast"},
+                          {&lamplit, "floor", "lamplit"}};
     for (const auto& [program, vertex, fragment] : all) {
         auto loaded = Program::load(folder, std::string(vertex) + ".vert", std::string(fragment) + ".frag");
         if (!loaded) return loaded.error();

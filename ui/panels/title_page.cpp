@@ -34,7 +34,8 @@ void shade_words(const Ui& ui, Rect window, float words_end, float until) {
     };
     for (int i = 0; i < steps; ++i) {
         const float step = (until - words_end) / steps, from = words_end + step * static_cast<float>(i);
-        const ImU32 left = paint(table.with_alpha(0.92f * share(i))), right = paint(table.with_alpha(0.92f * share(i + 1)));
+        const ImU32 left = paint(table.with_alpha(0.92f * share(i))),
+                    right = paint(table.with_alpha(0.92f * share(i + 1)));
         draw.AddRectFilledMultiColor({from, window.y}, {from + step, bottom}, left, right, right, left);
     }
 }

@@ -23,7 +23,8 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
                                   mirror = "\uf042", cross_over = "\uf0ec", drive = "\uf11b", save = "\uf0c7",
                                   load = "\uf115", chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065",
                                   bookmark = "\uf02e", folder = "\uf07b", file = "\uf15b", notice = "\uf05a",
-                                  undo = "\uf0e2", previous = "\uf104", next = "\uf105", map = "\uf00a", robot = "\uf2db";
+                                  undo = "\uf0e2", previous = "\uf104", next = "\uf105", map = "\uf00a",
+                                  robot = "\uf2db";
 // Of the channels.
 inline constexpr std::string_view light = "\uf185", coloured_light = "\uf0eb", heat = "\uf06d", smell = "\uf069",
                                   oxygen = "\uf06c", obstacle = "\uf1b2", predator = "\uf0d8", prey = "\uf111",
