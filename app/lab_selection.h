@@ -12,7 +12,7 @@ namespace braitenlab {
 const VehicleView* selected_vehicle(const Lab&);  // null when there is none
 
 void select(Lab&, const SceneObject&);
-// Selects nothing until something is selected.
+// Selects nothing; keep_selection() then selects no vehicle by itself.
 void select_none(Lab&);
 // Selects a source, an obstacle or a zone, or none; the selected vehicle stays selected.
 void select_object(Lab&, const SceneObject&);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,7 @@ namespace {
 constexpr double hint_interval = 30;       // s after which the next hint is available without a run
 constexpr double tick_length = 1.0 / 60;   // s, as in core/brain/brain.h
 constexpr double stepping_budget = 0.012;  // s of wall time per frame
+constexpr std::string_view page_pauses = "notice.page_pauses";
 
 // Measures once per second. A shortfall of less than 5 % is not reported, because it is not visible.
 void measure_pace(Playback& playback, double wall_seconds, double simulated) {
@@ -61,6 +64,7 @@ void set_mode(Lab& lab, Mode mode) {
     const bool was_playing = playback.mode == Mode::playing, plays = mode == Mode::playing;
     if (was_playing != plays) ++playback.toggles;
     if (plays) playback.debt = 0;
+    if (plays && lab.notice.key == page_pauses) lab.notice = {};
     playback.pace = {};
     playback.mode = mode;
 }
@@ -109,7 +113,9 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
         playback.debt -= tick_length;
         if (!pauses_here(lab)) continue;
         set_mode(lab, Mode::paused);
-        return say(lab, {NoticeKind::notice, "notice.page_pauses"});
+        if (lab.notice.kind != NoticeKind::failure || lab.notice.empty())
+            say(lab, {NoticeKind::notice, std::string(page_pauses)});
+        return;
     }
     measure_pace(playback, wall_seconds, shown_snapshot(lab).seconds - before);
     if (playback.debt >= tick_length) playback.debt = 0;

@@ -31,8 +31,7 @@ void main() {
     int own = empty ? 0 : corner.y < 0.5 ? edge : (edge + 1) % count;
     vec2 here = prism_corner(own), before = prism_corner((own + count - 1) % count), after = prism_corner((own + 1) % count);
     vec2 out_before = right_of(normalize(here - before)), out_after = right_of(normalize(after - here));
-    vec2 outwards = normalize(out_before + out_after);
-    outwards /= max(dot(outwards, out_after), 0.4);
+    vec2 between = normalize(out_before + out_after), outwards = between / max(dot(between, out_after), 0.4);
     vec2 face = corner.y < 0.5 ? out_after : out_before;
 
     bool on_top = level >= level_inner;
@@ -41,9 +40,9 @@ void main() {
     float height = shadow ? 0.004 : level == level_foot ? 0.0 : on_top ? size.x : size.x - size.y;
     // Edges are shaded as if they were round: across the chamfer, across a short face between two long ones, and at a
     // corner of two short faces.
-    const float short_face = 0.14;  // m
+    float short_face = 0.14 * form.y;  // m
     if (size.w < 0.5 && max(distance(here, before), distance(here, after)) < short_face)
-        face = normalize(out_before + out_after);
+        face = between;
     else if (size.w < 0.5 && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < short_face)
         face = corner.y < 0.5 ? out_before : out_after;
     vec3 normal = level == level_top       ? vec3(0.0, 0.0, 1.0)

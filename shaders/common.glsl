@@ -159,9 +159,11 @@ vec4 field_colour(vec3 tone, float alpha, vec2 part) {
     // On a dark floor the colours of overlapping fields are partly added, because blended colours become grey. In the
     // light theme they are faint and warm, like light on paper.
     alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.65, counts.y);
-    // Noise hides the bands of the blend: each of its two factors is rounded to one of 255 levels. A lattice of the
-    // plastic number (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), cheaper than dither().
-    float noise = (fract(dot(gl_FragCoord.xy, vec2(0.75487767, 0.56984029))) - 0.5) * (2.0 / 255.0);
+    // Colour and opacity are each rounded to one of 255 levels when they are blended; noise of two levels hides the
+    // bands. A lattice of the plastic number (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
+    // 2018), cheaper than dither(), and shifted so that fields which overlap have different noise.
+    float noise = fract(dot(gl_FragCoord.xy, vec2(0.75487767, 0.56984029)) + 61.8 * alpha) - 0.5;
+    noise *= min(alpha, 1.0 / 255.0) * 2.0;
     return vec4(tone * alpha + noise, alpha * mix(0.75, 1.0, counts.y));
 }
 
@@ -193,7 +195,7 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     float faint = max(middle, lines(place, pixel, many, form.z, 0.010 * form.z) * 0.75) * inside;
     float bright = lines(place, pixel, many, 5.0 * form.z, 0.016 * form.z) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
-    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * worn(place, many);
+    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many), inside);
 }
 
 // Noise of one of 255 levels, so that a slow gradient shows no bands. Interleaved gradient noise: J. Jimenez, "Next

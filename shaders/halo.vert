@@ -2,10 +2,12 @@
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;  // x, y, height, radius
 layout(location = 5) in vec4 base;
+layout(location = 6) in vec4 around;  // x: radius of what it surrounds, a share of its own; y: 1: a ball
 
 out vec2 v_own;
 out vec4 v_base;
-flat out float v_bulb;  // squared radius of the bulb, as v_own
+flat out float v_bulb;  // squared radius of what it surrounds, as v_own; 0: nothing
+flat out float v_ball;
 
 void main() {
     v_own = corner.xy;
@@ -18,11 +20,11 @@ void main() {
     towards /= far;
     vec3 right = normalize(cross(picture_up.xyz, towards)), up = cross(towards, right);
     float nearer = 0.8 * place.w;
-    // The bulb's radius is 0.168 of the glow's on a dark floor, 0.247 on a light one (add_source in
-    // render/view/draw_world.cpp); the glow is nearer and looks larger.
-    float share = mix(0.168, 0.247, counts.y), around = share * place.w / far;
-    float radius = share * (1.0 - nearer / far) / sqrt(max(1.0 - around * around, 0.1));
+    // The glow is nearer than the bulb, which therefore covers a smaller share of it.
+    float outline = around.x * place.w / far;
+    float radius = around.x * (1.0 - nearer / far) / sqrt(max(1.0 - outline * outline, 0.1));
     v_bulb = radius * radius;
+    v_ball = around.y;
     vec3 at = middle + (right * corner.x + up * corner.y) * place.w + towards * nearer;
     gl_Position = view_projection * vec4(at, 1.0);
 }

@@ -250,7 +250,9 @@ std::optional<Error> error_of_page(const Lecture& lecture, const LecturePage& pa
     if (!scene) return scene.error();
     std::vector<std::string_view> names;
     for (const Start& start : scene->starts) names.emplace_back(start.name);
-    if (page.select.empty() || page.select == nothing_selected ||
+    // A camera on a vehicle needs one.
+    const bool needs_vehicle = page.camera == PageCamera::follow || page.camera == PageCamera::driver;
+    if (page.select.empty() || (page.select == nothing_selected && !needs_vehicle) ||
         std::find(names.begin(), names.end(), page.select) != names.end())
         return std::nullopt;
     return error_of(message_of("no_vehicle_to_select", in_quotes(page.select)) + nearest_of(page.select, names),

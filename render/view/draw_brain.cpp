@@ -15,11 +15,11 @@ namespace {
 
 constexpr float crossed_out = -1;  // in place of a neuron's value
 
-// On the deck below a cable, away from the sun; of vehicles that are large in the picture.
+// On the deck below a cable, away from the sun.
 void add_cable_shadow(Drawing& drawing, const Subject& s, const DeckWire& run, float thin) {
-    constexpr float least_pixels = 70, width = 0.05f;  // layout pixels of the vehicle; m
-    constexpr vec2 away{0.018f, 0.014f};               // m
-    if (s.pixels < least_pixels) return;
+    constexpr float width = 0.05f;        // m
+    constexpr vec2 away{0.018f, 0.014f};  // m
+    if (s.pixels < least_deck_shadow) return;
     const vec2 offset = away * s.height_scale;
     const vec2 a = s.to_world(run.from) + offset, b = s.to_world(run.to) + offset, c = s.to_world(run.bend) + offset;
     const float height = (deck_height + 0.0045f) * s.height_scale;  // above the inlay, below the ends of cables

@@ -74,6 +74,7 @@ struct DeckShadeInstance {
     maths::vec4 place;   // x, y, height, radius; m
     maths::vec4 colour;  // w: opacity in the middle
 };
+inline constexpr float deck_shade_core = 0.8f;  // of its radius: beyond, it is hardly visible
 struct FieldInstance {
     maths::vec4 place;
     maths::vec4 shape;   // drawn radius m, half the opening angle rad, d0 m (0: boolean), radius where the fill ends m
@@ -117,6 +118,8 @@ struct SourceInstance {
 struct HaloInstance {
     maths::vec4 place;  // x, y, height, radius; m
     maths::vec4 colour;
+    maths::vec4 around;  // x: radius of what it surrounds, which it leaves free, as a share of its own; y: 1: that is a
+                         // ball, at whose edge it is brightest
 };
 struct TrailInstance {
     maths::vec4 ends;     // from, to; of a round end both are the same point

@@ -127,18 +127,20 @@ float eye_scale(float pixels) {
     return most + (1 - most) * std::clamp((pixels - small) / (large - small), 0.0f, 1.0f);
 }
 
-// On the deck around the foot of an eye; of vehicles that are large in the picture.
+// On the deck around the foot of an eye. `radius`: of the eye on the standard vehicle, m.
 void add_eye_shade(Drawing& drawing, const Subject& s, const Sensor& sensor, float radius) {
-    constexpr float least_pixels = 70, strength = 0.75f, spread = 1.5f;  // layout pixels of the vehicle
-    if (s.pixels < least_pixels) return;
-    // The disc is moved from the edge of the body inwards, because beyond it there is no deck to darken.
+    constexpr float strength = 0.75f, spread = 1.35f;
+    if (s.pixels < least_deck_shadow) return;
+    // Moved inwards from the edge of the deck, beyond which there is nothing to darken but for its faint rim.
+    const float reach = spread * radius * s.height_scale;
+    const auto inside = [reach](float place, float half) {
+        const float limit = std::max(0.0f, half - deck_shade_core * reach);
+        return std::clamp(place, -limit, limit);
+    };
     const Body& body = s.kind.body;
-    const float inside_x = 0.49f * body.length - 0.9f * radius, inside_y = 0.37f * body.width - 0.9f * radius;
-    const vec2 own{std::clamp(sensor.x, -inside_x, inside_x), std::clamp(sensor.y, -inside_y, inside_y)};
-    const vec2 at = s.to_world(own);
-    drawing.list.deck_shades.push_back(
-        {{at.x, at.y, (deck_height + 0.004f) * s.height_scale, spread * radius * s.height_scale},
-         {0, 0, 0, strength * std::sqrt(drawing.colours.shadow.a)}});
+    const vec2 at = s.to_world({inside(sensor.x, 0.49f * body.length), inside(sensor.y, 0.37f * body.width)});
+    drawing.list.deck_shades.push_back({{at.x, at.y, (deck_height + 0.004f) * s.height_scale, reach},
+                                        rgb_with(Colour{}, strength * std::sqrt(drawing.colours.shadow.a))});
 }
 
 // Balls with a lid above the places of the sensors; of a small vehicle one a side, which shows the strongest reading.
@@ -378,7 +380,8 @@ void add_spark(Drawing& drawing, const StrikeView& strike) {
     constexpr float seconds = 0.2f, height = 0.2f, size = 1.1f;  // m
     if (drawing.picture.reduce_motion || strike.age >= seconds) return;
     const float left = 1 - strike.age / seconds;
-    drawing.list.halos.push_back({{strike.x, strike.y, height, size}, rgb_with(drawing.colours.warning, 0.9f * left)});
+    drawing.list.halos.push_back(
+        {{strike.x, strike.y, height, size}, rgb_with(drawing.colours.warning, 0.9f * left), {}});
 }
 
 // The youngest strikes of this moment, which shake the vehicles; none where motion is reduced, and few in a crowd.

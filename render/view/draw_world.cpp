@@ -214,6 +214,7 @@ void add_socket(Drawing& drawing, Channel channel, vec2 at, float size) {
 }
 
 constexpr std::size_t most_at_low = 3;  // lamps
+constexpr float bulb_radius = 0.21f;    // m, of a source of size 1, as add_bulb() in fine_shapes.cpp has it
 
 }  // namespace
 
@@ -245,8 +246,10 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
                                       rgb_with(drawing.colours.shadow, drawing.colours.shadow.a * 0.7f)});
     if (foot == 0) add_socket(drawing, channel, at, size);
     if (!on) return;
-    drawing.list.halos.push_back({{at.x, at.y, bulb, (dark ? 1.25f : 0.85f) * size},
-                                  rgb_with(colour, (dark ? 0.45f : 0.42f) * (0.3f + 0.7f * strength))});
+    const float reach_of_glow = dark ? 1.25f : 0.85f;
+    drawing.list.halos.push_back({{at.x, at.y, bulb, reach_of_glow * size},
+                                  rgb_with(colour, (dark ? 0.45f : 0.42f) * (0.3f + 0.7f * strength)),
+                                  {bulb_radius / reach_of_glow, source_shape_of(channel) == 0 ? 1.0f : 0.0f, 0, 0}});
     if (drawing.list.lamps.size() < most_lamps)
         drawing.list.lamps.push_back({{at.x, bulb, -at.y, strength * reach}, rgb_with(colour, 2.0f)});
 }

@@ -24,6 +24,9 @@ struct Drawing {
 
 constexpr float deck_height = 0.27f;  // m, of the standard vehicle
 
+// Layout pixels: on the deck of a shorter vehicle nothing casts a shadow.
+constexpr float least_deck_shadow = 70;
+
 // Heights of parts of this body, as a factor of those of the standard vehicle.
 inline float height_scale_of(const Body& body) { return std::min(body.length, body.width / 0.7f); }
 

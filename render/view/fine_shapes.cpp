@@ -217,10 +217,10 @@ void add_round(Shape& shape, vec3 middle, float radius, float height, int sides,
 }
 
 void add_bulb(Shape& shape) {
-    add_turned(shape, {}, {{0.22f, 0, 0}, {0.22f, 0.03f, 0.3f}, {0.20f, 0.05f, 1.0f}, {0.09f, 0.055f, 1.57f}}, 36,
+    add_turned(shape, {}, {{0.22f, 0, 0}, {0.22f, 0.03f, 0.3f}, {0.20f, 0.05f, 1.0f}, {0.09f, 0.055f, 1.57f}}, 30,
                Paint::dark);
     for (const float z : {0.055f, 0.105f, 0.155f})
-        add_turned(shape, {}, {{0.095f, z, -0.7f}, {0.112f, z + 0.025f, 0}, {0.095f, z + 0.05f, 0.7f}}, 12,
+        add_turned(shape, {}, {{0.095f, z, -0.7f}, {0.112f, z + 0.025f, 0}, {0.095f, z + 0.05f, 0.7f}}, 16,
                    Paint::deck);
     add_round(shape, {0, 0, 0.41f}, 0.21f, 0.21f, 28, 11, Paint::light);
 }

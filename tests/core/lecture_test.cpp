@@ -109,6 +109,7 @@ TEST(Lecture, ChecksThatEveryPageCanBeOpened) {
     EXPECT_FALSE(page(""));
     EXPECT_FALSE(page("select = \"one\"\n"));
     EXPECT_FALSE(page("select = \"none\"\n"));
+    EXPECT_TRUE(page("select = \"none\"\ncamera = \"follow\"\n")) << "there is nothing to follow";
     const auto unknown = page("select = \"two\"\n");
     ASSERT_TRUE(unknown);
     EXPECT_EQ(unknown->file, "/nowhere/own.toml");

@@ -224,12 +224,28 @@ TEST(DrawList, EyesShadeTheDeckInsideTheBodyWhereTheyAreLarge) {
     ASSERT_EQ(large.size(), 2U);
     const Body& body = now.scene->kinds[0].body;
     for (const DeckShadeInstance& shade : large) {
-        EXPECT_LT(std::fabs(shade.place.y) + 0.5f * shade.place.w, 0.5f * body.width);
-        EXPECT_LT(shade.place.x + 0.5f * shade.place.w, 0.5f * body.length);
+        EXPECT_LT(std::fabs(shade.place.y) + deck_shade_core * shade.place.w, 0.38f * body.width);
+        EXPECT_LT(shade.place.x + deck_shade_core * shade.place.w, 0.5f * body.length);
         EXPECT_GT(shade.colour.w, 0.2f);
     }
     EXPECT_GT(large[0].place.y, 0.05f) << "each below its eye";
     EXPECT_LT(large[1].place.y, -0.05f);
+}
+
+TEST(DrawList, EyesOfASmallRobotShadeTheMiddleOfItsDeck) {
+    auto scene = hand_made::scene();
+    Kind& robot = scene->kinds[0];
+    robot.body.length = robot.body.width = 0.071f;  // m; the eyes are as wide as the body
+    for (Sensor& sensor : robot.sensors) sensor.x = 0.03f, sensor.y *= 0.12f;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 0, 0, 0);
+    Picture picture;
+    picture.quality = Quality::high;
+    const DrawList list = drawn(now, picture);
+    ASSERT_EQ(list.deck_shades.size(), 2U);
+    EXPECT_GE(list.deck_shades[0].place.y, 0) << "on the side of its eye";
+    EXPECT_LE(list.deck_shades[1].place.y, 0);
+    for (const DeckShadeInstance& shade : list.deck_shades) EXPECT_LT(std::fabs(shade.place.y), 0.0355f);
 }
 
 TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {

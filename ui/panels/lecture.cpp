@@ -91,7 +91,7 @@ float page_number(const LabView& view, Ui& ui, float free_from, float right, Rec
     const auto look = [&](std::string_view sign, std::string_view letter) {
         return has_icons(ui) ? ButtonLook{sign, {}, Emphasis::quiet} : ButtonLook{{}, letter, Emphasis::quiet};
     };
-    const ButtonLook back = look(icon::previous, "<"), on = look(icon::next, ">");
+    const ButtonLook previous_look = look(icon::previous, "<"), next_look = look(icon::next, ">");
     const auto page_button = [&](std::string_view anchor, const ButtonLook& its_look, Action action, float x) {
         ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
         const Item item = button(ui, anchor, its_look);
@@ -101,15 +101,16 @@ float page_number(const LabView& view, Ui& ui, float free_from, float right, Rec
     const std::string words =
         std::to_string(view.pages->page + 1) + "/" + std::to_string(view.pages->lecture->pages.size());
     const float w = text_width(ui, Face::title, words), h = line_height(ui, Face::title), gap = ui.px(spacing::tight);
-    const float next = right - gap - button_width(ui, on), previous = next - w - 2 * gap - button_width(ui, back);
-    const bool has_room = previous >= free_from;
-    const Rect place{(has_room ? next - gap : right - ui.px(12)) - w, bar.y + (bar.h - h) / 2, w, h};
+    const float next_x = right - gap - button_width(ui, next_look);
+    const float previous_x = next_x - w - 2 * gap - button_width(ui, previous_look);
+    const bool has_room = previous_x >= free_from;
+    const Rect place{(has_room ? next_x - gap : right - ui.px(12)) - w, bar.y + (bar.h - h) / 2, w, h};
     put(ui, {place.x, place.y}, words, ui.palette.text, Face::title);
     mark(ui, "lecture.page", place);
     if (!has_room) return place.x;
-    page_button("lecture.next", on, Action::next_page, next);
-    page_button("lecture.previous", back, Action::previous_page, previous);
-    return previous;
+    page_button("lecture.next", next_look, Action::next_page, next_x);
+    page_button("lecture.previous", previous_look, Action::previous_page, previous_x);
+    return previous_x;
 }
 
 // Without the title of an exercise or a scene that could tell the answer.
