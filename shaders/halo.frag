@@ -10,8 +10,7 @@ void main() {
     // Brightest at the edge of a ball, which it makes soft.
     if (v_ball > 0.5) glow += v_base.a * mix(0.4, 0.35, counts.y) * exp(-4.0 * max(d / v_bulb - 1.0, 0.0));
     // It leaves free what it surrounds, which it would darken in the light theme and burn out in the dark one.
-    vec2 edge = v_ball > 0.5 ? mix(vec2(0.93, 0.97), vec2(0.84, 1.0), counts.y)
-                             : mix(vec2(0.92, 1.08), vec2(0.85, 1.15), counts.y);
+    vec2 edge = v_ball > 0.5 ? mix(vec2(0.93, 0.97), vec2(0.84, 1.0), counts.y) : vec2(0.0, 2.2);
     if (v_bulb > 0.0) glow *= smoothstep(edge.x * v_bulb, edge.y * v_bulb, d);
     // In the light theme as bright as a screen shows the hue.
     vec3 bright = mix(v_base.rgb / max(max(v_base.r, v_base.g), max(v_base.b, 1e-3)), vec3(1.0), 0.15);
