@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/course/lab_lesson.h"
@@ -14,6 +16,7 @@ namespace braitenlab {
 namespace {
 
 constexpr int most_hands = 999;
+constexpr std::string_view lecture_left = "notice.lecture_left";
 
 Camera camera_of(const LecturePage& page) {
     constexpr std::array<CameraMode, page_camera_table.size()> modes{CameraMode::overview, CameraMode::follow,
@@ -29,6 +32,7 @@ void begin_pages(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
     lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
     lab.left_pages.reset();
+    if (lab.notice.key == lecture_left) lab.notice = {};
 }
 
 // Applies the parts that are settings of the view. Panels read the others from LectureView.
@@ -133,7 +137,7 @@ void end_lecture(Lab& lab) {
     if (lab.pages) {
         leave_pages(lab);
         lab.left_run = lab.document.run_id;
-        say(lab, {NoticeKind::notice, "notice.lecture_left", std::to_string(lab.left_pages->page + 1)});
+        say(lab, {NoticeKind::notice, std::string(lecture_left), std::to_string(lab.left_pages->page + 1)});
         lab.document.saved_edits = lab.document.edits;
         lab.document.saved_tick = lab.document.session.snapshot().tick;
     }
@@ -162,7 +166,6 @@ void resume_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     const LectureView left = *lab.left_pages;
     const bool is_open = lab.left_run == lab.document.run_id && lab.document.edits == lab.document.saved_edits;
     begin_pages(lab, std::move(lecture));
-    if (lab.notice.key == "notice.lecture_left") lab.notice = {};
     lab.pages->notes = left.notes;
     const auto is_as_long = [](const std::vector<int>& a, const std::vector<int>& b) { return a.size() == b.size(); };
     if (std::equal(left.hands.begin(), left.hands.end(), lab.pages->hands.begin(), lab.pages->hands.end(), is_as_long))

@@ -122,12 +122,13 @@ TEST(DrawList, DistinguishesExcitingFromInhibitingWiresAndShowsTheirSignals) {
     EXPECT_GT(list.wires[2].shape.w, list.wires[0].shape.w);
 }
 
-Picture seen_at_zoom(float zoom) {
+Picture seen_at_zoom(float zoom, Quality quality = Picture{}.quality) {
     Camera camera;
     camera.zoom = zoom;
     const Rect window{0, 0, 1280, 800};
     Picture picture;
     picture.camera_view = look(camera, Arena{}, nullptr, window, window);
+    picture.quality = quality;
     return picture;
 }
 
@@ -196,9 +197,7 @@ TEST(DrawList, CablesThatAreWholeCastAShadowOnTheDeckWhereTheyAreLarge) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
     const auto shadows = [&](float zoom) {
-        Picture picture = seen_at_zoom(zoom);
-        picture.quality = Quality::high;
-        const DrawList list = drawn(now, picture);
+        const DrawList list = drawn(now, seen_at_zoom(zoom, Quality::high));
         EXPECT_FALSE(list.bodies[0].empty());
         return std::count_if(list.wires.begin(), list.wires.end(),
                              [](const WireInstance& wire) { return wire.colour.w == 0 && wire.signal.z == 0; });
@@ -214,11 +213,7 @@ TEST(DrawList, CablesThatAreWholeCastAShadowOnTheDeckWhereTheyAreLarge) {
 TEST(DrawList, EyesShadeTheDeckInsideTheBodyWhereTheyAreLarge) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
-    const auto shades = [&](float zoom) {
-        Picture picture = seen_at_zoom(zoom);
-        picture.quality = Quality::high;
-        return drawn(now, picture).deck_shades;
-    };
+    const auto shades = [&](float zoom) { return drawn(now, seen_at_zoom(zoom, Quality::high)).deck_shades; };
     EXPECT_TRUE(shades(1).empty());
     const auto large = shades(6);
     ASSERT_EQ(large.size(), 2U);
