@@ -79,6 +79,7 @@ vec3 on_screen(vec3 light) {
 // Linear light on a surface from sun, sky, floor and lamps. `darkness`: three bits a lamp, 0 all of its light .. 7 none
 // (HullInstance in render/view/draw_list.h).
 vec3 light_at(vec3 normal, vec3 place, float darkness) {
+    float bounce = mix(0.35, 0.5, counts.y);
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
     light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
     for (int i = 0; i < int(counts.x); ++i) {
@@ -88,6 +89,8 @@ vec3 light_at(vec3 normal, vec3 place, float darkness) {
         float squared = dot(towards, towards);
         // Lamps are large and low: a surface that faces away from a lamp still gets part of its light.
         float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.8 + 0.2, 0.0);
+        // The floor around a thing reflects part of the light of the lamp from below.
+        facing += bounce * (0.5 - 0.5 * normal.y);
         float amount = 1.9 * lamps[i].place.w * facing * lamp_law(squared) * passes;
         light += lamps[i].colour.rgb * lamps[i].colour.rgb * amount;
     }

@@ -157,6 +157,20 @@ TEST_F(LookTest, CastsTheShadowsOfObstaclesAwayFromTheLamp) {
     for (const float y : {0.9f, 1.4f}) EXPECT_NEAR(change({0.3f, y}), 1, 0.02f) << "towards the lamp";
 }
 
+TEST_F(LookTest, TheFloorReflectsTheLightOfALampOntoTheSideAwayFromIt) {
+    Camera low;
+    low.elevation = 0.5f;
+    look_from(low);
+    Snapshot bare = hand_made::empty(hand_made::scene());
+    auto scene = std::make_shared<Scene>(*bare.scene);
+    scene->obstacles.push_back({.name = "box", .length = 2, .width = 1});
+    bare.scene = scene;
+    Snapshot now = bare;
+    hand_made::add_source(now, Channel::light, 0, 3);
+    const vec2 side{0.4f, -0.5f};
+    EXPECT_GT(linear(seen(now, side, 0.2f)), 1.05f * linear(seen(bare, side, 0.2f)));
+}
+
 class RoundedTest : public LookTest {
 protected:
     void SetUp() override {
