@@ -89,6 +89,18 @@ TEST(LectureDiagram, TheButtonsOfThePagesAreInTheBarAndTheTitleGivesWay) {
     });
 }
 
+TEST(LectureDiagram, WiresOfObstacleSensorsHaveNoWeightsUntilThePointerIsOnThem) {
+    Diagram diagram(shipped_scene("3b-explorer"), sizes[2], "en");
+    Desk& desk = diagram.desk;
+    desk.frame(5);
+    EXPECT_TRUE(desk.anchors.find("weight.RL"));
+    EXPECT_EQ(diagram.starting_with("weight.").size(), 4u);
+    ASSERT_GT(diagram.starting_with("wire.").size(), 4u);
+    desk.point("wire.OL-ML");
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("weight.OL-ML"));
+}
+
 TEST(LectureDiagram, AWholeNameIsInsideTheBoxOfItsNode) {
     each_diagram([&](const Diagram& diagram) {
         EXPECT_EQ(diagram.desk.shortened, 0);
