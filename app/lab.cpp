@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
 #include "app/lab_selection.h"
 #include "ui/scene_input/clipboard.h"
@@ -109,6 +110,7 @@ LabView view_of(const Lab& lab) {
     view.preferences = lab.preferences;
     view.theme = lab.preferences.theme;
     view.lecture = lab.before_lecture.has_value();
+    view.has_moved_camera = !lab.view.orbits && !(lab.view.camera == home_camera(lab));
     view.left_pages = lab.left_pages ? &*lab.left_pages : nullptr;
     view.reduce_motion = lab.preferences.reduce_motion;
     view.wall_seconds = lab.wall_seconds;

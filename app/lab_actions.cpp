@@ -150,7 +150,7 @@ void act(Lab& lab, Action action) {
             switch_camera(lab, CameraMode::driver);
             break;
         case Action::home:
-            lab.view.camera = Camera{};
+            lab.view.camera = home_camera(lab);
             lab.view.orbits = false;
             break;
         case Action::slow_orbit:

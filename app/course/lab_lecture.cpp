@@ -120,6 +120,8 @@ float lecture_growth(Rect window, float display_scale) {
     return std::max(1.0f, std::floor(growth * steps) / steps);
 }
 
+Camera home_camera(const Lab& lab) { return lab.pages ? camera_of(lab.pages->current()) : Camera{}; }
+
 void begin_lecture(Lab& lab) {
     lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
     lab.preferences.theme = Theme::light;

@@ -33,6 +33,9 @@ void leave_pages(Lab&);
 // Lab::left_pages.
 void resume_lecture(Lab&, std::shared_ptr<const Lecture>);
 
+// The camera that Home restores: that of the lecture's page, else the default.
+Camera home_camera(const Lab&);
+
 // Requests that the lecture that was left is opened: at the page where it was left, or at the first one. Without one,
 // shows a notice.
 void request_left_lecture(Lab&, bool resume);

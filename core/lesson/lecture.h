@@ -46,7 +46,7 @@ inline constexpr auto page_part_table = std::to_array<PagePartTraits>({
     {PagePart::caption, "caption", true, "the caption"},
     {PagePart::question, "question", true, "the question with its options"},
     {PagePart::answer, "answer", false, "the right option and the reason"},
-    {PagePart::values, "values", false, "the large picture below the scene: character, speed, eyes, wires, wheels"},
+    {PagePart::values, "values", false, "the large picture below the scene: character, speed, eyes, wires, wheels with their biases"},
     {PagePart::brain, "brain", true, "the wires on the deck, and the brain in its cards"},
     {PagePart::trails, "trails", true, "the paths of the vehicles"},
     {PagePart::sensors, "sensors", true, "the fields of the sensors"},

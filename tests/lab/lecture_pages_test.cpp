@@ -100,6 +100,20 @@ TEST_F(LabLecturePages, APageWhoseQuestionARingWouldAnswerSelectsNoVehicle) {
     EXPECT_NE(lab.view.selection.vehicle, no_vehicle) << "the first of the next page";
 }
 
+TEST_F(LabLecturePages, HomeRestoresTheCameraOfThePage) {
+    open("four-numbers");
+    auto lecture = std::make_shared<Lecture>(*lab.pages->lecture);
+    lecture->pages[0].azimuth = 0.5f;
+    lab.pages->lecture = lecture;
+    show_page(lab, 0);
+    EXPECT_FALSE(view_of(lab).has_moved_camera);
+    lab.view.camera.azimuth = 2;
+    EXPECT_TRUE(view_of(lab).has_moved_camera);
+    press({key::home});
+    EXPECT_EQ(lab.view.camera.azimuth, 0.5f);
+    EXPECT_FALSE(view_of(lab).has_moved_camera);
+}
+
 TEST_F(LabLecturePages, ARunPausesAtTheMomentThatItsPageNames) {
     open("four-numbers");
     show_page(lab, 2, 2);

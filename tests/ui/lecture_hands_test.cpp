@@ -121,17 +121,18 @@ TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {
         }
 }
 
-TEST_F(LectureHands, TheReasonIsInTheSizeOfTheTextWhereItHasRoom) {
-    const auto size_of_reason = [&] {
-        const std::string first = pages.current().question.why.substr(0, 12);
+TEST_F(LectureHands, TheReasonIsInTheSizeOfTheRightOptionWhereItHasRoom) {
+    const auto size_of = [&](const std::string& first) {
         float size = 0;
         for (const Written& w : desk.written)
             if (w.words.rfind(first, 0) == 0) size = w.size;
         return size;
     };
+    const auto size_of_reason = [&] { return size_of(pages.current().question.why.substr(0, 12)); };
     ImGui::GetIO().DisplaySize = {1920, 1080};
     show(1, 2);
     const float large = size_of_reason();
+    EXPECT_EQ(large, size_of("B  ✓"));
     ImGui::GetIO().DisplaySize = {1024, 500};
     show(1, 2);
     EXPECT_GT(size_of_reason(), 0);

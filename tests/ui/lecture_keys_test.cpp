@@ -85,6 +85,17 @@ TEST_F(LectureKeys, ButtonsBesideThePageNumberDoWhatAClickerDoes) {
     EXPECT_EQ(desk.actions(), (std::vector{Action::next_page, Action::previous_page}));
 }
 
+TEST_F(LectureKeys, AButtonShowsEverythingAgainAfterTheCameraHasMoved) {
+    show(1, 0);
+    EXPECT_FALSE(desk.anchors.find("lecture.home"));
+    desk.view.has_moved_camera = true;
+    desk.frame(2);
+    EXPECT_TRUE(is_inside(desk.where("lecture.home"), desk.layout.toolbar));
+    EXPECT_FALSE(overlap(desk.where("lecture.home"), desk.where("lecture.previous")));
+    desk.click("lecture.home");
+    EXPECT_EQ(desk.actions(), std::vector{Action::home});
+}
+
 TEST_F(LectureKeys, TheMenuGoesBackToTheLectureThatWasLeft) {
     pages.page = 3;
     desk.view.lecture = false;

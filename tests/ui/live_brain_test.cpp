@@ -113,6 +113,34 @@ TEST(LiveBrain, ShowsEyesWeightsAndWheels) {
     EXPECT_LT(desk.where("lecture.left").y, desk.where("lecture.right").y);
 }
 
+TEST(LiveBrain, TheBiasOfAWheelIsBetweenItsNameAndItsNumber) {
+    for (const Size& size : {Size{1024, 768, 1.4f}, sizes[1], sizes[2], sizes[3]})
+        for (const char* code : {"en", "de", "es"}) {
+            SCOPED_TRACE(std::string(code) + " at " + std::to_string(size.width));
+            Desk desk(size.width, size.height, size.scale, true);
+            desk.strings = speaking(code);
+            begin_lecture(desk, "2b-aggressor");
+            EXPECT_TRUE(is_inside(desk.where("lecture.bias.ML"), desk.where("lecture.left")));
+            EXPECT_TRUE(is_inside(desk.where("lecture.bias.MR"), desk.where("lecture.right")));
+        }
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "2b-aggressor");
+    EXPECT_TRUE(shows(desk, "bias +0.10"));
+    auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);
+    for (Node& node : brain->nodes) node.bias = 0;
+    desk.now.brains[0] = brain;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("lecture.bias.ML"));
+}
+
+TEST(LiveBrain, AHiddenBrainHasNoBias) {
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "2b-aggressor");
+    desk.view.settings.revealed.brain = false;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("lecture.bias.ML"));
+}
+
 TEST(LiveBrain, ABrainWithHiddenNeuronsIsShownWholeBetweenEyesAndWheels) {
     for (const Size& size : sizes)
         for (const char* scene : {"5-logic", "tortoise"}) {

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "core/brain/four_neurons.h"
 #include "core/insight/why.h"
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/brain_sketch.h"
@@ -25,7 +26,7 @@ namespace {
 
 constexpr std::size_t most_labelled = 2;  // eyes; the labels of more wires do not fit
 constexpr std::size_t most_eyes = 14;     // of a brain that is shown whole
-constexpr float words_share = 0.22f, eyes_share = 0.20f, wheels_share = 0.21f;  // of the width; the rest are wires
+constexpr float words_share = 0.20f, eyes_share = 0.19f, wheels_share = 0.26f;  // of the width; the rest are wires
 constexpr float live_inset = spacing::large, live_bar = 10, low_picture = 110;  // layout pixels
 constexpr float name_share = 0.24f, number_share = 0.24f;                       // of a row that is one line
 
@@ -104,6 +105,26 @@ private:
         }
     }
 
+    // What a wheel does in the dark, between its name and its number: a part of the sum beside the products of the
+    // wires. Both wheels write it in the same way.
+    void write_bias(const LiveRow& wheel, float y) {
+        if (!wheel.node || wheel.node->bias == 0 || hides_brain(view_, vehicle_.kind)) return;
+        const float space = ui_.px(spacing::small), widest_name = text_width(ui_, Face::title, "MR") + space;
+        const float widest_number = text_width(ui_, Face::title, with_sign(ui_, 1, 2)) + space;
+        const float room = wheel.place.w - widest_name - widest_number;
+        const std::string number = with_sign(ui_, wheel.node->bias, 2);
+        std::string words = fill(ui_.strings("lecture.bias"), {number});
+        if (text_width(ui_, Face::text, words) > room)
+            words = std::string(name(wheel.name == "ML" ? Dial::LM : Dial::RM)) + " " + number;
+        const float width = text_width(ui_, Face::text, words);
+        if (width > room) return;
+        const Rect place{wheel.place.x + widest_name + (room - width) / 2,
+                         y + line_height(ui_, Face::title) - line_height(ui_, Face::text), width,
+                         line_height(ui_, Face::text)};
+        put(ui_, {place.x, place.y}, words, ui_.palette.second_text, Face::text);
+        mark(ui_, "lecture.bias." + wheel.name, place);
+    }
+
     // Name and number above a bar. The bar of a wheel begins in its middle.
     void draw_row(const LiveRow& row, bool is_wheel) {
         const Palette& p = ui_.palette;
@@ -113,6 +134,7 @@ private:
             Face::title);
         put_right(ui_, {row.place.x + row.place.w, y},
                   is_wheel ? with_sign(ui_, row.value, 2) : fixed(ui_, row.value, 2), p.text, Face::title);
+        if (is_wheel) write_bias(row, y);
         const Rect track{row.place.x, y + line + gap, row.place.w, h};
         fill_box(ui_, track, p.line.with_alpha(0.6f), Corner::round);
         const float reach = std::clamp(row.value, -1.0f, 1.0f) * track.w * (is_wheel ? 0.5f : 1.0f);

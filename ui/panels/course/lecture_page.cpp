@@ -119,19 +119,21 @@ std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::siz
     return letter_of(option) + (right ? "  ✓ " : "  ") + std::string(translated(ui, asked.options[option]));
 }
 
-// The reason is in the size of the text where it fits with the options into this height, else in small type, so that it
-// pushes no option out of a small window.
+// The largest type in which the reason fits with the options into this height: it pushes no option out of a small
+// window.
 Face face_of_reason(const Ui& ui, const LectureQuestion& asked, float height) {
     const float below_option = ui.px(bar_thickness + between_answers + 2 * spacing::tight);
     const auto height_of = [&](std::string_view words, Face face, float width) {
         return static_cast<float>(lines_of_words(ui, words, face, width).size()) * line_height(ui, face);
     };
-    float used = height_of(translated(ui, asked.why), Face::text, card_width(ui)) + ui.px(spacing::tight);
+    float used = ui.px(spacing::tight);
     for (std::size_t i = 0; i < asked.options.size(); ++i)
         used +=
             below_option + height_of(words_of_answer(ui, asked, i), face_of_answer(static_cast<int>(i) == asked.answer),
                                      card_width(ui) - ui.px(count_width));
-    return used <= height ? Face::text : Face::small;
+    for (const Face face : {Face::title, Face::text})
+        if (used + height_of(translated(ui, asked.why), face, card_width(ui)) <= height) return face;
+    return Face::small;
 }
 
 // Once the answer is known the count is beside the option, and wrong options are smaller: the reason finds room.
