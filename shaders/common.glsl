@@ -65,7 +65,7 @@ vec3 lamp_on_floor(int i, vec2 place) {
     vec3 tint = lamps[i].colour.rgb, deep = tint * tint, day = tint;
     deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
     day -= 0.85 * min(day.r, min(day.g, day.b));
-    return mix(deep * 0.29, day * 0.40, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    return mix(deep * 0.29, day * 0.28, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the
@@ -195,10 +195,12 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     // Slightly brighter at the centre of the arena. Outside walls the ground is a plain table.
     vec2 from_middle = place / arena.xy;
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
+    // The light is a large lamp that is not far away: the floor is brighter towards it.
+    float falloff = 1.0 + 0.05 * dot(from_middle, vec2(sun.x, -sun.z));
     float faint = max(middle, lines(place, pixel, many, form.z, 0.010 * form.z) * 0.75) * inside;
     float bright = lines(place, pixel, many, 5.0 * form.z, 0.016 * form.z) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
-    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many), inside);
+    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many) * falloff, inside);
 }
 
 // Noise of one of 255 levels, so that a slow gradient shows no bands. Interleaved gradient noise: J. Jimenez, "Next

@@ -67,6 +67,30 @@ TEST_F(LookTest, GivesTheTilesOfTheFloorSlightlyDifferentTones) {
     EXPECT_LT(*most - *least, 0.04f) << "no tile looks like another material";
 }
 
+TEST_F(LookTest, TheFloorIsBrighterTowardsTheSun) {
+    look_down(1);
+    const Snapshot now = hand_made::empty(hand_made::scene());
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        picture.theme = theme;
+        const float left_front = brightness(seen(now, {-6.5f, -4.5f})),
+                    right_back = brightness(seen(now, {6.5f, 4.5f}));
+        EXPECT_GT(left_front, 1.03f * right_back) << word(theme);
+        EXPECT_LT(left_front, 1.12f * right_back) << word(theme);
+    }
+}
+
+TEST_F(LookTest, ALampMakesALightFloorWarmRatherThanWhite) {
+    look_down(2);
+    picture.theme = Theme::light;
+    const Snapshot bare = hand_made::empty(hand_made::scene());
+    Snapshot now = bare;
+    hand_made::add_source(now, Channel::light, 0, 0);
+    const vec2 beside{1.5f, 0.5f};
+    const Colour lit = seen(now, beside), plain = seen(bare, beside);
+    EXPECT_GT(lit.r - lit.b, plain.r - plain.b + 0.15f);
+    EXPECT_LT(brightness(lit), brightness(plain) + 0.035f);
+}
+
 TEST_F(LookTest, KeepsTheHueOfTheFloorBesideALamp) {
     look_down(2);
     Snapshot now = hand_made::empty(hand_made::scene());
