@@ -51,6 +51,8 @@ void main() {
                                            : vec3(face, 0.0);
 
     vec3 world = to_gl(vec3(place.xy + turn(at, place.zw), height));
+    // The shadow reaches farther on the side away from the sun.
+    if (level == level_shadow_end) world.xz -= sun.xz / sun.y * (0.7 * size.x);
     vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
     // A lighter top and a darker foot make the edges visible.
     float foot = mix(0.62, 0.88, counts.y), side = mix(0.85, 0.97, counts.y);

@@ -28,6 +28,15 @@ namespace braitenlab::render {
 inline constexpr int role_count = 3;
 inline constexpr int source_shape_count = 4;  // light and all others, heat, smell, oxygen
 
+// The direction to the sun in the world: from above, left and behind the scene for the default camera, so that shadows
+// lie before the objects, where they are visible. Not normalised.
+inline constexpr maths::vec3 sun_direction{-0.48f, 0.26f, 0.82f};
+
+// From an object to the shadow of its point `height` m above the floor, m.
+constexpr maths::vec2 away_from_sun(float height) {
+    return maths::vec2{-sun_direction.x, -sun_direction.y} * (height / sun_direction.z);
+}
+
 // Darkness: how much of each lamp's light boxes keep from a body, three bits a lamp: the sum of 8^i · d, d = 0..7 for
 // lamp i of DrawList::lamps.
 struct HullInstance {

@@ -202,10 +202,9 @@ void add_shadow(Drawing& drawing, const Subject& s) {
     if (!s.fine) return add(s.place, {body.length / 2, body.width / 2}, 0.16f, 1, shade);
     // Away from the light of the sky, with the colour that the body reflects onto the floor; under the body; tight and
     // dark where the driven wheels touch the floor. The rounded body is narrower than its wheels.
-    constexpr vec2 away{0.16f, 0.13f};  // m, as the sun of frame_block() is
     const vec2 hull{0.46f * body.length, 0.40f * body.width};
     const float reflected = drawing.picture.theme == Theme::light ? 0.45f : 0.16f;
-    add(s.place + away * s.height_scale, hull, 0.24f, 0.75f,
+    add(s.place + away_from_sun(0.33f) * s.height_scale, hull, 0.24f, 0.75f,
         mix(shade, colour_of(drawing.colours, drawing.now, s.view), reflected));
     add(s.place, hull, 0.07f, 0.7f, shade);
     for (const Wheel& wheel : body.wheels)

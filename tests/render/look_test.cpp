@@ -72,10 +72,29 @@ TEST_F(LookTest, TheFloorIsBrighterTowardsTheSun) {
     const Snapshot now = hand_made::empty(hand_made::scene());
     for (const Theme theme : {Theme::dark, Theme::light}) {
         picture.theme = theme;
-        const float left_front = brightness(seen(now, {-6.5f, -4.5f})),
-                    right_back = brightness(seen(now, {6.5f, 4.5f}));
-        EXPECT_GT(left_front, 1.03f * right_back) << word(theme);
-        EXPECT_LT(left_front, 1.12f * right_back) << word(theme);
+        const float left_back = brightness(seen(now, {-6.5f, 4.5f})),
+                    right_front = brightness(seen(now, {6.5f, -4.5f}));
+        EXPECT_GT(left_back, 1.03f * right_front) << word(theme);
+        EXPECT_LT(left_back, 1.12f * right_front) << word(theme);
+    }
+}
+
+TEST_F(LookTest, VehiclesAndObstaclesCastASoftShadowAwayFromTheSun) {
+    look_down(4);
+    picture.theme = Theme::light;
+    const Snapshot bare = hand_made::empty(hand_made::scene());
+    Snapshot vehicle = bare, obstacle = bare;
+    hand_made::add(vehicle, 0, 0, 0, 0);
+    auto scene = std::make_shared<Scene>(*bare.scene);
+    scene->obstacles.push_back({.name = "box", .length = 1, .width = 1});
+    obstacle.scene = scene;
+    const auto share = [&](const Snapshot& now, vec2 place) {
+        return brightness(seen(now, place)) / brightness(seen(bare, place));
+    };
+    for (const float far : {0.60f, 0.65f}) {
+        EXPECT_LT(share(vehicle, {far, -0.15f}), 0.97f) << far;
+        EXPECT_GT(share(vehicle, {-far, 0.15f}), 0.99f) << far;
+        EXPECT_LT(share(obstacle, {far, -0.15f}), share(obstacle, {-far, 0.15f}) - 0.03f) << far;
     }
 }
 
@@ -239,8 +258,8 @@ TEST_F(RoundedTest, DarkensTheDeckBesideAnEye) {
 }
 
 TEST_F(RoundedTest, DarkensTheSidesOfABody) {
-    // The lid of an eye: its left side and its top.
-    EXPECT_LT(brightness(on_left_eye(1.57f, 1.0f)), 0.79f * brightness(on_left_eye(1.0f, 0)));
+    // The lid of an eye: its right side and its top.
+    EXPECT_LT(brightness(on_left_eye(1.57f, -1.0f)), 0.62f * brightness(on_left_eye(1.0f, 0)));
 }
 
 TEST_F(RoundedTest, ClosesTheLidOfASilencedSensorAndCrossesIt) {

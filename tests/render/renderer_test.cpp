@@ -151,8 +151,9 @@ TEST_F(RendererTest, ShowsTheFloorAndTheSkyInTheThemesColours) {
         picture.theme = theme;
         picture.camera_view = look({}, Arena{}, nullptr, window, window);
         renderer->draw(now, picture);
-        // In the middle of a square of the grid. The centre of the arena is a little brighter in the dark theme.
-        EXPECT_NEAR(brightness(patch(*project(picture.camera_view, {8.5f, -8.5f}))), brightness(colours.floor), 0.02f);
+        // In the middle of a square of the grid, at middle distance from the sun. The centre of the arena is a little
+        // brighter in the dark theme.
+        EXPECT_NEAR(brightness(patch(*project(picture.camera_view, {-4.5f, -8.5f}))), brightness(colours.floor), 0.02f);
         picture.camera_view = look(camera, Arena{}, nullptr, window, window);
         renderer->draw(now, picture);
         EXPECT_NEAR(brightness(patch({3, 3})), brightness(colours.sky), 0.004f);
