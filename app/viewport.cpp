@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "app/course/lab_lecture.h"
 #include "app/insight/predictions.h"
 #include "render/view/label_space.h"
 #include "ui/lab_view.h"
@@ -29,9 +30,10 @@ constexpr float notch = 0.2f;                                     // log2 of the
 // Of the free area's width: least length of the selected vehicle in scenes of few vehicles.
 constexpr float least_share = 0.05f, least_share_in_lecture = 0.08f;
 
-// True if the camera has returned to its default in this frame.
+// True if the camera has returned in this frame to the one that Home restores.
 bool is_home(const ViewportState& state, const Lab& lab) {
-    return lab.view.camera == Camera{} && !(state.last == Camera{});
+    const Camera home = home_camera(lab);
+    return lab.view.camera == home && !(state.last == home);
 }
 
 // The place of the vehicle of slot B; nullopt while it is not drawn.

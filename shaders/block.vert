@@ -15,6 +15,7 @@ out float v_far;  // across the shadow: 0 at the foot, 1 at its outer end
 const int level_shadow_end = -2, level_shadow = -1, level_foot = 0, level_shoulder = 1, level_chamfer = 2,
           level_inner = 3, level_top = 4;
 const float shadow_reach = 0.24;  // m, in an arena of usual size
+const float shadow_share = 0.7;   // of the length of the shadow of the sun: its end is soft
 
 vec2 prism_corner(int i) {
     vec4 two = i < 2 ? corners_01 : i < 4 ? corners_23 : i < 6 ? corners_45 : corners_67;
@@ -52,7 +53,7 @@ void main() {
 
     vec3 world = to_gl(vec3(place.xy + turn(at, place.zw), height));
     // The shadow reaches farther on the side away from the sun.
-    if (level == level_shadow_end) world.xz -= sun.xz / sun.y * (0.7 * size.x);
+    if (level == level_shadow_end) world.xz -= sun.xz / sun.y * (shadow_share * size.x);
     vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
     // A lighter top and a darker foot make the edges visible.
     float foot = mix(0.62, 0.88, counts.y), side = mix(0.85, 0.97, counts.y);

@@ -79,7 +79,6 @@ vec3 on_screen(vec3 light) {
 // Linear light on a surface from sun, sky, floor and lamps. `darkness`: three bits a lamp, 0 all of its light .. 7 none
 // (HullInstance in render/view/draw_list.h).
 vec3 light_at(vec3 normal, vec3 place, float darkness) {
-    float bounce = mix(0.35, 0.5, counts.y);
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
     light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
     for (int i = 0; i < int(counts.x); ++i) {
@@ -89,8 +88,8 @@ vec3 light_at(vec3 normal, vec3 place, float darkness) {
         float squared = dot(towards, towards);
         // Lamps are large and low: a surface that faces away from a lamp still gets part of its light.
         float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.8 + 0.2, 0.0);
-        // The floor around a thing reflects part of the light of the lamp from below.
-        facing += bounce * (0.5 - 0.5 * normal.y);
+        // The floor reflects part of the lamp's light from below, a light floor more.
+        facing += mix(0.35, 0.5, counts.y) * (0.5 - 0.5 * normal.y);
         float amount = 1.9 * lamps[i].place.w * facing * lamp_law(squared) * passes;
         light += lamps[i].colour.rgb * lamps[i].colour.rgb * amount;
     }
@@ -149,7 +148,7 @@ float field_fill(vec2 own, float beside, vec4 edges) {
     float squared = dot(own, own), rest = max(1.0 - squared * edges.w, 0.0);
     float answer = edges.z > 0.0 ? rest * rest : 0.4 * min(rest * 8.0, 1.0);
     // About the distance from the sensor; a root costs a software renderer more.
-    float away = abs(own.x) + 0.4 * abs(own.y), soft = 0.015 + 0.016 * away;
+    float away = abs(own.x) + 0.4 * abs(own.y), soft = 0.02 + 0.03 * away;
     return answer * clamp(beside, 0.0, soft) / ((1.0 + squared * max(edges.z, 0.0)) * soft);
 }
 
@@ -195,7 +194,7 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     // Slightly brighter at the centre of the arena. Outside walls the ground is a plain table.
     vec2 from_middle = place / arena.xy;
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
-    // The light is a large lamp that is not far away: the floor is brighter towards it.
+    // As in a room with one window, the floor is slightly brighter towards the sun.
     float falloff = 1.0 + 0.05 * dot(from_middle, vec2(sun.x, -sun.z));
     float faint = max(middle, lines(place, pixel, many, form.z, 0.010 * form.z) * 0.75) * inside;
     float bright = lines(place, pixel, many, 5.0 * form.z, 0.016 * form.z) * inside;

@@ -42,8 +42,8 @@ void main() {
     vec3 light = light_at(up, at, look.z);
     // The floor takes light from the lower part of a rounded body.
     if (look.y > 0.5) light *= mix(mix(0.50, 0.66, counts.y), 1.0, clamp(own.z / 0.23, 0.0, 1.0)) * from_above(up);
-    if (kind == paint_gauge) light = max(light, vec3(0.8));  // it shines
-    v_colour = lit(tone, light);
+    // The filled part of the gauge shines.
+    v_colour = lit(tone, kind == paint_gauge ? max(light, vec3(0.8)) : light);
     // The empty part of the gauge.
     v_empty = kind == paint_gauge ? lit(mix(tone, ink.rgb, max(detail, look.y)), light) : v_colour;
     if (look.y > 0.5 && kind != paint_inlay) {

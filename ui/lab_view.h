@@ -249,7 +249,7 @@ struct LabView {
     std::optional<float> pace;  // the speed reached, when clearly less than time_scale
     ViewSettings settings;
     const CameraView* camera_view = nullptr;  // the camera of the scene; null: no mouse input to the scene
-    bool has_moved_camera = false;            // the camera is not the one that Home restores
+    bool has_moved_camera = false;            // by the user: neither the camera that Home restores nor a slow orbit
     int undo_depth = 0, redo_depth = 0;
     std::size_t copied_objects = 0;            // that can be pasted into the scene
     const LessonView* lesson = nullptr;        // null outside exercises

@@ -23,7 +23,7 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.eye = {camera_view.eye.x, camera_view.eye.y, camera_view.eye.z,
                  camera_view.projection[1].y * camera_view.window.h / 2};
     block.right = row(0), block.up = row(1);
-    const maths::vec3 sun = maths::normalise(maths::vec3{sun_direction.x, sun_direction.z, -sun_direction.y});
+    const maths::vec3 sun = maths::normalise(to_gl({sun_direction.x, sun_direction.y}, sun_direction.z));
     block.sun = {sun.x, sun.y, sun.z, 0};
     block.sun_light = light ? maths::vec4{0.74f, 0.72f, 0.68f, 0} : maths::vec4{0.385f, 0.395f, 0.405f, 0};
     block.sky_light = light ? maths::vec4{0.36f, 0.37f, 0.39f, 0} : maths::vec4{0.26f, 0.30f, 0.35f, 0};

@@ -191,6 +191,7 @@ void add_eyes(Drawing& drawing, const Subject& s) {
 }
 
 void add_shadow(Drawing& drawing, const Subject& s) {
+    constexpr float shadow_height = 0.3f;  // of a rounded body with its eyes, m
     const Body& body = s.kind.body;
     const Colour shade = drawing.colours.shadow;
     const auto add = [&](vec2 at, vec2 half, float softness, float strength, Colour colour) {
@@ -200,18 +201,18 @@ void add_shadow(Drawing& drawing, const Subject& s) {
              rgb_with(colour, strength * shade.a)});
     };
     if (!s.fine) return add(s.place, {body.length / 2, body.width / 2}, 0.16f, 1, shade);
-    // Away from the light of the sky, with the colour that the body reflects onto the floor; under the body; tight and
+    // Away from the sun, with the colour that the body reflects onto the floor; under the body; tight and
     // dark where the driven wheels touch the floor. The rounded body is narrower than its wheels.
     const vec2 hull{0.46f * body.length, 0.40f * body.width};
     const float reflected = drawing.picture.theme == Theme::light ? 0.45f : 0.16f;
-    add(s.place + away_from_sun(0.33f) * s.height_scale, hull, 0.24f, 0.75f,
+    add(s.place + away_from_sun(shadow_height) * s.height_scale, hull, 0.24f, 0.75f,
         mix(shade, colour_of(drawing.colours, drawing.now, s.view), reflected));
     add(s.place, hull, 0.07f, 0.7f, shade);
     for (const Wheel& wheel : body.wheels)
         if (wheel.motor != Motor::none)
             add(s.to_world({wheel.x, wheel.y}), {0.5f * wheel.radius, 0.5f * wheel.width}, 0.05f, 0.9f, shade);
     // Away from lamps, of the body with its wheels.
-    add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
+    add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, shadow_height * s.height_scale);
 }
 
 void add_lamps(Drawing& drawing, const Subject& s) {

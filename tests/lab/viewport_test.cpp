@@ -48,6 +48,19 @@ TEST_F(SlowOrbit, TheWiringEditorFramesThePathsOfTheWireUnderThePointer) {
     EXPECT_NEAR(width(), action, 0.01f);
 }
 
+TEST_F(SlowOrbit, GlidesToTheCameraOfThePageThatHomeRestores) {
+    auto lecture = std::make_shared<Lecture>(*read_whole_lecture(*find_shipped("four-numbers")));
+    lecture->pages[0].azimuth = 0.5f;
+    open_lecture(lab, lecture);
+    const Rect window{0, 0, 1280, 800};
+    lab.view.camera.azimuth = 2;
+    for (int i = 0; i < 10; ++i) aim(state, lab, window, window, 1);
+    EXPECT_GT(state.age, 1);
+    lab.view.camera = home_camera(lab);
+    aim(state, lab, window, window, 0.02f);
+    EXPECT_LT(state.age, 0.1f);
+}
+
 TEST_F(SlowOrbit, FramesTheSceneBelowACardThatHidesAVehicle) {
     const Rect window{0, 0, 1280, 800}, area{16, 72, 1248, 600};
     const auto vehicle_at = [&] {

@@ -85,7 +85,7 @@ TEST_F(LectureKeys, ButtonsBesideThePageNumberDoWhatAClickerDoes) {
     EXPECT_EQ(desk.actions(), (std::vector{Action::next_page, Action::previous_page}));
 }
 
-TEST_F(LectureKeys, AButtonShowsEverythingAgainAfterTheCameraHasMoved) {
+TEST_F(LectureKeys, AButtonRestoresTheCameraAfterItHasMoved) {
     show(1, 0);
     EXPECT_FALSE(desk.anchors.find("lecture.home"));
     desk.view.has_moved_camera = true;

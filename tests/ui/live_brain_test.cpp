@@ -120,17 +120,35 @@ TEST(LiveBrain, TheBiasOfAWheelIsBetweenItsNameAndItsNumber) {
             Desk desk(size.width, size.height, size.scale, true);
             desk.strings = speaking(code);
             begin_lecture(desk, "2b-aggressor");
-            EXPECT_TRUE(is_inside(desk.where("lecture.bias.ML"), desk.where("lecture.left")));
-            EXPECT_TRUE(is_inside(desk.where("lecture.bias.MR"), desk.where("lecture.right")));
+            for (const auto& [motor, place] : {std::pair{"ML", "lecture.left"}, {"MR", "lecture.right"}}) {
+                const Rect bias = desk.where(std::string("lecture.bias.") + motor), row = desk.where(place);
+                EXPECT_TRUE(is_inside(bias, row));
+                for (const ui::Written& w : desk.written)
+                    if (is_inside(w.rect, row) && w.rect.x < bias.x - 1) {
+                        EXPECT_LE(w.rect.x + w.rect.w, bias.x) << w.words;
+                    } else if (is_inside(w.rect, row) && w.rect.x > bias.x + 1) {
+                        EXPECT_GE(w.rect.x, bias.x + bias.w) << w.words;
+                    }
+            }
         }
     Desk desk(1280, 800, 1.6f, true);
     begin_lecture(desk, "2b-aggressor");
     EXPECT_TRUE(shows(desk, "bias +0.10"));
     auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);
-    for (Node& node : brain->nodes) node.bias = 0;
+    find_node(*brain, std::string("ML"))->bias = 0;
+    find_node(*brain, std::string("MR"))->silenced = true;
     desk.now.brains[0] = brain;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("lecture.bias.ML"));
+    EXPECT_FALSE(desk.anchors.find("lecture.bias.MR")) << "a stopped wheel has no sum";
+}
+
+TEST(LiveBrain, ABiasHasTheNameOfItsSliderInLittleRoom) {
+    Desk desk(1024, 768, 1.4f, true);
+    desk.strings = speaking("de");
+    begin_lecture(desk, "2b-aggressor");
+    EXPECT_TRUE(shows(desk, "LM +0,10"));
+    EXPECT_TRUE(shows(desk, "RM +0,10"));
 }
 
 TEST(LiveBrain, AHiddenBrainHasNoBias) {

@@ -113,8 +113,8 @@ float page_number(const LabView& view, Ui& ui, float free_from, float right, Rec
     return previous_x;
 }
 
-// While the camera has been moved: the button that shows everything again, left of `right`; not where it would be left
-// of `free_from`. Returns its left edge.
+// While the camera has been moved: the button that restores it, left of `right`; not where it would be left of
+// `free_from`. Returns its left edge.
 float home_button(const LabView& view, Ui& ui, float free_from, float right, Rect bar) {
     if (!view.has_moved_camera) return right;
     const std::string_view words = ui.strings("action.home");
@@ -176,9 +176,9 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     // The title, between the clock and the button that ends the lecture.
     const float after_clock = start.right() + ui.px(16 + 96);
     const float page = view.pages ? page_number(view, ui, after_clock, end.rect.x, bar) : end.rect.x;
-    const float home = home_button(view, ui, after_clock, page, bar);
-    const float right = pressed_keys(view, state, ui, home, bar);
     const float from = past_sign(view, ui, after_clock, bar);
+    const float home = home_button(view, ui, from, page, bar);
+    const float right = pressed_keys(view, state, ui, home, bar);
     const float room = std::max(0.0f, right - ui.px(12) - from);
     // In a lecture file the number of the page says enough where the title has no room.
     std::string title = title_of_bar(view, ui);

@@ -105,17 +105,18 @@ private:
         }
     }
 
-    // What a wheel does in the dark, between its name and its number: a part of the sum beside the products of the
-    // wires. Both wheels write it in the same way.
+    // The bias of a wheel, between its name and its number: a part of the sum beside the products of the wires. Both
+    // wheels have it in the same form, in little room with the name of the slider.
     void write_bias(const LiveRow& wheel, float y) {
-        if (!wheel.node || wheel.node->bias == 0 || hides_brain(view_, vehicle_.kind)) return;
+        if (!wheel.node || wheel.node->bias == 0 || wheel.node->silenced || hides_brain(view_, vehicle_.kind)) return;
+        const std::string widest = with_sign(ui_, 1, 2);
         const float space = ui_.px(spacing::small), widest_name = text_width(ui_, Face::title, "MR") + space;
-        const float widest_number = text_width(ui_, Face::title, with_sign(ui_, 1, 2)) + space;
-        const float room = wheel.place.w - widest_name - widest_number;
+        const float room = wheel.place.w - widest_name - text_width(ui_, Face::title, widest) - space;
         const std::string number = with_sign(ui_, wheel.node->bias, 2);
-        std::string words = fill(ui_.strings("lecture.bias"), {number});
-        if (text_width(ui_, Face::text, words) > room)
-            words = std::string(name(wheel.name == "ML" ? Dial::LM : Dial::RM)) + " " + number;
+        const std::string_view pattern = ui_.strings("lecture.bias");
+        const bool has_room = text_width(ui_, Face::text, fill(pattern, {widest})) <= room;
+        const std::string words = has_room ? fill(pattern, {number})
+                                           : std::string(name(wheel.name == "ML" ? Dial::LM : Dial::RM)) + " " + number;
         const float width = text_width(ui_, Face::text, words);
         if (width > room) return;
         const Rect place{wheel.place.x + widest_name + (room - width) / 2,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/maths/portable.h"
+#include "core/scene/sensor_edits.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/theme.h"
@@ -185,6 +186,27 @@ float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehic
 
 }  // namespace
 
+namespace {
+
+// The obstacle sensors of a brain that a lecture watches, beside four numbers of another channel: they keep the vehicle
+// away from walls and are not what the lecture is about.
+std::vector<NodeId> sensors_aside(const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
+    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
+    const auto reads_obstacles = [&](const Node& node) {
+        const Sensor* sensor = find_sensor(sensors, node.name);
+        return sensor != nullptr && sensor->channel == Channel::obstacle;
+    };
+    std::vector<NodeId> aside;
+    bool has_subject = false;
+    for (const Node& node : graph.nodes) {
+        if (node.kind != NodeKind::sensor) continue;
+        reads_obstacles(node) ? aside.push_back(node.id) : void(has_subject = true);
+    }
+    return has_subject ? aside : std::vector<NodeId>{};
+}
+
+}  // namespace
+
 LetterRoom letter_room(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
     constexpr float steps = 20;  // so that few zooms need another layout
     LetterRoom room;
@@ -198,6 +220,7 @@ LetterRoom letter_room(const Pen& pen, const LabView& view, const VehicleView& v
     const bool has_neurons = std::any_of(graph.nodes.begin(), graph.nodes.end(),
                                          [](const Node& node) { return node.kind == NodeKind::neuron; });
     room.has_free_labels = !view.lecture || !has_neurons;
+    if (view.lecture && view.mode != Mode::wiring && !has_neurons) room.aside = sensors_aside(view, vehicle, graph);
     return room;
 }
 

@@ -86,11 +86,6 @@ struct Picture {
     }
 };
 
-// True for a wire of an obstacle sensor beside the four numbers, in the diagram that a lecture watches: it keeps the
-// vehicle away from walls and is not what the lecture is about. It is pale and has no label while the pointer is
-// elsewhere.
-bool is_aside(const Picture&, const WireShape&);
-
 // The canvas's background with a grid of dots.
 void draw_ground(const Pen&, Rect area);
 

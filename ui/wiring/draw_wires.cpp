@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/scene/sensor_edits.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/theme.h"
@@ -184,12 +183,12 @@ void draw_wire(const Pen& pen, const Picture& picture, std::size_t index) {
     } else if (look.hovered) {
         stroke.line(width + 6, p.text.with_alpha(0.22f));
     }
-    if (is_aside(picture, shape)) {
+    if (look.cut) return dash(stroke, std::min(width, 2.5f), mix(p.ground, colour, 0.6f));
+    if (shape.aside && !look.selected && !look.hovered) {
         const Colour pale = mix(p.ground, colour, 0.35f);
         stroke.line(1.5f, pale);
         return draw_end_sign(pen, shape.bezier[3] - vec2{pin_gap, 0}, sign_size, look.weight > 0, pale);
     }
-    if (look.cut) return dash(stroke, std::min(width, 2.5f), mix(p.ground, colour, 0.6f));
     const bool plain = detail_of(pen) == Detail::map;
     if (!plain) stroke.line(width + 1.5f, p.ground);  // separates crossing wires
     if (!plain && strength > 0.01f) stroke.line(width + 7 * strength, colour.with_alpha(0.18f * strength));
@@ -200,20 +199,6 @@ void draw_wire(const Pen& pen, const Picture& picture, std::size_t index) {
 }
 
 }  // namespace
-
-bool is_aside(const Picture& picture, const WireShape& shape) {
-    if (!picture.view.lecture || picture.view.mode == Mode::wiring || picture.layout.has_neurons) return false;
-    const auto& wires = picture.layout.wires;
-    const auto reads_obstacles = [&](const WireShape& wire) {
-        const Node& from = picture.graph.nodes[picture.layout.nodes[wire.from].node];
-        const Sensor* sensor = find_sensor(kind_of(*picture.view.now, picture.vehicle).sensors, from.name);
-        return sensor != nullptr && sensor->channel == Channel::obstacle;
-    };
-    const bool has_subject = std::any_of(wires.begin(), wires.end(), [&](const WireShape& wire) {
-        return wire.direct && !wire.ghost && !reads_obstacles(wire);
-    });
-    return has_subject && !shape.direct && !is_marked(picture, shape) && reads_obstacles(shape);
-}
 
 float first_dot(std::uint64_t tick) {
     constexpr std::uint64_t period = 44;  // ticks after which every dot is where another one was
@@ -234,9 +219,7 @@ void draw_wires(const Pen& pen, const Picture& picture) {
     enum class Layer { ghosts, aside, others };
     for (const Layer layer : {Layer::ghosts, Layer::aside, Layer::others})
         for (std::size_t i = 0; i < wires.size(); ++i) {
-            const Layer own = wires[i].ghost                ? Layer::ghosts
-                              : is_aside(picture, wires[i]) ? Layer::aside
-                                                            : Layer::others;
+            const Layer own = wires[i].ghost ? Layer::ghosts : wires[i].aside ? Layer::aside : Layer::others;
             if (own == layer && picture.is_visible(wires[i].low, wires[i].high)) draw_wire(pen, picture, i);
         }
 }
@@ -293,7 +276,7 @@ void draw_labels(const Pen& pen, const Picture& picture) {
     for (std::size_t i = 0; i < picture.layout.wires.size(); ++i) {
         const WireShape& shape = picture.layout.wires[i];
         const vec2 half = shape.label_size / 2;
-        if (shape.label_size.x <= 0 || is_aside(picture, shape)) continue;
+        if (shape.label_size.x <= 0) continue;
         if ((all || is_marked(picture, shape)) && picture.is_visible(shape.label - half, shape.label + half))
             draw_label(pen, picture, i);
     }

@@ -91,7 +91,9 @@ void add_wires(Layout& layout, const BrainGraph& graph) {
         const bool has_learned = shape.wire >= 0 && learns(graph.wires[static_cast<std::size_t>(shape.wire)]);
         shape.label_size = vec2{shape.direct ? 108.0f : 72.0f, shape.direct ? 34.0f : 28.0f};
         if (has_learned) shape.label_size.x += 60;
-        const bool has_label = !shape.ghost || layout.room.has_free_labels;
+        const std::vector<NodeId>& aside = layout.room.aside;
+        shape.aside = !shape.direct && std::find(aside.begin(), aside.end(), shape.ends.from) != aside.end();
+        const bool has_label = !shape.aside && (!shape.ghost || layout.room.has_free_labels);
         shape.label_size = shape.label_size * (has_label ? layout.room.label_growth : 0);
         layout.wires.push_back(shape);
     }

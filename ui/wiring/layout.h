@@ -38,6 +38,7 @@ struct WireShape {
     std::array<maths::vec2, 4> bezier{};  // start, two controls, end
     bool ghost = false;                   // weight 0 and not learning: drawn as a free place for a wire
     bool direct = false;                  // one of LL, LR, RL, RR
+    bool aside = false;                   // pale and without a label; see LetterRoom::aside
     maths::vec2 label, label_size;        // centre and size of the weight's label; size 0: it has none
     maths::vec2 low, high;                // corners of the box around curve and label
     int wire = -1;                        // index in BrainGraph::wires; −1: a direct place without a wire
@@ -50,6 +51,7 @@ struct LetterRoom {
     float label_growth = 1;       // labels are so many times as large
     bool has_free_labels = true;  // free places for a wire have a label, too
     float neuron_width = 150;
+    std::vector<NodeId> aside;  // sensors whose wires, other than direct ones, are not the subject: without labels
     friend bool operator==(const LetterRoom&, const LetterRoom&) = default;
 };
 

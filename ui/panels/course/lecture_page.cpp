@@ -127,11 +127,13 @@ Face face_of_reason(const Ui& ui, const LectureQuestion& asked, float height) {
         return static_cast<float>(lines_of_words(ui, words, face, width).size()) * line_height(ui, face);
     };
     float used = ui.px(spacing::tight);
+    if (!asked.text.empty())
+        used += height_of(translated(ui, asked.text), Face::title, card_width(ui)) + ui.px(page_padding);
     for (std::size_t i = 0; i < asked.options.size(); ++i)
         used +=
             below_option + height_of(words_of_answer(ui, asked, i), face_of_answer(static_cast<int>(i) == asked.answer),
                                      card_width(ui) - ui.px(count_width));
-    for (const Face face : {Face::title, Face::text})
+    for (const Face face : {face_of_answer(true), Face::text})
         if (used + height_of(translated(ui, asked.why), face, card_width(ui)) <= height) return face;
     return Face::small;
 }
