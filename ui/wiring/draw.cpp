@@ -200,7 +200,10 @@ std::vector<NodeId> sensors_aside(const LabView& view, const VehicleView& vehicl
     bool has_subject = false;
     for (const Node& node : graph.nodes) {
         if (node.kind != NodeKind::sensor) continue;
-        reads_obstacles(node) ? aside.push_back(node.id) : void(has_subject = true);
+        if (reads_obstacles(node))
+            aside.push_back(node.id);
+        else
+            has_subject = true;
     }
     return has_subject ? aside : std::vector<NodeId>{};
 }

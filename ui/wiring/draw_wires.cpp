@@ -113,10 +113,6 @@ void dash(const Stroke& stroke, float width, Colour colour) {
     });
 }
 
-bool is_marked(const Picture& picture, const WireShape& shape) {
-    return picture.state.hovered.wire == shape.ends || picture.state.selection.wires.count(shape.ends) > 0;
-}
-
 struct WireLook {
     bool selected = false, hovered = false, cut = false;
     float weight = 0;   // with the learned part
@@ -267,6 +263,10 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     const float pad = (detail == Detail::full ? 13.0f : 9.0f) * picture.layout.room.label_growth;
     pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name(), pale, Face::strong);
     put_weight(at + vec2{extent.x / 2 - pad, 0}, 1);
+}
+
+bool is_marked(const Picture& picture, const WireShape& shape) {
+    return picture.state.hovered.wire == shape.ends || picture.state.selection.wires.count(shape.ends) > 0;
 }
 
 }  // namespace
