@@ -142,8 +142,8 @@ vec4 sector_edges(vec4 shape) {
 #ifdef FRAGMENT_STAGE
 
 // The fill of a sensor field at `own` (m, the sensor's axis along x): it follows the sensor's response to distance.
-// `beside`: distance inside the nearer side, m; sides are sharp, because the reading ends there. `edges`: from
-// sector_edges().
+// `beside`: distance inside the nearer side, m; the fill fades within 2 degrees of a side, where the reading ends.
+// `edges`: from sector_edges().
 float field_fill(vec2 own, float beside, vec4 edges) {
     float squared = dot(own, own), rest = max(1.0 - squared * edges.w, 0.0);
     float answer = edges.z > 0.0 ? rest * rest : 0.4 * min(rest * 8.0, 1.0);

@@ -262,6 +262,16 @@ TEST_F(RoundedTest, DarkensTheSidesOfABody) {
     EXPECT_LT(brightness(on_left_eye(1.57f, -1.0f)), 0.62f * brightness(on_left_eye(1.0f, 0)));
 }
 
+TEST_F(RoundedTest, ShinesTheFilledPartOfTheEnergyGaugeAtDusk) {
+    now.vehicles[0].energy = 1;
+    renderer->draw(now, picture);
+    const auto at = [&](float x) { return stage.pixel(*project(picture.camera_view, {x, 0}, 0.24f)); };
+    Colour gauge;
+    for (float x = -0.49f; x < -0.30f; x += 0.005f)
+        if (at(x).g - at(x).b > gauge.g - gauge.b) gauge = at(x);
+    EXPECT_GT(gauge.g, 0.72f);
+}
+
 TEST_F(RoundedTest, ClosesTheLidOfASilencedSensorAndCrossesIt) {
     now.sensed = {0.9f, 0.9f};
     const Colour open = on_left_eye(0.05f, 0.52f);

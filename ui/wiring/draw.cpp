@@ -184,10 +184,6 @@ float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehic
     return std::clamp(std::ceil(widest * height / own) + 2 * map_name_margin, least, most);
 }
 
-}  // namespace
-
-namespace {
-
 // The obstacle sensors of a brain that a lecture watches, beside four numbers of another channel: they keep the vehicle
 // away from walls and are not what the lecture is about.
 std::vector<NodeId> sensors_aside(const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {

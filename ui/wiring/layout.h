@@ -46,7 +46,8 @@ struct WireShape {
     int learner = -1;                     // rank among the learning wires by (from, to); −1: does not learn
 };
 
-// What letters need where they are large in comparison with the cards: at a small zoom and in a lecture.
+// What labels and letters need where they are large in comparison with the cards, at a small zoom and in a lecture, and
+// which labels are left out.
 struct LetterRoom {
     float label_growth = 1;       // labels are so many times as large
     bool has_free_labels = true;  // free places for a wire have a label, too
