@@ -65,7 +65,7 @@ vec3 lamp_on_floor(int i, vec2 place) {
     vec3 tint = lamps[i].colour.rgb, deep = tint * tint, day = tint;
     deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
     day -= 0.85 * min(day.r, min(day.g, day.b));
-    return mix(deep * 0.29, day * 0.28, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    return mix(deep * 0.29, day * 0.25, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the
@@ -170,12 +170,12 @@ vec4 field_colour(vec3 tone, float alpha, vec2 part) {
 }
 
 // Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn
-// one pixel wide and fainter. `many`: pixels per metre.
+// one pixel wide and fainter. 2 where lines cross. `many`: pixels per metre.
 float lines(vec2 place, vec2 pixel, vec2 many, float spacing, float width) {
     vec2 away = abs(fract(place * (1.0 / spacing) - 0.5) - 0.5) * spacing;
     vec2 cover = clamp((max(vec2(width), pixel) * 0.5 - away) * many + 0.5, 0.0, 1.0) * min(width * many, 1.0);
     cover *= clamp((0.5 - pixel * (1.0 / spacing)) * 3.0, 0.0, 1.0);
-    return max(cover.x, cover.y);
+    return max(cover.x, cover.y) + cover.x * cover.y;
 }
 
 // Slight differences of tone, so that the floor looks like a material: of each tile of the grid, and of places that are
@@ -196,9 +196,9 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
     // As in a room with one window, the floor is slightly brighter towards the sun.
     float falloff = 1.0 + 0.05 * dot(from_middle, vec2(sun.x, -sun.z));
-    float faint = max(middle, lines(place, pixel, many, form.z, 0.010 * form.z) * 0.75) * inside;
-    float bright = lines(place, pixel, many, 5.0 * form.z, 0.016 * form.z) * inside;
-    vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
+    float faint = max(middle, lines(place, pixel, many, form.z, mix(0.010, 0.020, counts.y) * form.z) * mix(0.75, 0.4, counts.y)) * inside;
+    float bright = lines(place, pixel, many, 5.0 * form.z, mix(0.016, 0.022, counts.y) * form.z) * mix(1.0, 0.65, counts.y) * inside;
+    vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), mix(0.10, 0.04, counts.y));
     return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many) * falloff, inside);
 }
 
@@ -207,7 +207,7 @@ vec3 floor_at(vec2 place, float outside, float inside) {
 float dither() { return (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0; }
 
 // The sky mirrored in the floor: stronger where one looks along it. `far`: depth in the picture, 1 in its middle.
-float sheen(float far) { return 1.0 + mix(0.35, 0.08, counts.y) * clamp(far - 1.0, -0.4, 0.5); }
+float sheen(float far) { return 1.0 + mix(0.35, 0.12, counts.y) * clamp(far - 1.0, -0.4, 0.5); }
 
 const float floor_wall_width = 0.22;  // m, as in render/view/drawing.h
 

@@ -35,13 +35,15 @@ void main() {
     float brightness = dot(base.rgb, vec3(0.30, 0.59, 0.11));
     if (kind == paint_mark) tone = mix(base.rgb, brightness > 0.55 ? ink.rgb : vec3(1.0), 0.25 + 0.65 * base.w);
     if (look.y > 0.5) {
-        if (kind == paint_inlay) tone = mix(vec3(0.20, 0.22, 0.26), base.rgb, 0.10);
+        // By day varnish mirrors a bright room, which makes colours paler.
+        tone = mix(tone, vec3(0.78), 0.20 * counts.y);
+        if (kind == paint_inlay) tone = mix(mix(vec3(0.20, 0.22, 0.26), vec3(0.29, 0.285, 0.285), counts.y), base.rgb, 0.10);
         if (kind == paint_light) tone = mix(vec3(0.82, 0.84, 0.88), base.rgb, 0.12);
         if (kind == paint_gauge) tone = vec3(0.55, 0.85, 0.40);
     }
     vec3 light = light_at(up, at, look.z);
     // The floor takes light from the lower part of a rounded body.
-    if (look.y > 0.5) light *= mix(mix(0.50, 0.66, counts.y), 1.0, clamp(own.z / 0.23, 0.0, 1.0)) * from_above(up);
+    if (look.y > 0.5) light *= mix(mix(0.50, 0.68, counts.y), 1.0, clamp(own.z / 0.23, 0.0, 1.0)) * from_above(up);
     // The filled part of the gauge shines.
     v_colour = lit(tone, kind == paint_gauge ? max(light, vec3(0.8)) : light);
     // The empty part of the gauge.

@@ -21,7 +21,7 @@ void main() {
     // colour would be as pale as the floor.
     float most = max(max(base.r, base.g), max(base.b, 1e-3)), shines = smoothstep(0.0, 0.05, place.w);
     vec3 hue = base.rgb / most, deep = mix(hue, hue * hue, 0.6);
-    float yellow = clamp(1.3 * (min(hue.r, hue.g) - hue.b), 0.0, 1.0), white = mix(0.30, 0.85, yellow) * sqrt(place.w);
+    float yellow = clamp(1.3 * (min(hue.r, hue.g) - hue.b), 0.0, 1.0), white = mix(0.22, 0.85, yellow) * sqrt(place.w);
     vec3 day_core = mix(base.rgb, mix(hue, vec3(1.0), white), shines);
     vec3 day_rim = mix(base.rgb, mix(mix(deep, hue, place.w), vec3(1.0), 0.45 * max(2.0 * yellow - 1.0, 0.0) * place.w), shines);
     vec3 core = mix(mix(base.rgb, vec3(1.0), 0.70 * place.w), day_core, counts.y);

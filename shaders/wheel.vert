@@ -19,8 +19,8 @@ void main() {
     vec3 at = to_gl(vec3(place.xy + turn(own.xy, place.zw), own.z));
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
     int kind = int(paint + 0.5);
-    vec3 rubber = mix(ink.rgb * mix(1.0, 0.6, counts.y), vec3(0.5), 0.12);
-    vec3 tone = kind == paint_mark ? mix(rubber, vec3(0.76, 0.77, 0.80), size.w) : kind == paint_deck ? rubber * 1.5 : rubber;
+    vec3 rubber = mix(ink.rgb * mix(1.0, 0.6, counts.y), vec3(0.5), mix(0.12, 0.05, counts.y));
+    vec3 tone = kind == paint_mark ? mix(rubber, mix(vec3(0.76, 0.77, 0.80), vec3(0.90), counts.y), size.w) : kind == paint_deck ? rubber * 1.5 : rubber;
     if (kind == paint_body) tone = vec3(0.55, 0.58, 0.62);
     v_colour = lit(tone, light_at(up, at));
     gl_Position = view_projection * vec4(at, 1.0);

@@ -201,16 +201,18 @@ void add_shadow(Drawing& drawing, const Subject& s) {
              rgb_with(colour, strength * shade.a)});
     };
     if (!s.fine) return add(s.place, {body.length / 2, body.width / 2}, 0.16f, 1, shade);
-    // Away from the sun, with the colour that the body reflects onto the floor; under the body; tight and
-    // dark where the driven wheels touch the floor. The rounded body is narrower than its wheels.
+    // Around the body, where it hides the sky, and away from the sun, with the colour that the body reflects onto the
+    // floor; under the body; tight and dark where the driven wheels touch the floor. The rounded body is narrower than
+    // its wheels. By day the sky is bright, so the shadows are wider and stronger.
+    const bool day = drawing.picture.theme == Theme::light;
     const vec2 hull{0.46f * body.length, 0.40f * body.width};
-    const float reflected = drawing.picture.theme == Theme::light ? 0.45f : 0.16f;
-    add(s.place + away_from_sun(shadow_height) * s.height_scale, hull, 0.24f, 0.75f,
-        mix(shade, colour_of(drawing.colours, drawing.now, s.view), reflected));
-    add(s.place, hull, 0.07f, 0.7f, shade);
+    add(s.place + away_from_sun(shadow_height) * s.height_scale, hull, day ? 0.34f : 0.24f, day ? 1.0f : 0.75f,
+        mix(shade, colour_of(drawing.colours, drawing.now, s.view), day ? 0.35f : 0.16f));
+    add(s.place, hull, day ? 0.10f : 0.07f, day ? 1.1f : 0.7f, shade);
     for (const Wheel& wheel : body.wheels)
         if (wheel.motor != Motor::none)
-            add(s.to_world({wheel.x, wheel.y}), {0.5f * wheel.radius, 0.5f * wheel.width}, 0.05f, 0.9f, shade);
+            add(s.to_world({wheel.x, wheel.y}), {0.5f * wheel.radius, 0.5f * wheel.width}, day ? 0.07f : 0.05f,
+                day ? 1.4f : 0.9f, shade);
     // Away from lamps, of the body with its wheels.
     add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, shadow_height * s.height_scale);
 }

@@ -49,9 +49,9 @@ Colour colour_of_share(TrailValue value, float share, Theme theme) {
     const bool dark = theme == Theme::dark;
     using Scale = std::array<Colour, 3>;  // lower end, middle, upper end
     const Scale wheels =
-        dark ? Scale{rgb(0x8F9BFF), rgb(0xD3D8E0), rgb(0xFFA62B)} : Scale{rgb(0x3A3FC4), rgb(0x9A9FA8), rgb(0xB35C00)};
+        dark ? Scale{rgb(0x8F9BFF), rgb(0xD3D8E0), rgb(0xFFA62B)} : Scale{rgb(0x3A3FC4), rgb(0x8D929C), rgb(0xB35C00)};
     const Scale amount =
-        dark ? Scale{rgb(0x7B6BC4), rgb(0xF0746E), rgb(0xFCE69A)} : Scale{rgb(0xE0913A), rgb(0xC0436B), rgb(0x2D1B6B)};
+        dark ? Scale{rgb(0x7B6BC4), rgb(0xF0746E), rgb(0xFCE69A)} : Scale{rgb(0xCE8130), rgb(0xC0436B), rgb(0x2D1B6B)};
     const Scale& scale = value == TrailValue::wheels ? wheels : amount;
     const float at = 2 * std::clamp(share, 0.0f, 1.0f);
     return at < 1 ? mix(scale[0], scale[1], at) : mix(scale[1], scale[2], at - 1);
