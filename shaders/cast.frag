@@ -35,6 +35,7 @@ void main() {
         all += part;
         if (i == int(v_shape.w + 0.5)) own = part;
     }
-    float taken = side * end * behind * 0.92 * own / all;
+    // By day the shadow is stronger than the lamp's share of the light, which is small.
+    float taken = side * end * behind * min(mix(0.92, 1.8, counts.y) * own / all, 0.9);
     colour = vec4(0.0, 0.0, 0.0, 1.0 - sqrt(max(1.0 - taken, 0.0)));
 }

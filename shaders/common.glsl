@@ -195,7 +195,7 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     vec2 from_middle = place / arena.xy;
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
     // As in a room with one window, the floor is slightly brighter towards the sun.
-    float falloff = 1.0 + 0.05 * dot(from_middle, vec2(sun.x, -sun.z));
+    float falloff = 1.0 + 0.043 * dot(from_middle, vec2(sun.x, -sun.z));
     float faint = max(middle, lines(place, pixel, many, form.z, mix(0.010, 0.020, counts.y) * form.z) * mix(0.75, 0.4, counts.y)) * inside;
     float bright = lines(place, pixel, many, 5.0 * form.z, mix(0.016, 0.022, counts.y) * form.z) * mix(1.0, 0.65, counts.y) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), mix(0.10, 0.04, counts.y));

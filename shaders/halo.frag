@@ -6,7 +6,7 @@ out vec4 colour;
 
 void main() {
     float d = dot(v_own, v_own), t = max(0.0, 1.0 - d);
-    float glow = v_base.a * mix(1.0, 0.7, counts.y) * t * t * (0.16 + 0.50 * exp(-8.0 * d));
+    float glow = v_base.a * mix(1.0, 0.45, counts.y) * t * t * (0.16 + 0.50 * exp(-8.0 * d));
     // Brightest at the edge of a ball, which it makes soft.
     if (v_ball > 0.5) glow += v_base.a * mix(0.25, 0.14, counts.y) * exp(-4.0 * max(d / v_bulb - 1.0, 0.0));
     // It leaves free what it surrounds, which it would darken in the light theme and burn out in the dark one.

@@ -25,9 +25,9 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.right = row(0), block.up = row(1);
     const maths::vec3 sun = maths::normalise(to_gl({sun_direction.x, sun_direction.y}, sun_direction.z));
     block.sun = {sun.x, sun.y, sun.z, 0};
-    block.sun_light = light ? maths::vec4{0.50f, 0.49f, 0.46f, 0} : maths::vec4{0.385f, 0.395f, 0.405f, 0};
-    block.sky_light = light ? maths::vec4{0.56f, 0.57f, 0.59f, 0} : maths::vec4{0.26f, 0.30f, 0.35f, 0};
-    block.ground_light = light ? maths::vec4{0.62f, 0.60f, 0.56f, 0} : maths::vec4{0.08f, 0.085f, 0.10f, 0};
+    block.sun_light = light ? maths::vec4{0.62f, 0.61f, 0.57f, 0} : maths::vec4{0.42f, 0.43f, 0.44f, 0};
+    block.sky_light = light ? maths::vec4{0.50f, 0.51f, 0.53f, 0} : maths::vec4{0.26f, 0.30f, 0.35f, 0};
+    block.ground_light = light ? maths::vec4{0.56f, 0.54f, 0.50f, 0} : maths::vec4{0.08f, 0.085f, 0.10f, 0};
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);
     block.shadow = four(colours.shadow);

@@ -30,7 +30,7 @@ inline constexpr int source_shape_count = 4;  // light and all others, heat, sme
 
 // The direction to the sun in the world: from above, left and behind the scene for the default camera, so that shadows
 // lie before the objects, where they are visible. Not normalised.
-inline constexpr maths::vec3 sun_direction{-0.48f, 0.26f, 0.82f};
+inline constexpr maths::vec3 sun_direction{-0.56f, 0.30f, 0.72f};
 
 // From an object to the shadow of its point `height` m above the floor, m.
 constexpr maths::vec2 away_from_sun(float height) {

@@ -157,13 +157,15 @@ void add_eyeballs(Drawing& drawing, const Subject& s) {
         const vec2 at = s.to_world({sensor.x, sensor.y});
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
         const float radius = one_a_side ? largest : eye_radius(s.kind, i, largest);
+        const float height = (deck_height + radius + above_deck) * s.height_scale;
         add_eye_shade(drawing, s, sensor, radius);
-        drawing.list.eyeballs.push_back({{at.x, at.y, towards.x, towards.y},
-                                         {radius * s.height_scale, (deck_height + radius + above_deck) * s.height_scale,
-                                          std::sqrt(sensed(drawing, s, *strongest)), 0},
-                                         rgb_with(colour_of(drawing.colours, s.kind.sensors[*strongest].channel),
-                                                  is_covered(s, *strongest) ? 0.0f : 1.0f),
-                                         rgb_with(lid, 0)});
+        add_eye_shadow(drawing, s, at, radius * s.height_scale, height);
+        drawing.list.eyeballs.push_back(
+            {{at.x, at.y, towards.x, towards.y},
+             {radius * s.height_scale, height, std::sqrt(sensed(drawing, s, *strongest)), 0},
+             rgb_with(colour_of(drawing.colours, s.kind.sensors[*strongest].channel),
+                      is_covered(s, *strongest) ? 0.0f : 1.0f),
+             rgb_with(lid, 0)});
     }
 }
 
@@ -188,33 +190,6 @@ void add_eyes(Drawing& drawing, const Subject& s) {
               (deck_height + 0.035f) * s.height_scale, seen, s.detail},
              rgb_with(colour_of(drawing.colours, s.kind.sensors[glowing].channel), open)});
     }
-}
-
-void add_shadow(Drawing& drawing, const Subject& s) {
-    constexpr float shadow_height = 0.3f;  // of a rounded body with its eyes, m
-    const Body& body = s.kind.body;
-    const Colour shade = drawing.colours.shadow;
-    const auto add = [&](vec2 at, vec2 half, float softness, float strength, Colour colour) {
-        drawing.list.marks.push_back(
-            {{at.x, at.y, s.ahead.x, s.ahead.y},
-             {half.x, half.y, softness * around(drawing, s), static_cast<float>(MarkKind::shadow)},
-             rgb_with(colour, strength * shade.a)});
-    };
-    if (!s.fine) return add(s.place, {body.length / 2, body.width / 2}, 0.16f, 1, shade);
-    // Around the body, where it hides the sky, and away from the sun, with the colour that the body reflects onto the
-    // floor; under the body; tight and dark where the driven wheels touch the floor. The rounded body is narrower than
-    // its wheels. By day the sky is bright, so the shadows are wider and stronger.
-    const bool day = drawing.picture.theme == Theme::light;
-    const vec2 hull{0.46f * body.length, 0.40f * body.width};
-    add(s.place + away_from_sun(shadow_height) * s.height_scale, hull, day ? 0.34f : 0.24f, day ? 1.0f : 0.75f,
-        mix(shade, colour_of(drawing.colours, drawing.now, s.view), day ? 0.35f : 0.16f));
-    add(s.place, hull, day ? 0.10f : 0.07f, day ? 1.1f : 0.7f, shade);
-    for (const Wheel& wheel : body.wheels)
-        if (wheel.motor != Motor::none)
-            add(s.to_world({wheel.x, wheel.y}), {0.5f * wheel.radius, 0.5f * wheel.width}, day ? 0.07f : 0.05f,
-                day ? 1.4f : 0.9f, shade);
-    // Away from lamps, of the body with its wheels.
-    add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, shadow_height * s.height_scale);
 }
 
 void add_lamps(Drawing& drawing, const Subject& s) {
@@ -308,7 +283,7 @@ void add_body(Drawing& drawing, const Subject& s) {
     if (!is_brain_hidden(drawing, s)) add_wires(drawing, s);
     add_driver_sign(drawing, s);
     add_stopped_wheels(drawing, s);
-    add_shadow(drawing, s);
+    add_shadows(drawing, s);
 }
 
 void add_here(Drawing& drawing, const Subject& s) {

@@ -24,7 +24,7 @@ struct Drawing {
 
 constexpr float deck_height = 0.27f;  // m, of the standard vehicle
 
-// Layout pixels: on the deck of a shorter vehicle nothing casts a shadow.
+// Layout pixels: eyes, wheels and cables of a shorter vehicle cast no shadows of their own.
 constexpr float least_deck_shadow = 70;
 
 // Heights of parts of this body, as a factor of those of the standard vehicle.
@@ -73,6 +73,11 @@ void add_source(Drawing&, Channel, maths::vec2 place, float foot, float strength
 // Adds the shadows of an upright box on the floor, away from each lamp that lights it. `half`: half its length and half
 // its width.
 void add_casts(Drawing&, maths::vec2 place, maths::vec2 ahead, maths::vec2 half, float height);
+
+// Adds the shadows of a vehicle on the floor: of the sky, of the sun and of lamps.
+void add_shadows(Drawing&, const Subject&);
+// Adds the shadow on the floor that the sun casts of an eye of the vehicle. `radius`, `height`: of the ball, m.
+void add_eye_shadow(Drawing&, const Subject&, maths::vec2 place, float radius, float height);
 
 // Darkens the bodies and eyes that are behind boxes whose shadows have been added.
 void add_darkness(Drawing&);
