@@ -18,7 +18,7 @@ layout(std140) uniform Frame {
     vec4 window;  // width, height of the picture, pixels; its lower left corner in the framebuffer
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels per layout pixel
     vec4 counts;  // x: lamps; y: 1 in the light theme; z: share of fields beyond the arena; w: boundary
-    vec4 form;    // x: 1 if the arena is an ellipse; y: scale of a small arena; z: m between the lines of the grid
+    vec4 form;    // x: 1 if the arena is an ellipse; y: scale of a small arena; z: m between the lines of the grid; w: their width, m
     vec4 law;     // 1/half distance^2, 1/range^2 of light; lamps that light the floor; quality 0 low, 1 medium, 2 high
     Lamp lamps[8];
 };
@@ -170,12 +170,12 @@ vec4 field_colour(vec3 tone, float alpha, vec2 part) {
 }
 
 // Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn
-// one pixel wide and fainter. 2 where lines cross. `many`: pixels per metre.
+// one pixel wide and fainter. `many`: pixels per metre.
 float lines(vec2 place, vec2 pixel, vec2 many, float spacing, float width) {
     vec2 away = abs(fract(place * (1.0 / spacing) - 0.5) - 0.5) * spacing;
     vec2 cover = clamp((max(vec2(width), pixel) * 0.5 - away) * many + 0.5, 0.0, 1.0) * min(width * many, 1.0);
     cover *= clamp((0.5 - pixel * (1.0 / spacing)) * 3.0, 0.0, 1.0);
-    return max(cover.x, cover.y) + cover.x * cover.y;
+    return max(cover.x, cover.y);
 }
 
 // Slight differences of tone, so that the floor looks like a material: of each tile of the grid, and of places that are
@@ -196,9 +196,9 @@ vec3 floor_at(vec2 place, float outside, float inside) {
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
     // As in a room with one window, the floor is slightly brighter towards the sun.
     float falloff = 1.0 + 0.043 * dot(from_middle, vec2(sun.x, -sun.z));
-    float faint = max(middle, lines(place, pixel, many, form.z, mix(0.010, 0.020, counts.y) * form.z) * mix(0.75, 0.4, counts.y)) * inside;
-    float bright = lines(place, pixel, many, 5.0 * form.z, mix(0.016, 0.022, counts.y) * form.z) * mix(1.0, 0.65, counts.y) * inside;
-    vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), mix(0.10, 0.04, counts.y));
+    float faint = max(middle, lines(place, pixel, many, form.z, form.w) * 0.75) * inside;
+    float bright = lines(place, pixel, many, 5.0 * form.z, 1.6 * form.w) * inside;
+    vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
     return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many) * falloff, inside);
 }
 

@@ -13,8 +13,8 @@ void main() {
     // The lines of the grid reflect more of it. Walls keep it inside.
     float reflects = dot(light, vec3(1.0)) / dot(floor_colour.rgb * floor_colour.rgb, vec3(1.0));
     float passes = mix(0.12, 1.0, inside);
-    // Between dark and light a floor becomes warm, not grey or white: part of its blue becomes orange; by day little
-    // orange, because the floor is bright already.
+    // Between dark and light a floor becomes warm, not grey or white: part of its blue becomes orange. By day the
+    // sum of the light falls by nearly half of that part, so that the floor is not nearly white.
     float warmed = min(mix(0.5, 0.18, counts.y) * light.b, mix(0.8, 0.9, counts.y) * glow.r) * passes;
     light += warmed * vec3(mix(vec2(0.85, 0.15), vec2(0.55, 0.0), counts.y), -1.0);
     ground = on_screen(light + glow * (min(0.75 + 0.25 * reflects, 1.4) * passes));

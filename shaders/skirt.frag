@@ -5,5 +5,6 @@ out vec4 colour;
 
 void main() {
     float t = clamp(1.0 - v_far, 0.0, 1.0);
-    colour = vec4(shadow_colour.rgb, 1.0) * (shadow_colour.a * t * t * (3.0 - 2.0 * t));
+    float share = t * t * mix(1.0, 3.0 - 2.0 * t, counts.y);  // by day stronger
+    colour = vec4(shadow_colour.rgb, 1.0) * (shadow_colour.a * share);
 }

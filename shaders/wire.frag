@@ -22,7 +22,7 @@ void main() {
     // A cable is shaded as a tube: bright along its ridge, dark at its sides.
     float ridge = sqrt(max(1.0 - v_side * v_side, 0.0)), gleam = max(1.0 - 6.0 * abs(v_side + 0.3), 0.0);
     gleam *= step(v_part, 0.70);  // not on the arrowhead, which is flat
-    tone = mix(tone, vec3(0.85), 0.14 * counts.y * v_round);  // by day paler, as the body
+    tone = mix(tone, vec3(0.85), 0.14 * counts.y * v_round);  // by day paler, like the body
     vec3 tube = tone * (0.56 + 0.52 * ridge) + 0.18 * gleam;
     colour = vec4(mix(mix(tone, ink.rgb, rim * 0.75), tube, v_round), 1.0);
 }

@@ -38,7 +38,8 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
                    picture.pixel_scale};
     block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f,
                     arena.edge == Boundary::open ? 1e6f : 0.0f, static_cast<float>(arena.edge)};
-    block.form = {arena.round ? 1.0f : 0.0f, scale_of(arena), grid_share(arena), 0};
+    block.form = {arena.round ? 1.0f : 0.0f, scale_of(arena), grid_share(arena),
+                  (light ? 0.016f : 0.010f) * grid_share(arena)};
     const auto inverse_square = [](float d) { return 1 / (d * d); };
     block.law = {inverse_square(list.law.half_distance), inverse_square(list.law.range),
                  static_cast<float>(list.floor_lamps), static_cast<float>(picture.quality)};

@@ -18,7 +18,7 @@ constexpr float crossed_out = -1;  // in place of a neuron's value
 // On the deck below a cable, away from the sun.
 void add_cable_shadow(Drawing& drawing, const Subject& s, const DeckWire& run, float thin) {
     constexpr float width = 0.05f, above = 0.03f;  // m
-    if (s.pixels < least_deck_shadow) return;
+    if (s.pixels < least_part_shadow) return;
     const vec2 offset = away_from_sun(above) * s.height_scale;
     const vec2 a = s.to_world(run.from) + offset, b = s.to_world(run.to) + offset, c = s.to_world(run.bend) + offset;
     const float height = (deck_height + 0.0045f) * s.height_scale;  // above the inlay, below the ends of cables

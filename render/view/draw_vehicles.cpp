@@ -130,7 +130,7 @@ float eye_scale(float pixels) {
 // On the deck around the foot of an eye. `radius`: of the eye on the standard vehicle, m.
 void add_eye_shade(Drawing& drawing, const Subject& s, const Sensor& sensor, float radius) {
     constexpr float strength = 0.75f, spread = 1.35f;
-    if (s.pixels < least_deck_shadow) return;
+    if (s.pixels < least_part_shadow) return;
     // Moved inwards from the edge of the deck, beyond which there is nothing to darken but for its faint rim.
     const float reach = spread * radius * s.height_scale;
     const auto inside = [reach](float place, float half) {

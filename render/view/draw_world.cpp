@@ -97,7 +97,7 @@ void add_obstacles(Drawing& drawing, const Scene& scene) {
         const vec2 ahead = maths::direction(pose.heading);
         const bool movable = obstacle.mass > 0;
         const Colour colour =
-            movable ? mix(drawing.colours.block, drawing.colours.crate, 0.75f) : drawing.colours.block;
+            movable ? mix(drawing.colours.solid, drawing.colours.crate, 0.75f) : drawing.colours.solid;
         const std::vector<vec2> corners = corners_of(obstacle);
         const float height = obstacle_height(scene.arena) * (movable ? 0.8f : 1.0f);
         drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y}, blunted(corners, scale_of(scene.arena)),

@@ -24,8 +24,8 @@ struct Drawing {
 
 constexpr float deck_height = 0.27f;  // m, of the standard vehicle
 
-// Layout pixels: eyes, wheels and cables of a shorter vehicle cast no shadows of their own.
-constexpr float least_deck_shadow = 70;
+// Layout pixels: cables and eyes of a shorter vehicle cast no shadows, and its wheels only where they touch the floor.
+constexpr float least_part_shadow = 70;
 
 // Heights of parts of this body, as a factor of those of the standard vehicle.
 inline float height_scale_of(const Body& body) { return std::min(body.length, body.width / 0.7f); }
@@ -74,9 +74,11 @@ void add_source(Drawing&, Channel, maths::vec2 place, float foot, float strength
 // its width.
 void add_casts(Drawing&, maths::vec2 place, maths::vec2 ahead, maths::vec2 half, float height);
 
-// Adds the shadows of a vehicle on the floor: of the sky, of the sun and of lamps.
+// Adds the shadows of the body and the wheels of a vehicle on the floor: contact shadows and those away from the sun
+// and from lamps.
 void add_shadows(Drawing&, const Subject&);
-// Adds the shadow on the floor that the sun casts of an eye of the vehicle. `radius`, `height`: of the ball, m.
+// Adds the shadow of an eye on the floor, away from the sun; none of a vehicle shorter than least_part_shadow.
+// `radius`, `height`: of the ball, m.
 void add_eye_shadow(Drawing&, const Subject&, maths::vec2 place, float radius, float height);
 
 // Darkens the bodies and eyes that are behind boxes whose shadows have been added.

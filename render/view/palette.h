@@ -77,8 +77,8 @@ static_assert(channel_colours.size() == channel_table.size() &&
 struct Palette {
     // the window
     Colour ground, panel, raised, line, text, second_text, accent, on_accent, warning, success;
-    // the scene; rim: the walls of the arena; wall: a faded body; block: an obstacle
-    Colour sky, floor, grid, wall, rim, shadow, chassis, wheel, block;
+    // the scene; rim: the walls of the arena; wall: a faded body; solid: an obstacle
+    Colour sky, floor, grid, wall, rim, shadow, chassis, wheel, solid;
     // meaning
     Colour excites, inhibits, selected;
     // the runs of the brains in slots A and B
@@ -135,7 +135,7 @@ constexpr Palette palette(Theme theme) {
         p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
         p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70), p.success = rgb(0x6FCF97);
         p.sky = rgb(0x0B0F1C), p.floor = rgb(0x202B4B), p.grid = rgb(0x35426A), p.wall = rgb(0x3A4552);
-        p.rim = rgb(0x7A5A40), p.block = rgb(0x7A84A8);
+        p.rim = rgb(0x7A5A40), p.solid = rgb(0x7A84A8);
         p.shadow = Colour{0, 0, 0, 0.68f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115);
         p.crate = rgb(0xB49A78), p.ice = rgb(0x4E6C84), p.carpet = rgb(0x463D49), p.sand = rgb(0x5C5341);
         p.slot_a = rgb(0x63B3FF), p.slot_b = rgb(0xFF9BD2);
@@ -144,8 +144,8 @@ constexpr Palette palette(Theme theme) {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E), p.success = rgb(0x1B7A43);
-        p.sky = rgb(0xDDDAD4), p.floor = rgb(0xD9D4CB), p.grid = rgb(0xC0BAB0), p.wall = rgb(0xB4BEC9);
-        p.rim = rgb(0xD8B88B), p.block = rgb(0xB8BFC9);
+        p.sky = rgb(0xDDDAD4), p.floor = rgb(0xD9D4CB), p.grid = rgb(0xCBC5BC), p.wall = rgb(0xB4BEC9);
+        p.rim = rgb(0xD8B88B), p.solid = rgb(0xC2C8CF);
         p.shadow = Colour{0, 0, 0, 0.32f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
         p.slot_a = rgb(0x1456C8), p.slot_b = rgb(0xB01E78);
