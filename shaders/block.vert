@@ -56,9 +56,9 @@ void main() {
     if (level == level_shadow_end) world.xz -= sun.xz / sun.y * (shadow_share * size.x);
     vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
     // A lighter top and a darker foot make the edges visible.
-    float foot = mix(0.62, 0.94, counts.y), side = mix(0.85, 0.97, counts.y);
+    float foot = mix(0.62, 0.97, counts.y), side = mix(0.85, 0.97, counts.y);
     float top = mix(size.w > 0.5 ? 1.08 : 0.86, 0.98, counts.y);
-    if (size.w < 0.5) foot *= mix(0.8, 0.9, counts.y), side *= mix(0.72, 0.95, counts.y);
+    if (size.w < 0.5) foot *= mix(0.8, 0.95, counts.y), side *= mix(0.72, 0.95, counts.y);
     bool on_side = level <= level_shoulder;
     vec3 tone = base.rgb * (level == level_foot ? foot : on_side ? side : level == level_top || law.w > 0.5 ? top : top * 1.12);
     // The outer side of a wall has the tone of the ground outside.

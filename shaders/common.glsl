@@ -100,7 +100,7 @@ vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
 
 // Share of the light that a rounded body keeps: most light comes from above, so its sides are darker and it looks round.
 float from_above(vec3 normal) {
-    float side = mix(0.66, 0.86, counts.y);
+    float side = mix(0.66, 0.91, counts.y);
     return side + (1.0 - side) * max(normal.y, 0.0);
 }
 
@@ -159,8 +159,8 @@ float beside_field(vec2 own, vec4 edges) { return own.x * edges.x - abs(own.y) *
 vec4 field_colour(vec3 tone, float alpha, vec2 part) {
     float out_there = form.x < 0.5 ? max(abs(part.x), abs(part.y)) : dot(part, part);
     // On a dark floor the colours of overlapping fields are partly added, because blended colours become grey. In the
-    // light theme they are faint and warm, like light on paper.
-    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.65, counts.y);
+    // light theme they are blended, like glass on paper.
+    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.75, counts.y);
     // Colour and opacity are each rounded to one of 255 levels when they are blended; noise of two levels hides the
     // bands. A lattice of the plastic number (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
     // 2018), cheaper than dither(), and shifted so that fields which overlap have different noise.

@@ -43,7 +43,7 @@ void main() {
     }
     vec3 light = light_at(up, at, look.z);
     // The floor takes light from the lower part of a rounded body.
-    if (look.y > 0.5) light *= mix(mix(0.50, 0.68, counts.y), 1.0, clamp(own.z / 0.23, 0.0, 1.0)) * from_above(up);
+    if (look.y > 0.5) light *= mix(mix(0.50, 0.76, counts.y), 1.0, clamp(own.z / 0.23, 0.0, 1.0)) * from_above(up);
     // The filled part of the gauge shines.
     v_colour = lit(tone, kind == paint_gauge ? max(light, vec3(0.8)) : light);
     // The empty part of the gauge.

@@ -14,7 +14,7 @@ void main() {
     int kind = int(paint + 0.5);
     // Its own light would make the foot as bright as the floor.
     vec3 light = light_at(up, at);
-    vec3 solid = kind == paint_deck ? lit(vec3(0.62), light) : lit(vec3(0.06, 0.065, 0.09), min(light, vec3(0.9)));
+    vec3 solid = kind == paint_deck ? lit(vec3(0.62), light) : lit(mix(vec3(0.06, 0.065, 0.09), vec3(0.16), counts.y), min(light, vec3(0.9)));
     solid += 0.5 * gloss_at(up, at);
     // White in the centre, coloured towards the rim. In the light theme, whose colours are dark, a lamp that is lit is as
     // bright as a screen shows its hue, also a dim one, and only yellow light is nearly white in the centre: another
@@ -27,7 +27,7 @@ void main() {
     vec3 core = mix(mix(base.rgb, vec3(1.0), 0.70 * place.w), day_core, counts.y);
     vec3 rim = mix(mix(base.rgb, vec3(1.0), 0.35 * yellow * place.w), day_rim, counts.y);
     // A bright lamp of white light has nearly one tone up to its edge.
-    rim = mix(rim, core, mix(0.9, 0.4, counts.y) * smoothstep(0.28, 0.40, yellow) * smoothstep(0.5, 1.0, place.w));
+    rim = mix(rim, core, mix(0.9, 0.8, counts.y) * smoothstep(0.28, 0.40, yellow) * smoothstep(0.5, 1.0, place.w));
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
     v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;
     v_normal = up;

@@ -58,7 +58,7 @@ void add_fields(Drawing& drawing, const Subject& s) {
         const bool chosen = s.selected || s.hovered;
         const float idle =
             (chosen ? 0.30f : 0.20f * std::max(0.2f, drawing.crowd * drawing.crowd)) * (light ? 0.6f : 1.2f);
-        const float strong = (chosen ? 0.56f : 0.46f) + (light ? -0.08f : 0.12f);
+        const float strong = (chosen ? 0.56f : 0.46f) + (light ? 0.04f : 0.12f);
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;
         const bool leads = s.driven && (i == first_sensor_on(s.kind, 1) || i == first_sensor_on(s.kind, -1));
@@ -74,7 +74,7 @@ void add_fields(Drawing& drawing, const Subject& s) {
         drawing.list.fields.push_back({{at.x, at.y, towards.x, towards.y},
                                        {line > 0 ? sensor.range * 1.01f : radius, half,
                                         sensor.response == SensorResponse::boolean ? 0 : sensor.half_distance, reach},
-                                       rgb_with(light ? channel : deep(channel), fill),
+                                       rgb_with(light ? darker(channel) : deep(channel), fill),
                                        {line, chord ? -sensor.range * maths::cosine(half) : sensor.range, 0, 0}});
     }
 }

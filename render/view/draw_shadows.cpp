@@ -10,7 +10,7 @@ namespace {
 bool is_day(const Drawing& drawing) { return drawing.picture.theme == Theme::light; }
 
 // Strength of a shadow that the sun casts: at dusk it is weak.
-float sun_strength(const Drawing& drawing) { return is_day(drawing) ? 0.9f : 0.35f; }
+float sun_strength(const Drawing& drawing) { return is_day(drawing) ? 0.65f : 0.30f; }
 
 // A shadow with soft edges. `half`: half its length and width along the axes of the vehicle, m; `softness`: m, in a
 // small arena on the standard vehicle; `strength`: 1 takes as much light as a shadow of the palette.
@@ -36,7 +36,7 @@ void add_shadows(Drawing& drawing, const Subject& s) {
         mix(shade, colour_of(drawing.colours, drawing.now, s.view), day ? 0.35f : 0.16f).with_alpha(shade.a);
     add_soft(drawing, s, s.place + 0.5f * end, hull, day ? 0.34f : 0.24f, 0.75f, tinted);
     // The body hides the sun, and it is dark below it.
-    add_soft(drawing, s, s.place + end, hull, 0.10f, sun_strength(drawing), shade);
+    add_soft(drawing, s, s.place + end, hull, 0.13f, sun_strength(drawing), shade);
     add_soft(drawing, s, s.place, hull, 0.08f, 0.8f, shade);
     for (const Wheel& wheel : body.wheels) {
         if (wheel.motor == Motor::none) continue;

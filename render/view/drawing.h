@@ -52,6 +52,9 @@ inline float around(const Drawing& drawing, const Subject& s) { return drawing.s
 
 inline maths::vec4 rgb_with(Colour c, float w) { return {c.r, c.g, c.b, w}; }
 
+// For trails and sensor fields on the light floor, where the colours of the palette have little contrast.
+constexpr Colour darker(Colour c) { return mix(c, Colour{0, 0, 0, c.a}, 0.2f); }
+
 // True when a lesion silences the sensor.
 bool is_covered(const Subject&, std::size_t sensor);
 

@@ -145,7 +145,7 @@ constexpr Palette palette(Theme theme) {
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E), p.success = rgb(0x1B7A43);
         p.sky = rgb(0xDDDAD4), p.floor = rgb(0xD9D4CB), p.grid = rgb(0xCBC5BC), p.wall = rgb(0xB4BEC9);
-        p.rim = rgb(0xD8B88B), p.solid = rgb(0xC2C8CF);
+        p.rim = rgb(0xD8B88B), p.solid = rgb(0xCED2D6);
         p.shadow = Colour{0, 0, 0, 0.32f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
         p.slot_a = rgb(0x1456C8), p.slot_b = rgb(0xB01E78);
