@@ -20,9 +20,8 @@ struct FrameBlock {
     maths::vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels per layout pixel
     maths::vec4
         counts;  // x: lamps; y: 1 in the light theme; z: how far sensor fields reach beyond the arena, m; w: boundary
-    maths::vec4
-        form;         // x: 1 if the arena is an ellipse; y: scale_of() the arena; z: m between lines; w: their width, m
-    maths::vec4 law;  // 1/half_distance², 1/range² of the light law; lamps that light the floor; Quality
+    maths::vec4 form;  // x: 1 if the arena is an ellipse; y: scale_of() the arena; z, w: m between lines, their width
+    maths::vec4 law;   // 1/half_distance², 1/range² of the light law; lamps that light the floor; Quality
     std::array<Lamp, most_lamps> lamps;
 };
 static_assert(sizeof(FrameBlock) == 64 + 18 * 16 + most_lamps * 32);

@@ -52,7 +52,7 @@ void add_fields(Drawing& drawing, const Subject& s) {
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
         const float seen = std::sqrt(sensed(drawing, s, i));
-        const bool light = drawing.picture.theme == Theme::light;
+        const bool light = is_light(drawing);
         const Colour channel = colour_of(drawing.colours, sensor.channel);
         // With many vehicles idle fields are fainter, because many overlapping colours turn grey.
         const bool chosen = s.selected || s.hovered;

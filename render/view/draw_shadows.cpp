@@ -1,4 +1,7 @@
-// Shadows of vehicles on the floor.
+// Shadows of vehicles on the floor, and of eyes on the deck.
+#include <algorithm>
+#include <cmath>
+
 #include "render/view/drawing.h"
 
 namespace braitenlab::render {
@@ -7,10 +10,8 @@ using maths::vec2;
 
 namespace {
 
-bool is_day(const Drawing& drawing) { return drawing.picture.theme == Theme::light; }
-
 // Strength of a shadow that the sun casts: at dusk it is weak.
-float sun_strength(const Drawing& drawing) { return is_day(drawing) ? 0.65f : 0.30f; }
+float sun_strength(const Drawing& drawing) { return is_light(drawing) ? 0.65f : 0.30f; }
 
 // A shadow with soft edges. `half`: half its length and width along the axes of the vehicle, m; `softness`: m, in a
 // small arena on the standard vehicle; `strength`: 1 takes as much light as a shadow of the palette.
@@ -29,7 +30,7 @@ void add_shadows(Drawing& drawing, const Subject& s) {
     const Colour shade = drawing.colours.shadow;
     if (!s.fine) return add_soft(drawing, s, s.place, {body.length / 2, body.width / 2}, 0.16f, 1, shade);
     // The rounded body is narrower than its wheels.
-    const bool day = is_day(drawing);
+    const bool day = is_light(drawing);
     const vec2 hull{0.46f * body.length, 0.40f * body.width}, end = away_from_sun(edge) * s.height_scale;
     // The body hides the sky: a wide shadow, by day wider, with the colour that the body reflects onto the floor.
     const Colour tinted =
@@ -51,11 +52,24 @@ void add_shadows(Drawing& drawing, const Subject& s) {
     add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, top * s.height_scale);
 }
 
-void add_eye_shadow(Drawing& drawing, const Subject& s, vec2 place, float radius, float height) {
+void add_eye_shadows(Drawing& drawing, const Subject& s, const Sensor& sensor, float radius, float height) {
+    constexpr float deck_strength = 0.75f, spread = 1.35f;
     if (s.pixels < least_part_shadow) return;
-    // Moved towards the eye, so that it joins the shadow of the body.
-    add_soft(drawing, s, place + away_from_sun(0.7f * height), {0.8f * radius, 0.8f * radius}, 0.10f,
-             0.6f * sun_strength(drawing), drawing.colours.shadow);
+    // On the deck: moved inwards from its edge, beyond which there is nothing to darken but for its faint rim.
+    const float reach = spread * radius * s.height_scale;
+    const auto inside = [reach](float place, float half) {
+        const float limit = std::max(0.0f, half - deck_shade_core * reach);
+        return std::clamp(place, -limit, limit);
+    };
+    const Body& body = s.kind.body;
+    const Colour shade = drawing.colours.shadow;
+    const vec2 on_deck = s.to_world({inside(sensor.x, 0.49f * body.length), inside(sensor.y, 0.37f * body.width)});
+    drawing.list.deck_shades.push_back({{on_deck.x, on_deck.y, (deck_height + 0.004f) * s.height_scale, reach},
+                                        rgb_with(Colour{}, deck_strength * std::sqrt(shade.a))});
+    // On the floor: nearer to the eye than the sun casts it, so that it joins the shadow of the body.
+    const float half = 0.8f * radius * s.height_scale;
+    add_soft(drawing, s, s.to_world({sensor.x, sensor.y}) + away_from_sun(0.7f * height), {half, half}, 0.10f,
+             0.6f * sun_strength(drawing), shade);
 }
 
 }  // namespace braitenlab::render

@@ -55,7 +55,7 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
     const bool plain = wanted.value == TrailValue::plain;
     const float top_speed = wanted.value == TrailValue::speed ? top_speed_of(drawing.now) : 0;
     const Colour body = colour_of(drawing.colours, drawing.now, s.view);
-    const Colour own = drawing.picture.theme == Theme::light ? darker(body) : body;
+    const Colour own = is_light(drawing) ? darker(body) : body;
     const auto colour = [&](std::size_t i) {  // of the piece between points i and i + 1
         if (plain) return own;
         const auto share = share_of_scale(wanted, trail.moment(shown[i]), s.kind.sensors, top_speed);

@@ -127,22 +127,6 @@ float eye_scale(float pixels) {
     return most + (1 - most) * std::clamp((pixels - small) / (large - small), 0.0f, 1.0f);
 }
 
-// On the deck around the foot of an eye. `radius`: of the eye on the standard vehicle, m.
-void add_eye_shade(Drawing& drawing, const Subject& s, const Sensor& sensor, float radius) {
-    constexpr float strength = 0.75f, spread = 1.35f;
-    if (s.pixels < least_part_shadow) return;
-    // Moved inwards from the edge of the deck, beyond which there is nothing to darken but for its faint rim.
-    const float reach = spread * radius * s.height_scale;
-    const auto inside = [reach](float place, float half) {
-        const float limit = std::max(0.0f, half - deck_shade_core * reach);
-        return std::clamp(place, -limit, limit);
-    };
-    const Body& body = s.kind.body;
-    const vec2 at = s.to_world({inside(sensor.x, 0.49f * body.length), inside(sensor.y, 0.37f * body.width)});
-    drawing.list.deck_shades.push_back({{at.x, at.y, (deck_height + 0.004f) * s.height_scale, reach},
-                                        rgb_with(Colour{}, strength * std::sqrt(drawing.colours.shadow.a))});
-}
-
 // Balls with a lid above the places of the sensors; of a small vehicle one a side, which shows the strongest reading.
 void add_eyeballs(Drawing& drawing, const Subject& s) {
     constexpr float above_deck = 0.02f;   // m
@@ -158,8 +142,7 @@ void add_eyeballs(Drawing& drawing, const Subject& s) {
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
         const float radius = one_a_side ? largest : eye_radius(s.kind, i, largest);
         const float height = (deck_height + radius + above_deck) * s.height_scale;
-        add_eye_shade(drawing, s, sensor, radius);
-        add_eye_shadow(drawing, s, at, radius * s.height_scale, height);
+        add_eye_shadows(drawing, s, sensor, radius, height);
         drawing.list.eyeballs.push_back(
             {{at.x, at.y, towards.x, towards.y},
              {radius * s.height_scale, height, std::sqrt(sensed(drawing, s, *strongest)), 0},

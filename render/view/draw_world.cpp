@@ -190,7 +190,7 @@ void add_sources(Drawing& drawing) {
 // Marks of the selected vehicle are opaque, others faint.
 void add_marks(Drawing& drawing) {
     if (!drawing.picture.settings.overlays.memory) return;
-    const bool light = drawing.picture.theme == Theme::light;
+    const bool light = is_light(drawing);
     for (const MarkView& mark : drawing.now.marks) {
         const float opacity =
             (mark.owner == drawing.picture.settings.selection.vehicle ? 1.0f : 0.35f) * std::sqrt(mark.strength);

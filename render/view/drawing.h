@@ -30,6 +30,8 @@ constexpr float least_part_shadow = 70;
 // Heights of parts of this body, as a factor of those of the standard vehicle.
 inline float height_scale_of(const Body& body) { return std::min(body.length, body.width / 0.7f); }
 
+inline bool is_light(const Drawing& drawing) { return drawing.picture.theme == Theme::light; }
+
 // One vehicle with its kind and brain.
 struct Subject {
     const VehicleView& view;
@@ -80,9 +82,9 @@ void add_casts(Drawing&, maths::vec2 place, maths::vec2 ahead, maths::vec2 half,
 // Adds the shadows of the body and the wheels of a vehicle on the floor: contact shadows and those away from the sun
 // and from lamps.
 void add_shadows(Drawing&, const Subject&);
-// Adds the shadow of an eye on the floor, away from the sun; none of a vehicle shorter than least_part_shadow.
-// `radius`, `height`: of the ball, m.
-void add_eye_shadow(Drawing&, const Subject&, maths::vec2 place, float radius, float height);
+// Adds the shadows of an eye on the deck and on the floor; none of a vehicle shorter than least_part_shadow. `radius`:
+// of the ball on the standard vehicle, m; `height`: of its centre, m.
+void add_eye_shadows(Drawing&, const Subject&, const Sensor&, float radius, float height);
 
 // Darkens the bodies and eyes that are behind boxes whose shadows have been added.
 void add_darkness(Drawing&);
