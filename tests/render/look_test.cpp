@@ -143,6 +143,18 @@ TEST_F(LookTest, ShowsALampAsTheBrightestThingInBothThemes) {
     }
 }
 
+TEST_F(LookTest, ShowsAStimulatedFieldOnALightFloorBesideALamp) {
+    look_down(2);
+    picture.theme = Theme::light, picture.settings.selection.vehicle = 0;
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0, 0.5f, 0.5f);
+    hand_made::add_source(now, Channel::light, 2.5f, 2.5f);
+    const vec2 ahead_left{1.5f, 1.5f};  // in the field of the left sensor, away from lines of the grid
+    const Colour bare = seen(now, ahead_left);
+    picture.settings.sensors = true;
+    EXPECT_LT(brightness(seen(now, ahead_left)), brightness(bare) - 0.10f);
+}
+
 // The largest difference of two channels of the colour: 0 for grey.
 float colourfulness(Colour c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); }
 

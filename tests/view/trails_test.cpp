@@ -51,6 +51,21 @@ TEST(Trails, KeepTheWholePathOfARunAtAConstantWidth) {
     EXPECT_GT(trails.of(0)->at(0).x, trails.of(0)->at(1).x);
 }
 
+TEST(Trails, AreDarkerThanTheBodyInTheLightThemeOnly) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    drive(now, trails, 60);
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        Picture picture;
+        picture.theme = theme;
+        DrawList list;
+        fill(list, now, picture, trails);
+        ASSERT_FALSE(list.trails.empty());
+        const float share = theme == Theme::light ? 0.8f : 1.0f;
+        EXPECT_NEAR(list.trails[0].colour.x, share * palette(theme).neutral.r, 1e-5f) << word(theme);
+    }
+}
+
 TEST(Trails, EndAtTheVehicleAfterARewindAndContinueFromThere) {
     Snapshot now = one_vehicle();
     Trails trails;
