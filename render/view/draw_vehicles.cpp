@@ -205,12 +205,19 @@ void add_event(Drawing& drawing, vec2 place, float radius, float growth, float a
                                   rgb_with(colour, 1 - grown * grown)});
 }
 
-// True if a vehicle of this length on the screen has rounded meshes. The selected one has them at low quality, too, but
-// not where it is small: without the pale rim of plain meshes it would be the darkest vehicle.
-bool is_fine(Quality quality, float pixels, bool selected) {
+// True if vehicles other than the selected one may have rounded meshes: at low quality only in scenes of few vehicles,
+// so that two that are compared look alike.
+bool may_be_fine(const Drawing& drawing) {
+    constexpr std::size_t few = 3;
+    return drawing.picture.quality != Quality::low || drawing.now.vehicles.size() <= few;
+}
+
+// True if a vehicle of this length on the screen has rounded meshes. Below high quality a small one has none, also the
+// selected one: without the pale rim of plain meshes it would be the darkest vehicle.
+bool is_fine(const Drawing& drawing, float pixels, bool selected) {
     constexpr float medium_above = 34;  // layout pixels
-    if (quality == Quality::high) return true;
-    return pixels >= medium_above && (selected || quality == Quality::medium);
+    if (drawing.picture.quality == Quality::high) return true;
+    return pixels >= medium_above && (selected || may_be_fine(drawing));
 }
 
 // A vehicle that has just struck something moves to and fro along its heading for a moment; m.
@@ -236,7 +243,7 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     const bool selected = view.id == drawing.picture.settings.selection.vehicle;
     const float judged = drawing.common_pixels > 0 && !selected ? drawing.common_pixels : pixels;
     const bool sign = judged < sign_below(drawing.picture.quality);
-    const bool fine = !sign && is_fine(drawing.picture.quality, judged, selected);
+    const bool fine = !sign && is_fine(drawing, judged, selected);
     return {view,
             its_kind,
             brain < drawing.now.brains.size() ? drawing.now.brains[brain].get() : nullptr,
@@ -370,7 +377,7 @@ void add_strikes(Drawing& drawing) {
 
 void add_vehicles(Drawing& drawing, const Trails& trails) {
     find_struck(drawing);
-    if (drawing.picture.quality != Quality::low) drawing.common_pixels = common_length(drawing);
+    if (may_be_fine(drawing)) drawing.common_pixels = common_length(drawing);
     for (const VehicleView& view : drawing.now.vehicles) {
         Subject s = subject_of(drawing, view);
         s.plan = plan_of(drawing, s);

@@ -25,6 +25,7 @@ protected:
         look_from(near);
         picture.settings.overlays.labels = false;
         hand_made::add(now, 0, 0, 0, 0);
+        hand_made::add_others(now);  // plain meshes
     }
 
     // Changes the brain of the vehicle.

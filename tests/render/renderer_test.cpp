@@ -30,6 +30,7 @@ TEST_F(RendererTest, ShowsAVehicleInItsColourWhereItIs) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, -1.5f, 0.5f, 0.3f);
     hand_made::add(now, 2, 1.5f, -0.5f, -2);
+    hand_made::add_others(now);
     picture.settings.sensors = false;
     renderer->draw(now, picture);
     const Colour predator = hull_colour(now.vehicles[0]), prey = hull_colour(now.vehicles[1]);

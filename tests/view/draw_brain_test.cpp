@@ -64,8 +64,8 @@ TEST(DrawVehicles, TintTheBodyInTheColourOfItsKind) {
     now.scene = scene;
     const auto hull = [&] {
         const DrawList list = drawn(now);
-        for (const auto& hulls : list.hulls)
-            if (!hulls.empty()) return hulls[0].colour;
+        for (const auto& bodies : list.bodies)
+            if (!bodies.empty()) return bodies[0].colour;
         return maths::vec4{};
     };
     EXPECT_GT(hull().z, 0.9f);
@@ -79,16 +79,17 @@ TEST(DrawVehicles, TintTheBodyInTheColourOfItsKind) {
 
 TEST(DrawBrain, DrawsWiresThroughNeuronsWithTheirSignals) {
     const DrawList list = drawn(with_neuron(0.6f, 0.8f));
-    ASSERT_EQ(list.wires.size(), 2U);
+    const auto wires = wires_of(list);
+    ASSERT_EQ(wires.size(), 2U);
     ASSERT_EQ(list.neurons.size(), 1U);
-    EXPECT_NEAR(list.wires[0].signal.x, 0.6f, 1e-5);
-    EXPECT_NEAR(list.wires[1].signal.x, 0.4f, 1e-5);
-    EXPECT_EQ(list.wires[0].colour.w, 1);
-    EXPECT_EQ(list.wires[1].colour.w, -1);
+    EXPECT_NEAR(wires[0].signal.x, 0.6f, 1e-5);
+    EXPECT_NEAR(wires[1].signal.x, 0.4f, 1e-5);
+    EXPECT_EQ(wires[0].colour.w, 1);
+    EXPECT_EQ(wires[1].colour.w, -1);
     EXPECT_NEAR(list.neurons[0].colour.w, 0.8f, 1e-5);
-    EXPECT_NEAR(list.wires[1].ends.x, list.neurons[0].place.x, 1e-4);  // begins at the neuron
-    EXPECT_NEAR(list.wires[1].ends.y, list.neurons[0].place.y, 1e-4);
-    EXPECT_LT(list.wires[1].ends.w, 0);  // and ends on the right
+    EXPECT_NEAR(wires[1].ends.x, list.neurons[0].place.x, 1e-4);  // begins at the neuron
+    EXPECT_NEAR(wires[1].ends.y, list.neurons[0].place.y, 1e-4);
+    EXPECT_LT(wires[1].ends.w, 0);  // and ends on the right
 }
 
 TEST(DrawBrain, ColoursANeuronByItsSign) {
@@ -102,10 +103,10 @@ TEST(DrawBrain, ShowsACutWireWithAGapAndWithoutASignal) {
     auto brain = std::make_shared<BrainGraph>(*now.brains[0]);
     brain->wires[1].cut = true;
     now.brains[0] = brain;
-    const DrawList list = drawn(now);
-    EXPECT_EQ(list.wires[0].signal.y, 0);
-    EXPECT_EQ(list.wires[1].signal.y, 1);
-    EXPECT_EQ(list.wires[1].signal.x, 0);
+    const auto wires = wires_of(drawn(now));
+    EXPECT_EQ(wires[0].signal.y, 0);
+    EXPECT_EQ(wires[1].signal.y, 1);
+    EXPECT_EQ(wires[1].signal.x, 0);
 }
 
 TEST(DrawBrain, FollowsAnEditOfTheBrain) {
@@ -116,7 +117,7 @@ TEST(DrawBrain, FollowsAnEditOfTheBrain) {
     brain->wires.pop_back();
     now.brains[0] = brain;
     fill(list, now, {}, Trails{});
-    EXPECT_EQ(list.wires.size(), 1U);
+    EXPECT_EQ(wires_of(list).size(), 1U);
 }
 
 TEST(DrawBrain, ShowsNoWiresOfAManuallyDrivenVehicle) {

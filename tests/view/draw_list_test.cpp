@@ -25,9 +25,9 @@ TEST(DrawList, PutsTheLeftEyeOnTheLeft) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 2, 3, maths::pi / 2);  // faces +y, so its left is −x
     const DrawList list = drawn(now);
-    EXPECT_NEAR(list.eyes[0].place.x, 2 - 0.24f, 1e-5);
-    EXPECT_NEAR(list.eyes[0].place.y, 3 + 0.30f, 1e-5);
-    EXPECT_LT(list.eyes[0].place.z, 0);  // and points outwards
+    EXPECT_NEAR(list.eyeballs[0].place.x, 2 - 0.24f, 1e-5);
+    EXPECT_NEAR(list.eyeballs[0].place.y, 3 + 0.30f, 1e-5);
+    EXPECT_LT(list.eyeballs[0].place.z, 0);  // and points outwards
 }
 
 TEST(DrawList, ShowsABiteAsARingAroundBothVehiclesThatGrowsUnlessMotionIsReduced) {
@@ -96,7 +96,7 @@ TEST(DrawList, FlashesWhereTwoVehiclesTouchUnlessTheyBiteOrMotionIsReduced) {
 TEST(DrawList, DrawsNoWireOfWeightZero) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);  // two crossed wires, two of weight 0
-    EXPECT_EQ(drawn(now).wires.size(), 2U);
+    EXPECT_EQ(wires_of(drawn(now)).size(), 2U);
 }
 
 TEST(DrawList, CrossesCrossedWiresAndKeepsStraightOnesOnTheirSide) {
@@ -111,15 +111,15 @@ TEST(DrawList, CrossesCrossedWiresAndKeepsStraightOnesOnTheirSide) {
 TEST(DrawList, DistinguishesExcitingFromInhibitingWiresAndShowsTheirSignals) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, 0, 0, 0, 0.5f, 0);
-    const DrawList list = drawn(now);
-    ASSERT_EQ(list.wires.size(), 4U);
+    const auto wires = wires_of(drawn(now));
+    ASSERT_EQ(wires.size(), 4U);
     int exciting = 0;
-    for (const WireInstance& wire : list.wires) exciting += wire.colour.w > 0;
+    for (const WireInstance& wire : wires) exciting += wire.colour.w > 0;
     EXPECT_EQ(exciting, 2);
-    EXPECT_NEAR(list.wires[0].signal.x, 0.2f, 1e-5);   // reading 0.5 on the left, weight −0.4
-    EXPECT_NEAR(list.wires[2].signal.x, 0.75f, 1e-5);  // weight 1.5
-    EXPECT_EQ(list.wires[1].signal.x, 0);
-    EXPECT_GT(list.wires[2].shape.w, list.wires[0].shape.w);
+    EXPECT_NEAR(wires[0].signal.x, 0.2f, 1e-5);   // reading 0.5 on the left, weight −0.4
+    EXPECT_NEAR(wires[2].signal.x, 0.75f, 1e-5);  // weight 1.5
+    EXPECT_EQ(wires[1].signal.x, 0);
+    EXPECT_GT(wires[2].shape.w, wires[0].shape.w);
 }
 
 Picture seen_at_zoom(float zoom, Quality quality = Picture{}.quality) {
@@ -140,6 +140,7 @@ TEST(DrawList, ShowsASmallVehicleAsItsHullAndADotASide) {
     Snapshot now = hand_made::empty(scene);
     hand_made::add(now, 0, 0, 0, 0, 0.1f, 0.2f);
     now.sensed.push_back(0.64f);
+    hand_made::add_others(now);
     const DrawList far = drawn(now, seen_at_zoom(0.8f)), near = drawn(now, seen_at_zoom(4));
     EXPECT_EQ(far.hulls[0][0].look.x, 0);
     EXPECT_EQ(far.wheels.size(), 2U);
@@ -172,6 +173,7 @@ TEST(DrawList, ShowsATinyVehicleAsASignWithRoleAndReadings) {
 TEST(DrawList, OmitsVehiclesOutsideThePicture) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (const float x : {0.0f, 9.5f}) hand_made::add(now, 0, x, 0, 0);
+    hand_made::add_others(now);
     EXPECT_EQ(drawn(now, seen_at_zoom(1)).hulls[0].size(), 2U);
     EXPECT_EQ(drawn(now, seen_at_zoom(6)).hulls[0].size(), 1U);
     EXPECT_EQ(drawn(now, seen_at_zoom(6)).wheels.size(), 4U);
@@ -180,6 +182,7 @@ TEST(DrawList, OmitsVehiclesOutsideThePicture) {
 TEST(DrawList, GrowsSmallPartsWithTheVehiclesSizeOnTheScreen) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
+    hand_made::add_others(now);
     float detail = 0, width = 0, largest_step = 0;
     for (float zoom = 0.8f; zoom < 4; zoom *= 1.01f) {
         const DrawList list = drawn(now, seen_at_zoom(zoom));
@@ -262,6 +265,9 @@ TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
         }
         return !list.bodies[0].empty();
     };
+    EXPECT_TRUE(rounded(Quality::low, 4)) << "of few vehicles all look alike";
+    EXPECT_FALSE(rounded(Quality::low, 0.7f));
+    hand_made::add_others(now);
     EXPECT_FALSE(rounded(Quality::low, 4));
     EXPECT_TRUE(rounded(Quality::low, 4, 0)) << "the selected vehicle keeps its eyes";
     EXPECT_TRUE(rounded(Quality::medium, 4));
@@ -274,6 +280,7 @@ TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
 TEST(DrawList, NeedsFullMeshesOnlyWhereAPlainVehicleIsLarge) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
+    hand_made::add_others(now);
     EXPECT_TRUE(drawn(now, seen_at_zoom(1)).coarse);
     EXPECT_FALSE(drawn(now, seen_at_zoom(4)).coarse);
     Picture dense = seen_at_zoom(4);
@@ -431,6 +438,7 @@ TEST(DrawList, ShakesAVehicleThatStrikesAndLightsThePointUnlessMotionIsReduced) 
 TEST(DrawList, JudgesSizeInLayoutPixels) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
+    hand_made::add_others(now);
     Picture picture = seen_at_zoom(1.3f);
     const float before = drawn(now, picture).hulls[0][0].look.x;
     picture.pixel_scale = 2;
@@ -470,7 +478,7 @@ TEST(DrawList, OmitsThePartsOfTheVehicleInDriverMode) {
     ASSERT_EQ(list.fields.size(), 2U);
     for (const FieldInstance& field : list.fields) EXPECT_GT(field.line.x, 0);
     // Only the eyes of the other vehicle: those of the driver would cover the picture.
-    EXPECT_EQ(list.eyes.size(), 2U);
+    EXPECT_EQ(list.eyeballs.size(), 2U);
     picture.driver = no_vehicle;
     EXPECT_EQ(2 * list.wires.size(), drawn(now, picture).wires.size());
     EXPECT_FALSE(list.wires.empty());
@@ -480,11 +488,11 @@ TEST(DrawList, ShrinksSensorsThatAreCloseTogether) {
     auto scene = hand_made::scene();
     Snapshot now = hand_made::empty(scene);
     hand_made::add(now, 0, 0, 0, 0);
-    const float alone = drawn(now).eyes[0].size.x;
+    const float alone = drawn(now).eyeballs[0].size.x;
     scene->kinds[0].sensors.push_back(scene->kinds[0].sensors[0]);
     scene->kinds[0].sensors[2].y += 0.1f;
-    EXPECT_LT(drawn(now).eyes[0].size.x, alone);
-    EXPECT_EQ(drawn(now).eyes[1].size.x, alone);
+    EXPECT_LT(drawn(now).eyeballs[0].size.x, alone);
+    EXPECT_EQ(drawn(now).eyeballs[1].size.x, alone);
 }
 
 TEST(DrawList, ShortensFieldsOfManyVehicles) {
@@ -559,7 +567,7 @@ TEST(DrawList, ReplacesItsContentWithEveryFill) {
     DrawList list;
     fill(list, now, {}, Trails{});
     fill(list, now, {}, Trails{});
-    EXPECT_EQ(list.hulls[1].size(), 1U);
+    EXPECT_EQ(list.bodies[1].size(), 1U);
     EXPECT_EQ(list.fields.size(), 2U);
 }
 

@@ -237,18 +237,18 @@ TEST(DrawWorld, RepeatsObjectsAtTheOppositeEdgeOfATorus) {
     Snapshot now = hand_made::empty(scene);
     hand_made::add(now, 0, 9.8f, 0, 0);
     DrawList list = drawn(now);
-    ASSERT_EQ(list.hulls[0].size(), 2U);
-    EXPECT_NEAR(list.hulls[0][1].place.x, -10.2f, 1e-4);
+    ASSERT_EQ(list.bodies[0].size(), 2U);
+    EXPECT_NEAR(list.bodies[0][1].place.x, -10.2f, 1e-4);
     EXPECT_EQ(list.fields.size(), 4U);
     now.vehicles[0].x = 8;  // the body is inside, but its fields cross the edge
     list = drawn(now);
-    EXPECT_EQ(list.hulls[0].size(), 1U);
+    EXPECT_EQ(list.bodies[0].size(), 1U);
     EXPECT_EQ(list.fields.size(), 4U);
     now.vehicles[0].x = 0;
     EXPECT_EQ(drawn(now).fields.size(), 2U);
     scene->arena.edge = Boundary::wall;
     now.vehicles[0].x = 9.8f;
-    EXPECT_EQ(drawn(now).hulls[0].size(), 1U);
+    EXPECT_EQ(drawn(now).bodies[0].size(), 1U);
 }
 
 TEST(DrawWorld, HasOneRingAroundAVehicleThatReachesOverTheEdgeOfATorus) {

@@ -74,6 +74,11 @@ inline VehicleId add(Snapshot& now, int kind, float x, float y, float heading, f
     return v.id;
 }
 
+// Adds three vehicles far outside the arena: of more than three, low quality rounds only the selected one.
+inline void add_others(Snapshot& now) {
+    for (const float x : {100.0f, 110.0f, 120.0f}) add(now, 0, x, 100, 0);
+}
+
 inline void add_source(Snapshot& now, Channel channel, float x, float y, float strength = 1) {
     now.sources.push_back({static_cast<int>(now.sources.size()), channel, x, y, strength});
 }
