@@ -118,7 +118,7 @@ private:
     // Leaves the title page.
     void begin();
     // Draws with the level of quality that was asked for, or the measured one; measures some frames.
-    void draw_measured(const Picture&);
+    void draw_measured(Picture);
     Quality quality() const;
     float resolution() const;
     // What the scene shows, without a camera view.

@@ -279,7 +279,7 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     shown_ = shown_snapshot(lab);
     if (!repeatable()) render::stand_between(shown_, lab.playback.previous, between_ticks(lab));
-    draw_measured(picture);
+    draw_measured(std::move(picture));
     facts_.draw_calls = renderer_.draw_calls();
     facts_.camera_view = viewport_.camera_view;
     facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
@@ -291,15 +291,17 @@ Quality App::quality() const { return lab_.preferences.quality.value_or(quality_
 
 float App::resolution() const { return lab_.preferences.quality ? 1 : quality_.resolution(); }
 
-void App::draw_measured(const Picture& picture) {
+void App::draw_measured(Picture picture) {
     if (quality_of_ != shown_lab().document.name) quality_.start_over(), quality_of_ = shown_lab().document.name;
-    facts_.quality = picture.quality, facts_.resolution = picture.resolution;
-    if (lab_.preferences.quality || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
-    renderer_.finish();  // what is still to be drawn is not part of the measurement
+    // A measured picture is not copied. With fewer pixels nothing is measured at rest: the picture would flicker.
+    const bool due = !lab_.preferences.quality && quality_.measures(facts_.frames);
+    picture.copied_at_rest = !repeatable() && (!due || picture.resolution < 1);
+    if (due) renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();
     renderer_.draw(shown_, picture);
-    renderer_.finish();
-    quality_.add(seconds_since(began));
+    if (due) renderer_.finish();
+    if (due && renderer_.resolution() == picture.resolution) quality_.add(seconds_since(began));
+    facts_.quality = picture.quality, facts_.resolution = renderer_.resolution();
 }
 
 }  // namespace braitenlab

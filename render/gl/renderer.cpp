@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/sensing/intensity.h"
-#include "render/gl/backdrop.h"
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
 #include "render/gl/opengl.h"
 #include "render/gl/programs.h"
 #include "render/gl/resampling.h"
+#include "render/gl/stored_picture.h"
 #include "render/gl/texture.h"
 #include "render/text/set_type.h"
 #include "render/view/draw_list.h"
@@ -73,7 +75,8 @@ struct Renderer::Parts {
     std::filesystem::file_time_type shaders_changed;
 
     Kit floors = kit<FloorInstance>(quad());
-    Backdrop backdrop;
+    StoredPicture backdrop;  // the ground
+    StoredPicture whole{3};  // the scene without its labels
     Resampling resampling;
     Kit blocks = kit<BlockInstance>(prism());
     Batch skirts{skirt(), blocks.instances};
@@ -131,6 +134,8 @@ struct Renderer::Parts {
     std::vector<FloorInstance> floor_size{1};
     bool walled = true;  // Boundary::wall
     int calls = 0;
+    double seconds = -1;   // of the last snapshot
+    float resolution = 1;  // of the last picture
 
     Parts() {
         glGenBuffers(1, &frame_buffer);
@@ -148,33 +153,42 @@ struct Renderer::Parts {
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_buffer);
     }
 
-    // Copies the draw list to the graphics memory, once per frame. `frame`: its arena is used.
-    void upload_list(const FrameBlock& frame) {
+    // Copies the draw list to the graphics memory, once per frame. `frame`: its arena is used. Returns a hash of the
+    // instances of the scene; 0 unless `hashed`.
+    std::uint64_t upload_list(const FrameBlock& frame, bool hashed) {
+        std::uint64_t hash = 0;
+        const auto upload = [&](Instances& to, const auto& instances) {
+            to.upload(instances);
+            if (!hashed) return;
+            const std::size_t bytes = instances.size() * sizeof(instances[0]);
+            hash = 31 * hash + std::hash<std::string_view>()({reinterpret_cast<const char*>(instances.data()), bytes});
+        };
         // Beyond this distance the ground has faded into the sky.
         const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
         floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
-        floors.instances.upload(floor_size);
-        blocks.instances.upload(list.blocks);
-        zones.instances.upload(list.zones);
-        for (std::size_t role = 0; role < hulls.size(); ++role) hulls[role].instances.upload(list.hulls[role]);
-        for (std::size_t role = 0; role < signs.size(); ++role) signs[role].instances.upload(list.signs[role]);
-        wheels.instances.upload(list.wheels);
-        eyes.instances.upload(list.eyes);
-        for (std::size_t role = 0; role < bodies.size(); ++role) bodies[role].instances.upload(list.bodies[role]);
-        tyres.instances.upload(list.tyres);
-        eyeballs.instances.upload(list.eyeballs);
-        casts.instances.upload(list.casts);
-        wires.instances.upload(list.wires);
-        neurons.instances.upload(list.neurons);
-        deck_shades.instances.upload(list.deck_shades);
-        contours.instances.upload(contour);
+        upload(floors.instances, floor_size);
+        upload(blocks.instances, list.blocks);
+        upload(zones.instances, list.zones);
+        for (std::size_t role = 0; role < hulls.size(); ++role) upload(hulls[role].instances, list.hulls[role]);
+        for (std::size_t role = 0; role < signs.size(); ++role) upload(signs[role].instances, list.signs[role]);
+        upload(wheels.instances, list.wheels);
+        upload(eyes.instances, list.eyes);
+        for (std::size_t role = 0; role < bodies.size(); ++role) upload(bodies[role].instances, list.bodies[role]);
+        upload(tyres.instances, list.tyres);
+        upload(eyeballs.instances, list.eyeballs);
+        upload(casts.instances, list.casts);
+        upload(wires.instances, list.wires);
+        upload(neurons.instances, list.neurons);
+        upload(deck_shades.instances, list.deck_shades);
+        upload(contours.instances, contour);
         letters.instances.upload(type);
-        fields.instances.upload(list.fields);
-        marks.instances.upload(list.marks);
-        rings.instances.upload(list.rings);
-        for (std::size_t i = 0; i < sources.size(); ++i) sources[i].instances.upload(list.sources[i]);
-        halos.instances.upload(list.halos);
-        trail_strips.instances.upload(list.trails);
+        upload(fields.instances, list.fields);
+        upload(marks.instances, list.marks);
+        upload(rings.instances, list.rings);
+        for (std::size_t i = 0; i < sources.size(); ++i) upload(sources[i].instances, list.sources[i]);
+        upload(halos.instances, list.halos);
+        upload(trail_strips.instances, list.trails);
+        return hash;
     }
 
     void draw(const Program& program, const Batch& batch, const Instances& instances) {
@@ -211,15 +225,15 @@ struct Renderer::Parts {
     // Draws the ground into the backdrop when it has not changed since the last frame. True when the backdrop holds the
     // ground of this frame.
     bool update_backdrop(const FrameBlock& frame) {
-        const auto ground = backdrop.look(frame);
-        if (ground == Backdrop::Ground::rests) {
+        const auto ground = backdrop.look(ground_of(frame));
+        if (ground == StoredPicture::Content::rests) {
             upload(backdrop.begin_painting());
             glClear(GL_COLOR_BUFFER_BIT);
             draw_ground();
             backdrop.end_painting();
             upload(frame);
         }
-        return ground != Backdrop::Ground::moves;
+        return ground != StoredPicture::Content::moves;
     }
 
     // Draws the ground after all solid objects, so hidden parts of it are not shaded. It writes no depth: flat marks on
@@ -236,8 +250,10 @@ struct Renderer::Parts {
         if (!picture.settings.overlays.field || !now.scene) return;
         const Channel channel = *picture.settings.overlays.field;
         const sensing::Intensity& grid = intensity.grid();
-        if (intensity.update(intensity_input(now, channel, picture.settings.selection.vehicle)))
+        if (intensity.update(intensity_input(now, channel, picture.settings.selection.vehicle))) {
             intensities.fill(0, grid.columns, grid.rows, grid.values.data());
+            whole.forget();
+        }
         const Palette colours = palette(picture.theme);
         const Colour c = colour_of(colours, channel);
         const Arena& arena = now.scene->arena;
@@ -279,6 +295,28 @@ struct Renderer::Parts {
         glDepthMask(GL_TRUE);
     }
 
+    // Draws everything but the labels, with `resolution` of the picture's pixels. Afterwards the frame block is that of
+    // all pixels.
+    void draw_scene(const FrameBlock& frame, const Picture& picture) {
+        const Rect& window = picture.camera_view.window;
+        const bool coarse = resolution < 1 && resampling.begin_coarse(window, resolution);
+        const FrameBlock drawn = coarse ? at_resolution(frame, resolution) : frame;
+        upload(drawn);
+        const bool smooth = !coarse && picture.quality == Quality::high && resampling.begin_smooth(window);
+        // OpenGL 3.3 copies into several samples per pixel only from an identical format, OpenGL ES 3.0 not at all.
+        const bool in_backdrop = !smooth && update_backdrop(drawn);
+        // The copy comes first: a software renderer waits for the draw calls before it.
+        if (in_backdrop) backdrop.copy();
+        glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        draw_solids(picture.quality);
+        if (!in_backdrop) draw_ground_below();
+        draw_flat();
+        resampling.end();
+        if (!coarse) return;
+        set_viewport(window);
+        upload(frame);
+    }
+
     void draw_letters() {
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
@@ -302,7 +340,7 @@ std::optional<Error> Renderer::follow_shaders() {
     Programs fresh;
     if (auto error = fresh.load(parts_->folder, parts_->path)) return error;
     parts_->with = std::move(fresh);
-    parts_->backdrop.forget();
+    parts_->backdrop.forget(), parts_->whole.forget();
     return std::nullopt;
 }
 
@@ -342,24 +380,16 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
     const FrameBlock frame = frame_block(now, picture, p.list);
-    const bool coarse = picture.resolution < 1 && p.resampling.begin_coarse(window, picture.resolution);
-    const FrameBlock drawn = coarse ? at_resolution(frame, picture.resolution) : frame;
-    p.upload(drawn);
-    p.upload_list(drawn);
-    const bool smooth = !coarse && picture.quality == Quality::high && p.resampling.begin_smooth(window);
-    // OpenGL 3.3 copies into several samples per pixel only from an identical format, OpenGL ES 3.0 not at all.
-    const bool in_backdrop = !smooth && p.update_backdrop(drawn);
-    // The copy comes first: a software renderer waits for the draw calls before it.
-    if (in_backdrop) p.backdrop.copy();
-    glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    p.draw_solids(picture.quality);
-    if (!in_backdrop) p.draw_ground_below();
-    p.draw_flat();
-    p.resampling.end();
-    if (coarse) {
-        set_viewport(window);
-        p.upload(frame);
-    }
+    const bool may_rest = picture.copied_at_rest && p.seconds == now.seconds;
+    p.seconds = now.seconds;
+    const std::uint64_t instances = p.upload_list(frame, may_rest);
+    const auto content = may_rest ? p.whole.look(frame, instances) : StoredPicture::Content::moves;
+    p.resolution = content == StoredPicture::Content::moves ? picture.resolution : 1;
+    if (content == StoredPicture::Content::kept)
+        p.whole.copy(), p.upload(frame);
+    else
+        p.draw_scene(frame, picture);
+    if (content == StoredPicture::Content::rests) p.whole.store();
     p.draw_letters();
 
     // Restore default GL state for Dear ImGui.
@@ -384,6 +414,8 @@ void Renderer::finish() {
 }
 
 int Renderer::draw_calls() const { return parts_->calls; }
+
+float Renderer::resolution() const { return parts_->resolution; }
 
 bool Renderer::sectors_from_points() const { return parts_->with.sectors_from_points; }
 

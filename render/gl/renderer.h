@@ -52,6 +52,9 @@ public:
     // Number of draw calls of the last draw().
     int draw_calls() const;
 
+    // Of the last draw(): pixels drawn per pixel of the window, in width and in height; 1 for a copied picture.
+    float resolution() const;
+
     // True when geometry shaders draw the sensor fields.
     bool sectors_from_points() const;
 

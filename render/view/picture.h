@@ -22,7 +22,9 @@ struct Picture {
     CameraView camera_view;
     Theme theme = Theme::dark;
     Quality quality = Quality::low;
-    float resolution = 1;   // pixels drawn per pixel of the window, in width and in height, 0..1; labels have all
+    float resolution = 1;  // pixels drawn per pixel of the window, in width and in height, 0..1; labels have all
+    // While nothing moves, the scene is drawn once with all pixels and then copied.
+    bool copied_at_rest = false;
     ViewSettings settings;  // its camera is not used: `camera_view` has been made from it
     VehicleId hovered = no_vehicle;
     VehicleId driver = no_vehicle;    // the vehicle that carries the camera: its sensor fields are always drawn

@@ -1,4 +1,4 @@
-#include "render/gl/backdrop.h"
+#include "render/gl/stored_picture.h"
 
 #include <cstdlib>
 #include <vector>
@@ -9,7 +9,7 @@
 #include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab::tests::backdrop_test {
+namespace braitenlab::tests::stored_picture_test {
 namespace {
 
 using namespace render;
@@ -25,7 +25,7 @@ testing::AssertionResult alike(const Pixels& a, const Pixels& b) {
     return testing::AssertionFailure() << odd << " bytes differ";
 }
 
-class BackdropTest : public Rendered {
+class StoredPictureTest : public Rendered {
 protected:
     Pixels drawn(const Snapshot& now) {
         renderer->draw(now, picture);
@@ -50,7 +50,7 @@ protected:
     }
 };
 
-TEST_F(BackdropTest, ShowsTheSameGroundAsDirectDrawing) {
+TEST_F(StoredPictureTest, ShowsTheSameGroundAsDirectDrawing) {
     for (const Boundary edge : {Boundary::wall, Boundary::open, Boundary::torus})
         for (const Theme theme : {Theme::dark, Theme::light}) {
             const Snapshot now = arena_with(edge);
@@ -61,7 +61,7 @@ TEST_F(BackdropTest, ShowsTheSameGroundAsDirectDrawing) {
         }
 }
 
-TEST_F(BackdropTest, FollowsACameraThatMovesAgain) {
+TEST_F(StoredPictureTest, FollowsACameraThatMovesAgain) {
     const Snapshot now = arena_with(Boundary::wall);
     for (int frame = 0; frame < 3; ++frame) drawn(now);
     Camera camera;
@@ -70,7 +70,7 @@ TEST_F(BackdropTest, FollowsACameraThatMovesAgain) {
     EXPECT_TRUE(alike(drawn(now), drawn_afresh(now)));
 }
 
-TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
+TEST_F(StoredPictureTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
     const Snapshot now = arena_with(Boundary::wall);
     const Rect part{160, 120, 320, 240};
     picture.camera_view = look(Camera{}, Arena{}, nullptr, part, part);
@@ -78,7 +78,7 @@ TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
     for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
 }
 
-TEST_F(BackdropTest, FillsAPictureOfHalfAnOddNumberOfPixels) {
+TEST_F(StoredPictureTest, FillsAPictureOfHalfAnOddNumberOfPixels) {
     const Snapshot now = arena_with(Boundary::wall);
     const Rect part{0, 0, 639, 479};
     picture.camera_view = look(Camera{}, Arena{}, nullptr, part, part);
@@ -87,7 +87,7 @@ TEST_F(BackdropTest, FillsAPictureOfHalfAnOddNumberOfPixels) {
     for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
 }
 
-TEST_F(BackdropTest, ShowsTheSameGroundWithSeveralSamplesPerPixel) {
+TEST_F(StoredPictureTest, ShowsTheSameGroundWithSeveralSamplesPerPixel) {
     const Snapshot now = arena_with(Boundary::torus);
     picture.quality = Quality::high;
     const auto moving = drawn_afresh(now);
@@ -97,7 +97,7 @@ TEST_F(BackdropTest, ShowsTheSameGroundWithSeveralSamplesPerPixel) {
 }
 
 // The rows of a window begin at the top, those of a framebuffer object at the bottom.
-TEST_F(BackdropTest, ShowsTheSameGroundInAWindowAndInAFramebufferObject) {
+TEST_F(StoredPictureTest, ShowsTheSameGroundInAWindowAndInAFramebufferObject) {
     const Snapshot now = arena_with(Boundary::open);
     const auto moving = drawn_afresh(now);
     Offscreen elsewhere(window_width, window_height);
@@ -112,32 +112,85 @@ TEST_F(BackdropTest, ShowsTheSameGroundInAWindowAndInAFramebufferObject) {
     }
 }
 
-TEST_F(BackdropTest, StoresTheGroundAfterTwoEqualFrames) {
+TEST_F(StoredPictureTest, StoresTheGroundAfterTwoEqualFrames) {
     const Snapshot now = arena_with(Boundary::wall);
-    Backdrop backdrop;
-    const auto ground = [&] { return backdrop.look(frame_block(now, picture, DrawList{})); };
-    EXPECT_EQ(ground(), Backdrop::Ground::moves);
-    EXPECT_EQ(ground(), Backdrop::Ground::rests);
-    backdrop.begin_painting();
-    backdrop.end_painting();
-    EXPECT_EQ(ground(), Backdrop::Ground::kept);
+    StoredPicture stored;
+    const auto ground = [&] { return stored.look(ground_of(frame_block(now, picture, DrawList{}))); };
+    EXPECT_EQ(ground(), StoredPicture::Content::moves);
+    EXPECT_EQ(ground(), StoredPicture::Content::rests);
+    stored.begin_painting();
+    stored.end_painting();
+    EXPECT_EQ(ground(), StoredPicture::Content::kept);
     picture.theme = Theme::light;
-    EXPECT_EQ(ground(), Backdrop::Ground::moves);
+    EXPECT_EQ(ground(), StoredPicture::Content::moves);
     picture.theme = Theme::dark;
-    EXPECT_EQ(ground(), Backdrop::Ground::kept) << "the stored ground is valid again";
-    backdrop.forget();
-    EXPECT_EQ(ground(), Backdrop::Ground::rests);
+    EXPECT_EQ(ground(), StoredPicture::Content::kept) << "the stored ground is valid again";
+    stored.forget();
+    EXPECT_EQ(ground(), StoredPicture::Content::rests);
 }
 
-TEST_F(BackdropTest, KeepsTheGroundWhileTimePassesAndLampsMove) {
+TEST_F(StoredPictureTest, DrawsASceneAtRestWithAllPixelsAndThenCopiesIt) {
     Snapshot now = arena_with(Boundary::wall);
-    Backdrop backdrop;
+    picture.resolution = 0.5f;
+    const auto coarse = drawn_afresh(now);
+    picture.resolution = 1;
+    const auto sharp = drawn_afresh(now);
+    EXPECT_FALSE(alike(coarse, sharp));
+    picture.resolution = 0.5f, picture.copied_at_rest = true;
+    int coarse_frames = 0;
+    while (coarse_frames < 20 && alike(drawn(now), coarse)) ++coarse_frames;
+    EXPECT_GE(coarse_frames, 3) << "a pause between two movements of the mouse is no rest";
+    EXPECT_LE(coarse_frames, 6);
+    for (int frame = 0; frame < 3; ++frame) {
+        EXPECT_TRUE(alike(drawn(now), sharp)) << frame;
+        EXPECT_EQ(renderer->draw_calls(), 0) << "it is a copy";
+        EXPECT_EQ(renderer->resolution(), 1);
+    }
+    now.vehicles[0].x += 0.5f;
+    EXPECT_TRUE(alike(drawn(now), drawn_afresh(now))) << "no copy of another picture";
+    EXPECT_EQ(renderer->resolution(), 0.5f);
+}
+
+TEST_F(StoredPictureTest, CopiesNoSceneInWhichSomethingChanges) {
+    Snapshot now = arena_with(Boundary::wall);
+    picture.copied_at_rest = true;
+    const auto rest = [&] {
+        for (int frame = 0; frame < 8; ++frame) drawn(now);
+        EXPECT_EQ(renderer->draw_calls(), 0);
+    };
+    const auto drawn_anew = [&](const char* what) {
+        const auto after = drawn(now);
+        EXPECT_GT(renderer->draw_calls(), 0) << what;
+        picture.copied_at_rest = false;
+        EXPECT_TRUE(alike(after, drawn_afresh(now))) << what;
+        picture.copied_at_rest = true;
+    };
+    rest();
+    picture.hovered = now.vehicles[0].id;
+    drawn_anew("a ring around a vehicle");
+    rest();
+    picture.settings.overlays.field = Channel::light;
+    drawn_anew("contours");
+    rest();
+    now.sources[0].x -= 2;
+    drawn_anew("a lamp and its contours");
+    rest();
+    now.seconds += 1;
+    drawn_anew("the time");
+    rest();
+    picture.theme = Theme::light;
+    drawn_anew("the theme");
+}
+
+TEST_F(StoredPictureTest, KeepsTheGroundWhileTimePassesAndLampsMove) {
+    Snapshot now = arena_with(Boundary::wall);
+    StoredPicture stored;
     DrawList list;
-    backdrop.look(frame_block(now, picture, list));
+    stored.look(ground_of(frame_block(now, picture, list)));
     now.seconds += 1, now.vehicles[0].x += 1;
     list.lamps.push_back({{1, 1, 0, 1}, {1, 1, 1, 4}});
-    EXPECT_EQ(backdrop.look(frame_block(now, picture, list)), Backdrop::Ground::rests);
+    EXPECT_EQ(stored.look(ground_of(frame_block(now, picture, list))), StoredPicture::Content::rests);
 }
 
 }  // namespace
-}  // namespace braitenlab::tests::backdrop_test
+}  // namespace braitenlab::tests::stored_picture_test
