@@ -53,12 +53,13 @@ void main() {
         colour = socket(kind, d, pixel);
         return;
     }
-    float half_width = max(v_shape.z, (kind == kind_ring ? 1.1 : 0.7) * pixel * arena.w);
+    // By day yellow has little contrast with the floor: the ring and its dark outline are wider.
+    float day = counts.y, stroke = pixel * arena.w;
+    float half_width = max(v_shape.z, (kind == kind_ring ? 1.1 + 0.4 * day : 0.7) * stroke);
     float away = abs(d - v_shape.x);
     float line = 1.0 - smoothstep(half_width - pixel * 0.5, half_width + pixel * 0.5, away);
-    // The dark outline keeps yellow visible on a white floor.
-    float rim_width = half_width + max(0.012, 0.8 * pixel * arena.w);
+    float rim_width = half_width + max(0.012, (0.8 + 0.5 * day) * stroke);
     float rim = kind == kind_ring ? 1.0 - smoothstep(rim_width - pixel * 0.5, rim_width + pixel * 0.5, away) : 0.0;
-    float alpha = max(line, rim * 0.6) * v_base.a;
+    float alpha = max(line, rim * (0.6 + 0.25 * day)) * v_base.a;
     colour = vec4(mix(ink.rgb, v_base.rgb, line) * alpha, alpha);
 }

@@ -250,5 +250,20 @@ TEST_F(RendererTest, DrawsAYellowRingAroundTheSelectedVehicle) {
     EXPECT_LT(ring.b, 0.5f);
 }
 
+TEST_F(RendererTest, DrawsTheRingOfTheSelectedVehicleWithADarkOutlineByDay) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    picture.settings.selection.vehicle = hand_made::add(now, 0, 0, 0, 0);
+    picture.settings.sensors = false, picture.theme = Theme::light;
+    renderer->draw(now, picture);
+    const maths::vec2 ring = *project(picture.camera_view, {0.5f * std::hypot(1.0f, 0.7f) + 0.12f, 0});
+    int yellow = 0, dark = 0;
+    for (float x = -8; x <= 8; ++x) {
+        const Colour c = stage.pixel({ring.x + x, ring.y});
+        yellow += c.b < 0.45f && c.r > 0.8f, dark += brightness(c) < 0.35f;
+    }
+    EXPECT_GE(yellow, 2);
+    EXPECT_GE(dark, 2);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::renderer_test
