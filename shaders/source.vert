@@ -7,6 +7,7 @@ layout(location = 5) in vec4 base;   // w: height of its foot
 
 out vec3 v_core, v_rim;
 out vec3 v_normal, v_towards;
+out vec4 v_edge;  // of a bulb; a: opacity
 
 void main() {
     vec3 at = to_gl(vec3(place.xy, base.w) + corner * place.z);
@@ -30,6 +31,8 @@ void main() {
     rim = mix(rim, core, mix(0.9, 0.8, counts.y) * smoothstep(0.28, 0.40, yellow) * smoothstep(0.5, 1.0, place.w));
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
     v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;
+    // On the light floor an outline separates the bulb from its light.
+    v_edge = vec4(0.8 * base.rgb, kind == paint_light ? 0.9 * counts.y : 0.0);
     v_normal = up;
     v_towards = eye.xyz - at;
     gl_Position = view_projection * vec4(at, 1.0);

@@ -143,6 +143,35 @@ TEST_F(LookTest, ShowsALampAsTheBrightestThingInBothThemes) {
     }
 }
 
+TEST_F(LookTest, OutlinesABulbOnTheLightFloor) {
+    look_down(8);
+    picture.theme = Theme::light;
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add_source(now, Channel::light, 0, 0);
+    renderer->draw(now, picture);
+    const vec2 middle = *project(picture.camera_view, {0, 0}, 0.5f);
+    int amber = 0;
+    for (float x = 0; x < 60; ++x) {
+        const Colour c = stage.pixel({middle.x + x, middle.y});
+        amber += c.r > 0.5f && c.b < 0.35f;
+    }
+    EXPECT_GE(amber, 2);
+}
+
+TEST_F(LookTest, BrightensAtDuskTheVehiclesOfASceneWithoutEyesForLight) {
+    look_down(4);
+    auto dark = hand_made::scene();
+    dark->kinds.erase(dark->kinds.begin());  // plain, the kind that senses light
+    auto lit = std::make_shared<Scene>(*dark);
+    lit->kinds[0].sensors[0].channel = Channel::light;
+    const auto body = [&](const std::shared_ptr<Scene>& scene) {
+        Snapshot now = hand_made::empty(scene);
+        hand_made::add(now, 0, 0, 0, 0);
+        return brightness(seen(now, {-0.35f, 0.2f}, 0.25f));
+    };
+    EXPECT_GT(body(dark), 1.1f * body(lit));
+}
+
 TEST_F(LookTest, ShowsAStimulatedFieldOnALightFloorBesideALamp) {
     look_down(2);
     picture.theme = Theme::light, picture.settings.selection.vehicle = 0;
