@@ -68,7 +68,11 @@ TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
     desk.opened.prediction.hides_brain = true;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("brain.picture"));
+    const Rect answer = desk.where("exercise.predict.2");
     desk.lesson.prediction = 0;
+    desk.frame(3);
+    EXPECT_EQ(desk.where("exercise.predict.2"), answer) << "a second click chooses the same answer";
+    desk.lesson.has_run = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says("Aggressor"));
     for (const char* id : {"exercise.why", "equations", "brain.picture"}) EXPECT_TRUE(desk.anchors.find(id)) << id;

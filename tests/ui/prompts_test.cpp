@@ -278,6 +278,21 @@ TEST_F(LessonPrompts, OfferAHintAfterAFailedRun) {
     EXPECT_NE(anchor(), "exercise.hint");
 }
 
+TEST_F(LessonPrompts, PointToResetAfterAChangeInARunInWhichTheVehicleSensesNothing) {
+    desk.now.vehicles.resize(1);
+    desk.now.vehicles[0].speed = 0;  // at the wall
+    desk.opened.seconds = 40;
+    desk.lesson.has_run = true;
+    at(0), next();
+    at(21), desk.now.sensed.assign(desk.now.sensed.size(), 0.0f);
+    EXPECT_EQ(anchor(), "exercise.hint");
+    desk.view.undo_depth = 1;
+    EXPECT_EQ(anchor(), "button.reset");
+    EXPECT_EQ(next().hint, "hint.changed_since");
+    desk.now.sensed.assign(desk.now.sensed.size(), 0.5f);
+    EXPECT_EQ(anchor(), "exercise.hint") << "the change shows in this run";
+}
+
 TEST_F(LessonPrompts, AskForNoChangeWhileTheRunCompletesAStep) {
     desk.opened.seconds = 40;
     desk.view.undo_depth = 1;

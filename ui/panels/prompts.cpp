@@ -202,6 +202,13 @@ bool waits_for_a_step(const LabView& view) {
     return false;
 }
 
+// True if the brain was changed in this run and the vehicle senses nothing now: the change shows after a reset only.
+bool has_missed_a_change(const PromptMemory& memory, const LabView& view) {
+    if (edit_count(view) == memory.edits_at_start || view.now->vehicles.size() != 1 || waits_for_a_step(view))
+        return false;
+    return is_blind(*view.now, view.now->vehicles.front());
+}
+
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
@@ -214,6 +221,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (at_start) return {"button.play", "hint.press_play"};
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
     if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view)) return out;
+    if (has_missed_a_change(memory, view)) return {"button.reset", "hint.changed_since"};
     if (may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
     return {};
 }
@@ -278,6 +286,7 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
     watch_vehicle(memory, view);
+    if (view.now->tick == 0) memory.edits_at_start = edit_count(view);
     if (view.mode == Mode::wiring) return of_wiring(memory, view);
     memory.edits_before_wiring = -1;
     if (view.now->tick < view.timeline.latest && view.mode == Mode::paused) return {{}, "hint.in_the_past"};

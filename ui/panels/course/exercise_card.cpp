@@ -351,17 +351,24 @@ void passed_mark(Ui& ui) {
     mark(ui, "exercise.passed_mark", {at.x, at.y, card_width(ui), line});
 }
 
+// True once title and reason may be read. At a start at which the prediction can be changed they would move the answers
+// below the pointer.
+bool shows_title(const LabView& view) {
+    const LessonView& lesson = *view.lesson;
+    return !hides_outcome(view) && (lesson.has_run || lesson.outcome_known || !is_asked(lesson.exercise->prediction));
+}
+
 // Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,
 // the goal is below the result and scrolls.
 void head(const LabView& view, PanelState& state, Ui& ui) {
-    if (!hides_outcome(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
+    if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
     if (!has_passed(*view.lesson) && view.lesson->passed_before) passed_mark(ui);
     if (!has_passed(*view.lesson)) goal(*view.lesson, state, ui);
 }
 
 void reason(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
-    if (!lesson.exercise->why.empty() && !hides_outcome(view) &&
+    if (!lesson.exercise->why.empty() && shows_title(view) &&
         fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
         why(translated(ui, lesson.exercise->why), state, ui);
     gap(ui, 12);
@@ -397,7 +404,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         result(view, ui);
         if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
         reason(view, state, ui);
-        if (!hides_outcome(view)) selection_button(view, state, ui);
+        if (shows_title(view)) selection_button(view, state, ui);
         const bool steps_first = (!lesson.as_given || lesson.outcome_known) && !hides_outcome(view);
         if (!passed && steps_first) steps(view, state, ui);
         const bool hints_last = passed || !steps_first || state.outcome_newest;
