@@ -25,6 +25,20 @@ TEST(BrainCard, CrossesTheWiresAndMirrorsTheSides) {
     EXPECT_TRUE(desk.edits().empty()) << "no step of undo for equal sides";
 }
 
+TEST(BrainCard, GivesEveryNumberOfASumButTheFirstASign) {
+    Desk desk(1280, 800, 1, true);
+    desk.now = snapshot(0);
+    give(desk, make_graph({.LL = 0.5f, .LM = 0, .RM = 0}));
+    desk.frame(3);
+    const Rect sums = desk.where("equations");
+    const auto count = [&](std::string_view words) {
+        return std::count_if(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+            return w.words == words && w.rect.x >= sums.x && w.rect.y >= sums.y && w.rect.y < sums.y + sums.h;
+        });
+    };
+    EXPECT_EQ(count("+0.00"), 2) << "LM and RM";
+}
+
 TEST(BrainCard, EndsTheDragOfASliderWhenItsVehicleIsGone) {
     Desk desk;
     desk.frame(3);

@@ -143,10 +143,16 @@ void one_product(const Ui& ui, float right, float y, const Product& p) {
               Face::small);
 }
 
-// A signed number below its name.
-void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value) {
+// A signed number of a sum; also zero has a sign unless it is the first.
+std::string addend(const Ui& ui, float value, bool first) {
+    const std::string signed_value = with_sign(ui, value, 2);
+    return !first && signed_value == fixed(ui, 0, 2) ? "+" + signed_value : signed_value;
+}
+
+// A number of a sum below its name.
+void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value, bool first) {
     put_right(ui, {right, y}, letters, colour_of_names(ui), face_of_names(ui));
-    put_right(ui, {right, y + below_name(ui)}, with_sign(ui, value, 2), ui.palette.text, Face::small);
+    put_right(ui, {right, y + below_name(ui)}, addend(ui, value, first), ui.palette.text, Face::small);
 }
 
 class Equation {
@@ -164,29 +170,30 @@ public:
         put(ui_, {at_.x, large}, sum_.motor, c.text, Face::strong);
         sign(x_.equals, "=");
         if (sum_.shows_products) {
-            product(x_.first, sum_.products[0]);
+            product(x_.first, sum_.products[0], true);
             if (x_.factors) sign(x_.plus, "+");
-            product(x_.second, sum_.products[1]);
+            product(x_.second, sum_.products[1], false);
         }
         for (std::size_t i = 0; i < sum_.terms.size(); ++i)
-            contribution(x_.terms[i], sum_.terms[i].label, sum_.terms[i].name, sum_.terms[i].value);
-        signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias);
-        if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest);
+            contribution(x_.terms[i], sum_.terms[i].label, sum_.terms[i].name, sum_.terms[i].value,
+                         i == 0 && !sum_.shows_products);
+        signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias, !sum_.shows_products && sum_.terms.empty());
+        if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest, false);
         sign(x_.result, sum_.limited ? "→" : "=");  // → when the sum is limited to −1..1
         put_right(ui_, {x_.total, large}, with_sign(ui_, sum_.total, 2), sum_.stopped ? c.second_text : c.text,
                   Face::strong);
     }
 
 private:
-    void product(float right, const Product& p) const {
-        if (!x_.factors) return contribution(right, p.label, p.letters, p.value);
+    void product(float right, const Product& p, bool first) const {
+        if (!x_.factors) return contribution(right, p.label, p.letters, p.value, first);
         if (why_ && why_->product == &p) mark_cause(ui_, right, at_.y, numbers_of(ui_, p), p.value);
         one_product(ui_, right, at_.y, p);
     }
-    void contribution(float right, std::string_view label, std::string_view name, float value) const {
+    void contribution(float right, std::string_view label, std::string_view name, float value, bool first) const {
         const bool is_cause = why_ && why_->name == name && why_->value == value;
-        if (is_cause) mark_cause(ui_, right, at_.y, with_sign(ui_, value, 2), value);
-        signed_term(ui_, right, at_.y, label, value);
+        if (is_cause) mark_cause(ui_, right, at_.y, addend(ui_, value, first), value);
+        signed_term(ui_, right, at_.y, label, value, first);
     }
 
     const Ui& ui_;
