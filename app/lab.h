@@ -50,6 +50,7 @@ struct Lab {
     bool deselected = false;    // no vehicle is selected, and none is selected in place of a dead one
     Steer steered{};            // last command given by the arrow keys
     Preferences preferences{};  // as shown now
+    Theme lecture_theme = Theme::light;                     // of the next lecture: that of the last one since the start
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode
     std::shared_ptr<ExerciseCheck> check{};                 // of the open exercise for its author; null: none
     std::vector<Finding> findings{};                        // of that check, or the errors of its file

@@ -124,7 +124,7 @@ Camera home_camera(const Lab& lab) { return lab.pages ? camera_of(lab.pages->cur
 
 void begin_lecture(Lab& lab) {
     lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
-    lab.preferences.theme = Theme::light;
+    lab.preferences.theme = lab.lecture_theme;
     lab.preferences.type_size *= lecture_type;
 }
 

@@ -51,6 +51,18 @@ TEST_F(LabLecture, LeavingRestoresPreferencesAndCamera) {
     EXPECT_TRUE(lab.view.outlines);
 }
 
+TEST_F(LabLecture, KeepsItsThemeForTheNextLecture) {
+    lab.preferences.theme = Theme::light;
+    handle(lab, Action::lecture);
+    handle(lab, Action::theme);
+    EXPECT_EQ(lab.preferences.theme, Theme::dark);
+    handle(lab, Action::lecture);
+    EXPECT_EQ(lab.preferences.theme, Theme::light) << "one's own";
+    handle(lab, Action::theme), handle(lab, Action::theme);
+    handle(lab, Action::lecture);
+    EXPECT_EQ(lab.preferences.theme, Theme::dark);
+}
+
 TEST_F(LabLecture, LeavingRestoresTheViewSettingsButTheSelection) {
     const ViewSettings before = lab.view;
     handle(lab, Action::lecture);

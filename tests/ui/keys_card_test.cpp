@@ -67,6 +67,24 @@ TEST(KeysCard, BeginsInAnExerciseWithTheKeysOfAnswersAndSliders) {
     EXPECT_LT(top("keys.place.widget"), top("keys.place.everywhere"));
 }
 
+TEST(KeysCard, BeginsInALectureWithItsKeysAndOmitsThoseThatTheyReplace) {
+    Desk desk(1280, 2400, 1, true);
+    const auto row_of = [&](std::string_view key) -> const Written* {
+        for (const Written& w : desk.written)
+            if (w.words.size() > 5 && desk.strings(key).starts_with(w.words)) return &w;
+        return nullptr;
+    };
+    desk.key({key::f1});
+    desk.frame(3);
+    EXPECT_TRUE(row_of("action.new_population"));
+    desk.view.lecture = true;
+    desk.frame(3);
+    ASSERT_TRUE(row_of("keys.place.lecture") && row_of("keys.place.everywhere"));
+    EXPECT_LT(row_of("keys.place.lecture")->rect.y, row_of("keys.place.everywhere")->rect.y);
+    EXPECT_TRUE(row_of("action.notes"));
+    EXPECT_FALSE(row_of("action.new_population")) << "N shows the notes";
+}
+
 TEST(KeysCard, KeepsWordsAndKeysApartInEveryLanguage) {
     for (const char* code : {"en", "de", "es"}) {
         Desk desk(1280, 2400, 1, true);

@@ -212,6 +212,15 @@ TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
     }
 }
 
+TEST_F(MenuBar, ListsTheLecturesAboveTheRowsOfAnOpenOne) {
+    const std::vector<CatalogueEntry> lectures{{"four-numbers", "/x/four.toml", "Four numbers", ""}};
+    desk.view.lectures = &lectures;
+    desk.rest();
+    desk.click("menu.lecture"), desk.rest();
+    EXPECT_GT(desk.where("menu.lecture.four-numbers").y, desk.where("menu.lecture.lecture").y);
+    EXPECT_LT(desk.where("menu.lecture.four-numbers").y, desk.where("menu.lecture.next_page").y);
+}
+
 TEST_F(MenuBar, ALongNameOfAnExerciseIsItsFirstSentenceOrEndsBeforeAComma) {
     const std::string rest = " and so on without an end that fits into any menu of this window, however wide it is";
     const std::vector<CatalogueEntry> catalogue{{"a", "/a", "It rests at the lamp. It turns" + rest, "", 1},

@@ -66,12 +66,17 @@ std::string keys_of(const Shortcut& first, const Strings& strings) {
     return text;
 }
 
+// True in a lecture for a key that has another action there.
+bool is_taken_by_lecture(const LabView& view, const Shortcut& shortcut) {
+    return view.lecture && shortcut.place != KeyPlace::lecture && action_for(shortcut.press, KeyPlace::lecture);
+}
+
 // One row per action of a place.
-void add_rows(std::vector<KeyRow>& list, KeyPlace place, const Strings& strings) {
+void add_rows(std::vector<KeyRow>& list, const LabView& view, KeyPlace place, const Strings& strings) {
     list.push_back({"", std::string(strings("keys.place." + std::string(name(place)))), true});
     std::vector<Action> listed;
     for (const Shortcut& shortcut : shortcuts()) {
-        if (shortcut.place != place) continue;
+        if (shortcut.place != place || is_taken_by_lecture(view, shortcut)) continue;
         if (std::find(listed.begin(), listed.end(), shortcut.action) != listed.end()) continue;
         listed.push_back(shortcut.action);
         list.push_back(
@@ -85,14 +90,17 @@ void add_answer_rows(std::vector<KeyRow>& list, const Strings& strings) {
     list.push_back({key_name({' '}, strings), std::string(strings("keys.answer_space"))});
 }
 
-// In an exercise the keys of the prediction and of sliders are first.
+// In a lecture its keys are first, in an exercise those of the prediction and of sliders.
 std::vector<KeyRow> key_rows(const LabView& view, const Strings& strings) {
     std::vector<KeyRow> list;
-    const bool in_exercise = view.lesson != nullptr;
-    if (in_exercise) add_answer_rows(list, strings), add_rows(list, KeyPlace::widget, strings);
-    for (int place = 0; place <= static_cast<int>(last_place); ++place)
-        if (!in_exercise || static_cast<KeyPlace>(place) != KeyPlace::widget)
-            add_rows(list, static_cast<KeyPlace>(place), strings);
+    const bool in_exercise = view.lesson && !view.lecture;
+    if (view.lecture) add_rows(list, view, KeyPlace::lecture, strings);
+    if (in_exercise) add_answer_rows(list, strings), add_rows(list, view, KeyPlace::widget, strings);
+    for (int i = 0; i <= static_cast<int>(last_place); ++i) {
+        const auto place = static_cast<KeyPlace>(i);
+        const bool is_listed = place == KeyPlace::lecture ? view.lecture : place == KeyPlace::widget && in_exercise;
+        if (!is_listed) add_rows(list, view, place, strings);
+    }
     if (!in_exercise) add_answer_rows(list, strings);
     list.push_back({"", std::string(strings("keys.place.mouse")), true});
     for (const auto& [gesture, what] : gestures_of_mouse)

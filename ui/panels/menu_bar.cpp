@@ -319,7 +319,7 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         if (place.action == Action::last_run) rows.push_back(row_of_prediction(view, ui));
         if (place.action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
         if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);
-        if (place.action == Action::blank) add_lectures(rows, view, ui);
+        if (place.action == Action::lecture) add_lectures(rows, view, ui);
     }
     return rows;
 }

@@ -80,34 +80,76 @@ Face face_of_captions(const Lecture& lecture, const Ui& ui, float width) {
     return fits ? Face::caption : Face::title;
 }
 
+float height_of(const Ui& ui, std::string_view words, Face face, float width) {
+    return static_cast<float>(lines_of_words(ui, words, face, width).size()) * line_height(ui, face);
+}
+
+// Of the options of a question, each with a row for its hands below it. `indent`: of the words, window pixels.
+float height_of_options(const Ui& ui, const LectureQuestion& asked, Face face, float width, float indent) {
+    const float row = ui.px(button_height + between_options + 2 * spacing::tight);
+    float used = 0;
+    for (const std::string& option : asked.options)
+        used += height_of(ui, translated(ui, option), face, width - indent) + row;
+    return used;
+}
+
 // So have the options of its questions: the largest in which each question fits into this height.
 Face face_of_options(const Lecture& lecture, const Ui& ui, float width, float height) {
-    const float letter = ui.px(letter_column), row = ui.px(button_height + between_options + 2 * spacing::tight);
     const bool fits = std::all_of(lecture.pages.begin(), lecture.pages.end(), [&](const LecturePage& page) {
-        float used = 0;
-        for (const std::string& option : page.question.options) {
-            const auto lines = lines_of_words(ui, translated(ui, option), Face::caption, width - letter).size();
-            used += static_cast<float>(lines) * line_height(ui, Face::caption) + row;
-        }
-        return used <= height;
+        return height_of_options(ui, page.question, Face::caption, width, ui.px(letter_column)) <= height;
     });
     return fits ? Face::caption : Face::title;
 }
 
 std::string letter_of(std::size_t option) { return {static_cast<char>('A' + option)}; }
 
-// An option with the letter by which the lecturer calls it.
+// Beside notes there is no room for the letters.
+float indent_of_options(const LectureView& page, const Ui& ui) { return page.notes ? 0 : ui.px(letter_column); }
+
+// The words of an option with the letter by which the lecturer calls it. The cursor is then at its row for the hands.
+void lettered_option(const LectureView& page, Ui& ui, std::size_t option, Colour letter, Colour words, Face face) {
+    const float indent = indent_of_options(page, ui);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (indent > 0) put(ui, at, letter_of(option), letter, face);
+    ImGui::SetCursorScreenPos({at.x + indent, at.y});
+    paragraph(ui, translated(ui, page.current().question.options[option]), words, face);
+    ImGui::SetCursorScreenPos({at.x + indent, ImGui::GetCursorScreenPos().y});
+}
+
 void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option, Face face) {
     const LectureView& page = *view.pages;
-    const float indent = page.notes ? 0 : ui.px(letter_column);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (indent > 0) put(ui, at, letter_of(option), ui.palette.accent, face);
-    ImGui::SetCursorScreenPos({at.x + indent, at.y});
-    paragraph(ui, translated(ui, page.current().question.options[option]), ui.palette.text, face);
-    ImGui::SetCursorScreenPos({at.x + indent, ImGui::GetCursorScreenPos().y});
+    lettered_option(page, ui, option, ui.palette.accent, ui.palette.text, face);
     count_row(page, state, ui, option);
     ImGui::SameLine();
     share_bar(page, ui, option, ui.palette.accent, ui.px(button_height));
+    gap(ui, between_options);
+}
+
+bool is_right(const LectureQuestion& asked, std::size_t option) { return static_cast<int>(option) == asked.answer; }
+
+// Empty if no hands were counted.
+std::string count_of(const LectureView& page, std::size_t option) {
+    const auto& hands = page.hands[static_cast<std::size_t>(page.page)];
+    const bool counted = std::any_of(hands.begin(), hands.end(), [](int each) { return each > 0; });
+    return counted ? std::to_string(hands[option]) : std::string();
+}
+
+// Once the answer is known: words and bar are where they were while hands were counted.
+void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face face) {
+    const bool right = is_right(page.current().question, option);
+    const Colour colour = right ? ui.palette.success : ui.palette.text;
+    const ImVec2 words = ImGui::GetCursorScreenPos();
+    lettered_option(page, ui, option, right ? colour : ui.palette.accent, colour, face);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (right) mark(ui, "lecture.right", {words.x, words.y, card_width(ui), at.y - words.y});
+    const float row = ui.px(button_height), width = ui.px(hands_field + 2 * hands_button + 2 * spacing::small);
+    const float line = line_height(ui, Face::title);
+    const Rect count{at.x, at.y + (row - line) / 2, width, line};
+    if (right) put_icon(ui, {count.x + ui.px(hands_button) / 2, at.y + row / 2}, icon::check, colour, Face::title);
+    put_right(ui, {count.x + width - ui.px(spacing::small), count.y}, count_of(page, option), colour, Face::title);
+    mark(ui, option_id("lecture.count.", option), count);
+    ImGui::SetCursorScreenPos({at.x + width + ui.px(spacing::small), at.y});
+    share_bar(page, ui, option, colour, row);
     gap(ui, between_options);
 }
 
@@ -115,47 +157,61 @@ void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t
 Face face_of_answer(bool right) { return right ? Face::title : Face::strong; }
 
 std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::size_t option) {
-    const bool right = static_cast<int>(option) == asked.answer;
-    return letter_of(option) + (right ? "  ✓ " : "  ") + std::string(translated(ui, asked.options[option]));
+    return letter_of(option) + (is_right(asked, option) ? "  ✓ " : "  ") +
+           std::string(translated(ui, asked.options[option]));
 }
 
 // The largest type in which the reason fits with the options into this height: it pushes no option out of a small
 // window.
 Face face_of_reason(const Ui& ui, const LectureQuestion& asked, float height) {
     const float below_option = ui.px(bar_thickness + between_answers + 2 * spacing::tight);
-    const auto height_of = [&](std::string_view words, Face face, float width) {
-        return static_cast<float>(lines_of_words(ui, words, face, width).size()) * line_height(ui, face);
-    };
     float used = ui.px(spacing::tight);
     if (!asked.text.empty())
-        used += height_of(translated(ui, asked.text), Face::title, card_width(ui)) + ui.px(page_padding);
+        used += height_of(ui, translated(ui, asked.text), Face::title, card_width(ui)) + ui.px(page_padding);
     for (std::size_t i = 0; i < asked.options.size(); ++i)
-        used +=
-            below_option + height_of(words_of_answer(ui, asked, i), face_of_answer(static_cast<int>(i) == asked.answer),
-                                     card_width(ui) - ui.px(count_width));
+        used += below_option + height_of(ui, words_of_answer(ui, asked, i), face_of_answer(is_right(asked, i)),
+                                         card_width(ui) - ui.px(count_width));
     for (const Face face : {face_of_answer(true), Face::text})
-        if (used + height_of(translated(ui, asked.why), face, card_width(ui)) <= height) return face;
+        if (used + height_of(ui, translated(ui, asked.why), face, card_width(ui)) <= height) return face;
     return Face::small;
 }
 
-// Once the answer is known the count is beside the option, and wrong options are smaller: the reason finds room.
-void answered_option(const LabView& view, Ui& ui, std::size_t option, Face of_reason) {
-    const LectureView& page = *view.pages;
+// The largest type in which the reason fits below the options in their places; nullopt where none does.
+std::optional<Face> face_of_reason_below(const LectureView& page, const Ui& ui, Face of_options, float height) {
     const LectureQuestion& asked = page.current().question;
-    const bool right = static_cast<int>(option) == asked.answer;
+    float used = height_of_options(ui, asked, of_options, card_width(ui), indent_of_options(page, ui));
+    if (!asked.text.empty())
+        used += height_of(ui, translated(ui, asked.text), Face::title, card_width(ui)) + ui.px(page_padding);
+    for (const Face face : {Face::title, Face::text})
+        if (used + height_of(ui, translated(ui, asked.why), face, card_width(ui)) <= height) return face;
+    return std::nullopt;
+}
+
+// In a lower window the count is beside the option, and wrong options are smaller: the reason finds room.
+void answered_option(const LectureView& page, Ui& ui, std::size_t option, Face of_reason) {
+    const LectureQuestion& asked = page.current().question;
+    const bool right = is_right(asked, option);
     const Colour colour = right ? ui.palette.success : ui.palette.text;
     const Face face = face_of_answer(right);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = line_height(ui, face), width = card_width(ui) - ui.px(count_width);
-    const std::string count = std::to_string(page.hands[static_cast<std::size_t>(page.page)][option]);
-    put_right(ui, {at.x + card_width(ui), at.y + (line - line_height(ui, Face::title)) / 2}, count, colour,
-              Face::title);
+    put_right(ui, {at.x + card_width(ui), at.y + (line - line_height(ui, Face::title)) / 2}, count_of(page, option),
+              colour, Face::title);
     mark(ui, option_id("lecture.count.", option), {at.x + width, at.y, ui.px(count_width), line});
     if (right) mark(ui, "lecture.right", {at.x, at.y, width, line});
     paragraph(ui, words_of_answer(ui, asked, option), colour, face, width);
     share_bar(page, ui, option, colour, ui.px(bar_thickness));
     if (right && !asked.why.empty()) paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
     gap(ui, between_answers);
+}
+
+void answered(const LectureView& page, Ui& ui, Face of_options, float height) {
+    const LectureQuestion& asked = page.current().question;
+    const auto below = face_of_reason_below(page, ui, of_options, height);
+    const Face of_reason = below ? *below : face_of_reason(ui, asked, height);
+    for (std::size_t i = 0; i < asked.options.size(); ++i)
+        below ? answered_in_place(page, ui, i, of_options) : answered_option(page, ui, i, of_reason);
+    if (below && !asked.why.empty()) paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
 }
 
 // Minutes and seconds: "12:05".
@@ -209,10 +265,11 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         // Beside notes there is less room.
         const Face face =
             page.notes ? Face::strong : face_of_options(*page.lecture, ui, card_width(ui), r.h - ui.px(card_around));
-        const Face of_reason = face_of_reason(ui, asked, r.h - ui.px(card_around));
-        for (std::size_t i = 0; i < asked.options.size(); ++i)
-            page.shows(PagePart::answer) ? answered_option(view, ui, i, of_reason)
-                                         : option_to_count(view, state, ui, i, face);
+        const float height = r.h - ui.px(card_around);
+        if (!page.shows(PagePart::answer))
+            for (std::size_t i = 0; i < asked.options.size(); ++i) option_to_count(view, state, ui, i, face);
+        else
+            answered(page, ui, face, height);
         ImGui::PopStyleVar();
     }
     end_card(ui, card);
