@@ -250,6 +250,20 @@ TEST_F(LecturePages, TheDiagramTakesThePlaceOfAnAnsweredQuestion) {
     EXPECT_TRUE(desk.anchors.find("lecture.question")) << "the lecturer has hidden the diagram";
 }
 
+TEST_F(LecturePages, TheWiringEditorHasTheRoomOfValuesThatThePageDoesNotShow) {
+    desk.view.mode = Mode::wiring;
+    show(2, 0);
+    ASSERT_FALSE(pages.shows(PagePart::values));
+    const auto below = [&] {
+        const Rect inspector = desk.where("card.inspector");
+        return desk.layout.window.h - inspector.y - inspector.h;
+    };
+    EXPECT_LT(below(), 0.05f * desk.layout.window.h);
+    show(2, 2);
+    ASSERT_TRUE(pages.shows(PagePart::values));
+    EXPECT_GT(below(), 0.1f * desk.layout.window.h);
+}
+
 TEST_F(LecturePages, ShowsThePageNumberAndTheTitleOfTheLecture) {
     show(1, 0);
     EXPECT_TRUE(desk.says("2/10"));
