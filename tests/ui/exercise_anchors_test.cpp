@@ -48,6 +48,8 @@ void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<s
     note();
     desk.view.settings.map = desk.view.settings.reality = false;  // room for the whole exercise card
     note();
+    desk.lesson.at_start = false;  // title and reason
+    note();
 }
 
 // A window with an exercise whose brain has all four wires, and which offers all controls or some.

@@ -72,7 +72,10 @@ TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
     desk.lesson.prediction = 0;
     desk.frame(3);
     EXPECT_EQ(desk.where("exercise.predict.2"), answer) << "a second click chooses the same answer";
-    desk.lesson.has_run = true;
+    desk.lesson.has_run = true;  // a run without an answer, and a reset
+    desk.frame(3);
+    EXPECT_EQ(desk.where("exercise.predict.2"), answer);
+    desk.lesson.at_start = false;
     desk.frame(3);
     EXPECT_TRUE(desk.says("Aggressor"));
     for (const char* id : {"exercise.why", "equations", "brain.picture"}) EXPECT_TRUE(desk.anchors.find(id)) << id;

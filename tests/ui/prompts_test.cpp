@@ -283,13 +283,26 @@ TEST_F(LessonPrompts, PointToResetAfterAChangeInARunInWhichTheVehicleSensesNothi
     desk.now.vehicles[0].speed = 0;  // at the wall
     desk.opened.seconds = 40;
     desk.lesson.has_run = true;
+    desk.now.tick = 0;
     at(0), next();
-    at(21), desk.now.sensed.assign(desk.now.sensed.size(), 0.0f);
-    EXPECT_EQ(anchor(), "exercise.hint");
-    desk.view.undo_depth = 1;
+    desk.now.tick = 1;
+    const auto before = desk.now.brains[0];
+    auto wired = std::make_shared<BrainGraph>(*before);
+    wired->wires[0].weight += 0.3f;
+    desk.now.brains[0] = wired;
+    const auto see = [&](float reading) { desk.now.sensed.assign(desk.now.sensed.size(), reading); };
+    see(0);
+    at(21);
+    EXPECT_EQ(anchor(), "exercise.hint") << "it may turn past the lamp";
+    at(25);
     EXPECT_EQ(anchor(), "button.reset");
     EXPECT_EQ(next().hint, "hint.changed_since");
-    desk.now.sensed.assign(desk.now.sensed.size(), 0.5f);
+    auto biased = std::make_shared<BrainGraph>(*before);
+    biased->nodes.back().bias += 0.3f;
+    desk.now.brains[0] = biased;
+    EXPECT_EQ(anchor(), "exercise.hint") << "a bias acts without a stimulus";
+    desk.now.brains[0] = wired;
+    see(0.5f);
     EXPECT_EQ(anchor(), "exercise.hint") << "the change shows in this run";
 }
 

@@ -124,6 +124,8 @@ void watch_vehicle(PromptMemory& memory, const LabView& view) {
     const bool stands = vehicle && std::fabs(vehicle->speed) < standstill;
     keep_time(memory.blind_since, counts && !stands && is_blind(now, *vehicle), now.seconds);
     keep_time(memory.still_since, counts && stands, now.seconds);
+    keep_time(memory.dark_since, counts && is_blind(now, *vehicle), now.seconds);
+    if (vehicle && now.tick == 0) memory.wires_at_start = brain_of(now, *vehicle)->wires;
 }
 
 // Why a vehicle does not move.
@@ -202,11 +204,11 @@ bool waits_for_a_step(const LabView& view) {
     return false;
 }
 
-// True if the brain was changed in this run and the vehicle senses nothing now: the change shows after a reset only.
+// True if wires were changed in this run and the vehicle senses nothing: they then carry nothing, and the change shows
+// after a reset only.
 bool has_missed_a_change(const PromptMemory& memory, const LabView& view) {
-    if (edit_count(view) == memory.edits_at_start || view.now->vehicles.size() != 1 || waits_for_a_step(view))
-        return false;
-    return is_blind(*view.now, view.now->vehicles.front());
+    if (!lasts(memory.dark_since, lost_after, view.now->seconds) || waits_for_a_step(view)) return false;
+    return memory.wires_at_start != brain_of(*view.now, view.now->vehicles.front())->wires;
 }
 
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
@@ -286,7 +288,6 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
     watch_vehicle(memory, view);
-    if (view.now->tick == 0) memory.edits_at_start = edit_count(view);
     if (view.mode == Mode::wiring) return of_wiring(memory, view);
     memory.edits_before_wiring = -1;
     if (view.now->tick < view.timeline.latest && view.mode == Mode::paused) return {{}, "hint.in_the_past"};

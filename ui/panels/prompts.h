@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ui/lab_view.h"
 #include "ui/widgets/ui.h"
@@ -35,8 +36,9 @@ struct PromptMemory {
     Suggested lamp, wiring, timeline;           // of free play, in this order
     int edits_before_wiring = -1;               // number of edits when the wiring was opened; −1: it is closed
     int hint = 0, edits_before_hint = 0;        // number of hints shown, and of edits when the last one came
-    int edits_at_start = 0;                     // number of edits when the run began
     double blind_since = -1, still_since = -1;  // simulated seconds; negative: it sees a stimulus or stands; it moves
+    double dark_since = -1;                     // the same; negative: it sees a stimulus
+    std::vector<Wire> wires_at_start;           // of the single vehicle's brain at the start of the run
 };
 
 // Anchor of the first lamp that the selected vehicle senses, recorded by point_to_lamp().

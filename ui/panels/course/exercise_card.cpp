@@ -351,11 +351,11 @@ void passed_mark(Ui& ui) {
     mark(ui, "exercise.passed_mark", {at.x, at.y, card_width(ui), line});
 }
 
-// True once title and reason may be read. At a start at which the prediction can be changed they would move the answers
-// below the pointer.
+// True once title and reason may be read. While the prediction can be changed they would move the answers under the
+// pointer.
 bool shows_title(const LabView& view) {
-    const LessonView& lesson = *view.lesson;
-    return !hides_outcome(view) && (lesson.has_run || lesson.outcome_known || !is_asked(lesson.exercise->prediction));
+    const bool can_change = is_asked(view.lesson->exercise->prediction) && is_prediction_open(*view.lesson);
+    return !hides_outcome(view) && (!can_change || view.pages);
 }
 
 // Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,
@@ -404,7 +404,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         result(view, ui);
         if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
         reason(view, state, ui);
-        if (shows_title(view)) selection_button(view, state, ui);
+        if (!hides_outcome(view)) selection_button(view, state, ui);
         const bool steps_first = (!lesson.as_given || lesson.outcome_known) && !hides_outcome(view);
         if (!passed && steps_first) steps(view, state, ui);
         const bool hints_last = passed || !steps_first || state.outcome_newest;
