@@ -287,7 +287,6 @@ void act(Lab& lab, Action action) {
             break;
         case Action::theme:
             lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark;
-            if (lab.before_lecture) lab.lecture_theme = lab.preferences.theme;
             break;
         case Action::lecture:
             if (lab.before_lecture) {

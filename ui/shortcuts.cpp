@@ -357,6 +357,15 @@ std::optional<Action> action_for(KeyPress press, KeyPlace place) {
     return std::nullopt;
 }
 
+bool hides_a_part(Action action) {
+    return action == Action::hide_title || action == Action::hide_character || action == Action::hide_brain;
+}
+
+bool has_effect_in_lecture(Action action, bool has_pages) {
+    return has_pages || hides_a_part(action) || action == Action::draw_marks || action == Action::clear_marks ||
+           action == Action::blank;
+}
+
 std::string_view name(KeyPlace place) { return place_names[static_cast<std::size_t>(place)]; }
 
 std::string_view name(Action action) { return action_names[static_cast<std::size_t>(action)].name; }

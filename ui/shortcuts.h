@@ -55,6 +55,12 @@ std::span<const Shortcut> shortcuts();
 
 std::optional<Action> action_for(KeyPress, KeyPlace = KeyPlace::everywhere);
 
+// True for actions that hide a part of a lecture.
+bool hides_a_part(Action);
+
+// True for an action of KeyPlace::lecture whose key has an effect: those of pages and notes need an open lecture file.
+bool has_effect_in_lecture(Action, bool has_pages);
+
 // "play_pause": the string files have its words as action.play_pause.
 std::string_view name(Action);
 std::optional<Action> action_named(std::string_view);

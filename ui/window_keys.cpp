@@ -75,10 +75,6 @@ bool works_under_a_sheet(KeyPress press) {
                       *action == Action::smaller || *action == Action::keys);
 }
 
-bool hides_a_part(Action action) {
-    return action == Action::hide_title || action == Action::hide_character || action == Action::hide_brain;
-}
-
 // Keys of a lecture; those of pages and notes while a lecture file is open. They precede all others but those of sheets
 // and text fields.
 bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
@@ -90,7 +86,7 @@ bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Out
         state.blank = true;
     else if (*action == Action::clear_marks)
         state.marks.lines.clear();
-    else if (view.pages || hides_a_part(*action))
+    else if (has_effect_in_lecture(*action, view.pages))
         outbox.push_back(*action);
     else
         return *action == Action::notes;  // without pages: it is not the key of a new population

@@ -143,6 +143,7 @@ void end_lecture(Lab& lab) {
         lab.document.saved_edits = lab.document.edits;
         lab.document.saved_tick = lab.document.session.snapshot().tick;
     }
+    lab.lecture_theme = lab.preferences.theme;
     lab.preferences = own_preferences(lab);
     const Selection selection = lab.view.selection;
     lab.view = lab.before_lecture->view;

@@ -12,8 +12,8 @@ inline constexpr float lecture_type = 1.4f;  // times the type size outside a le
 // as in a small one. At least 1. `display_scale`: window pixels per layout pixel at type size 1.
 float lecture_growth(Rect window, float display_scale);
 
-// Lecture mode: large type, light colours. The end restores preferences and view settings, and leaves the lecture file;
-// the scene of the last page stays open.
+// Lecture mode: large type, and the theme of the last lecture since the start of the program, at first light. The end
+// restores preferences and view settings, and leaves the lecture file; the scene of the last page stays open.
 void begin_lecture(Lab&);
 void end_lecture(Lab&);
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "desk.h"
+#include "lecture_on_desk.h"
 
 namespace braitenlab::tests::keys_card_test {
 
@@ -78,6 +78,11 @@ TEST(KeysCard, BeginsInALectureWithItsKeysAndOmitsThoseThatTheyReplace) {
     desk.frame(3);
     EXPECT_TRUE(row_of("action.new_population"));
     desk.view.lecture = true;
+    desk.frame(3);
+    EXPECT_TRUE(row_of("action.draw_marks"));
+    EXPECT_FALSE(row_of("action.notes")) << "there are no pages";
+    const LectureView pages = opened_lecture("four-numbers");
+    desk.view.pages = &pages;
     desk.frame(3);
     ASSERT_TRUE(row_of("keys.place.lecture") && row_of("keys.place.everywhere"));
     EXPECT_LT(row_of("keys.place.lecture")->rect.y, row_of("keys.place.everywhere")->rect.y);

@@ -66,9 +66,16 @@ std::string keys_of(const Shortcut& first, const Strings& strings) {
     return text;
 }
 
-// True in a lecture for a key that has another action there.
+// True in a lecture for a key that has another action, or none, there.
 bool is_taken_by_lecture(const LabView& view, const Shortcut& shortcut) {
-    return view.lecture && shortcut.place != KeyPlace::lecture && action_for(shortcut.press, KeyPlace::lecture);
+    const auto action = action_for(shortcut.press, KeyPlace::lecture);
+    if (!view.lecture || shortcut.place == KeyPlace::lecture || !action) return false;
+    return has_effect_in_lecture(*action, view.pages) || *action == Action::notes;
+}
+
+// False for keys of pages and notes while no lecture file is open.
+bool is_listed(const LabView& view, const Shortcut& shortcut) {
+    return shortcut.place != KeyPlace::lecture || !view.lecture || has_effect_in_lecture(shortcut.action, view.pages);
 }
 
 // One row per action of a place.
@@ -76,7 +83,7 @@ void add_rows(std::vector<KeyRow>& list, const LabView& view, KeyPlace place, co
     list.push_back({"", std::string(strings("keys.place." + std::string(name(place)))), true});
     std::vector<Action> listed;
     for (const Shortcut& shortcut : shortcuts()) {
-        if (shortcut.place != place || is_taken_by_lecture(view, shortcut)) continue;
+        if (shortcut.place != place || is_taken_by_lecture(view, shortcut) || !is_listed(view, shortcut)) continue;
         if (std::find(listed.begin(), listed.end(), shortcut.action) != listed.end()) continue;
         listed.push_back(shortcut.action);
         list.push_back(
@@ -98,8 +105,8 @@ std::vector<KeyRow> key_rows(const LabView& view, const Strings& strings) {
     if (in_exercise) add_answer_rows(list, strings), add_rows(list, view, KeyPlace::widget, strings);
     for (int i = 0; i <= static_cast<int>(last_place); ++i) {
         const auto place = static_cast<KeyPlace>(i);
-        const bool is_listed = place == KeyPlace::lecture ? view.lecture : place == KeyPlace::widget && in_exercise;
-        if (!is_listed) add_rows(list, view, place, strings);
+        const bool is_first = place == KeyPlace::lecture ? view.lecture : place == KeyPlace::widget && in_exercise;
+        if (!is_first) add_rows(list, view, place, strings);
     }
     if (!in_exercise) add_answer_rows(list, strings);
     list.push_back({"", std::string(strings("keys.place.mouse")), true});

@@ -145,7 +145,9 @@ void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face
     const float row = ui.px(button_height), width = ui.px(hands_field + 2 * hands_button + 2 * spacing::small);
     const float line = line_height(ui, Face::title);
     const Rect count{at.x, at.y + (row - line) / 2, width, line};
-    if (right) put_icon(ui, {count.x + ui.px(hands_button) / 2, at.y + row / 2}, icon::check, colour, Face::title);
+    const ImVec2 sign{count.x + ui.px(hands_button) / 2, at.y + row / 2};
+    if (right && has_icons(ui)) put_icon(ui, sign, icon::check, colour, Face::title);
+    if (right && !has_icons(ui)) put_centred(ui, {sign.x, count.y}, "✓", colour, Face::title);
     put_right(ui, {count.x + width - ui.px(spacing::small), count.y}, count_of(page, option), colour, Face::title);
     mark(ui, option_id("lecture.count.", option), count);
     ImGui::SetCursorScreenPos({at.x + width + ui.px(spacing::small), at.y});
