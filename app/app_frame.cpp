@@ -289,13 +289,19 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
 
 Quality App::quality() const { return lab_.preferences.quality.value_or(quality_.level()); }
 
-float App::resolution() const { return lab_.preferences.quality ? 1 : quality_.resolution(); }
+float App::resolution() const {
+    return lab_.preferences.quality || window_.is_redirected() ? 1 : quality_.resolution();
+}
 
 void App::draw_measured(Picture picture) {
     if (quality_of_ != shown_lab().document.name) quality_.start_over(), quality_of_ = shown_lab().document.name;
-    // A measured picture is not copied. With fewer pixels nothing is measured at rest: the picture would flicker.
-    const bool due = !lab_.preferences.quality && quality_.measures(facts_.frames);
-    picture.copied_at_rest = !repeatable() && (!due || picture.resolution < 1);
+    // A measured picture is drawn, so few are measured while it could be copied, and none with fewer pixels: it would
+    // flicker.
+    constexpr int seldom = 8;  // frames at rest for one that counts
+    const bool counts = !renderer_.copied() || (facts_.frames % seldom == 0 && picture.resolution == 1);
+    const bool due =
+        !lab_.preferences.quality && counts && quality_.measures(facts_.frames / (renderer_.copied() ? seldom : 1));
+    picture.copied_at_rest = !repeatable() && !due;
     if (due) renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();
     renderer_.draw(shown_, picture);

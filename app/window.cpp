@@ -380,6 +380,8 @@ int Window::graphics_errors() const { return native_->graphics_errors; }
 
 void Window::redirect(std::optional<Canvas> canvas) { native_->canvas = canvas; }
 
+bool Window::is_redirected() const { return native_->canvas.has_value(); }
+
 void Window::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, native_->canvas ? native_->canvas->framebuffer : 0);
     glViewport(0, 0, framebuffer_width(), framebuffer_height());

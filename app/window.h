@@ -94,6 +94,7 @@ public:
         int width = 0, height = 0;  // px
     };
     void redirect(std::optional<Canvas>);
+    bool is_redirected() const;
 
     // Binds the window's framebuffer, sized to it.
     void bind() const;

@@ -13,7 +13,10 @@ void main() {
     // The quad is larger than the mark: by the softness of a shadow, by the width of a line and a margin. The quad of a
     // pool has the size of the pool.
     const float kind_pool = 1.0;
-    float beyond = shape.w < kind_pool - 0.5 ? shape.z : shape.w < kind_pool + 0.5 ? 0.0 : 2.0 * shape.z + 0.12;
+    // Of a line, whose width is in pixels where it is thin, at least some pixels.
+    float pixel = (view_projection * vec4(to_gl(vec3(place.xy, 0.0)), 1.0)).w / eye.w;
+    float line = max(2.0 * shape.z + 0.12, 8.0 * pixel * arena.w);
+    float beyond = shape.w < kind_pool - 0.5 ? shape.z : shape.w < kind_pool + 0.5 ? 0.0 : line;
     v_own = corner.xy * (shape.xy + beyond);
     v_shape = shape;
     v_base = base;

@@ -136,6 +136,7 @@ struct Renderer::Parts {
     int calls = 0;
     double seconds = -1;   // of the last snapshot
     float resolution = 1;  // of the last picture
+    bool copied = false;   // the last picture was one of `whole`
 
     Parts() {
         glGenBuffers(1, &frame_buffer);
@@ -380,12 +381,15 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
     const FrameBlock frame = frame_block(now, picture, p.list);
-    const bool may_rest = picture.copied_at_rest && p.seconds == now.seconds;
+    // Graphics hardware, whose windows have several samples, needs no copy.
+    const bool has_single_samples = p.resampling.samples_of_window() == 0;
+    const bool may_rest = picture.copied_at_rest && has_single_samples && p.seconds == now.seconds;
     p.seconds = now.seconds;
     const std::uint64_t instances = p.upload_list(frame, may_rest);
     const auto content = may_rest ? p.whole.look(frame, instances) : StoredPicture::Content::moves;
     p.resolution = content == StoredPicture::Content::moves ? picture.resolution : 1;
-    if (content == StoredPicture::Content::kept)
+    p.copied = content == StoredPicture::Content::kept;
+    if (p.copied)
         p.whole.copy(), p.upload(frame);
     else
         p.draw_scene(frame, picture);
@@ -416,6 +420,8 @@ void Renderer::finish() {
 int Renderer::draw_calls() const { return parts_->calls; }
 
 float Renderer::resolution() const { return parts_->resolution; }
+
+bool Renderer::copied() const { return parts_->copied; }
 
 bool Renderer::sectors_from_points() const { return parts_->with.sectors_from_points; }
 

@@ -23,6 +23,9 @@ public:
     // nothing if no beginning was successful.
     void end();
 
+    // Samples per pixel of the window; 0: no multisampling.
+    int samples_of_window() const { return samples_of_window_; }
+
 private:
     bool begin(int width, int height, int samples);
 

@@ -23,7 +23,8 @@ struct Picture {
     Theme theme = Theme::dark;
     Quality quality = Quality::low;
     float resolution = 1;  // pixels drawn per pixel of the window, in width and in height, 0..1; labels have all
-    // While nothing moves, the scene is drawn once with all pixels and then copied.
+    // While nothing moves, the scene is drawn once with all pixels and then copied, where a window has one sample per
+    // pixel, as those of software renderers have.
     bool copied_at_rest = false;
     ViewSettings settings;  // its camera is not used: `camera_view` has been made from it
     VehicleId hovered = no_vehicle;

@@ -175,6 +175,18 @@ TEST_F(StoredPictureTest, CopiesNoSceneInWhichSomethingChanges) {
     now.sources[0].x -= 2;
     drawn_anew("a lamp and its contours");
     rest();
+    auto scene = std::make_shared<Scene>(*now.scene);
+    for (Sensor& eye : scene->kinds[0].sensors) eye.channel = Channel::heat;
+    now.scene = scene;
+    hand_made::add_source(now, Channel::heat, -3, -1);
+    picture.settings.overlays.field = Channel::heat, picture.settings.selection.vehicle = now.vehicles[0].id;
+    picture.settings.sensors = false;
+    rest();
+    auto other = std::make_shared<Scene>(*scene);
+    for (Sensor& eye : other->kinds[0].sensors) eye.half_distance *= 2;
+    now.scene = other;
+    drawn_anew("only the contours");
+    rest();
     now.seconds += 1;
     drawn_anew("the time");
     rest();
