@@ -142,8 +142,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     }
     const float margin = c.margin * scale;
     // A page shows its values on request only; below the editor they then need no room.
-    const bool has_figures = !view.pages || view.mode != Mode::wiring ||
-                             (view.pages->shows(PagePart::values) && !view.pages->notes);
+    const bool has_figures =
+        !view.pages || view.mode != Mode::wiring || (view.pages->shows(PagePart::values) && !view.pages->notes);
     const float top = l.toolbar.y + l.toolbar.h + margin, bottom = (has_figures ? l.hint_bar.y : height) - margin;
     const float column = std::max(0.0f, bottom - top);
     // At most three eighths of the window each, so that a quarter stays free.
