@@ -295,18 +295,12 @@ float App::resolution() const {
 
 void App::draw_measured(Picture picture) {
     if (quality_of_ != shown_lab().document.name) quality_.start_over(), quality_of_ = shown_lab().document.name;
-    // A measured picture is drawn, so few are measured while it could be copied, and none with fewer pixels: it would
-    // flicker.
-    constexpr int seldom = 8;  // frames at rest for one that counts
-    const bool counts = !renderer_.copied() || (facts_.frames % seldom == 0 && picture.resolution == 1);
-    const bool due =
-        !lab_.preferences.quality && counts && quality_.measures(facts_.frames / (renderer_.copied() ? seldom : 1));
+    const bool due = !lab_.preferences.quality && quality_.measures(facts_.frames, renderer_.copied());
     picture.copied_at_rest = !repeatable() && !due;
     if (due) renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();
     renderer_.draw(shown_, picture);
-    if (due) renderer_.finish();
-    if (due && renderer_.resolution() == picture.resolution) quality_.add(seconds_since(began));
+    if (due) renderer_.finish(), quality_.add(seconds_since(began));
     facts_.quality = picture.quality, facts_.resolution = renderer_.resolution();
 }
 

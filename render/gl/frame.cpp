@@ -27,6 +27,9 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     };
     // At dusk scenes without eyes for light are brighter: else their vehicles are darker than their trails.
     const float brighter = now.scene && senses_light(*now.scene) ? 1.0f : 1.5f;
+    const auto at_dusk = [brighter](float r, float g, float b) {
+        return maths::vec4{r * brighter, g * brighter, b * brighter, 0};
+    };
     FrameBlock block;
     block.view_projection = camera_view.projection * camera_view.view;
     block.eye = {camera_view.eye.x, camera_view.eye.y, camera_view.eye.z,
@@ -34,12 +37,9 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.right = row(0), block.up = row(1);
     const maths::vec3 sun = maths::normalise(to_gl({sun_direction.x, sun_direction.y}, sun_direction.z));
     block.sun = {sun.x, sun.y, sun.z, 0};
-    block.sun_light = light ? maths::vec4{0.62f, 0.61f, 0.57f, 0}
-                            : maths::vec4{0.42f * brighter, 0.43f * brighter, 0.44f * brighter, 0};
-    block.sky_light = light ? maths::vec4{0.50f, 0.51f, 0.53f, 0}
-                            : maths::vec4{0.26f * brighter, 0.30f * brighter, 0.35f * brighter, 0};
-    block.ground_light = light ? maths::vec4{0.56f, 0.54f, 0.50f, 0}
-                               : maths::vec4{0.08f * brighter, 0.085f * brighter, 0.10f * brighter, 0};
+    block.sun_light = light ? maths::vec4{0.62f, 0.61f, 0.57f, 0} : at_dusk(0.42f, 0.43f, 0.44f);
+    block.sky_light = light ? maths::vec4{0.50f, 0.51f, 0.53f, 0} : at_dusk(0.26f, 0.30f, 0.35f);
+    block.ground_light = light ? maths::vec4{0.56f, 0.54f, 0.50f, 0} : at_dusk(0.08f, 0.085f, 0.10f);
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);
     block.shadow = four(colours.shadow);

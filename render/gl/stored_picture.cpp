@@ -28,13 +28,15 @@ StoredPicture::StoredPicture(int frames_of_rest) : frames_of_rest_(frames_of_res
 
 StoredPicture::~StoredPicture() { glDeleteFramebuffers(1, &framebuffer_); }
 
-bool StoredPicture::same(const std::optional<Key>& a, const Key& b) { return a && std::memcmp(&*a, &b, sizeof b) == 0; }
+bool StoredPicture::same(const std::optional<Key>& a, const Key& b) {
+    return a && a->instances == b.instances && std::memcmp(&a->frame, &b.frame, sizeof b.frame) == 0;
+}
 
 StoredPicture::Content StoredPicture::look(const FrameBlock& frame, std::uint64_t instances) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound_);
     if (mirrored_ != (bound_ == 0)) forget();
     mirrored_ = bound_ == 0;
-    const Key now{frame, instances, 0};
+    const Key now{frame, instances};
     rested_ = same(last_, now) ? rested_ + 1 : 0;
     last_ = now;
     return same(stored_, now) ? Content::kept : rested_ >= frames_of_rest_ ? Content::rests : Content::moves;

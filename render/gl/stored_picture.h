@@ -52,7 +52,7 @@ public:
 private:
     struct Key {
         FrameBlock frame;
-        std::uint64_t instances, unused;  // no padding
+        std::uint64_t instances;
     };
     static bool same(const std::optional<Key>&, const Key&);
     void fit();

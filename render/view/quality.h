@@ -20,7 +20,12 @@ public:
     float resolution() const { return coarse_ ? coarse_resolution : 1; }
 
     // True if this frame's time shall be measured: a measurement waits for the graphics hardware, so few frames are.
-    bool measures(int frame) const { return frame % (coarse_ ? frames_between_if_coarse : frames_between) == 0; }
+    // `copied`: the last frame was a copy at rest. Fewer are then measured, because a measured frame is drawn; none at
+    // the lower resolution, at which it would look different.
+    bool measures(int frame, bool copied = false) const {
+        if (copied) return !coarse_ && frame % frames_between_if_copied == 0;
+        return frame % (coarse_ ? frames_between_if_coarse : frames_between) == 0;
+    }
 
     // The time of drawing a scene at level(), s.
     void add(double seconds);
@@ -29,6 +34,7 @@ public:
     void start_over() { *this = QualityChoice(first_); }
 
     static constexpr int frames_between = 8;
+    static constexpr int frames_between_if_copied = 64;
     static constexpr int frames_between_if_coarse = 240;  // each measurement stops such a slow machine for a moment
     static constexpr double slow = 0.030, fast = 0.005;   // s
     // A quarter of the pixels takes a quarter of the time, so the limits are more than a factor of 4 apart.

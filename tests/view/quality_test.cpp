@@ -40,6 +40,18 @@ TEST(QualityChoice, HalvesTheResolutionWhereLowQualityIsVerySlowToo) {
     EXPECT_EQ(choice.resolution(), 1);
 }
 
+TEST(QualityChoice, MeasuresFewFramesAtRestAndNoneOfThemAtTheLowerResolution) {
+    const QualityChoice sharp, coarse(Quality::low);
+    int moving = 0, resting = 0, coarse_resting = 0;
+    for (int frame = 0; frame < 960; ++frame) {
+        moving += sharp.measures(frame), resting += sharp.measures(frame, true);
+        coarse_resting += coarse.measures(frame, true);
+    }
+    EXPECT_EQ(moving, 120);
+    EXPECT_EQ(resting, 15);
+    EXPECT_EQ(coarse_resting, 0);
+}
+
 TEST(QualityChoice, BeginsWithHalfTheResolutionWhereItBeginsWithLow) {
     QualityChoice choice(Quality::low);
     EXPECT_EQ(choice.level(), Quality::low);
