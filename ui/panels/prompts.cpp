@@ -125,7 +125,7 @@ void watch_vehicle(PromptMemory& memory, const LabView& view) {
     keep_time(memory.blind_since, counts && !stands && is_blind(now, *vehicle), now.seconds);
     keep_time(memory.still_since, counts && stands, now.seconds);
     keep_time(memory.dark_since, counts && is_blind(now, *vehicle), now.seconds);
-    if (vehicle && now.tick == 0) memory.wires_at_start = brain_of(now, *vehicle)->wires;
+    if (vehicle && now.tick == 0) memory.brain_at_start = brain_of(now, *vehicle);
 }
 
 // Why a vehicle does not move.
@@ -208,7 +208,8 @@ bool waits_for_a_step(const LabView& view) {
 // after a reset only.
 bool has_missed_a_change(const PromptMemory& memory, const LabView& view) {
     if (!lasts(memory.dark_since, lost_after, view.now->seconds) || waits_for_a_step(view)) return false;
-    return memory.wires_at_start != brain_of(*view.now, view.now->vehicles.front())->wires;
+    const auto& brain = brain_of(*view.now, view.now->vehicles.front());
+    return memory.brain_at_start && memory.brain_at_start != brain && memory.brain_at_start->wires != brain->wires;
 }
 
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {

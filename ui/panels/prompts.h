@@ -1,9 +1,9 @@
 // Prompts: the highlighted widget and the hint for a beginner's next step. A prompt ends when the step is done.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "ui/lab_view.h"
 #include "ui/widgets/ui.h"
@@ -38,7 +38,7 @@ struct PromptMemory {
     int hint = 0, edits_before_hint = 0;        // number of hints shown, and of edits when the last one came
     double blind_since = -1, still_since = -1;  // simulated seconds; negative: it sees a stimulus or stands; it moves
     double dark_since = -1;                     // the same; negative: it sees a stimulus
-    std::vector<Wire> wires_at_start;           // of the single vehicle's brain at the start of the run
+    std::shared_ptr<const BrainGraph> brain_at_start;  // of the single vehicle; null: the run was opened later
 };
 
 // Anchor of the first lamp that the selected vehicle senses, recorded by point_to_lamp().
