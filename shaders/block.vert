@@ -1,4 +1,4 @@
-// Walls and obstacles: upright prisms of up to eight corners with a chamfered top, and the shadow around their feet. A
+// Walls and obstacles: upright prisms of up to eight corners with a round upper edge, and the shadow around their feet. A
 // corner of the mesh holds numbers only: edge of the prism, its first (0) or second (1) end, level.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;   // x, y, direction
@@ -6,14 +6,15 @@ layout(location = 5) in vec4 corners_01;  // of the prism, counter-clockwise
 layout(location = 6) in vec4 corners_23;
 layout(location = 7) in vec4 corners_45;
 layout(location = 8) in vec4 corners_67;
-layout(location = 9) in vec4 size;   // height, chamfer, number of corners, 1: a wall of the arena
+layout(location = 9) in vec4 size;   // height, radius of the upper edge, number of corners, 1: a wall of the arena
 layout(location = 10) in vec4 base;  // w: 1: movable
 
 out vec3 v_colour;
 out float v_far;  // across the shadow: 0 at the foot, 1 at its outer end
 
-const int level_shadow_end = -2, level_shadow = -1, level_foot = 0, level_shoulder = 1, level_chamfer = 2,
-          level_inner = 3, level_top = 4;
+// The edge between the side and the top is a quarter of a circle in steps (prism() in render/gl/batch.h).
+const int level_shadow_end = -2, level_shadow = -1, level_foot = 0, level_shoulder = 1, edge_steps = 4,
+          level_inner = level_shoulder + edge_steps, level_top = level_inner + 1;
 const float shadow_reach = 0.24;  // m, in an arena of usual size
 const float shadow_share = 0.7;   // of the length of the shadow of the sun: its end is soft
 
@@ -35,21 +36,20 @@ void main() {
     vec2 between = normalize(out_before + out_after), outwards = between / max(dot(between, out_after), 0.4);
     vec2 face = corner.y < 0.5 ? out_after : out_before;
 
-    bool on_top = level >= level_inner;
     bool shadow = level < level_foot;
-    vec2 at = here + outwards * (on_top ? -size.y : level == level_shadow_end ? shadow_reach * form.y : 0.0);
-    float height = shadow ? 0.004 : level == level_foot ? 0.0 : on_top ? size.x : size.x - size.y;
-    // Edges are shaded as if they were round: across the chamfer, across a short face between two long ones, and at a
-    // corner of two short faces.
+    // Of the rounded edge: direction of the normal, outwards and up.
+    float lean = 1.5707963 * clamp(float(level - level_shoulder) / float(edge_steps), 0.0, 1.0);
+    float flat_part = cos(lean), upright = sin(lean);
+    vec2 at = here + outwards * (level == level_shadow_end ? shadow_reach * form.y : -size.y * (1.0 - flat_part));
+    float height = shadow ? 0.004 : level == level_foot ? 0.0 : size.x - size.y * (1.0 - upright);
+    // Vertical edges are shaded as if they were round: across a short face between two long ones, and at a corner of two
+    // short faces.
     float short_face = 0.14 * form.y;  // m
     if (size.w < 0.5 && max(distance(here, before), distance(here, after)) < short_face)
         face = between;
     else if (size.w < 0.5 && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < short_face)
         face = corner.y < 0.5 ? out_before : out_after;
-    vec3 normal = level == level_top       ? vec3(0.0, 0.0, 1.0)
-                  : level == level_inner   ? vec3(face * 0.35, 1.0)
-                  : level == level_chamfer ? vec3(face, 0.35)
-                                           : vec3(face, 0.0);
+    vec3 normal = vec3(face * flat_part, upright);
 
     vec3 world = to_gl(vec3(place.xy + turn(at, place.zw), height));
     // The shadow reaches farther on the side away from the sun.
@@ -57,13 +57,15 @@ void main() {
     vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
     // A lighter top and a darker foot make the edges visible.
     float foot = mix(0.62, 0.97, counts.y), side = mix(0.85, 0.97, counts.y);
-    float top = mix(size.w > 0.5 ? 1.08 : 0.86, 0.98, counts.y);
-    if (size.w < 0.5) foot *= mix(0.8, 0.95, counts.y), side *= mix(0.72, 0.95, counts.y);
+    float top = mix(1.08, 0.98, counts.y);
+    if (size.w > 0.5) side *= mix(1.0, 1.08, counts.y), foot *= mix(1.0, 1.02, counts.y);  // a light floor lights walls
+    if (size.w < 0.5) foot *= mix(0.8, 0.95, counts.y), side *= mix(0.84, 0.95, counts.y);
     bool on_side = level <= level_shoulder;
-    vec3 tone = base.rgb * (level == level_foot ? foot : on_side ? side : level == level_top || law.w > 0.5 ? top : top * 1.12);
+    float shade = level == level_foot ? foot : mix(side, top, upright);
+    vec3 tone = base.rgb * (on_side || level == level_top || law.w > 0.5 ? shade : shade * 1.12);
     // The outer side of a wall has the tone of the ground outside.
-    bool outside = size.w > 0.5 && on_side && dot(turn(face, place.zw), place.xy) > 0.0;
-    if (outside) tone = mix(tone, sky.rgb, 0.45);
+    bool outside = size.w > 0.5 && dot(turn(face, place.zw), place.xy) > 0.0;
+    if (outside) tone = mix(tone, sky.rgb, 0.45 * flat_part);
     v_colour = lit(tone, light_at(up, world));
     v_far = level == level_shadow_end ? 1.0 : 0.0;
     gl_Position = view_projection * vec4(world, 1.0);

@@ -151,21 +151,22 @@ Shape fan() {
 }
 
 Shape prism() {
+    // As the levels of block.vert: foot of the side, then the rounded edge from the side to the top face.
+    constexpr int foot = 0, shoulder = 1, inner = shoulder + prism_edge_steps, top_face = inner + 1;
     Shape shape;
     const auto corner = [&](int edge, int end, int level) {
         shape.corners.push_back(
             {{static_cast<float>(edge), static_cast<float>(end), static_cast<float>(level)}, {}, 0});
     };
-    for (int edge = 0; edge < 8; ++edge) {
-        const auto first = static_cast<int>(shape.corners.size());
-        for (const auto& [low, high] : {std::pair{0, 1}, {2, 3}})
-            for (const auto& [end, level] : {std::pair{0, low}, {1, low}, {1, high}, {0, high}})
+    for (int edge = 0; edge < 8; ++edge)
+        for (int low = foot; low < inner; ++low) {
+            const auto first = static_cast<int>(shape.corners.size());
+            for (const auto& [end, level] : {std::pair{0, low}, {1, low}, {1, low + 1}, {0, low + 1}})
                 corner(edge, end, level);
-        for (const int k : {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7})
-            shape.indices.push_back(static_cast<std::uint16_t>(first + k));
-    }
+            for (const int k : {0, 1, 2, 0, 2, 3}) shape.indices.push_back(static_cast<std::uint16_t>(first + k));
+        }
     const auto top = static_cast<int>(shape.corners.size());
-    for (int edge = 0; edge < 8; ++edge) corner(edge, 0, 4);
+    for (int edge = 0; edge < 8; ++edge) corner(edge, 0, top_face);
     for (int edge = 1; edge < 7; ++edge)
         for (const int k : {0, edge, edge + 1}) shape.indices.push_back(static_cast<std::uint16_t>(top + k));
     return shape;

@@ -66,8 +66,9 @@ Shape strip(int squares);  // squares in a row along x from 0 to 1, y from −1 
 Shape wire_strip();  // a strip with few squares, most of them at the end of a wire, where its arrowhead or ball is
 Shape fan();         // x: number of the corner 0..3, for field.vert
 
-// prism(): sides, chamfer and top of a prism of up to eight corners, for block.vert: x: number of the edge, y: its end
-// 0 or 1, z: level. skirt(): the shadow around its feet.
+// prism(): sides, rounded edge and top of a prism of up to eight corners, for block.vert: x: number of the edge, y: its
+// end 0 or 1, z: level. skirt(): the shadow around its feet.
+inline constexpr int prism_edge_steps = 4;  // of the rounded edge; same number in shaders/block.vert
 Shape prism();
 Shape skirt();
 

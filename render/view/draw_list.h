@@ -90,12 +90,12 @@ struct FieldInstance {
     maths::vec4 colour;  // w: strength of the fill, 0..1
     maths::vec4 line;    // x: strength of the outline 0..1; y: radius of the arc m, or minus the distance of the chord
 };
-// A wall or an obstacle: an upright prism with a chamfered top.
+// A wall or an obstacle: an upright prism with a round upper edge.
 struct BlockInstance {
     maths::vec4 place;
     std::array<maths::vec4, 4> corners;  // two corners each, up to eight, counter-clockwise, in its own frame; m
-    maths::vec4 size;                    // height m, chamfer m, number of corners, 1: a wall of the arena
-    maths::vec4 colour;                  // w: 1: movable
+    maths::vec4 size;    // height m, radius of the upper edge m, number of corners, 1: a wall of the arena
+    maths::vec4 colour;  // w: 1: movable
 };
 // The pattern of a zone. Same numbers in shaders/zone.frag.
 enum class Pattern { ice, carpet, sand, tape, recharge, wind, slope, pull, push };

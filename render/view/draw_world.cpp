@@ -31,10 +31,10 @@ std::array<vec4, 4> packed(const std::vector<vec2>& corners) {
 }
 
 // A prism with these corners, in its own frame, counter-clockwise.
-BlockInstance block(vec4 place, const std::vector<vec2>& corners, float height, float chamfer, vec4 colour,
+BlockInstance block(vec4 place, const std::vector<vec2>& corners, float height, float radius, vec4 colour,
                     bool wall = false) {
     const auto count = static_cast<float>(std::min(corners.size(), most_corners));
-    return {place, packed(corners), {height, chamfer, count, wall ? 1.0f : 0.0f}, colour};
+    return {place, packed(corners), {height, radius, count, wall ? 1.0f : 0.0f}, colour};
 }
 
 std::vector<vec2> rectangle(float half_length, float half_width) {
@@ -46,21 +46,21 @@ void add_walls(Drawing& drawing, const Arena& arena) {
     if (arena.edge != Boundary::wall) return;
     const float half_w = arena.width / 2, half_h = arena.height / 2;
     const WallSize wall = wall_of(arena);
-    const float thick = wall.thickness / 2, high = wall.height, chamfer = 0.9f * thick;  // m; the rim is a round bar
+    const float thick = wall.thickness / 2, high = wall.height, radius = 0.9f * thick;  // m; the rim is a round bar
     const vec4 colour = rgb_with(drawing.colours.rim, 0);
     if (arena.round) {
         for (const WallBox& box : round_wall(arena, wall.thickness)) {
             const vec2 ahead = maths::direction(box.heading);
             drawing.list.blocks.push_back(block({box.middle.x, box.middle.y, ahead.x, ahead.y},
-                                                rectangle(box.length / 2, thick), high, chamfer, colour, true));
+                                                rectangle(box.length / 2, thick), high, radius, colour, true));
         }
         return;
     }
     for (const float side : {-1.0f, 1.0f}) {
         drawing.list.blocks.push_back(block({0, side * (half_h + thick), 1, 0}, rectangle(half_w + 2 * thick, thick),
-                                            high, chamfer, colour, true));
+                                            high, radius, colour, true));
         drawing.list.blocks.push_back(
-            block({side * (half_w + thick), 0, 0, 1}, rectangle(half_h + thick, thick), high, chamfer, colour, true));
+            block({side * (half_w + thick), 0, 0, 1}, rectangle(half_h + thick, thick), high, radius, colour, true));
     }
 }
 
