@@ -9,9 +9,14 @@ out vec2 v_place;  // half widths: beyond the end, across
 out vec4 v_colour;
 
 void main() {
-    vec2 at = mix(ends.xy, ends.zw, corner.x), side = mix(sides.xy, sides.zw, corner.x);
+    // A cubic curve with the trail's direction at both ends: where a vehicle is fast, pieces are long.
+    vec2 from = ends.xy, to = ends.zw, back_from = vec2(sides.y, -sides.x), back_to = vec2(sides.w, -sides.z);
+    float t = corner.x, rest = 1.0 - t, far = distance(from, to);
+    vec2 at = mix(from, to, t * t * (3.0 - 2.0 * t)) + far * t * rest * (rest * back_from - t * back_to);
+    vec2 back = 6.0 * t * rest * (to - from) + far * (rest * (1.0 - 3.0 * t) * back_from - t * (2.0 - 3.0 * t) * back_to);
+    back = far > 0.0 ? normalize(back) : back_from;
     vec4 middle = view_projection * vec4(to_gl(vec3(at, 0.006)), 1.0);
-    vec4 beside = view_projection * vec4(to_gl(vec3(at + vec2(-side.y, side.x) * 0.05, 0.006)), 1.0);
+    vec4 beside = view_projection * vec4(to_gl(vec3(at - back * 0.05, 0.006)), 1.0);
     // Constant width on the screen: moved across the trail's direction in the picture.
     vec2 along = (beside.xy / beside.w - middle.xy / middle.w) * window.xy;
     along /= max(length(along), 1e-6);

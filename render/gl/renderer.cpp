@@ -122,7 +122,8 @@ struct Renderer::Parts {
                                                        Batch{fine_source_shape(Channel::smell), sources[2].instances},
                                                        Batch{fine_source_shape(Channel::oxygen), sources[3].instances}};
     Kit halos = kit<HaloInstance>(quad());
-    Kit trail_strips = kit<TrailInstance>(strip(1));
+    Kit trail_strips = kit<TrailInstance>(strip(4));
+    Batch coarse_trails{strip(1), trail_strips.instances};
 
     unsigned frame_buffer = 0;
     DrawList list;
@@ -286,7 +287,7 @@ struct Renderer::Parts {
         draw(with.cast, casts);
         draw(with.shade, marks);
         draw(with.deck_shade, deck_shades);
-        draw(with.trail, trail_strips);
+        draw(with.trail, list.tyres.empty() ? coarse_trails : trail_strips.batch, trail_strips.instances);
         draw(need_outlines(list.fields) ? with.outlined : with.field,
              with.sectors_from_points ? field_points : fields.batch, fields.instances);
         for (std::size_t role = 0; role < rims.size(); ++role)
