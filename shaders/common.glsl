@@ -65,7 +65,7 @@ vec3 lamp_on_floor(int i, vec2 place) {
     vec3 tint = lamps[i].colour.rgb, deep = tint * tint, day = tint;
     deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
     day -= 0.85 * min(day.r, min(day.g, day.b));
-    return mix(deep * 0.29, day * 0.25, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    return mix(deep * 0.29, day * 0.24, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the
@@ -76,11 +76,20 @@ vec3 on_screen(vec3 light) {
     return sqrt(light * (held / most));
 }
 
+// Brightness of a place on the screen, because the light of sun and sky falls off away from the sun, as in a room with
+// one window; at dusk more. Its square is the share of the linear light. Linear in the place; see room_limits.
+float room_light(vec2 place) {
+    return 1.0 + mix(0.2, 0.06, counts.y) * dot(place / arena.xy, normalize(vec2(sun.x, -sun.z)));
+}
+
+const vec2 room_limits = vec2(0.74, 1.26);  // of room_light(), beyond the arena
+
 // Linear light on a surface from sun, sky, floor and lamps. `darkness`: three bits a lamp, 0 all of its light .. 7 none
 // (HullInstance in render/view/draw_list.h).
 vec3 light_at(vec3 normal, vec3 place, float darkness) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
-    light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
+    float room = clamp(room_light(vec2(place.x, -place.z)), room_limits.x, room_limits.y);
+    light = room * room * (light + max(dot(normal, sun.xyz), 0.0) * sun_light.rgb);
     for (int i = 0; i < int(counts.x); ++i) {
         float others = floor(darkness * 0.125), passes = 1.0 - (darkness - 8.0 * others) / 7.0;
         darkness = others;
@@ -184,22 +193,20 @@ float worn(vec2 place, vec2 many) {
     vec2 tile = floor(place / form.z), at = place * 2.1 / form.z;
     float each = fract(dot(tile, vec2(0.75487767, 0.56984029))) - 0.5;
     float spots = sin(at.x + 1.9 * sin(0.7 * at.y)) * sin(1.3 * at.y + 1.7 * sin(0.6 * at.x));
-    return 1.0 + (0.016 * each + 0.012 * spots) * clamp(0.05 * min(many.x, many.y) * form.z - 0.5, 0.0, 1.0);
+    return 1.0 + (0.010 * each + 0.010 * spots) * clamp(0.05 * min(many.x, many.y) * form.z - 0.5, 0.0, 1.0);
 }
 
-// The floor in even light, for floor.frag and lamplit.frag: `outside`: distance from the arena, m; `inside`: 1 in it, or
-// everywhere where the arena has no walls.
-vec3 floor_at(vec2 place, float outside, float inside) {
+// The floor without lamps, for floor.frag and lamplit.frag. `inside`: 1 in the arena, or everywhere where it has no walls;
+// `room`: room_light().
+vec3 floor_at(vec2 place, float inside, float room) {
     vec2 pixel = fwidth(place) + 1e-5, many = 1.0 / pixel;
     // Slightly brighter at the centre of the arena. Outside walls the ground is a plain table.
     vec2 from_middle = place / arena.xy;
     float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
-    // As in a room with one window, the floor is slightly brighter towards the sun.
-    float falloff = 1.0 + 0.043 * dot(from_middle, vec2(sun.x, -sun.z));
     float faint = max(middle, lines(place, pixel, many, form.z, form.w) * 0.75) * inside;
-    float bright = lines(place, pixel, many, 5.0 * form.z, 1.6 * form.w) * inside;
-    vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
-    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many) * falloff, inside);
+    float bright = lines(place, pixel, many, 5.0 * form.z, 1.4 * form.w) * inside;
+    vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.06);
+    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many) * clamp(room, room_limits.x, room_limits.y), inside);
 }
 
 // Noise of one of 255 levels, so that a slow gradient shows no bands. Interleaved gradient noise: J. Jimenez, "Next

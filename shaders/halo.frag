@@ -6,9 +6,9 @@ out vec4 colour;
 
 void main() {
     float d = dot(v_own, v_own), t = max(0.0, 1.0 - d);
-    float glow = v_base.a * mix(1.0, 0.25, counts.y) * t * t * (0.16 + 0.50 * exp(-8.0 * d));
+    float glow = v_base.a * mix(0.7, 0.25, counts.y) * t * t * (0.16 + 0.50 * exp(-8.0 * d));
     // Brightest at the edge of a ball, which it makes soft.
-    if (v_ball > 0.5) glow += v_base.a * mix(0.25, 0.05, counts.y) * exp(-4.0 * max(d / v_bulb - 1.0, 0.0));
+    if (v_ball > 0.5) glow += v_base.a * mix(0.14, 0.05, counts.y) * exp(-4.0 * max(d / v_bulb - 1.0, 0.0));
     // It leaves free what it surrounds, which it would darken in the light theme and burn out in the dark one.
     vec2 edge = v_ball > 0.5 ? mix(vec2(0.93, 0.97), vec2(0.84, 1.0), counts.y) : vec2(0.0, 2.2);
     if (v_bulb > 0.0) glow *= smoothstep(edge.x * v_bulb, edge.y * v_bulb, d);

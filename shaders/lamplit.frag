@@ -1,6 +1,7 @@
 // The floor of floor.frag in the light of lamps. A shader of its own, because a software renderer executes every branch.
 in vec2 v_place;
 in float v_far;
+in float v_room;
 flat in float v_beyond;
 
 out vec4 colour;
@@ -8,7 +9,7 @@ out vec4 colour;
 void main() {
     float outside = outside_arena(v_place);
     float inside = counts.w == edge_wall ? 1.0 - clamp(outside * 20.0, 0.0, 1.0) : 1.0;
-    vec3 ground = floor_at(v_place, outside, inside) * sheen(v_far), light = ground * ground, glow = vec3(0.0);
+    vec3 ground = floor_at(v_place, inside, v_room) * sheen(v_far), light = ground * ground, glow = vec3(0.0);
     for (int i = 0; i < int(law.z); ++i) glow += lamp_on_floor(i, v_place);
     // The lines of the grid reflect more of it. Walls keep it inside.
     float reflects = dot(light, vec3(1.0)) / dot(floor_colour.rgb * floor_colour.rgb, vec3(1.0));

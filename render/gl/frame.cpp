@@ -26,7 +26,7 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
         return maths::vec4{camera_view.view[0][i], camera_view.view[1][i], camera_view.view[2][i], 0};
     };
     // At dusk scenes without eyes for light are brighter: else their vehicles are darker than their trails.
-    const float brighter = now.scene && senses_light(*now.scene) ? 1.0f : 1.5f;
+    const float brighter = now.scene && senses_light(*now.scene) ? 1.0f : 1.25f;
     const auto at_dusk = [brighter](float r, float g, float b) {
         return maths::vec4{r * brighter, g * brighter, b * brighter, 0};
     };
@@ -37,8 +37,8 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.right = row(0), block.up = row(1);
     const maths::vec3 sun = maths::normalise(to_gl({sun_direction.x, sun_direction.y}, sun_direction.z));
     block.sun = {sun.x, sun.y, sun.z, 0};
-    block.sun_light = light ? maths::vec4{0.62f, 0.61f, 0.57f, 0} : at_dusk(0.42f, 0.43f, 0.44f);
-    block.sky_light = light ? maths::vec4{0.50f, 0.51f, 0.53f, 0} : at_dusk(0.26f, 0.30f, 0.35f);
+    block.sun_light = light ? maths::vec4{0.62f, 0.61f, 0.57f, 0} : at_dusk(0.53f, 0.52f, 0.50f);
+    block.sky_light = light ? maths::vec4{0.50f, 0.51f, 0.53f, 0} : at_dusk(0.18f, 0.22f, 0.28f);
     block.ground_light = light ? maths::vec4{0.56f, 0.54f, 0.50f, 0} : at_dusk(0.08f, 0.085f, 0.10f);
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);

@@ -11,7 +11,7 @@ using maths::vec2;
 namespace {
 
 // Strength of a shadow that the sun casts: at dusk it is weak.
-float sun_strength(const Drawing& drawing) { return is_light(drawing) ? 0.65f : 0.30f; }
+float sun_strength(const Drawing& drawing) { return is_light(drawing) ? 0.65f : 0.32f; }
 
 // A shadow with soft edges. `half`: half its length and width along the axes of the vehicle, m; `softness`: m, in a
 // small arena on the standard vehicle; `strength`: 1 takes as much light as a shadow of the palette.
@@ -37,15 +37,15 @@ void add_shadows(Drawing& drawing, const Subject& s) {
         mix(shade, colour_of(drawing.colours, drawing.now, s.view), day ? 0.35f : 0.16f).with_alpha(shade.a);
     add_soft(drawing, s, s.place + 0.5f * end, hull, day ? 0.34f : 0.24f, 0.75f, tinted);
     // The body hides the sun, and it is dark below it.
-    add_soft(drawing, s, s.place + end, hull, 0.13f, sun_strength(drawing), shade);
-    add_soft(drawing, s, s.place, hull, 0.08f, 0.8f, shade);
+    add_soft(drawing, s, s.place + end, hull, 0.19f, sun_strength(drawing), shade);
+    add_soft(drawing, s, s.place, hull, 0.09f, day ? 1.1f : 0.9f, shade);
     for (const Wheel& wheel : body.wheels) {
         if (wheel.motor == Motor::none) continue;
         // It is dark where the wheel touches the floor.
         const vec2 at = s.to_world({wheel.x, wheel.y}), half{0.5f * wheel.radius, 0.5f * wheel.width};
         add_soft(drawing, s, at, half, 0.05f, day ? 1.2f : 0.9f, shade);
         if (s.pixels >= least_part_shadow)
-            add_soft(drawing, s, at + away_from_sun(wheel.radius), {1.4f * half.x, half.y}, 0.07f,
+            add_soft(drawing, s, at + away_from_sun(0.6f * wheel.radius), {1.4f * half.x, 1.4f * half.y}, 0.10f,
                      0.8f * sun_strength(drawing), shade);
     }
     // The body with its wheels hides lamps.

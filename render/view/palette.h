@@ -60,11 +60,11 @@ inline constexpr auto channel_colours = std::to_array<ChannelColours>({
     {Channel::heat, 0xEFA06C, 0xC5805C},
     {Channel::smell, 0xC296F2, 0x7D6CCB},
     {Channel::oxygen, 0x8CF5EA, 0x309F9A},
-    {Channel::obstacle, 0x727F90, 0x8595AA},
+    {Channel::obstacle, 0x727F90, 0x7F8FA4},
     {Channel::predator, 0xD55E00, 0xD55E00},
     {Channel::prey, 0x009E73, 0x009E73},
     {Channel::vehicle, 0xA4BAD4, 0x465873},
-    {Channel::memory, 0xCC79A7, 0xCC79A7},
+    {Channel::memory, 0xCC79A7, 0xC673A1},
     {Channel::touch, 0xA4BAD4, 0x465873},
     {Channel::floor, 0xA4BAD4, 0x465873},
     {Channel::energy, 0xA4BAD4, 0x465873},
@@ -135,7 +135,7 @@ constexpr Palette palette(Theme theme) {
         p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
         p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70), p.success = rgb(0x6FCF97);
         p.sky = rgb(0x0B0F1C), p.floor = rgb(0x202B4B), p.grid = rgb(0x35426A), p.wall = rgb(0x3A4552);
-        p.rim = rgb(0x7A5A40), p.solid = rgb(0x7A84A8);
+        p.rim = rgb(0x7A5A40), p.solid = rgb(0x98A4CC);
         p.shadow = Colour{0, 0, 0, 0.68f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115);
         p.crate = rgb(0xB49A78), p.ice = rgb(0x4E6C84), p.carpet = rgb(0x463D49), p.sand = rgb(0x5C5341);
         p.slot_a = rgb(0x63B3FF), p.slot_b = rgb(0xFF9BD2);
@@ -144,7 +144,7 @@ constexpr Palette palette(Theme theme) {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E), p.success = rgb(0x1B7A43);
-        p.sky = rgb(0xDDDAD4), p.floor = rgb(0xD9D4CB), p.grid = rgb(0xCBC5BC), p.wall = rgb(0xB4BEC9);
+        p.sky = rgb(0xDAD6D0), p.floor = rgb(0xD4CFC7), p.grid = rgb(0xC6C0B7), p.wall = rgb(0xB4BEC9);
         p.rim = rgb(0xD8B88B), p.solid = rgb(0xCED2D6);
         p.shadow = Colour{0, 0, 0, 0.32f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "render/gl/renderer.h"
+#include "render/view/trails.h"
 #include "tests/render/rendered.h"
 #include "tests/response_law.h"
 #include "tests/view/hand_made.h"
@@ -74,9 +75,30 @@ TEST_F(LookTest, TheFloorIsBrighterTowardsTheSun) {
         picture.theme = theme;
         const float left_back = brightness(seen(now, {-6.5f, 4.5f})),
                     right_front = brightness(seen(now, {6.5f, -4.5f}));
-        EXPECT_GT(left_back, 1.03f * right_front) << word(theme);
-        EXPECT_LT(left_back, 1.12f * right_front) << word(theme);
+        const auto [least, most] = theme == Theme::dark ? std::pair{1.2f, 1.6f} : std::pair{1.05f, 1.2f};
+        EXPECT_GT(left_back, least * right_front) << word(theme);
+        EXPECT_LT(left_back, most * right_front) << word(theme);
     }
+}
+
+TEST_F(LookTest, DrawsTheTrailOfARoundedVehicleAsACurveThroughItsPoints) {
+    look_down(4);
+    const Snapshot bare = hand_made::empty(hand_made::scene());
+    // On a circle, so fast that the points are far apart.
+    constexpr float radius = 1.5f, step = maths::pi / 4;
+    Snapshot now = bare;
+    hand_made::add(now, 0, 0, 0, 0);
+    for (int i = 0; i < 6; ++i, now.tick += Trail::ticks_between) {
+        const vec2 at = maths::direction(step * static_cast<float>(i)) * radius;
+        now.vehicles[0].x = at.x, now.vehicles[0].y = at.y;
+        renderer->remember(now);
+    }
+    const auto change = [&](float distance) {
+        const vec2 between = maths::direction(2.5f * step) * distance;
+        return std::fabs(brightness(seen(now, between)) - brightness(seen(bare, between)));
+    };
+    EXPECT_GT(change(radius), 0.1f);
+    EXPECT_LT(change(radius * std::cos(step / 2)), 0.03f) << "the chord";
 }
 
 TEST_F(LookTest, VehiclesAndObstaclesCastASoftShadowAwayFromTheSun) {
@@ -143,19 +165,22 @@ TEST_F(LookTest, ShowsALampAsTheBrightestThingInBothThemes) {
     }
 }
 
-TEST_F(LookTest, OutlinesABulbOnTheLightFloor) {
+TEST_F(LookTest, DarkensABulbTowardsItsOutlineOnTheLightFloor) {
     look_down(8);
     picture.theme = Theme::light;
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::light, 0, 0);
     renderer->draw(now, picture);
     const vec2 middle = *project(picture.camera_view, {0, 0}, 0.5f);
-    int amber = 0;
+    const float bulb = stage.pixel(middle).b, floor = stage.pixel({middle.x + 90, middle.y}).b;
+    float least = 1;
+    int darker = 0;
     for (float x = 0; x < 60; ++x) {
-        const Colour c = stage.pixel({middle.x + x, middle.y});
-        amber += c.r > 0.5f && c.b < 0.35f;
+        const float blue = stage.pixel({middle.x + x, middle.y}).b;
+        least = std::min(least, blue), darker += blue < std::min(bulb, floor) - 0.05f;
     }
-    EXPECT_GE(amber, 2);
+    EXPECT_LT(least, std::min(bulb, floor) - 0.12f);
+    EXPECT_GE(darker, 3) << "a gradient, not a line";
 }
 
 TEST_F(LookTest, BrightensAtDuskTheVehiclesOfASceneWithoutEyesForLight) {
