@@ -245,6 +245,21 @@ TEST_F(Gallery, TheSearchFindsWordsWithAccentsByPlainLetters) {
     }
 }
 
+TEST_F(Gallery, ListsTheLecturesThatShipAndFindsThem) {
+    const std::vector<CatalogueEntry> lectures{{"numbers", "/x/numbers.toml", "Four numbers", ""}};
+    desk.view.lectures = &lectures;
+    open_browser();
+    EXPECT_TRUE(desk.says(desk.strings("open.lectures")));
+    EXPECT_GT(desk.where("open.numbers").y, desk.where("open.2a-coward").y);
+    for (const char c : std::string("NUMBERS")) desk.key({c});
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("open.2a-coward"));
+    EXPECT_EQ(desk.panels.keyboard.focus, "open.numbers");
+    desk.click("open.numbers");
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/numbers.toml");
+}
+
 TEST_F(Gallery, EscapeEmptiesTheSearchBeforeItCloses) {
     open_browser();
     desk.key({'Q'});

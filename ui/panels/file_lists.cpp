@@ -97,10 +97,15 @@ bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, con
 std::string row_anchor(const CatalogueEntry& entry) { return (entry.number > 0 ? "gallery." : "open.") + entry.name; }
 
 // After a change of the search the focus is on a listed entry: on the first one unless the focused one is still listed.
-void keep_focus_in(const std::vector<CatalogueEntry>& listed, Keyboard& keyboard) {
+void keep_focus_in(const std::vector<CatalogueEntry>& listed, const std::vector<CatalogueEntry>& lectures,
+                   Keyboard& keyboard) {
     const auto is_focused = [&](const CatalogueEntry& entry) { return row_anchor(entry) == keyboard.focus; };
-    if (listed.empty() || std::any_of(listed.begin(), listed.end(), is_focused)) return;
-    keyboard.focus = row_anchor(listed.front());
+    const auto has_focused = [&](const auto& entries) {
+        return std::any_of(entries.begin(), entries.end(), is_focused);
+    };
+    const std::vector<CatalogueEntry>& first = listed.empty() ? lectures : listed;
+    if (first.empty() || has_focused(listed) || has_focused(lectures)) return;
+    keyboard.focus = row_anchor(first.front());
     keyboard.revealed = keyboard.shown = true;
 }
 
@@ -240,63 +245,84 @@ void leave_scenes(const std::vector<CatalogueEntry>& listed, Ui& ui) {
     ui.keyboard->revealed = true;
 }
 
+void list_heading(Ui& ui, std::string_view key) {
+    subheading(ui, ui.strings(key));
+    gap(ui, 12);  // room for the focus ring of the first row
+}
+
+void shipped_row(const LabView& view, const CatalogueEntry& entry, FileRow row, FilesState& files, Ui& ui) {
+    row.id = row_anchor(entry);
+    row.words = translated(ui, entry.title);
+    if (list_row(view, ui, row, ui.strings("files.open_how"))) request_file(view, files, ui, OpenRequest{entry.path});
+    if (row.current && !files.begun) ImGui::SetScrollHereY();
+}
+
 void shipped_scenes(const LabView& view, const std::vector<CatalogueEntry>& listed, FilesState& files, Ui& ui) {
+    if (std::all_of(listed.begin(), listed.end(), is_exercise)) return;
+    list_heading(ui, "open.scenes");
     for (const CatalogueEntry& entry : listed) {
         if (is_exercise(entry)) continue;
-        const FileRow row{"open." + entry.name,
-                          std::string(translated(ui, entry.title)),
-                          std::string(translated(ui, entry.story)),
-                          "",
-                          {},
-                          entry.name == view.opened,
-                          false,
-                          entry.path,
-                          true};
-        if (list_row(view, ui, row, ui.strings("files.open_how")))
-            request_file(view, files, ui, OpenRequest{entry.path});
-        if (row.current && !files.begun) ImGui::SetScrollHereY();
+        FileRow row;
+        row.below = translated(ui, entry.story), row.is_story = true;
+        row.current = entry.name == view.opened, row.path = entry.path;
+        shipped_row(view, entry, std::move(row), files, ui);
     }
     gap(ui, 8);
 }
 
-void list_heading(Ui& ui, bool exercises) {
-    subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
-    gap(ui, 12);  // room for the focus ring of the first row
+void shipped_lectures(const LabView& view, const std::vector<CatalogueEntry>& listed, FilesState& files, Ui& ui) {
+    if (listed.empty()) return;
+    list_heading(ui, "open.lectures");
+    for (const CatalogueEntry& entry : listed) {
+        FileRow row;
+        row.icon = icon::play;
+        shipped_row(view, entry, std::move(row), files, ui);
+    }
+    gap(ui, 8);
+}
+
+// The entries with the words of the search.
+std::vector<CatalogueEntry> found(const LabView& view, const Ui& ui, const std::vector<CatalogueEntry>* all,
+                                  const std::string& search) {
+    std::vector<CatalogueEntry> listed;
+    if (all)
+        for (const CatalogueEntry& entry : *all)
+            if (search.empty() || matches(view, ui, entry, search)) listed.push_back(entry);
+    return listed;
 }
 
 }  // namespace
 
-// Exercises on the left, scenes on the right. Each list scrolls; if one is empty, the other one has the whole width.
+// Exercises on the left, scenes and lectures on the right. Each list scrolls; if one is empty, the other one has the
+// whole width.
 void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     search_row(files, ui);
-    std::vector<CatalogueEntry> listed;
-    if (view.catalogue)
-        for (const CatalogueEntry& entry : *view.catalogue)
-            if (files.search.empty() || matches(view, ui, entry, files.search)) listed.push_back(entry);
+    const std::vector<CatalogueEntry> listed = found(view, ui, view.catalogue, files.search),
+                                      lectures = found(view, ui, view.lectures, files.search);
     const bool is_new = std::exchange(files.searched, files.search) != files.search;
-    if (listed.empty()) {
+    if (listed.empty() && lectures.empty()) {
         begin_list(files, ui, "no match", bottom);
         if (!files.search.empty()) paragraph(ui, ui.strings("files.no_match"), ui.palette.second_text);
         return end_list(ui);
     }
-    if (ui.keyboard && is_new && !files.search.empty()) keep_focus_in(listed, *ui.keyboard);
+    if (ui.keyboard && is_new && !files.search.empty()) keep_focus_in(listed, lectures, *ui.keyboard);
     constexpr float exercises_share = 0.66f;  // of the width
     const auto exercises = std::count_if(listed.begin(), listed.end(), is_exercise);
-    const bool has_both = exercises > 0 && exercises < std::ssize(listed);
+    const bool has_others = exercises < std::ssize(listed) || !lectures.empty(), has_both = exercises > 0 && has_others;
     const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
     const std::string before = files.listed;  // both lists are of one place
     leave_scenes(listed, ui);
     if (exercises > 0) {
         begin_list(files, ui, "shipped", bottom, "exercises", has_both ? left : all);
-        list_heading(ui, true);
+        list_heading(ui, "open.exercises");
         exercise_gallery(view, listed, files, ui);
         end_list(ui);
     }
     if (has_both) ImGui::SameLine(0, between), files.listed = before;
-    if (exercises < std::ssize(listed)) {
+    if (has_others) {
         begin_list(files, ui, "shipped", bottom, "scenes", has_both ? all - between - left : all);
-        list_heading(ui, false);
         shipped_scenes(view, listed, files, ui);
+        shipped_lectures(view, lectures, files, ui);
         end_list(ui);
     }
 }
