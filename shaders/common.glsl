@@ -169,7 +169,7 @@ vec4 field_colour(vec3 tone, float alpha, vec2 part) {
     float out_there = form.x < 0.5 ? max(abs(part.x), abs(part.y)) : dot(part, part);
     // On a dark floor the colours of overlapping fields are partly added, because blended colours become grey. In the
     // light theme they are blended, like glass on paper.
-    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.75, counts.y);
+    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.65, counts.y);
     // Colour and opacity are each rounded to one of 255 levels when they are blended; noise of two levels hides the
     // bands. A lattice of the plastic number (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
     // 2018), cheaper than dither(), and shifted so that fields which overlap have different noise.
