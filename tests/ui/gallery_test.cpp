@@ -255,6 +255,13 @@ TEST_F(Gallery, ListsTheLecturesThatShipAndFindsThem) {
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("open.2a-coward"));
     EXPECT_EQ(desk.panels.keyboard.focus, "open.numbers");
+    for (int i = 0; i < 7; ++i) desk.key({key::backspace});
+    catalogue.pop_back();  // the scene
+    desk.frame(3);
+    desk.panels.keyboard.focus = "gallery.05-aggressor";
+    desk.key({key::right});
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.keyboard.focus, "open.numbers") << "lectures are to the right of the exercises, too";
     desk.click("open.numbers");
     ASSERT_TRUE(desk.last<OpenRequest>());
     EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/numbers.toml");

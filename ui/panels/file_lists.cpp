@@ -236,8 +236,8 @@ namespace {
 
 bool is_exercise(const CatalogueEntry& entry) { return entry.number > 0; }
 
-// Left of the scenes are the exercises.
-void leave_scenes(const std::vector<CatalogueEntry>& listed, Ui& ui) {
+// Left of the scenes and lectures are the exercises.
+void leave_right_list(const std::vector<CatalogueEntry>& listed, Ui& ui) {
     if (!ui.keyboard || !ui.keyboard->focus.starts_with("open.") || !take(*ui.keyboard, key::left)) return;
     const auto exercise = std::find_if(listed.begin(), listed.end(), is_exercise);
     if (exercise == listed.end()) return;
@@ -276,6 +276,7 @@ void shipped_lectures(const LabView& view, const std::vector<CatalogueEntry>& li
     for (const CatalogueEntry& entry : listed) {
         FileRow row;
         row.icon = icon::play;
+        row.current = view.pages && entry.path == view.pages->lecture->path.string();
         shipped_row(view, entry, std::move(row), files, ui);
     }
     gap(ui, 8);
@@ -311,11 +312,15 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
     const bool has_others = exercises < std::ssize(listed) || !lectures.empty(), has_both = exercises > 0 && has_others;
     const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
     const std::string before = files.listed;  // both lists are of one place
-    leave_scenes(listed, ui);
+    leave_right_list(listed, ui);
     if (exercises > 0) {
         begin_list(files, ui, "shipped", bottom, "exercises", has_both ? left : all);
         list_heading(ui, "open.exercises");
-        exercise_gallery(view, listed, files, ui);
+        const auto scene = std::find_if_not(listed.begin(), listed.end(), is_exercise);
+        const std::string beside = scene != listed.end() ? row_anchor(*scene)
+                                   : !lectures.empty()   ? row_anchor(lectures.front())
+                                                         : std::string{};
+        exercise_gallery(view, listed, beside, files, ui);
         end_list(ui);
     }
     if (has_both) ImGui::SameLine(0, between), files.listed = before;

@@ -64,8 +64,10 @@ void list_folder(const LabView&, FilesState&, Ui&, float bottom);
 bool put_scene_picture(const LabView&, const Ui&, const std::string& path, Rect place);
 inline constexpr float picture_share = 0.58f;  // height by width
 
-// The shipped exercises as cards by chapter, `gallery.ID` each; gallery.cpp
-void exercise_gallery(const LabView&, const std::vector<CatalogueEntry>& listed, FilesState&, Ui&);
+// The shipped exercises as cards by chapter, `gallery.ID` each; gallery.cpp. `beside`: the anchor to the right of the
+// cards; empty: none.
+void exercise_gallery(const LabView&, const std::vector<CatalogueEntry>& listed, const std::string& beside, FilesState&,
+                      Ui&);
 
 // "1 · Two wheels, two eyes"
 std::string chapter_title(const Ui&, int chapter);

@@ -90,28 +90,23 @@ Rows rows_of_gallery(const std::vector<CatalogueEntry>& listed, std::size_t colu
     return rows;
 }
 
-std::string first_scene(const std::vector<CatalogueEntry>& listed) {
-    for (const CatalogueEntry& entry : listed)
-        if (entry.number == 0) return "open." + entry.name;
-    return {};
-}
-
 // The anchor that gets the focus from the card in this row and column: the nearest one in this direction. Beyond the
-// first row it is the choice of the place; beyond the last row and right of a row, the first scene.
-std::string neighbour(const std::vector<CatalogueEntry>& listed, const FilesState& files, const Rows& rows,
-                      std::size_t row, std::size_t column, int direction) {
+// first row it is the choice of the place; beyond the last row and right of a row, `beside`.
+std::string neighbour(const std::string& beside, const FilesState& files, const Rows& rows, std::size_t row,
+                      std::size_t column, int direction) {
     const auto card = [&](std::size_t r, std::size_t c) {
         return std::string(gallery_stem) + std::string(rows[r][std::min(c, rows[r].size() - 1)]);
     };
     if (direction == key::left) return card(row, column == 0 ? 0 : column - 1);
-    if (direction == key::right) return column + 1 < rows[row].size() ? card(row, column + 1) : first_scene(listed);
+    if (direction == key::right) return column + 1 < rows[row].size() ? card(row, column + 1) : beside;
     if (direction == key::up)
         return row > 0 ? card(row - 1, column) : "files.place." + std::to_string(static_cast<int>(files.place) + 1);
-    return row + 1 < rows.size() ? card(row + 1, column) : first_scene(listed);
+    return row + 1 < rows.size() ? card(row + 1, column) : beside;
 }
 
 // The arrow keys move the focus from card to card. Call before the cards are drawn.
-void move_in_gallery(const std::vector<CatalogueEntry>& listed, const FilesState& files, Ui& ui, int columns) {
+void move_in_gallery(const std::vector<CatalogueEntry>& listed, const std::string& beside, const FilesState& files,
+                     Ui& ui, int columns) {
     if (!ui.keyboard || !ui.keyboard->focus.starts_with(gallery_stem)) return;
     const Rows rows = rows_of_gallery(listed, static_cast<std::size_t>(columns));
     for (const int direction : {key::left, key::right, key::up, key::down})
@@ -121,7 +116,7 @@ void move_in_gallery(const std::vector<CatalogueEntry>& listed, const FilesState
                                           std::string_view(ui.keyboard->focus).substr(gallery_stem.size()));
                 if (at == rows[row].end()) continue;
                 const auto column = static_cast<std::size_t>(at - rows[row].begin());
-                const std::string next = neighbour(listed, files, rows, row, column, direction);
+                const std::string next = neighbour(beside, files, rows, row, column, direction);
                 if (!next.empty()) ui.keyboard->focus = next;
                 ui.keyboard->revealed = true;
                 break;
@@ -141,11 +136,12 @@ bool put_scene_picture(const LabView& view, const Ui& ui, const std::string& pat
     return true;
 }
 
-void exercise_gallery(const LabView& view, const std::vector<CatalogueEntry>& listed, FilesState& files, Ui& ui) {
+void exercise_gallery(const LabView& view, const std::vector<CatalogueEntry>& listed, const std::string& beside,
+                      FilesState& files, Ui& ui) {
     const float all = card_width(ui), gap_between = ui.px(between_cards);
     const int columns = std::max(1, static_cast<int>((all + gap_between) / (ui.px(least_card) + gap_between)));
     const float width = (all - gap_between * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    move_in_gallery(listed, files, ui, columns);
+    move_in_gallery(listed, beside, files, ui, columns);
     int chapter = -1, column = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap_between, gap_between});
     for (const CatalogueEntry& entry : listed) {
