@@ -37,7 +37,7 @@ void main() {
     vec2 face = corner.y < 0.5 ? out_after : out_before;
 
     bool shadow = level < level_foot;
-    // Of the rounded edge: direction of the normal, outwards and up.
+    // Parts of the normal on the rounded edge: outwards and upwards.
     float lean = 1.5707963 * clamp(float(level - level_shoulder) / float(edge_steps), 0.0, 1.0);
     float flat_part = cos(lean), upright = sin(lean);
     vec2 at = here + outwards * (level == level_shadow_end ? shadow_reach * form.y : -size.y * (1.0 - flat_part));
@@ -63,10 +63,12 @@ void main() {
     bool on_side = level <= level_shoulder;
     float shade = level == level_foot ? foot : mix(side, top, upright);
     vec3 tone = base.rgb * (on_side || level == level_top || law.w > 0.5 ? shade : shade * 1.12);
-    // The outer side of a wall has the tone of the ground outside.
+    vec3 light = light_at(up, world);
+    // The outer side of a wall has the tone of the ground outside, whose light does not fall off.
     bool outside = size.w > 0.5 && dot(turn(face, place.zw), place.xy) > 0.0;
-    if (outside) tone = mix(tone, sky.rgb, 0.45 * flat_part);
-    v_colour = lit(tone, light_at(up, world));
+    float room = room_light(vec2(world.x, -world.z));
+    if (outside) tone = mix(tone, sky.rgb, 0.45 * flat_part), light /= mix(1.0, room * room, flat_part);
+    v_colour = lit(tone, light);
     v_far = level == level_shadow_end ? 1.0 : 0.0;
     gl_Position = view_projection * vec4(world, 1.0);
     if ((empty && level != level_top) || (shadow && size.w > 0.5)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

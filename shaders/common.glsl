@@ -65,7 +65,7 @@ vec3 lamp_on_floor(int i, vec2 place) {
     vec3 tint = lamps[i].colour.rgb, deep = tint * tint, day = tint;
     deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
     day -= 0.85 * min(day.r, min(day.g, day.b));
-    return mix(deep * 0.29, day * 0.24, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    return mix(deep * 0.29, day * 0.253, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the
@@ -77,18 +77,21 @@ vec3 on_screen(vec3 light) {
 }
 
 // Brightness of a place on the screen, because the light of sun and sky falls off away from the sun, as in a room with
-// one window; at dusk more. Its square is the share of the linear light. Linear in the place; see room_limits.
-float room_light(vec2 place) {
-    return 1.0 + mix(0.2, 0.06, counts.y) * dot(place / arena.xy, normalize(vec2(sun.x, -sun.z)));
+// one window: 1 in the middle of the arena, 24 % more or less at its corners at dusk, 7 % by day. Its square is the share
+// of the linear light. open_room_light() is linear in the place, also beyond the arena.
+float open_room_light(vec2 place) {
+    vec2 to_sun = normalize(vec2(sun.x, -sun.z));
+    return 1.0 + mix(0.24, 0.07, counts.y) * dot(place, to_sun) / dot(abs(to_sun), arena.xy);
 }
 
-const vec2 room_limits = vec2(0.74, 1.26);  // of room_light(), beyond the arena
+float within_room(float light) { return clamp(light, 0.76, 1.24); }
+float room_light(vec2 place) { return within_room(open_room_light(place)); }
 
 // Linear light on a surface from sun, sky, floor and lamps. `darkness`: three bits a lamp, 0 all of its light .. 7 none
 // (HullInstance in render/view/draw_list.h).
 vec3 light_at(vec3 normal, vec3 place, float darkness) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
-    float room = clamp(room_light(vec2(place.x, -place.z)), room_limits.x, room_limits.y);
+    float room = room_light(vec2(place.x, -place.z));
     light = room * room * (light + max(dot(normal, sun.xyz), 0.0) * sun_light.rgb);
     for (int i = 0; i < int(counts.x); ++i) {
         float others = floor(darkness * 0.125), passes = 1.0 - (darkness - 8.0 * others) / 7.0;
@@ -206,7 +209,7 @@ vec3 floor_at(vec2 place, float inside, float room) {
     float faint = max(middle, lines(place, pixel, many, form.z, form.w) * 0.75) * inside;
     float bright = lines(place, pixel, many, 5.0 * form.z, 1.4 * form.w) * inside;
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.06);
-    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many) * clamp(room, room_limits.x, room_limits.y), inside);
+    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright) * mix(1.0, worn(place, many) * room, inside);
 }
 
 // Noise of one of 255 levels, so that a slow gradient shows no bands. Interleaved gradient noise: J. Jimenez, "Next

@@ -11,5 +11,5 @@ out vec4 colour;
 void main() {
     float outside = outside_arena(v_place);
     float inside = counts.w == edge_wall ? 1.0 - clamp(outside * 20.0, 0.0, 1.0) : 1.0;
-    colour = vec4(faded_floor(floor_at(v_place, inside, v_room) * sheen(v_far), v_place, outside, v_beyond), 1.0);
+    colour = vec4(faded_floor(floor_at(v_place, inside, within_room(v_room)) * sheen(v_far), v_place, outside, v_beyond), 1.0);
 }

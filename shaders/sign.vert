@@ -12,7 +12,7 @@ flat out vec2 v_seen;
 
 void main() {
     v_own = vec3(corner.xy, inside);
-    v_base = base;
+    v_base = vec4(base.rgb * room_light(place.xy), base.w);
     v_seen = seen.xy;
     vec2 own = corner.xy * size.xy;
     gl_Position = view_projection * vec4(to_gl(vec3(place.xy + turn(own, place.zw), corner.z * size.z)), 1.0);

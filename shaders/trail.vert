@@ -14,7 +14,7 @@ void main() {
     float t = corner.x, rest = 1.0 - t, far = distance(from, to);
     vec2 at = mix(from, to, t * t * (3.0 - 2.0 * t)) + far * t * rest * (rest * back_from - t * back_to);
     vec2 back = 6.0 * t * rest * (to - from) + far * (rest * (1.0 - 3.0 * t) * back_from - t * (2.0 - 3.0 * t) * back_to);
-    back = far > 0.0 ? normalize(back) : back_from;
+    back = dot(back, back) > 0.0 ? normalize(back) : back_from;
     vec4 middle = view_projection * vec4(to_gl(vec3(at, 0.006)), 1.0);
     vec4 beside = view_projection * vec4(to_gl(vec3(at - back * 0.05, 0.006)), 1.0);
     // Constant width on the screen: moved across the trail's direction in the picture.

@@ -1,6 +1,7 @@
 // Zones of the floor: each surface has its own texture, each effect its own sign (chevrons, rings, plus signs). Patterns
 // are in metres and fade before they alias.
 in vec2 v_own;
+in float v_room;
 flat in vec4 v_shape, v_base, v_flow, v_corners_01, v_corners_23, v_corners_45, v_corners_67;
 
 out vec4 colour;
@@ -95,5 +96,5 @@ void main() {
         alpha *= max(ring * keen(pixel, 0.4) * (0.35 + 0.65 * exp(-d * 0.5)), edge * 0.5);
     }
     alpha *= cover;
-    colour = vec4(tone * alpha, alpha);
+    colour = vec4(tone * v_room * alpha, alpha);
 }

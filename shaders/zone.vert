@@ -10,6 +10,7 @@ layout(location = 10) in vec4 corners_45;
 layout(location = 11) in vec4 corners_67;
 
 out vec2 v_own;
+out float v_room;  // room_light()
 flat out vec4 v_shape, v_base, v_flow, v_corners_01, v_corners_23, v_corners_45, v_corners_67;
 
 void main() {
@@ -18,5 +19,7 @@ void main() {
     v_base = base;
     v_flow = flow;
     v_corners_01 = corners_01, v_corners_23 = corners_23, v_corners_45 = corners_45, v_corners_67 = corners_67;
-    gl_Position = view_projection * vec4(to_gl(vec3(place.xy + turn(v_own, place.zw), 0.002)), 1.0);
+    vec2 world = place.xy + turn(v_own, place.zw);
+    v_room = room_light(world);
+    gl_Position = view_projection * vec4(to_gl(vec3(world, 0.002)), 1.0);
 }

@@ -45,6 +45,9 @@ Kit kit(const Shape& shape) {
     return Kit(shape, vectors<Instance>);
 }
 
+// Rounded vehicles are large or few: pieces of wires and trails are then long enough on the screen to be curved.
+bool has_rounded(const DrawList& list) { return !list.tyres.empty(); }
+
 // Vehicles below full detail have a rim.
 bool has_rims(const std::vector<HullInstance>& hulls) {
     return std::any_of(hulls.begin(), hulls.end(), [](const HullInstance& hull) { return hull.look.x < 1; });
@@ -212,7 +215,7 @@ struct Renderer::Parts {
         draw(with.eyeball, eyeballs);
         for (std::size_t i = 0; i < sources.size(); ++i)
             draw(with.source, quality == Quality::low ? sources[i].batch : fine_sources[i], sources[i].instances);
-        draw(with.wire, list.coarse && list.tyres.empty() ? coarse_wires : wires.batch, wires.instances);
+        draw(with.wire, list.coarse && !has_rounded(list) ? coarse_wires : wires.batch, wires.instances);
         draw(with.neuron, neurons);
     }
 
@@ -287,7 +290,7 @@ struct Renderer::Parts {
         draw(with.cast, casts);
         draw(with.shade, marks);
         draw(with.deck_shade, deck_shades);
-        draw(with.trail, list.tyres.empty() ? coarse_trails : trail_strips.batch, trail_strips.instances);
+        draw(with.trail, has_rounded(list) ? trail_strips.batch : coarse_trails, trail_strips.instances);
         draw(need_outlines(list.fields) ? with.outlined : with.field,
              with.sectors_from_points ? field_points : fields.batch, fields.instances);
         for (std::size_t role = 0; role < rims.size(); ++role)

@@ -131,9 +131,10 @@ struct HaloInstance {
                          // ball, at whose edge it is brightest
 };
 struct TrailInstance {
-    maths::vec4 ends;     // from, to; of a round end both are the same point
-    maths::vec4 sides;    // unit normals at both ends; a round end extends to their right
-    maths::vec4 colour;   // rgb, w: width on the screen, layout pixels
+    maths::vec4 ends;    // from, to; of a round end both are the same point
+    maths::vec4 sides;   // unit normals at both ends, to which a piece is perpendicular: it may be a curve; a round end
+                         // extends to their right
+    maths::vec4 colour;  // rgb, w: width on the screen, layout pixels
     maths::vec4 opacity;  // x: at the first end, y: at the second; z: 1 for a round end, 0 for a piece
 };
 

@@ -81,6 +81,32 @@ TEST_F(LookTest, TheFloorIsBrighterTowardsTheSun) {
     }
 }
 
+TEST_F(LookTest, ObstaclesAreBrighterTowardsTheSun) {
+    look_down(1);
+    const Snapshot bare = hand_made::empty(hand_made::scene());
+    Snapshot now = bare;
+    auto scene = std::make_shared<Scene>(*bare.scene);
+    for (const float side : {-1.0f, 1.0f})
+        scene->obstacles.push_back({.name = "box", .x = side * 6.5f, .y = side * -4.5f, .length = 1, .width = 1});
+    now.scene = scene;
+    const float height = obstacle_height(scene->arena);
+    EXPECT_GT(brightness(seen(now, {-6.5f, 4.5f}, height)), 1.2f * brightness(seen(now, {6.5f, -4.5f}, height)));
+}
+
+TEST_F(LookTest, TheUpperEdgeOfAnObstacleIsRound) {
+    look_down(8);
+    const Snapshot bare = hand_made::empty(hand_made::scene());
+    Snapshot now = bare;
+    auto scene = std::make_shared<Scene>(*bare.scene);
+    scene->obstacles.push_back({.name = "box", .length = 1.6f, .width = 1.6f});
+    now.scene = scene;
+    // On the side away from the sun, where its light falls less and less steeply onto the edge.
+    const float height = obstacle_height(scene->arena), radius = 0.26f * height;
+    const auto tone = [&](float inset) { return brightness(seen(now, {0.8f - inset * radius, 0}, height)); };
+    EXPECT_LT(tone(0.6f), 0.99f * tone(2));
+    EXPECT_LT(tone(0.3f), 0.97f * tone(0.6f));
+}
+
 TEST_F(LookTest, DrawsTheTrailOfARoundedVehicleAsACurveThroughItsPoints) {
     look_down(4);
     const Snapshot bare = hand_made::empty(hand_made::scene());
@@ -172,15 +198,17 @@ TEST_F(LookTest, DarkensABulbTowardsItsOutlineOnTheLightFloor) {
     hand_made::add_source(now, Channel::light, 0, 0);
     renderer->draw(now, picture);
     const vec2 middle = *project(picture.camera_view, {0, 0}, 0.5f);
-    const float bulb = stage.pixel(middle).b, floor = stage.pixel({middle.x + 90, middle.y}).b;
-    float least = 1;
+    // To the outline, which lies where the dark foot begins.
+    const float bulb = stage.pixel(middle).b;
+    float least = bulb;
     int darker = 0;
     for (float x = 0; x < 60; ++x) {
-        const float blue = stage.pixel({middle.x + x, middle.y}).b;
-        least = std::min(least, blue), darker += blue < std::min(bulb, floor) - 0.05f;
+        const Colour c = stage.pixel({middle.x + x, middle.y});
+        if (c.r < 0.7f) break;
+        least = std::min(least, c.b), darker += c.b < bulb - 0.05f && c.b < least + 0.01f;
     }
-    EXPECT_LT(least, std::min(bulb, floor) - 0.12f);
-    EXPECT_GE(darker, 3) << "a gradient, not a line";
+    EXPECT_LT(least, bulb - 0.2f);
+    EXPECT_GE(darker, 4) << "a gradient, not a line";
 }
 
 TEST_F(LookTest, BrightensAtDuskTheVehiclesOfASceneWithoutEyesForLight) {
