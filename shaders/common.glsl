@@ -65,7 +65,7 @@ vec3 lamp_on_floor(int i, vec2 place) {
     vec3 tint = lamps[i].colour.rgb, deep = tint * tint, day = tint;
     deep -= 0.85 * min(deep.r, min(deep.g, deep.b));
     day -= 0.85 * min(day.r, min(day.g, day.b));
-    return mix(deep * 0.29, day * 0.253, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    return mix(deep * 0.29, day * 0.25, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the
@@ -172,7 +172,7 @@ vec4 field_colour(vec3 tone, float alpha, vec2 part) {
     float out_there = form.x < 0.5 ? max(abs(part.x), abs(part.y)) : dot(part, part);
     // On a dark floor the colours of overlapping fields are partly added, because blended colours become grey. In the
     // light theme they are blended, like glass on paper.
-    alpha *= step(out_there, 1.0 + counts.z) * mix(0.85, 0.65, counts.y);
+    alpha *= step(out_there, 1.0 + counts.z) * mix(1.1, 0.75, counts.y);
     // Colour and opacity are each rounded to one of 255 levels when they are blended; noise of two levels hides the
     // bands. A lattice of the plastic number (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
     // 2018), cheaper than dither(), and shifted so that fields which overlap have different noise.

@@ -16,9 +16,9 @@ void main() {
     float reflects = dot(light, vec3(1.0)) / (room * room * dot(floor_colour.rgb * floor_colour.rgb, vec3(1.0)));
     float passes = mix(0.12, 1.0, inside);
     // Between dark and light a floor becomes warm, not grey or white: part of its blue becomes orange. By day the
-    // sum of the light falls by more than half of that part, so that the floor is not nearly white.
+    // sum of the light falls by nearly half of that part, so that the floor is not nearly white.
     float warmed = min(mix(0.5, 0.18, counts.y) * light.b, mix(0.8, 0.9, counts.y) * glow.r) * passes;
-    light += warmed * vec3(mix(vec2(0.85, 0.15), vec2(0.44, 0.0), counts.y), -1.0);
+    light += warmed * vec3(mix(vec2(0.85, 0.15), vec2(0.53, 0.0), counts.y), -1.0);
     ground = on_screen(light + glow * (min(0.75 + 0.25 * reflects, 1.4) * passes));
     colour = vec4(faded_floor(ground, v_place, outside, v_beyond), 1.0);
 }

@@ -22,7 +22,7 @@ void main() {
     // colour would be as pale as the floor.
     float most = max(max(base.r, base.g), max(base.b, 1e-3)), shines = smoothstep(0.0, 0.05, place.w);
     vec3 hue = base.rgb / most, deep = mix(hue, hue * hue, 0.6);
-    float yellow = clamp(1.3 * (min(hue.r, hue.g) - hue.b), 0.0, 1.0), white = mix(0.2, 0.85, yellow) * sqrt(place.w);
+    float yellow = clamp(1.3 * (min(hue.r, hue.g) - hue.b), 0.0, 1.0), white = mix(0.19, 0.85, yellow) * sqrt(place.w);
     vec3 day_core = mix(base.rgb, mix(hue, vec3(1.0), white), shines);
     vec3 day_rim = mix(base.rgb, mix(mix(deep, hue, place.w), vec3(1.0), 0.45 * max(2.0 * yellow - 1.0, 0.0) * place.w), shines);
     vec3 core = mix(mix(base.rgb, vec3(1.0), 0.70 * place.w), day_core, counts.y);
@@ -32,7 +32,7 @@ void main() {
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
     v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;
     // On the light floor the bulb is darker towards its outline, which separates it from its light.
-    v_edge = vec4(base.rgb, kind == paint_light ? 0.55 * counts.y : 0.0);
+    v_edge = vec4(0.85 * base.rgb, kind == paint_light ? 0.85 * counts.y : 0.0);
     v_normal = up;
     v_towards = eye.xyz - at;
     gl_Position = view_projection * vec4(at, 1.0);
