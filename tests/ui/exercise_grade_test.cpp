@@ -152,6 +152,15 @@ TEST(ExerciseGrade, KeepsItsMarkAndTheNextButtonOnceItWasPassed) {
     }
 }
 
+TEST(ExerciseGrade, TheLightBulbAtTheNextButtonIsBelowTheScrolledPartOfTheCard) {
+    Desk desk(1024, 768, 1, true);
+    pass(desk);
+    desk.frame(5);
+    ASSERT_EQ(desk.panels.highlighted, "exercise.next");
+    constexpr float above_buttons = 8, rounding = 0.5f;
+    EXPECT_GE(desk.pointed_out.bulb.y, desk.where("exercise.next").y - above_buttons - rounding);
+}
+
 TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     Desk desk;
     const std::vector<CatalogueEntry> more{{"05-aggressor", "5.toml", "Aggressor", "", 5},

@@ -166,7 +166,7 @@ void point_out(const Ui& ui, Rect rect, RingRoom room) {
     const Rect card = grown(card_rect(), -radius - ui.px(1), -radius - ui.px(1));
     ImVec2 middle = reaches_the_margin ? ImVec2{card.x + card.w,
                                                 std::min(line.y + line.h / 2, line.y + radius + ui.px(spacing::tight))}
-                                       : ImVec2{right + 0.25f * radius, rect.y - 0.25f * radius};
+                                       : ImVec2{right + 0.25f * radius, rect.y + 0.1f * radius};
     middle.x = std::clamp(middle.x, card.x, std::max(card.x, card.x + card.w));
     middle.y = std::clamp(middle.y, card.y, std::max(card.y, card.y + card.h));
     hint_badge(ui, draw, middle, radius / ui.scale);
