@@ -236,6 +236,14 @@ namespace {
 
 bool is_exercise(const CatalogueEntry& entry) { return entry.number > 0; }
 
+// The anchor of the first scene, else of the first lecture; empty: none.
+std::string first_of_right_list(const std::vector<CatalogueEntry>& listed,
+                                const std::vector<CatalogueEntry>& lectures) {
+    const auto scene = std::find_if_not(listed.begin(), listed.end(), is_exercise);
+    if (scene != listed.end()) return row_anchor(*scene);
+    return lectures.empty() ? std::string{} : row_anchor(lectures.front());
+}
+
 // Left of the scenes and lectures are the exercises.
 void leave_right_list(const std::vector<CatalogueEntry>& listed, Ui& ui) {
     if (!ui.keyboard || !ui.keyboard->focus.starts_with("open.") || !take(*ui.keyboard, key::left)) return;
@@ -316,11 +324,7 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
     if (exercises > 0) {
         begin_list(files, ui, "shipped", bottom, "exercises", has_both ? left : all);
         list_heading(ui, "open.exercises");
-        const auto scene = std::find_if_not(listed.begin(), listed.end(), is_exercise);
-        const std::string beside = scene != listed.end() ? row_anchor(*scene)
-                                   : !lectures.empty()   ? row_anchor(lectures.front())
-                                                         : std::string{};
-        exercise_gallery(view, listed, beside, files, ui);
+        exercise_gallery(view, listed, first_of_right_list(listed, lectures), files, ui);
         end_list(ui);
     }
     if (has_both) ImGui::SameLine(0, between), files.listed = before;
