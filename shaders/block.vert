@@ -36,7 +36,7 @@ void main() {
     vec2 between = normalize(out_before + out_after), outwards = between / max(dot(between, out_after), 0.4);
     vec2 face = corner.y < 0.5 ? out_after : out_before;
 
-    bool shadow = level < level_foot;
+    bool wall = size.w > 0.5, shadow = level < level_foot;
     // Parts of the normal on the rounded edge: outwards and upwards.
     float lean = 1.5707963 * clamp(float(level - level_shoulder) / float(edge_steps), 0.0, 1.0);
     float flat_part = cos(lean), upright = sin(lean);
@@ -45,9 +45,9 @@ void main() {
     // Vertical edges are shaded as if they were round: across a short face between two long ones, and at a corner of two
     // short faces.
     float short_face = 0.14 * form.y;  // m
-    if (size.w < 0.5 && max(distance(here, before), distance(here, after)) < short_face)
+    if (!wall && max(distance(here, before), distance(here, after)) < short_face)
         face = between;
-    else if (size.w < 0.5 && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < short_face)
+    else if (!wall && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < short_face)
         face = corner.y < 0.5 ? out_before : out_after;
     vec3 normal = vec3(face * flat_part, upright);
 
@@ -56,20 +56,17 @@ void main() {
     if (level == level_shadow_end) world.xz -= sun.xz / sun.y * (shadow_share * size.x);
     vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
     // A lighter top and a darker foot make the edges visible.
-    float foot = mix(0.62, 0.97, counts.y), side = mix(0.85, 0.97, counts.y);
-    float top = mix(1.08, 0.98, counts.y);
-    if (size.w > 0.5) side *= mix(1.0, 1.08, counts.y), foot *= mix(1.0, 1.02, counts.y);  // a light floor lights walls
-    if (size.w < 0.5) foot *= mix(0.8, 0.95, counts.y), side *= mix(0.84, 0.95, counts.y);
+    vec3 of_wall = mix(vec3(0.62, 0.85, 1.08), vec3(0.99, 1.05, 0.98), counts.y);      // foot, side, top
+    vec3 of_obstacle = mix(vec3(0.50, 0.71, 1.08), vec3(0.92, 0.92, 0.98), counts.y);
+    vec3 shades = wall ? of_wall : of_obstacle;
     bool on_side = level <= level_shoulder;
-    float shade = level == level_foot ? foot : mix(side, top, upright);
+    float shade = level == level_foot ? shades.x : mix(shades.y, shades.z, upright);
     vec3 tone = base.rgb * (on_side || level == level_top || law.w > 0.5 ? shade : shade * 1.12);
-    vec3 light = light_at(up, world);
-    // The outer side of a wall has the tone of the ground outside, whose light does not fall off.
-    bool outside = size.w > 0.5 && dot(turn(face, place.zw), place.xy) > 0.0;
-    float room = room_light(vec2(world.x, -world.z));
-    if (outside) tone = mix(tone, sky.rgb, 0.45 * flat_part), light /= mix(1.0, room * room, flat_part);
-    v_colour = lit(tone, light);
+    // The outer side of a wall has the tone of the ground outside, where the light does not fall off.
+    float outside = wall && dot(turn(face, place.zw), place.xy) > 0.0 ? flat_part : 0.0;
+    tone = mix(tone, sky.rgb, 0.45 * outside);
+    v_colour = lit(tone, light_at(up, world, 0.0, mix(room_light(vec2(world.x, -world.z)), 1.0, outside)));
     v_far = level == level_shadow_end ? 1.0 : 0.0;
     gl_Position = view_projection * vec4(world, 1.0);
-    if ((empty && level != level_top) || (shadow && size.w > 0.5)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    if ((empty && level != level_top) || (shadow && wall)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -88,10 +88,9 @@ float within_room(float light) { return clamp(light, 0.76, 1.24); }
 float room_light(vec2 place) { return within_room(open_room_light(place)); }
 
 // Linear light on a surface from sun, sky, floor and lamps. `darkness`: three bits a lamp, 0 all of its light .. 7 none
-// (HullInstance in render/view/draw_list.h).
-vec3 light_at(vec3 normal, vec3 place, float darkness) {
+// (HullInstance in render/view/draw_list.h). `room`: room_light(), or 1 for even light of sun and sky.
+vec3 light_at(vec3 normal, vec3 place, float darkness, float room) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
-    float room = room_light(vec2(place.x, -place.z));
     light = room * room * (light + max(dot(normal, sun.xyz), 0.0) * sun_light.rgb);
     for (int i = 0; i < int(counts.x); ++i) {
         float others = floor(darkness * 0.125), passes = 1.0 - (darkness - 8.0 * others) / 7.0;
@@ -108,6 +107,9 @@ vec3 light_at(vec3 normal, vec3 place, float darkness) {
     return light;
 }
 
+vec3 light_at(vec3 normal, vec3 place, float darkness) {
+    return light_at(normal, place, darkness, room_light(vec2(place.x, -place.z)));
+}
 vec3 light_at(vec3 normal, vec3 place) { return light_at(normal, place, 0.0); }
 
 // Share of the light that a rounded body keeps: most light comes from above, so its sides are darker and it looks round.
