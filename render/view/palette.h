@@ -1,7 +1,7 @@
 // Every colour of the lab, in one place: the window's and the scene's, for the desk (dark) and the projector (light).
 //
 // The colours of meaning are from M. Okabe and K. Ito, "Color Universal Design" (2008), and stay apart for colour-blind
-// eyes. One colour has one meaning, and a shape, a sign or a word says it too.
+// eyes; some are darker on the light floor. One colour has one meaning, and a shape, a sign or a word says it too.
 #pragma once
 
 #include <algorithm>
