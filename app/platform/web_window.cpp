@@ -370,6 +370,7 @@ bool Window::watches_graphics() const { return false; }
 int Window::graphics_errors() const { return 0; }
 
 void Window::redirect(std::optional<Canvas> wanted) { native_->redirected = wanted; }
+bool Window::is_redirected() const { return native_->redirected.has_value(); }
 
 void Window::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, native_->redirected ? native_->redirected->framebuffer : 0);
