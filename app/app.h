@@ -101,8 +101,6 @@ private:
     float reduced_type_size() const;
     // Applies language, theme and scale. Call between frames.
     void follow_preferences();
-    // Framebuffer pixels per window pixel.
-    float density() const;
     // Loads the font of the scene's labels at the size of the window's small type.
     void load_label_font();
     // Reloads changed shaders, at most twice per second. A broken shader is reported, and the previous one stays in

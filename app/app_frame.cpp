@@ -83,12 +83,8 @@ void App::follow_preferences() {
     if (theme_.apply(lab_.preferences.theme, wanted_scale())) window_.upload_fonts(), load_label_font();
 }
 
-float App::density() const {
-    return static_cast<float>(window_.framebuffer_width()) / std::max(1.0f, window_.area().w);
-}
-
 void App::load_label_font() {
-    const auto pixels = static_cast<int>(std::lround(label_em * theme_.scale() * density()));
+    const auto pixels = static_cast<int>(std::lround(label_em * theme_.scale()));
     auto [lettering, warning] = label_font(find_label_font, pixels, *theme_.fonts().small);
     renderer_.use_lettering(std::move(lettering));
     if (!warning.empty() && !reported_label_font_) std::cerr << "braitenlab: " << warning << "\n";
@@ -238,7 +234,7 @@ Picture App::scene_picture(std::vector<bool> hidden_brains) const {
         picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
     picture.driver = lab.view.camera.mode == CameraMode::driver ? lab.view.selection.vehicle : no_vehicle;
     picture.reduce_motion = lab.preferences.reduce_motion;
-    picture.pixel_scale = density() * theme_.scale();
+    picture.pixel_scale = theme_.scale();
     picture.names = &words_.names;
     picture.decimal_mark = decimal_mark(words_.strings);
     return picture;
@@ -255,7 +251,7 @@ std::vector<Rect> App::cards_of_lecture() const {
 std::vector<Rect> App::covered_parts(const ui::WindowLayout& layout) const {
     std::vector<Rect> parts;
     const auto add = [&](const Rect& r) {
-        if (r.w > 0) parts.push_back({r.x * density(), r.y * density(), r.w * density(), r.h * density()});
+        if (r.w > 0) parts.push_back(r);
     };
     for (const ui::CardTraits& row : ui::cards())
         if (const Rect* card = anchors_.find(row.anchor)) add(*card);
@@ -267,12 +263,11 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     const Lab& lab = shown_lab();
     Picture picture = scene_picture(std::move(hidden_brains));
     picture.camera_view = viewport_.camera_view;
-    picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
-                                  static_cast<float>(window_.framebuffer_height())};
+    picture.camera_view.window = window_.area();
     if (!title_) {
         picture.covered = covered_parts(layout);
-        for (const Rect& r : panels_.scene_input.labels.labels())
-            picture.covered.push_back({r.x * density(), r.y * density(), r.w * density(), r.h * density()});
+        const auto& labels = panels_.scene_input.labels.labels();
+        picture.covered.insert(picture.covered.end(), labels.begin(), labels.end());
     }
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.resolution = resolution();

@@ -16,7 +16,6 @@
 #include <imgui.h>
 
 #include "core/maths/vec.h"
-#include "ui/imgui_compat.h"
 #include "ui/mouse_queue.h"
 
 namespace braitenlab {
@@ -25,6 +24,7 @@ namespace {
 
 constexpr int least_width = 940, least_height = 570;  // window pixels; the toolbar needs them
 constexpr int smooth_samples = 4;                     // of multisampling
+constexpr const char* program_id = "org.braitenlab.braitenlab";
 
 // GLFW reports errors by callback only. The last one explains a failed call.
 std::string last_error;
@@ -36,7 +36,15 @@ Error no_window() {
                     last_error.empty() ? "no reason given" : last_error)};
 }
 
-maths::vec2 pixels_of(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+maths::vec2 vec2_of(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+
+// The pointer's position in the system's units in pixels of the framebuffer.
+maths::vec2 pixels_of(GLFWwindow* window, double x, double y) {
+    int width = 1, height = 1, across = 1, down = 1;
+    glfwGetWindowSize(window, &width, &height);
+    glfwGetFramebufferSize(window, &across, &down);
+    return vec2_of(x * across / std::max(1, width), y * down / std::max(1, height));
+}
 
 // The character a key types on this keyboard layout without Shift, in upper case; other keys by GLFW's number.
 int key_of(int glfw_key, int scancode) {
@@ -89,15 +97,13 @@ struct Window::Native {
             keys.press({braitenlab::key::alt}, false);
     }
 
-    // Replace Dear ImGui's callbacks, unless its version has a queue: it gets the mouse from MouseQueue.
     void install_mouse_callbacks() {
-        if constexpr (compat::keeps_an_event_queue) return;
-        glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).mouse.move(pixels_of(x, y)); });
+        glfwSetCursorPosCallback(window,
+                                 [](GLFWwindow* w, double x, double y) { of(w).mouse.move(pixels_of(w, x, y)); });
         glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
             if (!entered && !of(w).mouse.any_down()) of(w).mouse.leave();
         });
-        glfwSetScrollCallback(window,
-                              [](GLFWwindow* w, double x, double y) { of(w).mouse.turn_wheel(pixels_of(x, y)); });
+        glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { of(w).mouse.turn_wheel(vec2_of(x, y)); });
         glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
             if (button < GLFW_MOUSE_BUTTON_LEFT || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
             ui::MouseQueue& queue = of(w).mouse;
@@ -114,24 +120,19 @@ struct Window::Native {
         glfwSetWindowPosCallback(window, [](GLFWwindow* w, int, int) {
             double x = 0, y = 0;
             glfwGetCursorPos(w, &x, &y);
-            if (glfwGetWindowAttrib(w, GLFW_HOVERED)) of(w).mouse.move(pixels_of(x, y));
+            if (glfwGetWindowAttrib(w, GLFW_HOVERED)) of(w).mouse.move(pixels_of(w, x, y));
         });
     }
 
-    // Replace Dear ImGui's callbacks: it gets keys from KeyQueue, unless its version has a queue.
     void install_key_callbacks() {
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-            if constexpr (compat::keeps_an_event_queue) ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
             of(w).follow_alt(key, action);
             if (key == GLFW_KEY_LEFT_ALT) return;
             if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
             const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
             of(w).keys.press({key_of(key, scancode), ctrl, shift}, action == GLFW_REPEAT);
         });
-        glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-            if constexpr (compat::keeps_an_event_queue) ImGui_ImplGlfw_CharCallback(w, character);
-            of(w).keys.type(character);
-        });
+        glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { of(w).keys.type(character); });
     }
 };
 
@@ -145,6 +146,12 @@ void hint_context(const WindowOptions& options, int samples) {
     glfwWindowHint(GLFW_SAMPLES, samples);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.watch_graphics ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+    // The desktop finds name and icon by them in the .desktop file of this name.
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, program_id);
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, program_id);
+#ifdef GLFW_WAYLAND_APP_ID  // from GLFW 3.4 on
+    glfwWindowHintString(GLFW_WAYLAND_APP_ID, program_id);
+#endif
 }
 
 GLFWwindow* make_window(const WindowOptions& options, int samples) {
@@ -232,8 +239,9 @@ Result<Window> Window::open(const WindowOptions& options) {
     });
 
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // no file of window positions
-    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui::GetIO().IniFilename = nullptr;         // no file of window positions
+    ImGui_ImplGlfw_InitForOpenGL(window, false);  // without its callbacks: input comes from KeyQueue and MouseQueue
+    ui::expect_queued_input(ImGui::GetIO());
     ImGui_ImplOpenGL3_Init("#version 330 core");
     native->imgui = true;
     native->install_key_callbacks();
@@ -245,11 +253,7 @@ bool Window::close_requested() const { return glfwWindowShouldClose(native_->win
 void Window::refuse_close() { glfwSetWindowShouldClose(native_->window, GLFW_FALSE); }
 
 Rect Window::area() const {
-    if (const auto& canvas = native_->canvas)
-        return {0, 0, static_cast<float>(canvas->width), static_cast<float>(canvas->height)};
-    int width = 0, height = 0;
-    glfwGetWindowSize(native_->window, &width, &height);
-    return {0, 0, static_cast<float>(width), static_cast<float>(height)};
+    return {0, 0, static_cast<float>(framebuffer_width()), static_cast<float>(framebuffer_height())};
 }
 
 std::pair<int, int> Window::windowed_size() const {
@@ -334,10 +338,8 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    if (native_->canvas) {
-        io.DisplaySize = {area().w, area().h};
-        io.DisplayFramebufferScale = {1, 1};
-    }
+    io.DisplaySize = {area().w, area().h};
+    io.DisplayFramebufferScale = {1, 1};
     const ui::MouseOfAFrame mouse = native_->canvas ? native_->mouse.outside() : native_->mouse.take();
     ui::hand_over(mouse, io);
     const auto either = [this](int left, int right) { return holds(left) || holds(right); };

@@ -38,11 +38,12 @@ public:
     bool close_requested() const;
     void refuse_close();
 
-    // Window pixels. A display of high density has several framebuffer pixels per window pixel.
+    // Window pixels, which are those of the framebuffer. Some systems (Wayland, browsers) place windows and pointers in
+    // units of several pixels; only this class knows them.
     Rect area() const;
-    // The size of the window; in full screen, the size before it.
+    // The size of the window in the system's units; in full screen, the size before it.
     std::pair<int, int> windowed_size() const;
-    // The position of its upper left corner on the desktop; in full screen, before it. nullopt if the system does not
+    // The position of its upper left corner on the desktop, in these units; in full screen, before it. nullopt if the system does not
     // tell it.
     std::optional<std::pair<int, int>> windowed_place() const;
     // x, y, width and height of the free area of each display.

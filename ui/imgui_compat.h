@@ -1,7 +1,10 @@
 // Wrappers for all calls that differ between Dear ImGui 1.86 (Debian 12) and 1.92.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <imgui.h>
 #include <imgui_freetype.h>
@@ -76,26 +79,52 @@ inline void polyline(ImDrawList& draw, const ImVec2* points, int count, ImU32 co
 #endif
 }
 
-// True when Dear ImGui has its own event queue.
-inline constexpr bool keeps_an_event_queue = IMGUI_VERSION_NUM >= 18700;
-
-// Sets the only key that is down in the next frame, −1: none. Numbers as in io.KeyMap.
-inline void set_keys(ImGuiIO& io, int down, bool ctrl, bool shift, bool alt) {
+// A key by Dear ImGui's name, and the number that KeyQueue has for it.
+struct NamedKey {
+    ImGuiKey name;
+    int number;
+};
 #if IMGUI_VERSION_NUM >= 18700
-    (void)io, (void)down, (void)ctrl, (void)shift, (void)alt;
+inline constexpr ImGuiKey keypad_enter = ImGuiKey_KeypadEnter;
 #else
+inline constexpr ImGuiKey keypad_enter = ImGuiKey_KeyPadEnter;
+#endif
+
+// Prepares a new context for input from KeyQueue and MouseQueue, which give each frame what it is to take. Dear ImGui
+// has arrays for it up to 1.86; from 1.87 on it has a queue of events, all of which the next frame then takes.
+inline void expect_input_of_frames(ImGuiIO& io, std::span<const NamedKey> keys) {
+#if IMGUI_VERSION_NUM >= 18700
+    io.ConfigInputTrickleEventQueue = false;
+    (void)keys;
+#else
+    for (const NamedKey& each : keys) io.KeyMap[each.name] = each.number;
+#endif
+}
+
+// Sets the only key that is down in the next frame, −1: none, and the modifiers.
+inline void set_keys(ImGuiIO& io, std::span<const NamedKey> keys, int down, bool ctrl, bool shift, bool alt) {
+#if IMGUI_VERSION_NUM >= 18700
+    io.AddKeyEvent(ImGuiMod_Ctrl, ctrl), io.AddKeyEvent(ImGuiMod_Shift, shift), io.AddKeyEvent(ImGuiMod_Alt, alt);
+    for (const NamedKey& each : keys) io.AddKeyEvent(each.name, each.number == down && each.name != keypad_enter);
+#else
+    (void)keys;
     for (bool& key : io.KeysDown) key = false;
     if (down >= 0 && down < IM_ARRAYSIZE(io.KeysDown)) io.KeysDown[down] = true;
     io.KeyCtrl = ctrl, io.KeyShift = shift, io.KeyAlt = alt;
 #endif
 }
 
-// Makes the left button double-clicked in this frame; from 1.87 on Dear ImGui queues the presses and needs no help.
-inline void set_double_clicked(ImGuiIO& io) {
+// Sets the mouse of the next frame: window pixels, the left, right and middle button, notches of the wheel.
+inline void set_mouse(ImGuiIO& io, ImVec2 at, std::span<const bool, 3> down, ImVec2 wheel) {
 #if IMGUI_VERSION_NUM >= 18700
-    (void)io;
+    io.AddMousePosEvent(at.x, at.y);
+    for (int button = 0; button < 3; ++button) io.AddMouseButtonEvent(button, down[static_cast<std::size_t>(button)]);
+    io.AddMouseWheelEvent(wheel.x, wheel.y);
 #else
-    io.MouseDoubleClicked[0] = true, io.MouseClickedCount[0] = 2;
+    io.MousePos = at;
+    for (bool& each : io.MouseDown) each = false;
+    std::copy(down.begin(), down.end(), io.MouseDown);
+    io.MouseWheel += wheel.y, io.MouseWheelH += wheel.x;
 #endif
 }
 

@@ -6,6 +6,30 @@ namespace braitenlab::ui {
 
 namespace {
 
+// The keys that widgets of Dear ImGui read.
+constexpr compat::NamedKey named_keys[]{{ImGuiKey_Tab, key::tab},
+                                        {ImGuiKey_LeftArrow, key::left},
+                                        {ImGuiKey_RightArrow, key::right},
+                                        {ImGuiKey_UpArrow, key::up},
+                                        {ImGuiKey_DownArrow, key::down},
+                                        {ImGuiKey_PageUp, key::page_up},
+                                        {ImGuiKey_PageDown, key::page_down},
+                                        {ImGuiKey_Home, key::home},
+                                        {ImGuiKey_End, key::end},
+                                        {ImGuiKey_Insert, key::insert},
+                                        {ImGuiKey_Delete, key::del},
+                                        {ImGuiKey_Backspace, key::backspace},
+                                        {ImGuiKey_Space, ' '},
+                                        {ImGuiKey_Enter, key::enter},
+                                        {ImGuiKey_Escape, key::escape},
+                                        {compat::keypad_enter, key::enter},
+                                        {ImGuiKey_A, 'A'},
+                                        {ImGuiKey_C, 'C'},
+                                        {ImGuiKey_V, 'V'},
+                                        {ImGuiKey_X, 'X'},
+                                        {ImGuiKey_Y, 'Y'},
+                                        {ImGuiKey_Z, 'Z'}};
+
 constexpr int longest_wait = 12;  // frames to wait for a text field to become active
 
 // True for a key that is no key stroke for a text field: its character follows, or it is a modifier.
@@ -88,11 +112,13 @@ KeysOfAFrame KeyQueue::take_shortcuts() {
     return frame;
 }
 
+void expect_queued_input(ImGuiIO& io) { compat::expect_input_of_frames(io, named_keys); }
+
 void hand_over(const KeysOfAFrame& frame, Modifiers held, ImGuiIO& io) {
-    if constexpr (compat::keeps_an_event_queue) return;
     if (frame.stroke) held = {frame.stroke->ctrl, frame.stroke->shift, false};
     if (!frame.characters.empty()) held = {};  // Dear ImGui reads characters with Ctrl as a shortcut
-    compat::set_keys(io, frame.stroke ? frame.stroke->key : -1, held.ctrl, held.shift, held.alt);
+    const int down = frame.stroke ? frame.stroke->key : -1;
+    compat::set_keys(io, named_keys, down, held.ctrl, held.shift, held.alt);
     for (const unsigned character : frame.characters) io.AddInputCharacter(character);
 }
 

@@ -1,6 +1,7 @@
 // Queue of keyboard events between GLFW's callbacks and frames. Dear ImGui 1.86 has no such queue: it misses a key that
-// is pressed and released within a frame, and it receives characters before keys. Therefore each frame gets either
-// characters or one key stroke.
+// is pressed and released within a frame, and it receives characters before keys. The queue of later versions knows
+// nothing of sheets that open in between. Therefore each frame gets either characters or one key stroke, with every
+// version.
 #pragma once
 
 #include <deque>
@@ -46,8 +47,11 @@ private:
     int awaited_ = 0;       // frames
 };
 
+// Prepares the current context of Dear ImGui for KeyQueue and MouseQueue. Call once, before its first frame.
+void expect_queued_input(ImGuiIO&);
+
 // Passes the frame's events to Dear ImGui; call before its frame begins. `held`: modifiers that are down, for mouse
-// clicks. Does nothing from Dear ImGui 1.87 on, which has its own queue.
+// clicks.
 struct Modifiers {
     bool ctrl = false, shift = false, alt = false;
 };

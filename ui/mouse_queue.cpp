@@ -101,15 +101,12 @@ MouseOfAFrame MouseQueue::outside() const {
 }
 
 void hand_over(const MouseOfAFrame& mouse, ImGuiIO& io) {
-    if constexpr (compat::keeps_an_event_queue) return;
-    io.MousePos = mouse.at ? ImVec2(mouse.at->x, mouse.at->y) : ImVec2(-FLT_MAX, -FLT_MAX);
-    for (bool& down : io.MouseDown) down = false;
-    std::copy(mouse.down.begin(), mouse.down.end(), io.MouseDown);
-    io.MouseWheel += mouse.wheel.y, io.MouseWheelH += mouse.wheel.x;
+    const ImVec2 at = mouse.at ? ImVec2(mouse.at->x, mouse.at->y) : ImVec2(-FLT_MAX, -FLT_MAX);
+    compat::set_mouse(io, at, mouse.down, {mouse.wheel.x, mouse.wheel.y});
 }
 
 void hand_over_double_click(const MouseOfAFrame& mouse, ImGuiIO& io) {
-    if (mouse.double_clicked) compat::set_double_clicked(io);
+    if (mouse.double_clicked) io.MouseDoubleClicked[0] = true, io.MouseClickedCount[0] = 2;
 }
 
 }  // namespace braitenlab::ui

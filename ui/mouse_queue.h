@@ -59,8 +59,7 @@ private:
     DoubleClick clicks_;
 };
 
-// Passes the mouse to Dear ImGui; call before its frame begins. Does nothing from Dear ImGui 1.87 on, which has its own
-// queue. Call hand_over_double_click() after its frame has begun.
+// Passes the mouse to Dear ImGui; call before its frame begins, and hand_over_double_click() after it has begun.
 void hand_over(const MouseOfAFrame&, ImGuiIO&);
 void hand_over_double_click(const MouseOfAFrame&, ImGuiIO&);
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <emscripten/html5.h>
-#include <imgui.h>
 
 #include "ui/shortcuts.h"
 
@@ -92,32 +91,6 @@ void HeldKeys::set(const EmscriptenKeyboardEvent& e, bool down) {
 
 bool HeldKeys::has(int glfw_key) const {
     return glfw_key >= 0 && glfw_key < static_cast<int>(held_.size()) && held_.test(static_cast<std::size_t>(glfw_key));
-}
-
-void set_key_map(ImGuiIO& io) {
-    const std::pair<int, int> keys[] = {{ImGuiKey_Tab, key::tab},
-                                        {ImGuiKey_LeftArrow, key::left},
-                                        {ImGuiKey_RightArrow, key::right},
-                                        {ImGuiKey_UpArrow, key::up},
-                                        {ImGuiKey_DownArrow, key::down},
-                                        {ImGuiKey_PageUp, key::page_up},
-                                        {ImGuiKey_PageDown, key::page_down},
-                                        {ImGuiKey_Home, key::home},
-                                        {ImGuiKey_End, key::end},
-                                        {ImGuiKey_Insert, key::insert},
-                                        {ImGuiKey_Delete, key::del},
-                                        {ImGuiKey_Backspace, key::backspace},
-                                        {ImGuiKey_Space, ' '},
-                                        {ImGuiKey_Enter, key::enter},
-                                        {ImGuiKey_Escape, key::escape},
-                                        {ImGuiKey_KeyPadEnter, key::enter},
-                                        {ImGuiKey_A, 'A'},
-                                        {ImGuiKey_C, 'C'},
-                                        {ImGuiKey_V, 'V'},
-                                        {ImGuiKey_X, 'X'},
-                                        {ImGuiKey_Y, 'Y'},
-                                        {ImGuiKey_Z, 'Z'}};
-    for (const auto& [name, number] : keys) io.KeyMap[name] = number;
 }
 
 }  // namespace braitenlab::web

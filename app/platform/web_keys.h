@@ -6,7 +6,6 @@
 #include "ui/key_queue.h"
 
 struct EmscriptenKeyboardEvent;
-struct ImGuiIO;
 
 namespace braitenlab::web {
 
@@ -30,8 +29,5 @@ private:
     std::bitset<512> held_;
     ui::Modifiers modifiers_;
 };
-
-// The numbers of the keys that Dear ImGui uses in text fields.
-void set_key_map(ImGuiIO&);
 
 }  // namespace braitenlab::web

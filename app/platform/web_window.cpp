@@ -277,7 +277,7 @@ Result<Window> Window::open(const WindowOptions&) {
     io.IniFilename = nullptr;  // no file of window positions
     io.BackendPlatformName = "web";
     io.ImeSetInputScreenPosFn = [](int x, int y) { place_text_on_page(x, y); };
-    web::set_key_map(io);
+    ui::expect_queued_input(io);
     ImGui_ImplOpenGL3_Init("#version 300 es");
     native->imgui = true;
     native->use_clipboard();

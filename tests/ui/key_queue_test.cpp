@@ -114,12 +114,7 @@ struct TypedQuickly : testing::Test {
     KeyQueue queue;
 
     TypedQuickly() {
-        ImGuiIO& io = ImGui::GetIO();
-        io.KeyMap[ImGuiKey_A] = 'A', io.KeyMap[ImGuiKey_Z] = 'Z';
-        io.KeyMap[ImGuiKey_C] = 'C', io.KeyMap[ImGuiKey_V] = 'V';
-        io.KeyMap[ImGuiKey_Home] = key::home, io.KeyMap[ImGuiKey_End] = key::end;
-        io.KeyMap[ImGuiKey_LeftArrow] = key::left, io.KeyMap[ImGuiKey_RightArrow] = key::right;
-        io.KeyMap[ImGuiKey_Backspace] = key::backspace, io.KeyMap[ImGuiKey_Enter] = key::enter;
+        expect_queued_input(ImGui::GetIO());
         files.suggested = "scene";
         desk.view.files = &files;
         desk.frame(2);

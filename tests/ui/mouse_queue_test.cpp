@@ -150,7 +150,10 @@ struct MovedOn : testing::Test {
     Desk desk;
     MouseQueue queue;
 
-    MovedOn() { desk.frame(3); }
+    MovedOn() {
+        expect_queued_input(ImGui::GetIO());
+        desk.frame(3);
+    }
     vec2 middle(const char* anchor) const {
         const Rect r = desk.where(anchor);
         return {r.x + r.w / 2, r.y + r.h / 2};
