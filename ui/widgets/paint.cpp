@@ -231,10 +231,25 @@ void line_box(const Ui& ui, Rect r, Colour colour, Corner corner, float thicknes
 
 void shadow_box(const Ui& ui, ImDrawList& draw, Rect r, Corner corner, Shadow look) {
     const Colour shadow = ui.palette.shadow.with_alpha(ui.palette.shadow.a * look.share);
-    for (int ring = look.rings; ring > 0; --ring) {
-        const float grown = ui.px(look.step) * static_cast<float>(ring), lowered = ui.px(2);
-        draw.AddRectFilled({r.x - grown, r.y - grown + lowered}, {r.x + r.w + grown, r.y + r.h + grown + lowered},
-                           paint(shadow), corner_radius(ui, r, corner) + grown);
+    const float radius = corner_radius(ui, r, corner), lowered = ui.px(2);
+    const float reach = ui.px(look.step) * static_cast<float>(look.rings) + lowered + 1;
+    // Only the rim is drawn, in four strips: below the box a software renderer would shade hidden pixels.
+    const float left = std::ceil(r.x + radius), right = std::floor(r.x + r.w - radius);
+    const float top = std::ceil(r.y + radius), bottom = std::floor(r.y + r.h - radius);
+    const Rect outer{r.x - reach, r.y - reach, r.w + 2 * reach, r.h + 2 * reach};
+    const float outer_right = outer.x + outer.w, outer_bottom = outer.y + outer.h;
+    const std::array<Rect, 4> strips{{{outer.x, outer.y, outer.w, top - outer.y},
+                                      {outer.x, bottom, outer.w, outer_bottom - bottom},
+                                      {outer.x, top, left - outer.x, bottom - top},
+                                      {right, top, outer_right - right, bottom - top}}};
+    for (const Rect& strip : strips) {
+        draw.PushClipRect({strip.x, strip.y}, {strip.x + strip.w, strip.y + strip.h}, true);
+        for (int ring = look.rings; ring > 0; --ring) {
+            const float grown = ui.px(look.step) * static_cast<float>(ring);
+            draw.AddRectFilled({r.x - grown, r.y - grown + lowered}, {r.x + r.w + grown, r.y + r.h + grown + lowered},
+                               paint(shadow), radius + grown);
+        }
+        draw.PopClipRect();
     }
 }
 

@@ -91,7 +91,7 @@ void fill_box(const Ui&, Rect, Colour, Corner = Corner::box);
 void line_box(const Ui&, Rect, Colour, Corner = Corner::box, float layout_thickness = 1);
 
 // A soft shadow: so many rings, each `step` layout pixels wider than the last, each with this share of the palette's
-// shadow.
+// shadow. Only what a box of the same corners does not cover is drawn.
 struct Shadow {
     int rings;
     float step, share;
