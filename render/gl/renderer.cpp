@@ -310,9 +310,9 @@ struct Renderer::Parts {
         const bool smooth = !coarse && picture.quality == Quality::high && resampling.begin_smooth(window);
         // OpenGL 3.3 copies into several samples per pixel only from an identical format, OpenGL ES 3.0 not at all.
         const bool in_backdrop = !smooth && update_backdrop(drawn);
-        // The copy comes first: a software renderer waits for the draw calls before it.
-        if (in_backdrop) backdrop.copy();
         glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        // The copy comes before all draw calls: a software renderer waits for those before it.
+        if (in_backdrop) backdrop.copy();
         draw_solids(picture.quality);
         if (!in_backdrop) draw_ground_below();
         draw_flat();
@@ -393,10 +393,13 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     const auto content = may_rest ? p.whole.look(frame, instances) : StoredPicture::Content::moves;
     p.resolution = content == StoredPicture::Content::moves ? picture.resolution : 1;
     p.copied = content == StoredPicture::Content::kept;
-    if (p.copied)
-        p.whole.copy(), p.upload(frame);
-    else
+    if (p.copied) {
+        glClear(GL_DEPTH_BUFFER_BIT);  // as copy() demands
+        p.whole.copy();
+        p.upload(frame);
+    } else {
         p.draw_scene(frame, picture);
+    }
     if (content == StoredPicture::Content::rests) p.whole.store();
     p.draw_letters();
 
