@@ -1,12 +1,13 @@
 // The lab in headless Chromium, with a real mouse and keyboard: node --test, by ./dev web.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { mkdtemp, readFile, writeFile } from "node:fs/promises";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { Lab, openBrowser, root, serve } from "./page.mjs";
+import { Lab, differing, openBrowser, root, serve, squaresOf } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 let server, browser;
@@ -64,6 +65,34 @@ test("Exercise 1 is solved by its slider", limit, () =>
         await lab.until((state) => state.exercise.steps.every((step) => step.done), null);
         await lab.until((state) => state.exercise.passed, null, "exercise passed");
     }));
+
+// The picture that the window of the desktop writes, without settings of the user.
+async function pictureOfWindow(...options) {
+    const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
+    const file = path.join(folder, "window.png");
+    execFileSync("xvfb-run", ["-a", path.join(root, "build/release/braitenlab"), ...options,
+        "--size", "1280x800", "--screenshot", file], { env: { ...process.env, HOME: folder, XDG_STATE_HOME: "", XDG_CONFIG_HOME: "" } });
+    return squaresOf(browser, await readFile(file), 20);
+}
+
+test("A paused scene stays as in the window", limit, async () => {
+    const inWindow = await pictureOfWindow("2a-coward", "--after", "3");
+    await withLab("?open=2a-coward", async (lab) => {
+        await lab.frames(100);  // at rest the scene is copied
+        const onPage = await squaresOf(browser, await lab.page.screenshot({ path: path.join(root, "build/web-tests/paused.png") }), 20);
+        assert.ok(differing(onPage, inWindow, 24) < 0.03, `${differing(onPage, inWindow, 24)} of the picture differs`);
+    });
+});
+
+test("A playing scene is as in the window", limit, async () => {
+    const inWindow = await pictureOfWindow("2a-coward", "--play", "--after", "2");
+    await withLab("?open=2a-coward", async (lab) => {
+        await lab.page.keyboard.press("Space");
+        await lab.until((state) => state.tick >= 110);
+        const onPage = await squaresOf(browser, await lab.page.screenshot({ path: path.join(root, "build/web-tests/playing.png") }), 20);
+        assert.ok(differing(onPage, inWindow, 24) < 0.08, `${differing(onPage, inWindow, 24)} of the picture differs`);
+    });
+});
 
 test("A drag moves a slider, and undo takes it back", limit, () =>
     withLab("?open=2a-coward", async (lab) => {

@@ -34,6 +34,27 @@ export function openBrowser(extra = []) {
     });
 }
 
+// Mean colours of the squares of `side` pixels of a PNG picture, row by row: [[red, green, blue], …], 0 to 255.
+export async function squaresOf(browser, png, side) {
+    const page = await browser.newPage();
+    const squares = await page.evaluate(async ([base64, side]) => {
+        const bitmap = await createImageBitmap(await (await fetch("data:image/png;base64," + base64)).blob());
+        const size = { width: Math.floor(bitmap.width / side), height: Math.floor(bitmap.height / side) };
+        const canvas = new OffscreenCanvas(size.width, size.height).getContext("2d");
+        const small = await createImageBitmap(bitmap, { resizeWidth: size.width, resizeHeight: size.height, resizeQuality: "medium" });
+        canvas.drawImage(small, 0, 0);
+        const bytes = canvas.getImageData(0, 0, size.width, size.height).data;
+        return Array.from({ length: bytes.length / 4 }, (_, i) => Array.from(bytes.slice(4 * i, 4 * i + 3)));
+    }, [png.toString("base64"), side]);
+    await page.close();
+    return squares;
+}
+
+// The share of the squares that differ by more than `levels` in a colour.
+export function differing(a, b, levels) {
+    return a.filter((colour, i) => colour.some((value, c) => Math.abs(value - b[i][c]) > levels)).length / a.length;
+}
+
 // The lab in a page of the browser.
 export class Lab {
     constructor(page) {
