@@ -78,7 +78,7 @@ async function pictureOfWindow(...options) {
 test("A paused scene stays as in the window", limit, async () => {
     const inWindow = await pictureOfWindow("2a-coward", "--after", "3");
     await withLab("?open=2a-coward", async (lab) => {
-        await lab.frames(100);  // at rest the scene is copied
+        await lab.frames(24);  // at rest the scene is copied
         const onPage = await squaresOf(browser, await lab.page.screenshot({ path: path.join(root, "build/web-tests/paused.png") }), 20);
         assert.ok(differing(onPage, inWindow, 24) < 0.03, `${differing(onPage, inWindow, 24)} of the picture differs`);
     });
