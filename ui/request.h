@@ -369,16 +369,25 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request =
-    std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
-                 PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
-                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, WhyRequest,
-                 BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
-                 SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
-                 KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
-                 LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest, MysteryRequest,
-                 WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest,
-                 HideFindingsRequest>;
+// A variant whose special members are defined once, in request.cpp: a compiler spends seconds on them in each source.
+struct Request
+    : std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
+                   PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
+                   SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, WhyRequest,
+                   BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest,
+                   NoticeRequest, SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest,
+                   EarlierGenerationRequest, KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest,
+                   HandInRequest, LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest,
+                   MysteryRequest, WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest,
+                   HideFindingsRequest> {
+    using variant::variant;
+    Request() = default;
+    Request(const Request&);
+    Request(Request&&) noexcept;
+    Request& operator=(const Request&);
+    Request& operator=(Request&&) noexcept;
+    ~Request();
+};
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -102,7 +102,7 @@ inline void from_json(const Json&, NewPopulation&) {}
 namespace {
 
 // In the order of Command's alternatives.
-constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
+constexpr std::array<const char*, std::variant_size_v<Command::variant>> command_names{
     "TurnDial",    "SetBrain",       "PlaceNodes",    "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
     "Steer",       "EditStart",      "SetSensors",    "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
     "AddObstacle", "RemoveObstacle", "EditObstacle",  "MoveObstacle", "NewPopulation", "Retitle",     "EditMember",
@@ -112,7 +112,7 @@ constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {
     const bool known =
-        ((name == command_names[I] && (command = json.get<std::variant_alternative_t<I, Command>>(), true)) || ...);
+        ((name == command_names[I] && (command = json.get<std::variant_alternative_t<I, Command::variant>>(), true)) || ...);
     if (!known) throw Json::other_error::create(501, "unknown command '" + name + "'", &json);
 }
 
@@ -126,7 +126,7 @@ void from_json(const Json& json, Command& command) {
     if (!json.is_object() || json.size() != 1)
         throw Json::other_error::create(501, "a command is an object with one key, its name", &json);
     read_one(json.begin().value(), json.begin().key(), command,
-             std::make_index_sequence<std::variant_size_v<Command>>{});
+             std::make_index_sequence<std::variant_size_v<Command::variant>>{});
 }
 
 }  // namespace braitenlab

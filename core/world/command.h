@@ -224,10 +224,19 @@ struct MoveObjects {
     friend bool operator==(const MoveObjects&, const MoveObjects&) = default;
 };
 
-using Command =
-    std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
-                 SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle, EditObstacle,
-                 MoveObstacle, NewPopulation, Retitle, EditMember, AddZone, RemoveZone, EditZone, MoveZone, EditArena,
-                 EditEcology, AddKind, RemoveKind, EditKind, SetPopulation, SetLook, MoveObjects>;
+// A variant whose special members are defined once, in commands.cpp: a compiler spends seconds on them in each source.
+struct Command : std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver,
+                              Steer, EditStart, SetSensors, AddSource, RemoveSource, EditSource, MoveSource,
+                              AddObstacle, RemoveObstacle, EditObstacle, MoveObstacle, NewPopulation, Retitle,
+                              EditMember, AddZone, RemoveZone, EditZone, MoveZone, EditArena, EditEcology, AddKind,
+                              RemoveKind, EditKind, SetPopulation, SetLook, MoveObjects> {
+    using variant::variant;
+    Command() = default;
+    Command(const Command&);
+    Command(Command&&) noexcept;
+    Command& operator=(const Command&);
+    Command& operator=(Command&&) noexcept;
+    ~Command();
+};
 
 }  // namespace braitenlab

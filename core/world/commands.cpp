@@ -108,3 +108,13 @@ std::optional<Error> execute(WorldData& s, const Command& command) {
 }
 
 }  // namespace braitenlab::world
+
+namespace braitenlab {
+
+Command::Command(const Command&) = default;
+Command::Command(Command&&) noexcept = default;
+Command& Command::operator=(const Command&) = default;
+Command& Command::operator=(Command&&) noexcept = default;
+Command::~Command() = default;
+
+}  // namespace braitenlab
