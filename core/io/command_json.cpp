@@ -58,18 +58,48 @@ inline void from_json(const Json& json, SetSensors& c) {
         json.at("kind").get_to(c.target.kind);  // earlier files set the sensors of kinds only
     json.at("sensors").get_to(c.sensors);
 }
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddSource, source, before)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveSource, source)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditSource, source, to)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveSource, source, x, y)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddObstacle, obstacle, before)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveObstacle, obstacle)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditObstacle, obstacle, to)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObstacle, obstacle, x, y, heading)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddZone, zone, before)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveZone, zone)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditZone, zone, to)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveZone, zone, x, y, heading)
+template <class Object>
+void to_json(Json& json, const AddObject<Object>& c) {
+    json = {{ObjectList<Object>::word, c.object}, {"before", c.before}};
+}
+template <class Object>
+void from_json(const Json& json, AddObject<Object>& c) {
+    json.at(ObjectList<Object>::word).get_to(c.object);
+    json.at("before").get_to(c.before);
+}
+template <class Object>
+void to_json(Json& json, const RemoveObject<Object>& c) {
+    json = {{ObjectList<Object>::word, c.index}};
+}
+template <class Object>
+void from_json(const Json& json, RemoveObject<Object>& c) {
+    json.at(ObjectList<Object>::word).get_to(c.index);
+}
+template <class Object>
+void to_json(Json& json, const EditObject<Object>& c) {
+    json = {{ObjectList<Object>::word, c.index}, {"to", c.to}};
+}
+template <class Object>
+void from_json(const Json& json, EditObject<Object>& c) {
+    json.at(ObjectList<Object>::word).get_to(c.index);
+    json.at("to").get_to(c.to);
+}
+template <class Object>
+constexpr bool has_heading = requires(Object object) {
+    object.heading;
+};
+template <class Object>
+void to_json(Json& json, const MoveObject<Object>& c) {
+    json = {{ObjectList<Object>::word, c.index}, {"x", c.x}, {"y", c.y}};
+    if (has_heading<Object>) json["heading"] = c.heading;
+}
+template <class Object>
+void from_json(const Json& json, MoveObject<Object>& c) {
+    json.at(ObjectList<Object>::word).get_to(c.index);
+    json.at("x").get_to(c.x);
+    json.at("y").get_to(c.y);
+    if (has_heading<Object>) json.at("heading").get_to(c.heading);
+}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObjects, of_vehicles, of_sources, of_obstacles, of_zones)
 inline void to_json(Json& json, const Retitle& c) {
     json = Json::object();

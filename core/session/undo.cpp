@@ -28,14 +28,6 @@ Commands same(const std::vector<Thing>& things, int index) {
     return {Edit{index, *thing}};
 }
 
-// The command that adds a removed element again at its index, or none.
-template <class Add, class Thing>
-Commands added_again(const std::vector<Thing>& things, int index) {
-    const Thing* thing = at(things, index);
-    if (!thing) return {};
-    return {Add{*thing, index}};
-}
-
 template <class Thing>
 int place_of_new(const std::vector<Thing>& things, int before) {
     const auto count = static_cast<int>(things.size());
@@ -110,14 +102,43 @@ Commands bringing_back(const Snapshot& now, const RemoveVehicle& c) {
     return commands;
 }
 
-Commands bringing_back(const Snapshot& now, const RemoveSource& c) {
-    const Source* source = at(now.scene->sources, c.source);
-    if (!source) return {};
-    Commands commands{AddSource{*source, c.source}};
-    for (std::size_t i = 0; i < now.scene->starts.size(); ++i)  // starts that faced it
-        if (now.scene->starts[i].facing == source->name)
-            commands.push_back(EditStart{static_cast<int>(i), now.scene->starts[i]});
+template <class Object>
+Commands bringing_back(const Snapshot& now, const RemoveObject<Object>& c) {
+    const Object* object = at((*now.scene).*ObjectList<Object>::list, c.index);
+    if (!object) return {};
+    Commands commands{AddObject<Object>{*object, c.index}};
+    if constexpr (std::is_same_v<Object, Source>)
+        for (std::size_t i = 0; i < now.scene->starts.size(); ++i)  // starts that faced it
+            if (now.scene->starts[i].facing == object->name)
+                commands.push_back(EditStart{static_cast<int>(i), now.scene->starts[i]});
     return commands;
+}
+
+// Sets the pose of a move to the present one; false if there is no such object.
+bool set_present(const Snapshot& now, MoveVehicle& m) {
+    const VehicleView* v = find_vehicle(now, m.vehicle);
+    if (v) m = {v->id, v->x, v->y, v->heading};
+    return v;
+}
+bool set_present(const Snapshot& now, MoveSource& m) {
+    const Source* source = at(now.scene->sources, m.index);
+    if (source) m = {m.index, source->x, source->y};
+    return source;
+}
+bool set_present(const Snapshot& now, MoveObstacle& m) {
+    const Pose* pose = at(now.obstacles, m.index);
+    if (pose) m = {m.index, pose->x, pose->y, pose->heading};
+    return pose;
+}
+bool set_present(const Snapshot& now, MoveZone& m) {
+    const Zone* zone = at(now.scene->zones, m.index);
+    if (zone) m = {m.index, zone->x, zone->y, zone->heading};
+    return zone;
+}
+
+template <class Move>
+Commands same_pose(const Snapshot& now, Move move) {
+    return set_present(now, move) ? Commands{move} : Commands{};
 }
 
 // The vehicles of a kind, each with the values to restore it.
@@ -159,23 +180,10 @@ Commands same_arena(const Snapshot& now, const EditArena& c) {
 
 // The present poses of the objects that a command moves.
 Commands same_poses(const Snapshot& now, MoveObjects c) {
-    bool known = true;
-    for (MoveVehicle& m : c.of_vehicles) {
-        const VehicleView* v = find_vehicle(now, m.vehicle);
-        v ? void(m = {v->id, v->x, v->y, v->heading}) : void(known = false);
-    }
-    for (MoveSource& m : c.of_sources) {
-        const Source* source = at(now.scene->sources, m.source);
-        source ? void(m = {m.source, source->x, source->y}) : void(known = false);
-    }
-    for (MoveObstacle& m : c.of_obstacles) {
-        const Pose* pose = at(now.obstacles, m.obstacle);
-        pose ? void(m = {m.obstacle, pose->x, pose->y, pose->heading}) : void(known = false);
-    }
-    for (MoveZone& m : c.of_zones) {
-        const Zone* zone = at(now.scene->zones, m.zone);
-        zone ? void(m = {m.zone, zone->x, zone->y, zone->heading}) : void(known = false);
-    }
+    const auto all = [&](auto& moves) {
+        return std::all_of(moves.begin(), moves.end(), [&](auto& move) { return set_present(now, move); });
+    };
+    const bool known = all(c.of_vehicles) && all(c.of_sources) && all(c.of_obstacles) && all(c.of_zones);
     return known ? Commands{c} : Commands{};
 }
 
@@ -209,11 +217,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
             [&](const PlaceNodes& c) { return same_places(now, c.target); },
             [&](const AddVehicle&) -> Commands { return {RemoveVehicle{}}; },
             [&](const RemoveVehicle& c) { return bringing_back(now, c); },
-            [&](const MoveVehicle& c) -> Commands {
-                const VehicleView* v = find_vehicle(now, c.vehicle);
-                if (!v) return {};
-                return {MoveVehicle{v->id, v->x, v->y, v->heading}};
-            },
+            [&](const MoveVehicle& c) { return same_pose(now, c); },
             [&](const SetLook& c) -> Commands {
                 const Look* look = find_look(now.looks, c.vehicle);
                 return {SetLook{c.vehicle, look ? *look : Look{}}};
@@ -221,30 +225,14 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
             [&](const EditStart& c) { return same<EditStart>(scene.starts, c.start); },
             [&](const EditMember& c) -> Commands { return {same_member(scene, c.member)}; },
             [&](const SetSensors& c) { return same_sensors(now, c.target); },
-            [&](const AddSource& c) -> Commands { return {RemoveSource{place_of_new(scene.sources, c.before)}}; },
-            [&](const RemoveSource& c) { return bringing_back(now, c); },
-            [&](const EditSource& c) { return same<EditSource>(scene.sources, c.source); },
-            [&](const MoveSource& c) -> Commands {
-                const Source* source = at(scene.sources, c.source);
-                if (!source) return {};
-                return {MoveSource{c.source, source->x, source->y}};
+            [&]<class Object>(const AddObject<Object>& c) -> Commands {
+                return {RemoveObject<Object>{place_of_new(scene.*ObjectList<Object>::list, c.before)}};
             },
-            [&](const AddObstacle& c) -> Commands { return {RemoveObstacle{place_of_new(scene.obstacles, c.before)}}; },
-            [&](const RemoveObstacle& c) { return added_again<AddObstacle>(scene.obstacles, c.obstacle); },
-            [&](const EditObstacle& c) { return same<EditObstacle>(scene.obstacles, c.obstacle); },
-            [&](const MoveObstacle& c) -> Commands {
-                const Pose* pose = at(now.obstacles, c.obstacle);
-                if (!pose) return {};
-                return {MoveObstacle{c.obstacle, pose->x, pose->y, pose->heading}};
+            [&]<class Object>(const RemoveObject<Object>& c) { return bringing_back(now, c); },
+            [&]<class Object>(const EditObject<Object>& c) {
+                return same<EditObject<Object>>(scene.*ObjectList<Object>::list, c.index);
             },
-            [&](const AddZone& c) -> Commands { return {RemoveZone{place_of_new(scene.zones, c.before)}}; },
-            [&](const RemoveZone& c) { return added_again<AddZone>(scene.zones, c.zone); },
-            [&](const EditZone& c) { return same<EditZone>(scene.zones, c.zone); },
-            [&](const MoveZone& c) -> Commands {
-                const Zone* zone = at(scene.zones, c.zone);
-                if (!zone) return {};
-                return {MoveZone{c.zone, zone->x, zone->y, zone->heading}};
-            },
+            [&]<class Object>(const MoveObject<Object>& c) { return same_pose(now, c); },
             [&](const MoveObjects& c) { return same_poses(now, c); },
             [](const ChooseDriver&) -> Commands { return {}; },  // the driver is a mode, not an edit
             [](const Steer&) -> Commands { return {}; },
@@ -282,43 +270,40 @@ bool moves_same(const MoveObjects& a, const MoveObjects& b) {
                           [number](const auto& x, const auto& y) { return x.*number == y.*number; });
     };
     return same(a.of_vehicles, b.of_vehicles, &MoveVehicle::vehicle) &&
-           same(a.of_sources, b.of_sources, &MoveSource::source) &&
-           same(a.of_obstacles, b.of_obstacles, &MoveObstacle::obstacle) &&
-           same(a.of_zones, b.of_zones, &MoveZone::zone);
+           same(a.of_sources, b.of_sources, &MoveSource::index) &&
+           same(a.of_obstacles, b.of_obstacles, &MoveObstacle::index) && same(a.of_zones, b.of_zones, &MoveZone::index);
 }
 
 }  // namespace
 
 bool supersedes(const Command& later, const Command& earlier) {
     if (later.index() != earlier.index()) return false;
-    return std::visit(
-        Match{[&](const TurnDial& c) {
-                  const auto& e = std::get<TurnDial>(earlier);
-                  return c.target == e.target && c.dial == e.dial && c.pair == e.pair;
-              },
-              [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
-              [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
-              [&](const SetLook& c) { return c.vehicle == std::get<SetLook>(earlier).vehicle; },
-              [&](const EditStart& c) { return c.start == std::get<EditStart>(earlier).start; },
-              [&](const EditMember& c) { return c.member == std::get<EditMember>(earlier).member; },
-              [&](const SetSensors& c) { return c.target == std::get<SetSensors>(earlier).target; },
-              [&](const EditSource& c) { return c.source == std::get<EditSource>(earlier).source; },
-              [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },
-              [&](const EditObstacle& c) { return c.obstacle == std::get<EditObstacle>(earlier).obstacle; },
-              [&](const MoveObstacle& c) { return c.obstacle == std::get<MoveObstacle>(earlier).obstacle; },
-              [&](const EditZone& c) { return c.zone == std::get<EditZone>(earlier).zone; },
-              [&](const MoveZone& c) { return c.zone == std::get<MoveZone>(earlier).zone; },
-              [&](const MoveObjects& c) { return moves_same(c, std::get<MoveObjects>(earlier)); },
-              [&](const Retitle& c) {
-                  const auto& e = std::get<Retitle>(earlier);
-                  return (c.title || !e.title) && (c.story || !e.story);
-              },
-              [](const EditArena&) { return true; },
-              [](const EditEcology&) { return true; },
-              [&](const EditKind& c) { return c.kind == std::get<EditKind>(earlier).kind; },
-              [&](const SetPopulation& c) { return c.kind == std::get<SetPopulation>(earlier).kind; },
-              [](const auto&) { return false; }},
-        later);
+    return std::visit(Match{[&](const TurnDial& c) {
+                                const auto& e = std::get<TurnDial>(earlier);
+                                return c.target == e.target && c.dial == e.dial && c.pair == e.pair;
+                            },
+                            [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
+                            [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
+                            [&](const SetLook& c) { return c.vehicle == std::get<SetLook>(earlier).vehicle; },
+                            [&](const EditStart& c) { return c.start == std::get<EditStart>(earlier).start; },
+                            [&](const EditMember& c) { return c.member == std::get<EditMember>(earlier).member; },
+                            [&](const SetSensors& c) { return c.target == std::get<SetSensors>(earlier).target; },
+                            [&]<class Object>(const EditObject<Object>& c) {
+                                return c.index == std::get<EditObject<Object>>(earlier).index;
+                            },
+                            [&]<class Object>(const MoveObject<Object>& c) {
+                                return c.index == std::get<MoveObject<Object>>(earlier).index;
+                            },
+                            [&](const MoveObjects& c) { return moves_same(c, std::get<MoveObjects>(earlier)); },
+                            [&](const Retitle& c) {
+                                const auto& e = std::get<Retitle>(earlier);
+                                return (c.title || !e.title) && (c.story || !e.story);
+                            },
+                            [](const EditArena&) { return true; }, [](const EditEcology&) { return true; },
+                            [&](const EditKind& c) { return c.kind == std::get<EditKind>(earlier).kind; },
+                            [&](const SetPopulation& c) { return c.kind == std::get<SetPopulation>(earlier).kind; },
+                            [](const auto&) { return false; }},
+                      later);
 }
 
 std::vector<Command> beyond(const std::vector<Command>& known, std::vector<Command> back) {

@@ -108,63 +108,60 @@ struct SetSensors {
 
 // Sources, obstacles and zones are identified by their current index in Scene::sources, Scene::obstacles and
 // Scene::zones. A removal decrements the later indices. An addition is inserted at index `before`, or at the end for
-// −1.
-struct AddSource {
-    Source source;
+// −1. An edited object keeps its name.
+template <class Object>
+struct AddObject {
+    Object object;
     int before = -1;
-    friend bool operator==(const AddSource&, const AddSource&) = default;
+    friend bool operator==(const AddObject&, const AddObject&) = default;
 };
-struct RemoveSource {
-    int source = 0;
-    friend bool operator==(const RemoveSource&, const RemoveSource&) = default;
+template <class Object>
+struct RemoveObject {
+    int index = 0;
+    friend bool operator==(const RemoveObject&, const RemoveObject&) = default;
 };
-struct EditSource {
-    int source = 0;
-    Source to;
-    friend bool operator==(const EditSource&, const EditSource&) = default;
+template <class Object>
+struct EditObject {
+    int index = 0;
+    Object to;
+    friend bool operator==(const EditObject&, const EditObject&) = default;
 };
-struct MoveSource {
-    int source = 0;
-    float x = 0, y = 0;
-    friend bool operator==(const MoveSource&, const MoveSource&) = default;
+template <class Object>
+struct MoveObject {  // sets the pose (m, m, rad)
+    int index = 0;
+    float x = 0, y = 0, heading = 0;  // a source has no heading
+    friend bool operator==(const MoveObject&, const MoveObject&) = default;
 };
-struct AddObstacle {
-    Obstacle obstacle;
-    int before = -1;
-    friend bool operator==(const AddObstacle&, const AddObstacle&) = default;
+using AddSource = AddObject<Source>;
+using RemoveSource = RemoveObject<Source>;
+using EditSource = EditObject<Source>;
+using MoveSource = MoveObject<Source>;
+using AddObstacle = AddObject<Obstacle>;
+using RemoveObstacle = RemoveObject<Obstacle>;
+using EditObstacle = EditObject<Obstacle>;
+using MoveObstacle = MoveObject<Obstacle>;
+using AddZone = AddObject<Zone>;
+using RemoveZone = RemoveObject<Zone>;
+using EditZone = EditObject<Zone>;
+using MoveZone = MoveObject<Zone>;
+
+// The list of a scene with the objects of a type, and the word for one of them.
+template <class Object>
+struct ObjectList;
+template <>
+struct ObjectList<Source> {
+    static constexpr auto list = &Scene::sources;
+    static constexpr const char* word = "source";
 };
-struct RemoveObstacle {
-    int obstacle = 0;
-    friend bool operator==(const RemoveObstacle&, const RemoveObstacle&) = default;
+template <>
+struct ObjectList<Obstacle> {
+    static constexpr auto list = &Scene::obstacles;
+    static constexpr const char* word = "obstacle";
 };
-struct EditObstacle {
-    int obstacle = 0;
-    Obstacle to;
-    friend bool operator==(const EditObstacle&, const EditObstacle&) = default;
-};
-struct MoveObstacle {
-    int obstacle = 0;
-    float x = 0, y = 0, heading = 0;
-    friend bool operator==(const MoveObstacle&, const MoveObstacle&) = default;
-};
-struct AddZone {
-    Zone zone;
-    int before = -1;
-    friend bool operator==(const AddZone&, const AddZone&) = default;
-};
-struct RemoveZone {
-    int zone = 0;
-    friend bool operator==(const RemoveZone&, const RemoveZone&) = default;
-};
-struct EditZone {
-    int zone = 0;
-    Zone to;
-    friend bool operator==(const EditZone&, const EditZone&) = default;
-};
-struct MoveZone {
-    int zone = 0;
-    float x = 0, y = 0, heading = 0;
-    friend bool operator==(const MoveZone&, const MoveZone&) = default;
+template <>
+struct ObjectList<Zone> {
+    static constexpr auto list = &Scene::zones;
+    static constexpr const char* word = "zone";
 };
 struct Retitle {  // sets the scene's title and story; nullopt: unchanged. The run does not depend on them
     std::optional<std::string> title{}, story{};

@@ -14,37 +14,51 @@ std::vector<maths::vec2> posts_of(const Scene& scene) {
     return posts;
 }
 
-// Replaces the scene after an edit of its sources. Only solid sources have a body and an outline; if they do not
-// change, the world is not rebuilt, so that an edit of a source's values is cheap and does not change the contacts.
-void replace_sources(WorldData& s, Scene scene) {
-    if (posts_of(*s.scene) == posts_of(scene))
-        s.scene = std::make_shared<const Scene>(std::move(scene));
-    else
-        replace_scene(s, std::move(scene));
-}
-
-// Replaces the scene after an edit of its zones. The world is rebuilt only if physics depends on the edit.
-void replace_zones(WorldData& s, Scene scene) {
-    if (may_skip_an_impact(*s.scene) != may_skip_an_impact(scene)) return replace_scene(s, std::move(scene));
+// Replaces the scene after an edit of its sources, obstacles or zones. The world is rebuilt only if physics depends on
+// the edit, so that an edit of a lamp's values is cheap and does not change the contacts.
+template <class Object>
+void replace(WorldData& s, Scene scene) {
+    bool rebuilds = true;
+    if constexpr (std::is_same_v<Object, Source>) rebuilds = posts_of(*s.scene) != posts_of(scene);
+    if constexpr (std::is_same_v<Object, Zone>) rebuilds = may_skip_an_impact(*s.scene) != may_skip_an_impact(scene);
+    if (rebuilds) return replace_scene(s, std::move(scene));
     s.scene = std::make_shared<const Scene>(std::move(scene));
-    s.environment.ground = sensing::Ground(*s.scene);
+    if constexpr (std::is_same_v<Object, Zone>) s.environment.ground = sensing::Ground(*s.scene);
 }
 
-// Replaces the scene by an edited one, or returns why there is none.
-template <class Replace>
-std::optional<Error> replace_if_valid(WorldData& s, Result<Scene> edited, Replace replace) {
-    if (!edited) return edited.error();
-    replace(s, std::move(*edited));
+// Starts that face a source get a fixed heading in its direction.
+void release_starts(Scene& scene, const Source& removed) {
+    for (Start& start : scene.starts) {
+        if (start.facing != removed.name) continue;
+        start.heading = maths::wrap_angle(start.heading + maths::arctangent2(removed.y - start.y, removed.x - start.x));
+        start.facing.clear();
+    }
+}
+
+mechanics::Motion at_rest(const Obstacle& o) { return mechanics::at_rest({o.x, o.y}, o.heading); }
+
+template <class Object>
+constexpr bool has_body = std::is_same_v<Object, Obstacle>;
+
+template <class Object>
+constexpr auto list = ObjectList<Object>::list;
+
+// Moves an object to a pose, clamped to the range of a position. A valid scene stays valid, because no rule of
+// check_scene depends on these positions: a drag of many objects does not check the whole scene for each of them.
+template <class Object>
+std::optional<Error> move_in(Scene& scene, const MoveObject<Object>& c) {
+    if (auto error = missing(scene.*list<Object>, c.index, ObjectList<Object>::word)) return error;
+    if (!is_finite({c.x, c.y, c.heading})) return not_finite();
+    Object& object = *iterator_at(scene.*list<Object>, c.index);
+    object.x = std::clamp(c.x, -1000.0f, 1000.0f);
+    object.y = std::clamp(c.y, -1000.0f, 1000.0f);
+    if constexpr (requires { object.heading; }) object.heading = maths::wrap_angle(c.heading);
     return std::nullopt;
 }
 
-// As above, after an edit of one obstacle, which is at rest then at its pose in the scene.
-std::optional<Error> replace_obstacle(WorldData& s, int index, Result<Scene> edited) {
-    if (!edited) return edited.error();
-    const Obstacle& to = *iterator_at(edited->obstacles, index);
-    *iterator_at(s.obstacles, index) = mechanics::at_rest({to.x, to.y}, to.heading);
-    replace_scene(s, std::move(*edited));
-    return std::nullopt;
+// Puts the body of an obstacle to rest at its pose in the scene.
+void rest(WorldData& s, const Scene& scene, int obstacle) {
+    *iterator_at(s.obstacles, obstacle) = at_rest(scene.obstacles[static_cast<std::size_t>(obstacle)]);
 }
 
 }  // namespace
@@ -70,74 +84,69 @@ void compile_again(WorldData& s, int index, const Kind& kind) {
         if (v.kind[row] == index) again(v.brain[row], v.design[row].get());
 }
 
-std::optional<Error> execute(WorldData& s, const AddSource& c) {
-    return replace_if_valid(s, with_added(*s.scene, &Scene::sources, c.source, c.before, word(c.source.channel)),
-                            replace_sources);
-}
-
-std::optional<Error> execute(WorldData& s, const RemoveSource& c) {
-    if (auto error = missing(s.scene->sources, c.source, "source")) return error;
+template <class Object>
+std::optional<Error> execute(WorldData& s, const AddObject<Object>& c) {
     Scene scene = *s.scene;
-    // Starts that face the source get a fixed heading in its direction.
-    for (Start& start : scene.starts) {
-        const Source& removed = scene.sources[static_cast<std::size_t>(c.source)];
-        if (start.facing != removed.name) continue;
-        start.heading = maths::wrap_angle(start.heading + maths::arctangent2(removed.y - start.y, removed.x - start.x));
-        start.facing.clear();
-    }
-    return replace_if_valid(s, without(std::move(scene), &Scene::sources, c.source, "source"), replace_sources);
-}
-
-std::optional<Error> execute(WorldData& s, const EditSource& c) {
-    return replace_if_valid(s, with_edited(*s.scene, &Scene::sources, c.source, c.to, "source"), replace_sources);
-}
-
-std::optional<Error> execute(WorldData& s, const MoveSource& c) {
-    return replace_if_valid(s, with_moved(*s.scene, &Scene::sources, c.source, {c.x, c.y}, "source"), replace_sources);
-}
-
-std::optional<Error> execute(WorldData& s, const AddObstacle& c) {
-    auto scene = with_added(*s.scene, &Scene::obstacles, c.obstacle, c.before, "obstacle");
-    if (!scene) return scene.error();
-    s.obstacles.insert(iterator_at(s.obstacles, insertion_index(s.obstacles, c.before)),
-                       mechanics::at_rest({c.obstacle.x, c.obstacle.y}, c.obstacle.heading));
-    replace_scene(s, std::move(*scene));
+    auto& all = scene.*list<Object>;
+    const int index = insertion_index(all, c.before);
+    Object added = c.object;
+    std::string_view named = ObjectList<Object>::word;
+    if constexpr (std::is_same_v<Object, Source>) named = word(added.channel);
+    added.name = free_name(all, added.name, named);
+    all.insert(iterator_at(all, index), std::move(added));
+    if (auto error = check_scene(scene)) return error;
+    if constexpr (has_body<Object>) s.obstacles.insert(iterator_at(s.obstacles, index), at_rest(c.object));
+    replace<Object>(s, std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> execute(WorldData& s, const RemoveObstacle& c) {
-    auto scene = without(*s.scene, &Scene::obstacles, c.obstacle, "obstacle");
-    if (!scene) return scene.error();
-    s.obstacles.erase(iterator_at(s.obstacles, c.obstacle));
-    replace_scene(s, std::move(*scene));
+template <class Object>
+std::optional<Error> execute(WorldData& s, const RemoveObject<Object>& c) {
+    Scene scene = *s.scene;
+    auto& all = scene.*list<Object>;
+    if (auto error = missing(all, c.index, ObjectList<Object>::word)) return error;
+    if constexpr (std::is_same_v<Object, Source>) release_starts(scene, *iterator_at(all, c.index));
+    all.erase(iterator_at(all, c.index));
+    if constexpr (has_body<Object>) s.obstacles.erase(iterator_at(s.obstacles, c.index));
+    replace<Object>(s, std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> execute(WorldData& s, const EditObstacle& c) {
-    return replace_obstacle(s, c.obstacle, with_edited(*s.scene, &Scene::obstacles, c.obstacle, c.to, "obstacle"));
+template <class Object>
+std::optional<Error> execute(WorldData& s, const EditObject<Object>& c) {
+    Scene scene = *s.scene;
+    if (auto error = missing(scene.*list<Object>, c.index, ObjectList<Object>::word)) return error;
+    Object& object = *iterator_at(scene.*list<Object>, c.index);
+    std::string name = std::move(object.name);
+    object = c.to;
+    object.name = std::move(name);
+    if (auto error = check_scene(scene)) return error;
+    if constexpr (has_body<Object>) rest(s, scene, c.index);
+    replace<Object>(s, std::move(scene));
+    return std::nullopt;
 }
 
-std::optional<Error> execute(WorldData& s, const MoveObstacle& c) {
-    return replace_obstacle(s, c.obstacle,
-                            with_moved(*s.scene, &Scene::obstacles, c.obstacle, {c.x, c.y, c.heading}, "obstacle"));
+template <class Object>
+std::optional<Error> execute(WorldData& s, const MoveObject<Object>& c) {
+    Scene scene = *s.scene;
+    if (auto error = move_in(scene, c)) return error;
+    if constexpr (has_body<Object>) rest(s, scene, c.index);
+    replace<Object>(s, std::move(scene));
+    return std::nullopt;
 }
 
-std::optional<Error> execute(WorldData& s, const AddZone& c) {
-    return replace_if_valid(s, with_added(*s.scene, &Scene::zones, c.zone, c.before, "zone"), replace_zones);
-}
-
-std::optional<Error> execute(WorldData& s, const RemoveZone& c) {
-    return replace_if_valid(s, without(*s.scene, &Scene::zones, c.zone, "zone"), replace_zones);
-}
-
-std::optional<Error> execute(WorldData& s, const EditZone& c) {
-    return replace_if_valid(s, with_edited(*s.scene, &Scene::zones, c.zone, c.to, "zone"), replace_zones);
-}
-
-std::optional<Error> execute(WorldData& s, const MoveZone& c) {
-    return replace_if_valid(s, with_moved(*s.scene, &Scene::zones, c.zone, {c.x, c.y, c.heading}, "zone"),
-                            replace_zones);
-}
+template std::optional<Error> execute(WorldData&, const AddSource&);
+template std::optional<Error> execute(WorldData&, const RemoveSource&);
+template std::optional<Error> execute(WorldData&, const EditSource&);
+template std::optional<Error> execute(WorldData&, const MoveSource&);
+template std::optional<Error> execute(WorldData&, const AddObstacle&);
+template std::optional<Error> execute(WorldData&, const RemoveObstacle&);
+template std::optional<Error> execute(WorldData&, const EditObstacle&);
+template std::optional<Error> execute(WorldData&, const MoveObstacle&);
+template std::optional<Error> execute(WorldData&, const AddZone&);
+template std::optional<Error> execute(WorldData&, const RemoveZone&);
+template std::optional<Error> execute(WorldData&, const EditZone&);
+template std::optional<Error> execute(WorldData&, const MoveZone&);
 
 namespace {
 
@@ -149,13 +158,10 @@ std::optional<Error> refusal(const WorldData& s, const std::vector<MoveVehicle>&
     return std::nullopt;
 }
 
-std::optional<Error> move_in(Scene& scene, const MoveObjects& c) {
-    for (const MoveSource& m : c.of_sources)
-        if (auto error = move(scene.sources, m.source, {m.x, m.y}, "source")) return error;
-    for (const MoveObstacle& m : c.of_obstacles)
-        if (auto error = move(scene.obstacles, m.obstacle, {m.x, m.y, m.heading}, "obstacle")) return error;
-    for (const MoveZone& m : c.of_zones)
-        if (auto error = move(scene.zones, m.zone, {m.x, m.y, m.heading}, "zone")) return error;
+template <class Object>
+std::optional<Error> move_all_in(Scene& scene, const std::vector<MoveObject<Object>>& moves) {
+    for (const MoveObject<Object>& move : moves)
+        if (auto error = move_in(scene, move)) return error;
     return std::nullopt;
 }
 
@@ -165,17 +171,16 @@ std::optional<Error> execute(WorldData& s, const MoveObjects& c) {
     if (auto error = refusal(s, c.of_vehicles)) return error;
     if (!c.of_sources.empty() || !c.of_obstacles.empty() || !c.of_zones.empty()) {
         Scene scene = *s.scene;
-        if (auto error = move_in(scene, c)) return error;
-        for (const MoveObstacle& m : c.of_obstacles) {
-            const Obstacle& to = *iterator_at(scene.obstacles, m.obstacle);
-            *iterator_at(s.obstacles, m.obstacle) = mechanics::at_rest({to.x, to.y}, to.heading);
-        }
+        if (auto error = move_all_in(scene, c.of_sources)) return error;
+        if (auto error = move_all_in(scene, c.of_obstacles)) return error;
+        if (auto error = move_all_in(scene, c.of_zones)) return error;
+        for (const MoveObstacle& m : c.of_obstacles) rest(s, scene, m.index);
         if (!c.of_obstacles.empty() || (!c.of_sources.empty() && !c.of_zones.empty()))
             replace_scene(s, std::move(scene));
         else if (!c.of_zones.empty())
-            replace_zones(s, std::move(scene));
+            replace<Zone>(s, std::move(scene));
         else
-            replace_sources(s, std::move(scene));
+            replace<Source>(s, std::move(scene));
     }
     for (const MoveVehicle& m : c.of_vehicles)
         if (auto error = execute(s, m)) return error;

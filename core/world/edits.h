@@ -26,19 +26,15 @@ std::optional<Error> execute(WorldData&, const MoveVehicle&);
 std::optional<Error> execute(WorldData&, const SetLook&);
 std::optional<Error> execute(WorldData&, const EditStart&);
 std::optional<Error> execute(WorldData&, const EditMember&);
-std::optional<Error> execute(WorldData&, const SetSensors&);  // sensor_edits.cpp
-std::optional<Error> execute(WorldData&, const AddSource&);   // edits.cpp
-std::optional<Error> execute(WorldData&, const RemoveSource&);
-std::optional<Error> execute(WorldData&, const EditSource&);
-std::optional<Error> execute(WorldData&, const MoveSource&);
-std::optional<Error> execute(WorldData&, const AddObstacle&);
-std::optional<Error> execute(WorldData&, const RemoveObstacle&);
-std::optional<Error> execute(WorldData&, const EditObstacle&);
-std::optional<Error> execute(WorldData&, const MoveObstacle&);
-std::optional<Error> execute(WorldData&, const AddZone&);
-std::optional<Error> execute(WorldData&, const RemoveZone&);
-std::optional<Error> execute(WorldData&, const EditZone&);
-std::optional<Error> execute(WorldData&, const MoveZone&);
+std::optional<Error> execute(WorldData&, const SetSensors&);         // sensor_edits.cpp
+template <class Object>                                              // Source, Obstacle, Zone
+std::optional<Error> execute(WorldData&, const AddObject<Object>&);  // edits.cpp
+template <class Object>
+std::optional<Error> execute(WorldData&, const RemoveObject<Object>&);
+template <class Object>
+std::optional<Error> execute(WorldData&, const EditObject<Object>&);
+template <class Object>
+std::optional<Error> execute(WorldData&, const MoveObject<Object>&);
 std::optional<Error> execute(WorldData&, const MoveObjects&);
 std::optional<Error> execute(WorldData&, const EditArena&);  // edit_values.cpp
 std::optional<Error> execute(WorldData&, const EditEcology&);
@@ -106,56 +102,6 @@ std::string free_name(const std::vector<Element>& elements, const std::string& r
     std::string name(word);
     for (int number = 2; is_used(name); ++number) name = fmt::format("{}-{}", word, number);
     return name;
-}
-
-// The scene with one more, one edited or one removed source, obstacle or zone (`of`: the list of the scene). An error
-// if it has no element with this index or would become invalid. An edited element keeps its name, because starts and
-// checks refer to it.
-template <class Element>
-Result<Scene> with_added(Scene scene, std::vector<Element> Scene::*of, Element element, int before,
-                         std::string_view word) {
-    std::vector<Element>& all = scene.*of;
-    element.name = free_name(all, element.name, word);
-    all.insert(iterator_at(all, insertion_index(all, before)), std::move(element));
-    if (auto error = check_scene(scene)) return *error;
-    return scene;
-}
-
-template <class Element>
-Result<Scene> with_edited(Scene scene, std::vector<Element> Scene::*of, int index, Element to, const char* what) {
-    if (auto error = missing(scene.*of, index, what)) return *error;
-    Element& element = *iterator_at(scene.*of, index);
-    to.name = element.name;
-    element = std::move(to);
-    if (auto error = check_scene(scene)) return *error;
-    return scene;
-}
-
-template <class Element>
-Result<Scene> without(Scene scene, std::vector<Element> Scene::*of, int index, const char* what) {
-    if (auto error = missing(scene.*of, index, what)) return *error;
-    (scene.*of).erase(iterator_at(scene.*of, index));
-    return scene;
-}
-
-// Moves an element to this pose, clamped to the range of a position. A valid scene stays valid, because no rule of
-// check_scene depends on these positions: a drag of many objects does not check the whole scene for each of them.
-template <class Element>
-std::optional<Error> move(std::vector<Element>& elements, int index, const Pose& to, const char* what) {
-    if (auto error = missing(elements, index, what)) return error;
-    if (!is_finite(to)) return not_finite();
-    Element& element = *iterator_at(elements, index);
-    element.x = std::clamp(to.x, -1000.0f, 1000.0f);
-    element.y = std::clamp(to.y, -1000.0f, 1000.0f);
-    if constexpr (requires { element.heading; }) element.heading = maths::wrap_angle(to.heading);
-    return std::nullopt;
-}
-
-// The scene with an element at this pose, see move().
-template <class Element>
-Result<Scene> with_moved(Scene scene, std::vector<Element> Scene::*of, int index, const Pose& to, const char* what) {
-    if (auto error = move(scene.*of, index, to, what)) return *error;
-    return scene;
 }
 
 }  // namespace braitenlab::world

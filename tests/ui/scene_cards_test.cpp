@@ -31,7 +31,7 @@ TEST_F(SceneCards, EditAZone) {
     for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
     desk.key({key::enter});
     ASSERT_EQ(commands<EditZone>().size(), edits + 1);
-    EXPECT_EQ(commands<EditZone>().back().zone, 0);
+    EXPECT_EQ(commands<EditZone>().back().index, 0);
     EXPECT_EQ(commands<EditZone>().back().to.corners.size(), 3u);
     EXPECT_TRUE(commands<AddObstacle>().empty()) << "the outline is that of the zone";
 }

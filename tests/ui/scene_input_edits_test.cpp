@@ -45,7 +45,7 @@ TEST_F(SceneInputEdits, AddsRemovesMovesAndCopiesAZone) {
     EXPECT_EQ(move_of(now, pond, {9, 1, 2}), Command(MoveZone{0, 5, 1, 2})) << "clamped to the arena";
     const auto copy = copy_of(now, pond);
     ASSERT_TRUE(copy);
-    const Zone& zone = std::get<AddZone>(*copy).zone;
+    const Zone& zone = std::get<AddZone>(*copy).object;
     EXPECT_EQ(zone.surface, Surface::ice);
     EXPECT_EQ(zone.heading, 0.5f);
     EXPECT_NE(zone.x, 1);
@@ -94,7 +94,7 @@ TEST_F(SceneInputEdits, KeepsObjectsInARoundArena) {
     Scene copy;
     copy.sources.push_back({.x = 0, .y = 0});
     const std::vector<Command> commands = pasted(now, copy, vec2{4.9f, -3.9f});
-    const Source& source = std::get<AddSource>(commands.at(0)).source;
+    const Source& source = std::get<AddSource>(commands.at(0)).object;
     EXPECT_TRUE(is_inside(scene->arena, {source.x, source.y}));
 }
 

@@ -211,7 +211,7 @@ TEST_F(SceneInput, GivesADrawnOutlineToItsZoneWhenTheIndexHasChanged) {
     for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
     desk.key({key::enter});
     ASSERT_FALSE(commands<EditZone>().empty());
-    EXPECT_EQ(commands<EditZone>().back().zone, 1);
+    EXPECT_EQ(commands<EditZone>().back().index, 1);
     EXPECT_EQ(commands<EditZone>().back().to.name, scene->zones[1].name);
 }
 
@@ -420,7 +420,7 @@ TEST_F(SceneInput, AddsALampAtTheClick) {
     EXPECT_EQ(scene_input().tool, SceneInputTool::lamp);
     click({1, 3});
     ASSERT_EQ(commands<AddSource>().size(), 1u);
-    EXPECT_NEAR(commands<AddSource>()[0].source.x, 1, a_pixel);
+    EXPECT_NEAR(commands<AddSource>()[0].object.x, 1, a_pixel);
     EXPECT_EQ(scene_input().tool, SceneInputTool::hand) << "one object, then the hand tool again";
 }
 
@@ -429,8 +429,8 @@ TEST_F(SceneInput, DrawsABoxFromCornerToCorner) {
     hold({-1, 2}, {2, 4});
     release();
     ASSERT_EQ(commands<AddObstacle>().size(), 1u);
-    EXPECT_NEAR(commands<AddObstacle>()[0].obstacle.length, 3, 2 * a_pixel);
-    EXPECT_NEAR(commands<AddObstacle>()[0].obstacle.width, 2, 2 * a_pixel);
+    EXPECT_NEAR(commands<AddObstacle>()[0].object.length, 3, 2 * a_pixel);
+    EXPECT_NEAR(commands<AddObstacle>()[0].object.width, 2, 2 * a_pixel);
 }
 
 TEST_F(SceneInput, DrawsAPolygonByItsCornersAndClosesItWithEnter) {
@@ -439,7 +439,7 @@ TEST_F(SceneInput, DrawsAPolygonByItsCornersAndClosesItWithEnter) {
     EXPECT_TRUE(desk.edits().empty()) << "no obstacle before the outline is closed";
     desk.key({key::enter});
     ASSERT_EQ(commands<AddObstacle>().size(), 1u);
-    EXPECT_EQ(commands<AddObstacle>()[0].obstacle.corners.size(), 3u);
+    EXPECT_EQ(commands<AddObstacle>()[0].object.corners.size(), 3u);
     EXPECT_TRUE(scene_input().corners.empty());
 }
 
@@ -452,7 +452,7 @@ TEST_F(SceneInput, ClosesAPolygonByItsFirstCornerOrADoubleClick) {
     for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}}) click(corner);
     point({2, 4}), press(), release(), press(), release();
     ASSERT_EQ(commands<AddObstacle>().size(), 2u);
-    EXPECT_EQ(commands<AddObstacle>()[1].obstacle.corners.size(), 3u) << "the second click adds no corner";
+    EXPECT_EQ(commands<AddObstacle>()[1].object.corners.size(), 3u) << "the second click adds no corner";
 }
 
 TEST_F(SceneInput, RefusesACornerWithAReasonAndRemovesTheLastOne) {

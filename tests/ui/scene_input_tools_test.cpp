@@ -50,7 +50,7 @@ struct SceneInputTools : testing::Test {
             if (std::holds_alternative<C>(edit.command)) found.push_back(edit);
         return found;
     }
-    Zone zone(std::size_t i) const { return std::get<AddZone>(edits<AddZone>().at(i).command).zone; }
+    Zone zone(std::size_t i) const { return std::get<AddZone>(edits<AddZone>().at(i).command).object; }
     SceneInputState& state() { return desk.panels.scene_input; }
     // Moves the crosshair by whole steps of the arrow keys.
     void steps(int key, int count) {
@@ -181,7 +181,7 @@ TEST_F(SceneInputTools, DrawBoxPolygonLampAndTapeByKeysAlone) {
     steps(key::up, 2), steps(key::left, 2);
     desk.key({key::enter});
     ASSERT_EQ(edits<AddObstacle>().size(), 1u);
-    EXPECT_NEAR(std::get<AddObstacle>(edits<AddObstacle>()[0].command).obstacle.width, 1, 1e-4f);
+    EXPECT_NEAR(std::get<AddObstacle>(edits<AddObstacle>()[0].command).object.width, 1, 1e-4f);
 
     desk.click("tool.polygon");
     steps(key::up, 1);
@@ -192,7 +192,7 @@ TEST_F(SceneInputTools, DrawBoxPolygonLampAndTapeByKeysAlone) {
     desk.key({key::enter});
     desk.key({key::enter});  // the same corner again closes it
     ASSERT_EQ(edits<AddObstacle>().size(), 2u);
-    EXPECT_EQ(std::get<AddObstacle>(edits<AddObstacle>()[1].command).obstacle.corners.size(), 3u);
+    EXPECT_EQ(std::get<AddObstacle>(edits<AddObstacle>()[1].command).object.corners.size(), 3u);
 
     desk.click("tool.lamp");
     steps(key::down, 1);

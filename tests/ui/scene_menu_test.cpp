@@ -16,16 +16,16 @@ TEST_F(SceneMenu, OffersAZoneItsOwnMenuAndWhatCanBeAddedOnIt) {
     click({6, -7}, 1);
     EXPECT_EQ(scene_input().menu.object, pond);
     desk.click("menu.add.light");
-    EXPECT_NEAR(commands<AddSource>().back().source.x, 6, a_pixel);
+    EXPECT_NEAR(commands<AddSource>().back().object.x, 6, a_pixel);
     click({6, -7}, 1);
     desk.click("menu.erase");
     EXPECT_EQ(commands<RemoveZone>().size(), 1u);
     click({6, -7}, 1);
     desk.click("menu.duplicate");
-    EXPECT_EQ(commands<AddZone>().back().zone.surface, Surface::ice);
+    EXPECT_EQ(commands<AddZone>().back().object.surface, Surface::ice);
     click({0, 3}, 1);
     desk.click("menu.add.zone");
-    EXPECT_NEAR(commands<AddZone>().back().zone.y, 3, a_pixel);
+    EXPECT_NEAR(commands<AddZone>().back().object.y, 3, a_pixel);
 }
 
 TEST_F(SceneMenu, OpensTheMenuOfTheFloorInTheMiddleOfTheViewByAKey) {
@@ -68,7 +68,7 @@ TEST_F(SceneMenu, AddsObjectsAtThePositionOfTheMenu) {
     EXPECT_FALSE(scene_input().menu.open);
     click({1, 3}, 1);
     desk.click("menu.add.smell");
-    EXPECT_EQ(commands<AddSource>().back().source.channel, Channel::smell);
+    EXPECT_EQ(commands<AddSource>().back().object.channel, Channel::smell);
     click({1, 3}, 1);
     desk.click("menu.add.polygon");
     EXPECT_EQ(scene_input().tool, SceneInputTool::polygon);

@@ -235,12 +235,11 @@ Command with_room(const Snapshot& now, Command command) {
         const vec2 at = free_place(now, {vehicle->at->x, vehicle->at->y}, reach_of_kind(now, vehicle->kind));
         vehicle->at->x = at.x, vehicle->at->y = at.y;
     } else if (auto* source = std::get_if<AddSource>(&command)) {
-        const vec2 at = free_place(now, {source->source.x, source->source.y}, source_reach);
-        source->source.x = at.x, source->source.y = at.y;
+        const vec2 at = free_place(now, {source->object.x, source->object.y}, source_reach);
+        source->object.x = at.x, source->object.y = at.y;
     } else if (auto* obstacle = std::get_if<AddObstacle>(&command)) {
-        const vec2 at =
-            free_place(now, {obstacle->obstacle.x, obstacle->obstacle.y}, reach_of_shape(obstacle->obstacle));
-        obstacle->obstacle.x = at.x, obstacle->obstacle.y = at.y;
+        const vec2 at = free_place(now, {obstacle->object.x, obstacle->object.y}, reach_of_shape(obstacle->object));
+        obstacle->object.x = at.x, obstacle->object.y = at.y;
     }
     return command;
 }
