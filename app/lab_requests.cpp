@@ -11,8 +11,8 @@
 #include "app/lab_edits.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
-#include "core/lesson/utf8.h"
 #include "core/match.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 

@@ -6,6 +6,7 @@
 
 #include <emscripten/html5.h>
 
+#include "core/utf8.h"
 #include "ui/shortcuts.h"
 
 namespace braitenlab::web {
@@ -37,13 +38,8 @@ constexpr std::array<std::pair<std::string_view, int>, 18> named_keys{{{"Escape"
 // The only code point of a text; 0 if it has none or several.
 unsigned only_character(std::string_view text) {
     if (text.empty()) return 0;
-    const auto first = static_cast<unsigned char>(text[0]);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    if (text.size() != length) return 0;
-    if (length == 1) return first;
-    unsigned code = first & (0xFFu >> (length + 1));
-    for (const char c : text.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3F);
-    return code;
+    const CodePoint first = first_code_point(text);
+    return first.is_valid && first.size == text.size() ? first.code : 0;
 }
 
 bool with_ctrl(const EmscriptenKeyboardEvent& e) { return e.ctrlKey || e.metaKey; }

@@ -72,7 +72,7 @@ public:
         return fmt::format(
                    "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{0}\" "
                    "viewBox=\"0 0 {1:.0f} {2:.0f}\" width=\"{1:.0f}\" height=\"{2:.0f}\" font-size=\"12\">",
-                   html::escaped(strings_("report.brain")), wide_, height()) +
+                   xml_text(strings_("report.brain")), wide_, height()) +
                content() + "</svg>";
     }
 
@@ -92,8 +92,8 @@ public:
             if (places_.count(node.id)) out += node_svg(node);
         return out +
                fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\" fill=\"#5a5a55\">▶ {} · ● {}</text>",
-                           wide_ / 2, high - 5, html::escaped(strings_("report.excites")),
-                           html::escaped(strings_("report.inhibits")));
+                           wide_ / 2, high - 5, xml_text(strings_("report.excites")),
+                           xml_text(strings_("report.inhibits")));
     }
 
 private:
@@ -178,7 +178,7 @@ private:
         return fmt::format(
             "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"#1c1c1a\" stroke=\"#fff\" stroke-width=\"3\" "
             "paint-order=\"stroke\">{}</text>",
-            at.x + (is_right ? beside : -beside), at.y + below, is_right ? "start" : "end", html::escaped(text));
+            at.x + (is_right ? beside : -beside), at.y + below, is_right ? "start" : "end", xml_text(text));
     }
 
     std::string node_svg(const Node& node) const {
@@ -193,11 +193,11 @@ private:
                                    at.x, at.y, node_radius, node.kind == NodeKind::sensor ? "#fff3c4" : "#fff");
         const bool is_short = node.name.size() <= 3;
         out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" fill=\"#1c1c1a\">{}</text>", at.x,
-                           is_short ? at.y + 4 : at.y - node_radius - 4, html::escaped(node.name));
+                           is_short ? at.y + 4 : at.y - node_radius - 4, xml_text(node.name));
         if (node.bias != 0)
             out +=
                 fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" fill=\"#1c1c1a\">{}</text>", at.x,
-                            at.y + node_radius + 15, html::escaped(fill(strings_("report.bias"), {number(node.bias)})));
+                            at.y + node_radius + 15, xml_text(fill(strings_("report.bias"), {number(node.bias)})));
         if (node.silenced)
             out += fmt::format(
                 "<path d=\"M{0:.1f} {1:.1f}L{2:.1f} {3:.1f}M{0:.1f} {3:.1f}L{2:.1f} {1:.1f}\" "

@@ -72,7 +72,7 @@ struct Page {
     }
 
     std::string tile(const std::string& value, const std::string& meaning) const {
-        return "<div class=\"tile\">" + html::element("b", value) + html::escaped(meaning) + "</div>\n";
+        return "<div class=\"tile\">" + html::element("b", value) + xml_text(meaning) + "</div>\n";
     }
 
     std::string passed_count() const {
@@ -108,7 +108,7 @@ struct Page {
         out += fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" width=\"{:.0f}\" "
             "height=\"130\" viewBox=\"0 0 {:.0f} 130\" font-size=\"12\" text-anchor=\"middle\">",
-            html::escaped(strings("report.distribution")), step * static_cast<float>(counts.size()),
+            xml_text(strings("report.distribution")), step * static_cast<float>(counts.size()),
             step * static_cast<float>(counts.size()));
         for (std::size_t i = 0; i < counts.size(); ++i) {
             const float tall = high * static_cast<float>(counts[i]) / static_cast<float>(most);
@@ -198,9 +198,8 @@ struct Page {
         const auto number_cell = [](std::optional<int> value) {
             return html::element("td", value ? std::to_string(*value) : "", "n");
         };
-        std::string out =
-            fmt::format("<tr{}><td class=\"name\"><a href=\"#s{}\">{}</a></td>",
-                        is_superseded(row) ? " class=\"superseded\"" : "", index, html::escaped(row.student));
+        std::string out = fmt::format("<tr{}><td class=\"name\"><a href=\"#s{}\">{}</a></td>",
+                                      is_superseded(row) ? " class=\"superseded\"" : "", index, xml_text(row.student));
         if (!row.grade)  // the reason has the room of all results
             return out + fmt::format("<td class=\"bad\" colspan=\"{}\">", 6 + exercise.steps.size()) +
                    html::with_breaks(remark(row)) + "</td></tr>\n";

@@ -54,7 +54,7 @@ std::string sources_svg(const Scene& scene, const FloorMap& map, bool names) {
         out +=
             fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"11\" text-anchor=\"{}\" fill=\"#333\">{}</text>",
                         map.x(source.x) + (is_right ? -9.0f : 9.0f), map.y(source.y) - 8, is_right ? "end" : "start",
-                        html::escaped(source.name));
+                        xml_text(source.name));
     }
     return out;
 }

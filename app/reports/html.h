@@ -1,16 +1,14 @@
-// What the pages of reports share: escaping and the frame of a self-contained page.
+// What the pages of reports share: elements and the frame of a self-contained page.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "core/xml_text.h"
+
 namespace braitenlab::html {
 
-// The text with &, <, >, " and ' as references. Control characters, which XML does not allow, become spaces; bytes that
-// are no UTF-8 become U+FFFD.
-std::string escaped(std::string_view text);
-
-// escaped(), with <br/> at line ends.
+// xml_text(), with <br/> at line ends.
 std::string with_breaks(std::string_view text);
 
 // <tag>escaped text</tag>, with a class where one is given.

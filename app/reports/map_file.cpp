@@ -36,7 +36,7 @@ std::string colour_text(const ui::MapColour& colour) {
 
 std::string words_at(float x, float y, std::string_view words, std::string_view more = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\" fill=\"{}\"{}>{}</text>\n", x, y, ink, more,
-                       html::escaped(words));
+                       xml_text(words));
 }
 
 std::string square(float x, float y, float size) {

@@ -32,7 +32,7 @@ std::string path_picture(const Exercise& exercise, const StartResult& start, con
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" "
         "width=\"{:.0f}\" height=\"{:.0f}\"><rect x=\"0.5\" y=\"0.5\" width=\"{:.0f}\" height=\"{:.0f}\" rx=\"3\" "
         "fill=\"#fafaf8\" stroke=\"#b8b8b2\"/>",
-        html::escaped(label), map.width, map.height, map.width, map.height, map.width - 1, map.height - 1);
+        xml_text(label), map.width, map.height, map.width, map.height, map.width - 1, map.height - 1);
     out += floor_svg(scene, map) + sources_svg(scene, map, look.names);
     if (!start.path.empty()) {
         out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}/>",

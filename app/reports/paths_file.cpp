@@ -41,7 +41,7 @@ std::string name_of(const Scene& scene, const VehicleView& vehicle) {
 
 std::string text(float x, float y, std::string_view words, std::string_view more = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\" fill=\"#1c1c1a\"{}>{}</text>\n", x, y, more,
-                       html::escaped(words));
+                       xml_text(words));
 }
 
 std::string edge_svg(const Arena& arena, const FloorMap& map) {
@@ -72,7 +72,7 @@ std::string path_svg(const RecordedPath& path, const Arena& arena, const FloorMa
     return out + fmt::format(
                      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"{}\" fill=\"{}\" "
                      "stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>\n",
-                     x + (is_right ? -13.0f : 13.0f), y + 17, is_right ? "end" : "start", colour, html::escaped(name));
+                     x + (is_right ? -13.0f : 13.0f), y + 17, is_right ? "end" : "start", colour, xml_text(name));
 }
 
 // A length of 1, 2 or 5 times a power of ten, m, of about a fifth of the picture.

@@ -7,7 +7,7 @@
 namespace braitenlab {
 
 std::string svg_file(std::string_view heading, float width, float height, std::string_view content) {
-    const std::string words = html::escaped(heading);
+    const std::string words = xml_text(heading);
     return fmt::format(
                "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/export/wiring_svg.h"
+#include "core/utf8.h"
 
 namespace braitenlab::robots::opamp {
 
@@ -18,8 +19,8 @@ constexpr double smallest_font = 0.8;  // of the usual size
 double width_of(std::string_view text, bool is_bold) {
     double width = 0;
     for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xc0) != 0x80) width += byte >= 0xe3 ? 10 : 6.2;  // characters of East Asia are square
+        const bool is_square = static_cast<unsigned char>(c) >= 0xe3;  // as characters of East Asia
+        if (!continues_character(c)) width += is_square ? 10 : 6.2;
     }
     return is_bold ? 1.35 * width : width;
 }
@@ -27,7 +28,7 @@ double width_of(std::string_view text, bool is_bold) {
 // A UTF-8 text in two parts at a character's beginning.
 std::size_t middle_of(std::string_view text) {
     std::size_t at = (text.size() + 1) / 2;
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) ++at;
+    while (at < text.size() && continues_character(text[at])) ++at;
     return at;
 }
 

@@ -28,27 +28,6 @@ std::string comment_text(std::string_view text) {
     return clean;
 }
 
-std::string xml_text(std::string_view text) {
-    std::string clean;
-    for (const char c : text) switch (c) {
-            case '&':
-                clean += "&amp;";
-                break;
-            case '<':
-                clean += "&lt;";
-                break;
-            case '>':
-                clean += "&gt;";
-                break;
-            case '"':
-                clean += "&quot;";
-                break;
-            default:
-                clean += static_cast<unsigned char>(c) < 0x20 && c != '\n' ? ' ' : c;
-        }
-    return clean;
-}
-
 std::string filled(std::string_view text, const std::map<std::string, std::string>& values) {
     std::string made;
     for (std::size_t at = 0; at < text.size();) {

@@ -18,9 +18,6 @@ std::string c_number(float);
 // end or begin a comment.
 std::string comment_text(std::string_view);
 
-// A text for XML: & < > and quotes as entities.
-std::string xml_text(std::string_view);
-
 // The template with each @KEY@ replaced by its value. Values are not searched for keys. Precondition: every key of the
 // template has a value.
 std::string filled(std::string_view text, const std::map<std::string, std::string>& values);

@@ -14,6 +14,7 @@
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
+#include "core/xml_text.h"
 
 namespace braitenlab::robots::thymio {
 

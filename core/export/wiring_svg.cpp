@@ -6,6 +6,7 @@
 
 #include "core/export/arduino.h"
 #include "core/export/text.h"
+#include "core/xml_text.h"
 
 namespace braitenlab::robots {
 

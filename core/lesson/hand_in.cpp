@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "core/lesson/utf8.h"
 #include "core/messages.h"
+#include "core/plain_letters.h"
 #include "core/scene/check.h"
 #include "core/scene/toml_reader.h"
 #include "core/scene/toml_writer.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -38,28 +39,15 @@ void describe(Visitor& v, Of<HandIn>) {
 
 namespace {
 
-// U+00C0 .. U+00FF without accents, in small letters; '-' for the two signs × and ÷.
-constexpr std::array<std::string_view, 64> plain_letters{
-    "a", "a", "a", "a", "ae", "a", "ae", "c", "e", "e", "e", "e", "i",  "i", "i",  "i",
-    "d", "n", "o", "o", "o",  "o", "oe", "-", "o", "u", "u", "u", "ue", "y", "th", "ss",
-    "a", "a", "a", "a", "ae", "a", "ae", "c", "e", "e", "e", "e", "i",  "i", "i",  "i",
-    "d", "n", "o", "o", "o",  "o", "oe", "-", "o", "u", "u", "u", "ue", "y", "th", "y"};
-
 // Small ASCII letters, digits and single '-'; other letters beyond Latin-1 stay as they are.
 std::string for_file_name(std::string_view text) {
     std::string name;
-    const auto add = [&](char c) {
-        if (c != '-' || (!name.empty() && name.back() != '-')) name += c;
-    };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        if (byte == 0xC3 && i + 1 < text.size()) {
-            for (const char c : plain_letters[static_cast<unsigned char>(text[++i]) & 63u]) add(c);
-        } else if (byte >= 0x80 || (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z')) {
-            name += text[i];
-        } else {
-            add(byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : '-');
-        }
+    for (const char c : plain_letters(text, Umlauts::spelled)) {
+        const bool stays = static_cast<unsigned char>(c) >= 0x80 || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z');
+        if (stays)
+            name += c;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
     }
     name = utf8_cut(std::move(name), 80);
     while (!name.empty() && name.back() == '-') name.pop_back();

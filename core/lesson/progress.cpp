@@ -6,8 +6,8 @@
 #include "core/io/csv.h"
 #include "core/io/json.h"
 #include "core/lesson/hand_in.h"
-#include "core/lesson/utf8.h"
 #include "core/messages.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/utf8.h"
+
 namespace braitenlab {
 
 namespace {
@@ -71,15 +73,9 @@ Message nearest_of(std::string_view word, std::span<const std::string_view> cand
 
 std::string in_quotes(std::string_view text) {
     std::string shown = "'";
-    for (const char c : text.substr(0, longest_shown))
+    for (const char c : text.substr(0, character_start(text, longest_shown)))
         shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-    // Do not split a UTF-8 character.
-    if (text.size() > longest_shown) {
-        while ((static_cast<unsigned char>(text[shown.size() - 1]) & 0xC0u) == 0x80u && shown.size() > 1)
-            shown.pop_back();
-        shown += "…";
-    }
-    return shown + "'";
+    return shown + (text.size() > longest_shown ? "…'" : "'");
 }
 
 }  // namespace braitenlab

@@ -7,22 +7,11 @@
 #include <string>
 
 #include "core/scene/nearest.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
 namespace {
-
-// True if every character beyond ASCII has a lead byte and the bytes that follow it.
-bool is_utf8(std::string_view text) {
-    std::size_t following = 0;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool is_following = (byte & 0xC0u) == 0x80u;
-        if (is_following != (following > 0) || byte > 0xF4) return false;
-        following = is_following ? following - 1 : byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
-    }
-    return following == 0;
-}
 
 std::string_view trimmed_of(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");

@@ -13,6 +13,8 @@
 #include <fontconfig/fontconfig.h>
 #endif
 
+#include "core/utf8.h"
+
 namespace braitenlab::render {
 
 // The FreeType library and its open faces, the default font first.
@@ -52,22 +54,11 @@ struct Lettering::Faces {
 };
 
 std::u32string decode_utf8(std::string_view text) {
-    constexpr char32_t broken = 0xFFFD;
     std::u32string decoded;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i++]);
-        const int more = lead < 0x80 ? 0 : lead < 0xC2 ? -1 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : lead < 0xF5 ? 3 : -1;
-        if (more < 0) {
-            decoded += broken;
-            continue;
-        }
-        char32_t c = more == 0 ? lead : lead & (0x3FU >> more);
-        int read = 0;
-        while (read < more && i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U)
-            c = (c << 6U) | (static_cast<unsigned char>(text[i++]) & 0x3FU), ++read;
-        const bool overlong = (more == 2 && c < 0x800) || (more == 3 && c < 0x10000);
-        const bool outside = c > 0x10FFFF || (c >= 0xD800 && c < 0xE000);
-        decoded += read < more || overlong || outside ? broken : c;
+    while (!text.empty()) {
+        const CodePoint first = first_code_point(text);
+        decoded += first.code;
+        text.remove_prefix(first.size);
     }
     return decoded;
 }

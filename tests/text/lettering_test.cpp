@@ -35,9 +35,9 @@ TEST(Lettering, ReplacesMalformedBytes) {
               U"a\xFFFD"
               U"b");
     EXPECT_EQ(decode_utf8("a\xC3"), U"a\xFFFD");
-    EXPECT_EQ(decode_utf8("\xC0\xAF"), U"\xFFFD\xFFFD");  // overlong
-    EXPECT_EQ(decode_utf8("\xED\xA0\x80"), U"\xFFFD");    // half a surrogate pair
-    EXPECT_EQ(decode_utf8("\xE2\x86z"), U"\xFFFDz");      // cut short
+    EXPECT_EQ(decode_utf8("\xC0\xAF"), U"\xFFFD\xFFFD");            // overlong
+    EXPECT_EQ(decode_utf8("\xED\xA0\x80"), U"\xFFFD\xFFFD\xFFFD");  // half a surrogate pair
+    EXPECT_EQ(decode_utf8("\xE2\x86z"), U"\xFFFDz");                // cut short
 }
 
 TEST(Lettering, RasterisesACharacterOnceWithAMargin) {

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "core/plain_letters.h"
 #include "ui/imgui_compat.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/strings.h"
@@ -63,29 +64,13 @@ bool search_by_typing(FilesState& files, KeyPress press) {
 
 namespace {
 
-// In lower case and without accents: "Über" becomes "uber", "Straße" "strasse". Letters beyond Latin-1 stay.
-std::string plain_letters(const std::string& words) {
-    // U+00C0 to U+00FF, in UTF-8 the bytes 0x80 to 0xBF after 0xC3.
-    constexpr std::string_view latin = "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
-    std::string plain;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const char c = words[i];
-        const auto next = i + 1 < words.size() ? static_cast<unsigned char>(words[i + 1]) : 0U;
-        if (static_cast<unsigned char>(c) == 0xC3 && next >= 0x80 && next <= 0xBF)
-            plain += next == 0x9F ? "ss" : std::string(1, latin[next - 0x80]), ++i;
-        else
-            plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return plain;
-}
-
 // True if the words shown of the entry have every word of the search. The title of an exercise that tells its outcome
 // is not searched until it is shown.
 bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
     std::string words = entry_words(view, ui, entry) + " ";
     words += entry.exercise ? translated(ui, entry.exercise->goal) : translated(ui, entry.story);
     if (!entry.exercise) words += " " + entry.name;
-    words = plain_letters(words);
+    words = plain_letters(words, Umlauts::as_vowels);
     for (std::size_t from = 0; from < search.size();) {
         const std::size_t end = std::min(search.find(' ', from), search.size());
         if (words.find(search.substr(from, end - from)) == std::string::npos) return false;

@@ -7,6 +7,7 @@
 
 #include "core/maths/portable.h"
 #include "core/scene/sensor_edits.h"
+#include "core/utf8.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/theme.h"
@@ -44,11 +45,7 @@ template <class Fits>
 std::string fitted(std::string_view words, Fits fits) {
     std::string text(words);
     while (!fits(text) && !words.empty()) {
-        bool inside = true;  // removes all bytes of a character
-        while (inside && !words.empty()) {
-            inside = (static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80U;
-            words.remove_suffix(1);
-        }
+        words = words.substr(0, character_start(words, words.size() - 1));
         text = std::string(words) + "…";
     }
     return text;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/maths/portable.h"
+#include "core/utf8.h"
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/widgets/number.h"
@@ -152,10 +153,9 @@ float name_room(const NodeShape& shape, Detail detail) {
 // columns.
 float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, std::string_view name) {
     constexpr float overhang = 1.5f;  // of the card's width
-    constexpr int few = 4;
+    constexpr std::size_t few = 4;
     const float inner = shape.size.x - 30, own = compat::size_of(font(pen.ui, Face::strong));
-    const auto letters = std::count_if(name.begin(), name.end(),
-                                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    const std::size_t letters = count_characters(name);
     if (picture.view.lecture && shape.kind == NodeKind::neuron) return shape.size.x - 2 * map_name_margin + 1;
     if (letters > few && !picture.view.lecture) return inner;
     const float readable = text_width(pen.ui, Face::strong, name) * pen.least_type() / own / pen.view.scale;

@@ -1,0 +1,39 @@
+// Texts in small letters without accents, to search them and to name files.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "core/utf8.h"
+
+namespace braitenlab {
+
+enum class Umlauts { as_vowels, spelled };  // ä as "a", or as "ae" as German spells it without umlauts
+
+// "Über" becomes "uber" or "ueber", "Straße" "strasse"; "-" stands for the signs × and ÷. Letters beyond Latin-1 stay.
+inline std::string plain_letters(std::string_view text, Umlauts umlauts) {
+    // U+00E0 .. U+00FF; U+00C0 .. U+00DF are their capitals, but for ß.
+    constexpr std::array<std::string_view, 32> latin{"a",  "a", "a", "a", "ae", "a", "ae", "c", "e",  "e", "e",
+                                                     "e",  "i", "i", "i", "i",  "d", "n",  "o", "o",  "o", "o",
+                                                     "oe", "-", "o", "u", "u",  "u", "ue", "y", "th", "y"};
+    std::string plain;
+    while (!text.empty()) {
+        const auto [code, size, is_valid] = first_code_point(text);
+        if (code == 0xDF) {
+            plain += "ss";
+        } else if (code >= 0xC0 && code <= 0xFF) {
+            const std::string_view letters = latin[code & 0x1F];
+            const bool is_umlaut = (code | 0x20) == 0xE4 || (code | 0x20) == 0xF6 || (code | 0x20) == 0xFC;
+            plain += is_umlaut && umlauts == Umlauts::as_vowels ? letters.substr(0, 1) : letters;
+        } else if (code >= 'A' && code <= 'Z') {
+            plain += static_cast<char>(code - 'A' + 'a');
+        } else {
+            plain += text.substr(0, size);
+        }
+        text.remove_prefix(size);
+    }
+    return plain;
+}
+
+}  // namespace braitenlab

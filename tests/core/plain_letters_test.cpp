@@ -1,0 +1,22 @@
+#include "core/plain_letters.h"
+
+#include <gtest/gtest.h>
+
+namespace braitenlab::tests::plain_letters_test {
+namespace {
+
+TEST(PlainLetters, AreSmallWithoutAccents) {
+    EXPECT_EQ(plain_letters("Año 2, Ça É", Umlauts::as_vowels), "ano 2, ca e");
+    EXPECT_EQ(plain_letters("Übermäßig Öl Æ Þ ÿ ×", Umlauts::as_vowels), "ubermassig ol ae th y -");
+}
+
+TEST(PlainLetters, SpellUmlautsWhereAsked) {
+    EXPECT_EQ(plain_letters("Übermäßig Öl Åse", Umlauts::spelled), "uebermaessig oel ase");
+}
+
+TEST(PlainLetters, LeaveOtherLettersAndBytesAsTheyAre) {
+    EXPECT_EQ(plain_letters("Ж→\xC3", Umlauts::spelled), "Ж→\xC3");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::plain_letters_test
