@@ -1,10 +1,9 @@
 // The texts of error messages that the window shows in the chosen language: English here, translations under [error] in
-// ui/strings/*.toml.
+// the files of other languages, ui/strings/*.toml.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cassert>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -352,15 +351,34 @@ struct Message {
 };
 inline Message operator+(Message first, const Message& next) { return std::move(first += next); }
 
-// The message of this id with its values. Precondition: the id is in message_table.
+// The id of a message of message_table that takes N values. Another text does not compile.
+template <std::size_t N>
+class MessageId {
+public:
+    consteval MessageId(const char* id) : row_(row_of(id)) {}
+    constexpr const MessageText& text() const { return message_table[row_]; }
+
+private:
+    static consteval std::size_t row_of(std::string_view id) {
+        for (std::size_t row = 0; row < message_table.size(); ++row) {
+            const auto& [known, english] = message_table[row];
+            if (known != id) continue;
+            std::size_t gaps = 0;
+            for (std::size_t at = english.find("{}"); at != english.npos; at = english.find("{}", at + 2)) ++gaps;
+            if (gaps != N) throw "the message takes another number of values";
+            return row;
+        }
+        throw "message_table has no message with this id";
+    }
+
+    std::size_t row_;
+};
+
 template <class... Values>
-Message message_of(std::string_view id, const Values&... values) {
-    const auto row = std::find_if(message_table.begin(), message_table.end(),
-                                  [id](const MessageText& each) { return each.id == id; });
-    assert(row != message_table.end());
+Message message_of(const MessageId<sizeof...(Values)>& id, const Values&... values) {
     Message made;
-    made.phrases.push_back({row->id, {fmt::format("{}", values)...}});
-    made.text = filled(row->english, made.phrases.front().values);
+    made.phrases.push_back({id.text().id, {fmt::format("{}", values)...}});
+    made.text = filled(id.text().english, made.phrases.front().values);
     return made;
 }
 

@@ -105,6 +105,18 @@ std::vector<Language> languages(const std::filesystem::path& folder) {
     return found;
 }
 
+namespace {
+
+Result<Strings> load_english(const std::filesystem::path& folder) {
+    auto english = Strings::load(folder / "en.toml");
+    if (english)
+        for (const MessageText& message : message_table)
+            english->add("error." + std::string(message.id), std::string(message.english));
+    return english;
+}
+
+}  // namespace
+
 Result<Strings> load_language(const std::filesystem::path& folder, std::string_view code) {
     std::string known;
     bool there = false;
@@ -118,9 +130,10 @@ Result<Strings> load_language(const std::filesystem::path& folder, std::string_v
     const bool plain = file.parent_path() == folder && !code.empty();
     if (!there && !(plain && std::filesystem::exists(file, none)))
         return Error{"language '" + std::string(code) + "' is not available; choose one of " + known};
+    if (code == "en") return load_english(folder);
     auto strings = Strings::load(file);
-    if (!strings || code == "en") return strings;
-    auto english = Strings::load(folder / "en.toml");
+    if (!strings) return strings;
+    const auto english = load_english(folder);
     if (!english) return english;
     strings->fall_back_on(*english);
     return strings;

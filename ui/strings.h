@@ -60,7 +60,8 @@ struct Language {
 // The languages with a readable file in the folder, sorted by code.
 std::vector<Language> languages(const std::filesystem::path& folder);
 
-// The texts of a language; missing texts are in English. An error names the available languages, or the wrong line.
+// The texts of a language; missing texts are in English, and the English ones of messages are those of core/messages.h,
+// which no file repeats. An error names the available languages, or the wrong line.
 Result<Strings> load_language(const std::filesystem::path& folder, std::string_view code);
 
 // Replaces the {} of the pattern by the values, in order: fill("Passed {} of {}", {"8", "10"}). Surplus {} are kept.

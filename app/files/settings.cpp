@@ -22,14 +22,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A table being read, and the first value of the wrong type in it. `what`: the message id of the type.
+// A table being read, and the first value of the wrong type in it. `what`: the message of the type.
 struct SettingsReader {
     toml::table table;
     std::string file;
     std::optional<Error> error;
 
     template <class T>
-    void read(const char* key, T& value, const char* what) {
+    void read(const char* key, T& value, MessageId<0> what) {
         const toml::node* node = table.get(key);
         if (!node) return;
         if (const auto found = node->value<T>())

@@ -43,7 +43,7 @@ Fault fault_in(const Wire& wire) {
     return fault_in(wire.curve);
 }
 
-std::optional<Error> too_many(std::string_view message, std::size_t count, int most) {
+std::optional<Error> too_many(MessageId<2> message, std::size_t count, int most) {
     if (count <= static_cast<std::size_t>(most)) return std::nullopt;
     return error_of(message_of(message, most, count));
 }

@@ -14,9 +14,9 @@ namespace {
 
 // Ids of the messages about a name of a thing: when there is none of this name, and when the name is empty.
 struct NameMessages {
-    std::string_view unknown, wanted;
+    MessageId<1> unknown;
+    MessageId<0> wanted;
 };
-constexpr NameMessages of_source{"no_source_of_scene", ""};  // an empty one means the nearest
 constexpr NameMessages of_zone{"no_zone_of_scene", "name_zone"};
 constexpr NameMessages of_obstacle{"no_obstacle_of_scene", "name_obstacle"};
 constexpr NameMessages of_vehicle{"no_vehicle_of_scene", "name_vehicle"};
@@ -44,13 +44,19 @@ struct ExercisePart {
     template <class Named>
     bool check_name(const char* key, const std::string& name, const std::vector<Named>& known,
                     NameMessages messages) const {
+        if (!name.empty()) return check_known(key, name, known, messages.unknown);
+        if (table.contains(key)) fail(key, message_of("empty_key", key) + message_of(messages.wanted));
+        return false;
+    }
+
+    // The same for a name that is not empty.
+    template <class Named>
+    bool check_known(const char* key, const std::string& name, const std::vector<Named>& known,
+                     MessageId<1> unknown) const {
         std::vector<std::string_view> names;
         for (const Named& each : known) names.emplace_back(each.name);
         if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-        if (table.contains(key) && name.empty())
-            fail(key, message_of("empty_key", key) + message_of(messages.wanted));
-        else if (!name.empty())
-            fail(key, message_of(messages.unknown, in_quotes(name)) + nearest_of(name, names));
+        fail(key, message_of(unknown, in_quotes(name)) + nearest_of(name, names));
         return false;
     }
 };
@@ -73,7 +79,7 @@ constexpr bool needs_one_source =
 template <class G>
 void check_source(const ExercisePart& part, const G& goal) {
     const std::vector<Source>& sources = part.scene.sources;
-    if (!goal.source.empty()) return void(part.check_name("source", goal.source, sources, of_source));
+    if (!goal.source.empty()) return void(part.check_known("source", goal.source, sources, "no_source_of_scene"));
     if (needs_one_source<G> && sources.size() > 1) part.fail("source", message_of("several_sources", G::traits.word));
 }
 
@@ -273,7 +279,7 @@ bool is_misspelt(const TomlFile& file, const std::string& table, const char* key
 // Every step and hint has a text.
 void check_texts(TomlTable& top, const Exercise& exercise) {
     TomlFile& file = top.file();
-    const auto check = [&](const char* list, const auto& elements, const char* id) {
+    const auto check = [&](const char* list, const auto& elements, MessageId<0> id) {
         for (std::size_t i = 0; i < elements.size(); ++i)
             if (elements[i].text.empty() && !is_misspelt(file, fmt::format("{}.{}", list, i + 1), "text"))
                 file.fail(fmt::format("{}.{}.text", list, i + 1), &top.content().get(list)->as_list()->at(i),

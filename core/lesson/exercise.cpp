@@ -50,7 +50,7 @@ std::optional<SceneText> scene_text(TomlTable& top, const std::filesystem::path&
 void check_first_start(const SceneText& text, const Scene& scene, TomlFile& file) {
     const Start& first = scene.starts.front();
     const std::string path = (text.table.empty() ? "" : text.table + ".") + "vehicle." + first.name;
-    const auto fail = [&](const std::string& part, const char* id) {
+    const auto fail = [&](const std::string& part, MessageId<1> id) {
         file.add(path + part, text.file.fault_at(path + part, message_of(id, first.kind)));
     };
     if (first.brain) fail(".brain", "brain_of_first");

@@ -107,9 +107,9 @@ public:
         if (is_file(page_.file)) return;
         const std::vector<std::string> names = names_in(shipped);
         const std::vector<std::string_view> known(names.begin(), names.end());
-        fail(is_scene ? "scene" : "exercise",
-             message_of(is_scene ? "no_scene_of_page" : "no_exercise_of_page", in_quotes(wanted)) +
-                 nearest_of(wanted, known));
+        fail(is_scene ? "scene" : "exercise", (is_scene ? message_of("no_scene_of_page", in_quotes(wanted))
+                                                        : message_of("no_exercise_of_page", in_quotes(wanted))) +
+                                                  nearest_of(wanted, known));
     }
 
     void check_question() {

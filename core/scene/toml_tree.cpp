@@ -153,10 +153,9 @@ const TomlNode* TomlNode::get(std::string_view key) const {
     return at != members->end() && at->key == key ? &at->value : nullptr;
 }
 
-std::string_view TomlNode::type() const {
-    constexpr std::array<std::string_view, 7> types{"a_table",  "a_list",        "a_text", "a_whole_number",
-                                                    "a_number", "true_or_false", "a_date"};
-    static_assert(types.size() == std::variant_size_v<decltype(content)>);
+MessageId<0> TomlNode::type() const {
+    static constexpr std::array<MessageId<0>, std::variant_size_v<decltype(content)>> types{
+        "a_table", "a_list", "a_text", "a_whole_number", "a_number", "true_or_false", "a_date"};
     return types[content.index()];
 }
 

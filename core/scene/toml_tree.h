@@ -44,8 +44,8 @@ struct TomlNode {
     const TomlNode* get(std::string_view key) const;
     bool contains(std::string_view key) const { return get(key) != nullptr; }
 
-    // The id of the message of its type: "a_whole_number", "a_table" …
-    std::string_view type() const;
+    // The message of its type: "a_whole_number", "a_table" …
+    MessageId<0> type() const;
 };
 
 struct TomlMember {

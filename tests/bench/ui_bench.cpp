@@ -77,7 +77,7 @@ private:
 
 void BM_UiPass(benchmark::State& state) {
     auto lab = hunt(static_cast<int>(state.range(0)));
-    const auto strings = Strings::load(BRAITENLAB_SOURCE "/ui/strings/en.toml");
+    const auto strings = load_language(BRAITENLAB_SOURCE "/ui/strings", "en");
     if (!lab || !strings) return state.SkipWithError("the hunt or the words cannot be read");
     handle(*lab, Action::play_pause);
     Panels panels;

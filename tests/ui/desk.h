@@ -26,7 +26,7 @@
 namespace braitenlab::tests {
 
 inline Strings english() {
-    static const auto strings = Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/en.toml");
+    static const auto strings = load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", "en");
     if (!strings) throw std::runtime_error(strings.error().text());
     return *strings;
 }

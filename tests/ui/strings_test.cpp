@@ -73,6 +73,7 @@ TEST(Strings, ListEnglishGermanAndSpanishByTheirNativeNames) {
 TEST(Strings, HaveTheSameKeysGapsAndShortcutsInEveryLanguage) {
     const Strings strings = english();
     for (const Language& language : languages(folder())) {
+        if (language.code == "en") continue;
         const auto other = Strings::load(folder() / (language.code + ".toml"));
         ASSERT_TRUE(other) << other.error().text();
         for (const auto& [key, words] : strings.all()) {
@@ -152,7 +153,10 @@ TEST(Strings, HaveOneWordForOneConcept) {
     for (const auto& [language, word, instead] : unwanted)
         for (const fs::path& file : {folder() / (language + ".toml"),
                                      fs::path(BRAITENLAB_SOURCE) / "exercises" / "words" / (language + ".toml")}) {
-            const auto strings = fs::exists(file) ? Strings::load(file) : Result<Strings>(Strings{});
+            const bool is_english = file == folder() / "en.toml";  // with the messages of core
+            const auto strings = is_english         ? load_language(folder(), "en")
+                                 : fs::exists(file) ? Strings::load(file)
+                                                    : Result<Strings>(Strings{});
             ASSERT_TRUE(strings) << strings.error().text();
             for (const auto& [key, text] : strings->all())
                 EXPECT_FALSE(has_word(text, word))
