@@ -31,6 +31,12 @@ consteval bool is_enumerator() {
 #endif
 }
 
+// True when the enumerators are 0 … count − 1, so that an array of this size can be indexed by them.
+template <class Enum, std::size_t count>
+consteval bool has_enumerators() {
+    return is_enumerator<static_cast<Enum>(count - 1)>() && !is_enumerator<static_cast<Enum>(count)>();
+}
+
 // True when row i holds enumerator i and no enumerator is without a row. Each table has a static_assert of it.
 template <const auto& table>
 consteval bool is_complete_table() {

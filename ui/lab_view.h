@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/enum_table.h"
 #include "core/insight/compare.h"
 #include "core/insight/map.h"
 #include "core/insight/mystery.h"
@@ -37,6 +38,7 @@ namespace braitenlab {
 
 enum class Mode { playing, paused, wiring };  // wiring: paused, with the wiring canvas in place of the scene
 inline constexpr std::array<std::string_view, 3> mode_words{"playing", "paused", "wiring"};
+static_assert(has_enumerators<Mode, mode_words.size()>());
 constexpr std::string_view word(Mode mode) { return mode_words[static_cast<std::size_t>(mode)]; }
 
 // The children of a brain, in an exercise that offers selection (core/lesson/selection.h).

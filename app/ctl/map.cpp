@@ -171,6 +171,7 @@ std::string picture(const MapCells& cells, MapMeasure measure) {
 // A letter or a digit a cell; the largest y is at the top.
 std::string plain_text(const insight::MapQuestion& question, const MapCells& cells, MapMeasure measure) {
     constexpr std::string_view letters = "TNCPAFLS";
+    static_assert(letters.size() == insight::behaviour_count);
     const bool is_kind = measure == MapMeasure::behaviour;
     const ui::MapScale scale = ui::scale_of(cells.cells, measure);
     std::string text;

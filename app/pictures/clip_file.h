@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/pictures/colour_table.h"
+#include "core/enum_table.h"
 #include "core/result.h"
 
 namespace braitenlab {
@@ -31,6 +32,7 @@ inline constexpr std::array<ClipFormatTraits, 3> clip_formats{{
     {ClipFormat::mp4, ".mp4", 2, true},
     {ClipFormat::webm, ".webm", 2, true},
 }};
+static_assert(has_enumerators<ClipFormat, clip_formats.size()>());
 constexpr const ClipFormatTraits& row_of(ClipFormat format) { return clip_formats[static_cast<std::size_t>(format)]; }
 
 // The format of a file by the extension of its name, in capitals too; else an error that names the extensions.

@@ -32,6 +32,8 @@ constexpr std::array<DialEntry, all_dials.size()> entries{{
     {"RM", &FourNeurons::RM, nullptr, "MR"},
 }};
 
+static_assert(has_enumerators<Dial, entries.size()>());
+
 const DialEntry& entry(Dial dial) { return entries[static_cast<std::size_t>(dial)]; }
 
 const Node* sensor_of(const BrainGraph& graph, Dial dial, const SensorPair& pair) {

@@ -171,6 +171,7 @@ private:
 
     static void finish(AxisValue& value, const SceneNumber& number, const ValueRow& row) {
         constexpr std::array words{"", "sensor.", "body.", "start.", "source.", "arena."};
+        static_assert(has_enumerators<ValueOwner, words.size()>());
         value.id =
             words[static_cast<std::size_t>(value.owner)] + (value.source.empty() ? "" : value.source + ".") + value.key;
         value.unit = number.unit, value.allowed = number.range;

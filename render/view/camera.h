@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/enum_table.h"
 #include "core/maths/mat4.h"
 #include "core/maths/vec.h"
 #include "core/world/snapshot.h"
@@ -18,6 +19,7 @@ namespace braitenlab {
 // orthographic; driver: at the front of a vehicle.
 enum class CameraMode { overview, follow, birds_eye, driver };
 inline constexpr std::array<std::string_view, 4> camera_mode_words{"overview", "follow", "birds_eye", "driver"};
+static_assert(has_enumerators<CameraMode, camera_mode_words.size()>());
 constexpr std::string_view word(CameraMode mode) { return camera_mode_words[static_cast<std::size_t>(mode)]; }
 
 // True if the camera moves with a vehicle.

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/enum_table.h"
 #include "core/scene/scene.h"
 #include "core/world/snapshot.h"
 
@@ -43,6 +44,7 @@ constexpr Colour mix(Colour a, Colour b, float t) {
 
 enum class Theme { dark, light };
 inline constexpr std::array<std::string_view, 2> theme_words{"dark", "light"};
+static_assert(has_enumerators<Theme, theme_words.size()>());
 constexpr std::string_view word(Theme theme) { return theme_words[static_cast<std::size_t>(theme)]; }
 
 // The colours of a channel, 0xRRGGBB. Channels differ in lightness where colour-blind eyes see one hue: red and heat,

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/enum_table.h"
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
 
@@ -14,6 +15,7 @@ namespace braitenlab {
 
 enum class SceneObjectKind { none, vehicle, source, obstacle, zone };
 inline constexpr std::array<std::string_view, 5> scene_object_words{"none", "vehicle", "source", "obstacle", "zone"};
+static_assert(has_enumerators<SceneObjectKind, scene_object_words.size()>());
 constexpr std::string_view word(SceneObjectKind kind) { return scene_object_words[static_cast<std::size_t>(kind)]; }
 
 // Identifies an object of the scene that the user can select and move.

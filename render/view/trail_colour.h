@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/enum_table.h"
 #include "core/scene/scene.h"
 #include "core/world/snapshot.h"
 #include "render/view/palette.h"
@@ -22,6 +23,7 @@ enum class TrailValue {
     reading,  // of one sensor, 0..1
 };
 inline constexpr std::array<std::string_view, 4> trail_value_words{"plain", "wheels", "speed", "reading"};
+static_assert(has_enumerators<TrailValue, trail_value_words.size()>());
 constexpr std::string_view word(TrailValue value) { return trail_value_words[static_cast<std::size_t>(value)]; }
 
 struct TrailColour {

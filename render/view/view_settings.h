@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/enum_table.h"
 #include "core/scene/scene.h"
 #include "render/view/camera.h"
 #include "render/view/pick.h"
@@ -21,6 +22,7 @@ inline constexpr int longest_prediction = 20;  // s
 // screen, light and shadows from lamps on the floor; high: rounded vehicles also where they are small.
 enum class Quality { low, medium, high };
 inline constexpr std::array<std::string_view, 3> quality_words{"low", "medium", "high"};
+static_assert(has_enumerators<Quality, quality_words.size()>());
 constexpr std::string_view word(Quality quality) { return quality_words[static_cast<std::size_t>(quality)]; }
 
 // Layers drawn over the scene, each of which can be switched off.

@@ -27,6 +27,7 @@ namespace braitenlab::ui {
 // corner to corner, polygon draws a polygon by its corners, tape draws a line of tape, ruler measures.
 enum class SceneInputTool { hand, lamp, box, polygon, zone, tape, ruler };
 inline constexpr std::array<std::string_view, 7> tool_words{"hand", "lamp", "box", "polygon", "zone", "tape", "ruler"};
+static_assert(has_enumerators<SceneInputTool, tool_words.size()>());
 constexpr std::string_view word(SceneInputTool tool) { return tool_words[static_cast<std::size_t>(tool)]; }
 
 // The current effect of the mouse. pending: a button is down and the mouse has moved less than 4 px. span: a tool draws

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/enum_table.h"
 #include "core/maths/vec.h"
 #include "core/world/command.h"
 #include "ui/request.h"
@@ -27,6 +28,7 @@ struct SceneInputFrame;
 // of the arc; they change the opening angle. mount: the sensor's position.
 enum class SensorHandle { none, axis, left, right, mount };
 inline constexpr std::array<std::string_view, 5> sensor_handle_words{"none", "axis", "left", "right", "mount"};
+static_assert(has_enumerators<SensorHandle, sensor_handle_words.size()>());
 constexpr std::string_view word(SensorHandle handle) { return sensor_handle_words[static_cast<std::size_t>(handle)]; }
 
 // What a drag of the handle `axis` changes; undecided until the pointer has moved by some pixels.
