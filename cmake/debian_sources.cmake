@@ -149,12 +149,9 @@ endfunction()
 
 function(provide_stb)
   source_folder(folder libstb)
-  foreach(part IN ITEMS IMAGE IMAGE_WRITE)
-    string(TOLOWER ${part} name)
-    file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/stb_${name}.c" @ONLY
-         CONTENT "#define STB_${part}_IMPLEMENTATION\n#include <stb_${name}.h>\n")
-  endforeach()
-  source_library(braitenlab::stb "${folder}" "${CMAKE_BINARY_DIR}/stb_image.c" "${CMAKE_BINARY_DIR}/stb_image_write.c")
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/stb_image.c" @ONLY
+       CONTENT "#define STB_IMAGE_IMPLEMENTATION\n#include <stb_image.h>\n")
+  source_library(braitenlab::stb "${folder}" "${CMAKE_BINARY_DIR}/stb_image.c")
 endfunction()
 
 if(EMSCRIPTEN)

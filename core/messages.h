@@ -33,7 +33,6 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"no_shipped_exercise", "there is no file and no shipped exercise called '{}'"},
     {"no_shipped_study", "there is no file and no shipped study called '{}'"},
     {"no_data", "the exercises and shaders of the lab are not in {}; set BRAITENLAB_DATA to their folder"},
-    {"no_picture", "the picture cannot be encoded"},
     {"no_clip_format", "a clip is a file .gif, .mp4 or .webm; end its name with one of these"},
     {"no_ffmpeg", "the program ffmpeg, which writes MP4 and WebM, is not found; install it, or write a GIF"},
     {"ffmpeg_failed", "ffmpeg cannot write the clip: {}"},

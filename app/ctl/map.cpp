@@ -12,7 +12,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/table_file.h"
-#include "app/files/plain_png.h"
+#include "app/files/png.h"
 #include "app/files/safe_file.h"
 #include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
@@ -165,7 +165,7 @@ std::string picture(const MapCells& cells, MapMeasure measure) {
             for (const float part : {colour.r, colour.g, colour.b})
                 *pixel++ = static_cast<unsigned char>(std::lround(part * 255));
         }
-    return plain_png(side, side, rgb);
+    return png(side, side, rgb);
 }
 
 // A letter or a digit a cell; the largest y is at the top.
