@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <toml++/toml.h>
 
 #include "app/course/lab_lesson.h"
 #include "app/files/file_commands.h"
@@ -47,29 +46,7 @@ struct AutosaveKeys {
     std::optional<Draft::Progress> exercise;
 };
 
-// The older format: TOML, with the run as a string in it.
-Result<AutosaveKeys> read_toml_keys(std::string_view text, const std::string& file_name, std::string& run) {
-    try {
-        const toml::table table = toml::parse(text, file_name);
-        if (table["format"].value<int>() != 1) return error_of(message_of("not_an_autosave"), file_name, 1);
-        AutosaveKeys keys;
-        keys.when = table["when"].value_or(std::string());
-        keys.name = table["name"].value_or(std::string());
-        keys.path = table["path"].value_or(std::string());
-        keys.ended = table["ended"].value_or(false);
-        run = table["run"].value_or(std::string());
-        if (const toml::table* exercise = table["exercise"].as_table())
-            keys.exercise =
-                Draft::Progress{(*exercise)["prediction"].value_or(-1), (*exercise)["hints_shown"].value_or(0),
-                                (*exercise)["has_run"].value_or(false), false};
-        return keys;
-    } catch (const toml::parse_error& error) {
-        return error_of(message_of("not_toml", error.description()), file_name,
-                        static_cast<int>(error.source().begin.line));
-    }
-}
-
-Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& file_name) {
+Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_name) {
     try {
         const auto json = nlohmann::json::parse(text).at("autosave");
         AutosaveKeys keys;
@@ -86,11 +63,6 @@ Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& fi
     } catch (const nlohmann::json::exception& problem) {
         return error_of(message_of("not_an_autosave") + Message(fmt::format(": {}", problem.what())), file_name);
     }
-}
-
-// `run` gets the run as a string of the older format, else it stays empty.
-Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_name, std::string& run) {
-    return text.starts_with('{') ? read_json_keys(text, file_name) : read_toml_keys(text, file_name, run);
 }
 
 Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
@@ -182,10 +154,9 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
 }
 
 Result<Autosaved> open_autosave(std::string_view text, std::string file_name) {
-    std::string nested;
-    const auto keys = read_keys(text, file_name, nested);
+    const auto keys = read_keys(text, file_name);
     if (!keys) return keys.error();
-    auto run = io::read_run(text.starts_with('{') ? text : nested, file_name);
+    auto run = io::read_run(text, file_name);
     if (!run) return run.error();
     auto document = document_of(*keys, std::move(*run));
     if (!document) return document.error();

@@ -46,8 +46,7 @@ struct Autosaved {
     std::string when;
     bool ended = false;
 };
-// Also opens the older format, TOML with the run as a string. An exercise is read from its own file. Fails with the
-// file and, if known, the line.
+// An exercise is read from its own file. Fails with the file and, if known, the line.
 Result<Autosaved> open_autosave(std::string_view text, std::string file_name);
 
 // Work of a lab that has not ended properly.

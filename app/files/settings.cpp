@@ -91,9 +91,7 @@ std::string write_preferences(const Preferences& p) {
 
 namespace {
 
-// A table, or a path alone as written by version 0.1.
 std::optional<RecentFile> recent_file(const toml::node& node) {
-    if (const auto path = node.value<std::string>()) return RecentFile{*path};
     const toml::table* table = node.as_table();
     if (!table || !(*table)["path"].is_string()) return std::nullopt;
     return RecentFile{(*table)["path"].value_or(std::string()), (*table)["title"].value_or(std::string())};

@@ -50,14 +50,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Steer, vehicle, left, right)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetLook, vehicle, look)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditStart, start, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditMember, member, to)
-inline void to_json(Json& json, const SetSensors& c) { json = {{"target", c.target}, {"sensors", c.sensors}}; }
-inline void from_json(const Json& json, SetSensors& c) {
-    if (json.contains("target"))
-        json.at("target").get_to(c.target);
-    else
-        json.at("kind").get_to(c.target.kind);  // earlier files set the sensors of kinds only
-    json.at("sensors").get_to(c.sensors);
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetSensors, target, sensors)
 template <class Object>
 void to_json(Json& json, const AddObject<Object>& c) {
     json = {{ObjectList<Object>::word, c.object}, {"before", c.before}};

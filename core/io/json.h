@@ -133,15 +133,13 @@ public:
 
     template <class Number>
     void number(const char* key, Number T::*member, const char*, Range, const char*) {
-        if (is_there(key)) json_.at(key).get_to(object_.*member);
+        json_.at(key).get_to(object_.*member);
     }
     void angle(const char* key, float T::*member, Range, const char*) { json_.at(key).get_to(object_.*member); }
     void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
         if (json_.contains(key)) object_.*member = json_.at(key).get<maths::vec2>();
     }
-    void flag(const char* key, bool T::*member, const char*) {
-        if (is_there(key)) json_.at(key).get_to(object_.*member);
-    }
+    void flag(const char* key, bool T::*member, const char*) { json_.at(key).get_to(object_.*member); }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {
         json_.at(key).get_to(object_.*member);
@@ -151,7 +149,7 @@ public:
         if (json_.contains(key)) object_.*member = json_.at(key).get<Enum>();
     }
     void text(const char* key, std::string T::*member, std::size_t, const char*) {
-        if (json_.contains(key)) json_.at(key).get_to(object_.*member);  // files of earlier versions lack later texts
+        json_.at(key).get_to(object_.*member);
     }
     void colour(const char* key, std::string T::*member, const char*) {
         if (json_.contains(key)) json_.at(key).get_to(object_.*member);
@@ -167,7 +165,7 @@ public:
     }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        if (json_.contains(key)) json_.at(key).get_to(object_.*member);  // files of earlier versions lack later lists
+        json_.at(key).get_to(object_.*member);
     }
     template <class Element>
     void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
@@ -175,7 +173,7 @@ public:
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        if (is_there(key)) json_.at(key).get_to(object_.*member);
+        json_.at(key).get_to(object_.*member);
     }
     void brain(const char* key, BrainGraph T::*member, const char*) { json_.at(key).get_to(object_.*member); }
     void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
@@ -183,8 +181,6 @@ public:
     }
 
 private:
-    bool is_there(const char* key) const { return !is_later_value(key) || json_.contains(key); }
-
     const Json& json_;
     T& object_;
 };

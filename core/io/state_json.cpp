@@ -33,15 +33,7 @@ void from_json(const io::Json& json, Motion& m) {
 namespace world {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Touch, one, other)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Bite, pair, tick)
-void to_json(io::Json& json, const Strike& m) {
-    json = {{"vehicle", m.vehicle}, {"at", m.at}, {"tick", m.tick}, {"other", m.other}};
-}
-void from_json(const io::Json& json, Strike& m) {
-    json.at("vehicle").get_to(m.vehicle);
-    json.at("at").get_to(m.at);
-    json.at("tick").get_to(m.tick);
-    m.other = json.value("other", no_vehicle);  // absent from runs of earlier versions
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Strike, vehicle, at, tick, other)
 void to_json(io::Json& json, const Mark& m) { json = {{"owner", m.owner}, {"place", m.position}, {"tick", m.tick}}; }
 void from_json(const io::Json& json, Mark& m) {
     json.at("owner").get_to(m.owner);
@@ -221,9 +213,9 @@ Result<State> read_state(const Json& json) {
     json.at("next_id").get_to(m.next_id);
     json.at("events").get_to(m.events);
     json.at("bites").get_to(m.bites);
-    if (json.contains("strikes")) json.at("strikes").get_to(m.strikes);  // absent from runs of earlier versions
+    json.at("strikes").get_to(m.strikes);
     json.at("marks").get_to(m.marks);
-    if (json.contains("looks")) json.at("looks").get_to(m.looks);
+    json.at("looks").get_to(m.looks);
     json.at("obstacles").get_to(m.obstacles);
     json.at("touching").get_to(m.touching);
     if (auto error = read_vehicles(json.at("vehicles"), *scene, brains, m.vehicles)) return *error;

@@ -47,15 +47,6 @@ inline constexpr std::size_t response_points = 32;
 inline constexpr std::size_t name_length = 40, title_length = 120, text_length = 2000;
 }  // namespace limits
 
-// Values that earlier versions did not have: files of runs may lack them, and a default is not a part of the digest of
-// a run. No other struct has a value with one of these keys.
-constexpr bool is_later_value(std::string_view key) {
-    for (const std::string_view later : {"gain_spread", "gamma", "hard_range", "point", "friction_spread", "interval",
-                                         "bits", "voltage", "half_lux", "candela", "lux", "nominal_voltage"})
-        if (key == later) return true;
-    return false;
-}
-
 inline constexpr Range weight_range{-limits::weight, limits::weight};
 inline constexpr Range threshold_range{0, limits::threshold};
 inline constexpr Range bias_range{-limits::bias, limits::bias};

@@ -208,7 +208,7 @@ struct SetPopulation {
     // world, and removed after all others; the shares of all kinds, and Ecology::population.
     std::vector<AddVehicle> vehicles{};
     std::vector<float> shares{};      // empty: population and shares follow from `count`
-    std::optional<int> population{};  // with shares; none, as in earlier files: it does not change
+    std::optional<int> population{};  // with shares; none: it does not change
     friend bool operator==(const SetPopulation&, const SetPopulation&) = default;
 };
 

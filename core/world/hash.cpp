@@ -35,17 +35,12 @@ struct StructDigest {
     Digest& digest;
 
     template <class Number>
-    void number(const char* key, Number T::*member, const char*, Range, const char*) {
-        if (is_later_value(key) && object.*member == T{}.*member) return;
+    void number(const char*, Number T::*member, const char*, Range, const char*) {
         digest.add(object.*member);
     }
     void angle(const char*, float T::*member, Range, const char*) { digest.add(object.*member); }
     void place(const char*, std::optional<maths::vec2> T::*, Range, const char*) {}
-    void flag(const char* key, bool T::*member, const char*) {
-        // A rectangular arena has the digest of an arena of earlier versions, which were all rectangular.
-        if ((std::is_same_v<T, Arena> || is_later_value(key)) && !(object.*member)) return;
-        digest.add(static_cast<std::int32_t>(object.*member));
-    }
+    void flag(const char*, bool T::*member, const char*) { digest.add(static_cast<std::int32_t>(object.*member)); }
     template <class Enum>
     void word(const char*, Enum T::*member, const char*) {
         digest.add(static_cast<std::int32_t>(object.*member));
@@ -71,10 +66,7 @@ struct StructDigest {
     template <class Element>
     void named(const char*, std::optional<std::vector<Element>> T::*, std::size_t, const char*) {}
     template <class Element>
-    void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        // Zones had no corners and sources no times in earlier versions: without them their digest is as it was.
-        const bool is_new = std::is_same_v<T, Zone> || std::is_same_v<T, Source> || is_later_value(key);
-        if (is_new && (object.*member).empty()) return;
+    void list(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
         add_all(digest, object.*member);
     }
     template <class Graph>

@@ -198,19 +198,6 @@ TEST(RunFile, KeepsOwnSensors) {
     EXPECT_EQ(resumed.hash(), session.hash());
 }
 
-TEST(RunFile, ReadsTheSensorsOfAKindAsEarlierFilesHaveThem) {
-    Session session = open(twins());
-    ASSERT_FALSE(session.apply(SetSensors{{.kind = 0}, heat_eye()}));
-    std::string text = io::write_run(session.save());
-    const std::string now = R"("target":{"kind":0,"vehicle":-1})", earlier = R"("kind":0)";
-    const auto at = text.find(now);
-    ASSERT_NE(at, std::string::npos) << text;
-    text.replace(at, now.size(), earlier);
-    const auto run = io::read_run(text, "earlier.run");
-    ASSERT_TRUE(run) << run.error().text();
-    EXPECT_EQ(Session::resume(*run).hash(), session.hash());
-}
-
 TEST(RunFile, RefusesOwnSensorsThatAreNotValid) {
     Session session = open(twins());
     ASSERT_FALSE(session.apply(SetSensors{{.vehicle = 1}, heat_eye()}));

@@ -102,23 +102,19 @@ TEST(RunFile, WritesTheSameTextAgain) {
     EXPECT_EQ(io::write_run(*io::read_run(text, "a.run")), text);
 }
 
-TEST(RunFile, ReadsARunOfAVersionThatRecordedNoStrikes) {
+TEST(RunFile, KeepsStrikes) {
     Scene scene = tests::alone({.LM = 1, .RM = 1});
     scene.arena.width = scene.arena.height = 4;
     Session session = std::move(*Session::open(scene, 3));
     for (int i = 0; i < 600 && session.snapshot().strikes.empty(); ++i) session.step();
-    std::string text = io::write_run(session.save());
-    const auto kept = io::read_run(text, "a.run");
+    ASSERT_FALSE(session.snapshot().strikes.empty());
+    const auto kept = io::read_run(io::write_run(session.save()), "a.run");
     ASSERT_TRUE(kept) << kept.error().text();
+    EXPECT_EQ(Session::resume(*kept).snapshot().strikes.size(), session.snapshot().strikes.size());
     EXPECT_EQ(Session::resume(*kept).hash(), session.hash());
-    for (std::size_t at = text.find("\"strikes\""); at != text.npos; at = text.find("\"strikes\""))
-        text.replace(at, 9, "\"unknown\"");
-    const auto old = io::read_run(text, "a.run");
-    ASSERT_TRUE(old) << old.error().text();
-    EXPECT_EQ(Session::resume(*old).hash(), session.hash());
 }
 
-TEST(RunFile, ReadsAPopulationThatWasSetBeforeItsSizeWasRecorded) {
+TEST(RunFile, ReadsANumberOfAKindWithoutASizeOfThePopulation) {
     Json json = Command(SetPopulation{0, 3, {}, {1, 1}, 9});
     EXPECT_EQ(std::get<SetPopulation>(json.get<Command>()), (SetPopulation{0, 3, {}, {1, 1}, 9}));
     json["SetPopulation"].erase("population");

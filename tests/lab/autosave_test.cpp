@@ -296,20 +296,6 @@ TEST_F(AutosaveTest, WritesASavedRun) {
     EXPECT_EQ(Session::resume(*run).hash(), lab.document.session.hash());
 }
 
-TEST_F(AutosaveTest, OpensTheOlderFormatWithTheRunAsAString) {
-    edit(lab, 1.25f);
-    const std::string run = io::write_run(lab.document.session.save());
-    const std::string older =
-        "# Kept by the lab while it runs\nended = true\nformat = 1\nname = '2a-coward'\npath = '" +
-        lab.document.path.string() + "'\nrun = '''" + run + "'''\nwhen = '2026-03-01 10:42:05'\n";
-    const auto opened = open_autosave(older, "a");
-    ASSERT_TRUE(opened) << opened.error().text();
-    EXPECT_EQ(opened->when, "2026-03-01 10:42:05");
-    EXPECT_TRUE(opened->ended);
-    EXPECT_EQ(opened->document.path, lab.document.path);
-    EXPECT_EQ(opened->document.session.hash(), lab.document.session.hash());
-}
-
 TEST_F(AutosaveTest, RunsTheTaskItselfIfNoThreadCanBeStarted) {
     const auto task = []() -> std::optional<Error> { return Error{"done here"}; };
     auto result = start_or_run(task, [](const auto&) -> std::future<std::optional<Error>> {

@@ -140,9 +140,9 @@ TEST(Settings, ListEachRecentFileOnceAndTheNewestFirst) {
     EXPECT_EQ(std::count(r.recent.begin(), r.recent.end(), RecentFile{absolute("/s/9.toml")}), 1);
 }
 
-TEST(Settings, ReadTheRecentFilesOfAnEarlierVersionWithoutTitles) {
+TEST(Settings, LeaveOutRecentFilesWithoutAPath) {
     const auto state =
-        parse_state(R"(recent = ["/a.toml", {path = "/b.toml", title = "B"}, 7, {title = "no path"}])", "s");
+        parse_state(R"(recent = [{path = "/a.toml"}, {path = "/b.toml", title = "B"}, 7, {title = "no path"}])", "s");
     ASSERT_TRUE(state);
     EXPECT_EQ(state->recent, (std::vector<RecentFile>{{"/a.toml"}, {"/b.toml", "B"}}));
 }
