@@ -8,6 +8,7 @@
 #include "core/lesson/grade.h"
 #include "core/lesson/write_exercise.h"
 #include "core/maths/angle.h"
+#include "tests/tells.h"
 
 namespace braitenlab::tests::author_test {
 namespace {
@@ -61,7 +62,7 @@ TEST_F(Author, ABrainWithoutWiresCanShip) {
 TEST_F(Author, RefusesASceneWithoutASolutionOrAVehicle) {
     const auto same = make_exercise(draft, "strike", file, file);
     ASSERT_FALSE(same);
-    EXPECT_NE(same.error().what.find("is the one that the student gets"), std::string::npos);
+    EXPECT_TRUE(tells(same.error(), message_of("exercise_solved")));
     Scene empty = now;
     empty.starts.clear();
     EXPECT_FALSE(make_exercise(draft, "strike", empty, file));
@@ -88,7 +89,7 @@ TEST_F(Author, RefusesAWrongAnswerThatIsTheSolution) {
     draft.wrong = {{"Crossed", now.kinds[0].brain}};
     const auto refused = make_exercise(draft, "strike", now, file);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().what.find("“Crossed”"), std::string::npos) << refused.error().what;
+    EXPECT_TRUE(tells(refused.error(), message_of("exercise_wrong_is_solution", "Crossed")));
 }
 
 TEST_F(Author, ABrainOfOneVehicleAloneBecomesThatOfItsKindAndOthersKeepTheirs) {

@@ -8,6 +8,7 @@
 #include "core/scene/scene_file.h"
 #include "core/scene/sealed.h"
 #include "tests/core/scenes.h"
+#include "tests/tells.h"
 
 namespace braitenlab::tests::mystery_test {
 namespace {
@@ -152,7 +153,7 @@ TEST(Mystery, ADamagedHiddenBrainIsAnErrorWithItsLine) {
     const auto read = parse_scene(text, "scene.toml");
     ASSERT_FALSE(read);
     EXPECT_GT(read.error().line, 0);
-    EXPECT_NE(read.error().what.find("damaged"), std::string::npos);
+    EXPECT_TRUE(tells(read.error(), message_of("sealed_damaged")));
     EXPECT_FALSE(parse_scene("format = 1\n[sealed]\nnobody = \"" + seal(scene.kinds[0].brain) + "\"\n", "x.toml"));
     EXPECT_FALSE(unseal("xyz"));
     EXPECT_FALSE(unseal(""));

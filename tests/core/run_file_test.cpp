@@ -9,6 +9,7 @@
 #include "core/world/state.h"
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
+#include "tests/tells.h"
 
 namespace braitenlab::tests::run_file_test {
 namespace {
@@ -141,7 +142,7 @@ TEST(RunFile, ASceneWithAHiddenBrainIsSealedAndComesBack) {
     text[letter] = text[letter] == 'a' ? 'b' : 'a';
     const auto damaged = io::read_run(text, "a.run");
     ASSERT_FALSE(damaged);
-    EXPECT_NE(damaged.error().what.find("damaged"), std::string::npos);
+    EXPECT_TRUE(tells(damaged.error(), message_of("sealed_damaged")));
 }
 
 TEST(RunFile, RefusesAFileOfAnotherKind) {

@@ -7,6 +7,7 @@
 
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
+#include "tests/tells.h"
 
 namespace braitenlab::tests::selection_test {
 namespace {
@@ -54,7 +55,7 @@ TEST(Selection, ATableOfSelectionWithoutItsOfferIsAnErrorAtItsLine) {
     text.replace(text.find(offer), offer.size(), "offers = [\"LL\"]");
     const auto read = parse_exercise(text, path);
     ASSERT_FALSE(read);
-    EXPECT_NE(read.error().text().find("add \"selection\" to 'offers'"), std::string::npos) << read.error().text();
+    EXPECT_TRUE(tells(read.error(), message_of("selection_not_offered")));
     EXPECT_GT(read.error().line, 1);
 }
 

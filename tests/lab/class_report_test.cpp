@@ -7,14 +7,11 @@
 #include "app/files/data.h"
 #include "core/brain/four_neurons.h"
 #include "core/lesson/submission.h"
+#include "tests/languages.h"
 #include "tests/well_formed.h"
 
 namespace braitenlab::tests::class_report_test {
 namespace {
-
-Strings words(const std::string& language) {
-    return *load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", language);
-}
 
 std::shared_ptr<const Exercise> aggressor() {
     static const auto loaded = std::make_shared<const Exercise>(*load_exercise(*find_shipped("05-aggressor")));
@@ -58,11 +55,11 @@ TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
     EXPECT_TRUE(report.rows[0].passed);
     EXPECT_EQ(report.rows[0].grade->count, 10);
     EXPECT_FALSE(report.rows[0].resembles);
-    EXPECT_EQ(feedback(report, report.rows[0], words("en")), "Passed: 10 of 10 starts.");
+    EXPECT_EQ(feedback(report, report.rows[0], speaking("en")), "Passed: 10 of 10 starts.");
     EXPECT_FALSE(report.rows[1].passed);
     ASSERT_TRUE(report.rows[1].resembles);
     EXPECT_EQ(aggressor()->wrong[*report.rows[1].resembles].name, "all four wires");
-    const std::string said = feedback(report, report.rows[1], words("en"));
+    const std::string said = feedback(report, report.rows[1], speaking("en"));
     EXPECT_NE(said.find("0 of 10 starts passed, 8 are needed. It behaves like this wrong answer: Each eye now drives "
                         "both wheels alike"),
               said.npos)
@@ -71,7 +68,7 @@ TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
               said.npos)
         << said;
     EXPECT_TRUE(report.rows[2].unchanged);
-    const std::string as_shipped = feedback(report, report.rows[2], words("en"));
+    const std::string as_shipped = feedback(report, report.rows[2], speaking("en"));
     EXPECT_NE(as_shipped.find("It behaves as it did at first: change the offered controls. Step "), as_shipped.npos)
         << as_shipped;
     EXPECT_NE(as_shipped.find("of 10 starts. Start 1: "), as_shipped.npos) << as_shipped;
@@ -90,8 +87,8 @@ TEST(ClassReport, FeedbackTellsAnEditWithoutEffectFromNoEdit) {
     for (Wire& wire : nearly.wires) wire.weight += 0.01f;
     const ClassReport report = graded({row("a", hand_in("A", as_at_first)), row("b", hand_in("B", nearly))});
     for (const ClassRow& each : report.rows) EXPECT_TRUE(each.unchanged);
-    const std::string of_none = feedback(report, report.rows[0], words("en")),
-                      of_small = feedback(report, report.rows[1], words("en"));
+    const std::string of_none = feedback(report, report.rows[0], speaking("en")),
+                      of_small = feedback(report, report.rows[1], speaking("en"));
     EXPECT_NE(of_none.find("as it did at first: change the offered controls"), std::string::npos) << of_none;
     EXPECT_NE(of_small.find("as it did at first, although the controls are not where they were"), std::string::npos)
         << of_small;
@@ -135,15 +132,15 @@ TEST(ClassReport, EveryStudentWhoFailsIsInOneRowOfTheMistakes) {
     EXPECT_EQ(summary.counted, 4);
     EXPECT_EQ(summary.other, 1) << "the one that resembles nothing";
     EXPECT_EQ(summary.passed + summary.unchanged + summary.resembling[0] + summary.other, summary.counted);
-    const std::string page = class_page({aggressor(), 1, rows}, words("en"), "en");
+    const std::string page = class_page({aggressor(), 1, rows}, speaking("en"), "en");
     EXPECT_NE(page.find("<td>something else</td>"), page.npos);
 }
 
 TEST(ClassReport, AnEmptyFileAndADocumentAreNamedAsSuch) {
     const ClassRow empty = row_of_hand_in(*aggressor(), "e.toml", Result<std::string>(std::string(" \r\n")));
-    EXPECT_EQ(problem_text(empty, words("en")), "the file is empty");
+    EXPECT_EQ(problem_text(empty, speaking("en")), "the file is empty");
     const ClassRow essay = row_of_other_file("essay.docx");
-    EXPECT_EQ(problem_text(essay, words("de")), "keine Abgabe");
+    EXPECT_EQ(problem_text(essay, speaking("de")), "keine Abgabe");
     EXPECT_EQ(essay.student, "essay");
 }
 
@@ -156,7 +153,7 @@ TEST(ClassReport, ARowThatDoesNotCountSaysWhy) {
     const ClassReport report =
         graded({row("a", hand_in("A", four_wires, "2026-01-01T00:00:00Z")),
                 row("b", hand_in(" a", good, "2026-01-02T00:00:00Z")), row("d", other), row("e", wide), broken});
-    const auto problem = [&](std::size_t i) { return problem_text(report.rows[i], words("en")); };
+    const auto problem = [&](std::size_t i) { return problem_text(report.rows[i], speaking("en")); };
     EXPECT_EQ(problem(0), "replaced by a later hand-in: b");
     EXPECT_EQ(problem(1), "");
     EXPECT_EQ(problem(2), "hand-in for another exercise: 06-love");
@@ -194,7 +191,7 @@ TEST(ClassReport, TheSummaryHasQuartilesAndTheStepThatFailedMost) {
 TEST(ClassReport, TheTableIsSafeForSpreadsheets) {
     HandIn made = hand_in("=HYPERLINK(\"http://x\")", good);
     made.prediction = 1, made.hints = 2;
-    const std::string csv = class_csv(graded({row("+a,b.toml", made)}), words("en"));
+    const std::string csv = class_csv(graded({row("+a,b.toml", made)}), speaking("en"));
     const std::size_t second = csv.find('\n') + 1;
     EXPECT_TRUE(
         csv.substr(second).starts_with("\"'=HYPERLINK(\"\"http://x\"\")\",\"'+a,b.toml\",yes,10,10,8,10,10,10,yes,"))
@@ -206,9 +203,9 @@ TEST(ClassReport, TheTableIsSafeForSpreadsheets) {
 TEST(ClassReport, ThePageIsWellFormedAndEscapesNames) {
     HandIn made = hand_in("<script>alert(1)</script>", four_wires);
     made.notes = "a < b\n&";
-    for (const char* language : {"en", "de", "es"}) {
+    for (const auto& [language, name] : shipped_languages()) {
         const std::string page =
-            class_page(graded({row("a", made), row("b", hand_in("B", good))}), words(language), language);
+            class_page(graded({row("a", made), row("b", hand_in("B", good))}), speaking(language), language);
         EXPECT_EQ(xml_fault(page), "") << language;
         EXPECT_EQ(page.find("<script>alert"), page.npos);
         EXPECT_EQ(page.find("report."), page.npos) << "a text is missing in " << language;
@@ -219,14 +216,14 @@ TEST(ClassReport, ThePageIsWellFormedAndEscapesNames) {
 TEST(ClassReport, ASpreadsheetTakesAFormulaAfterSpacesAsText) {
     HandIn made = hand_in("A", good);
     made.student = "  @sum";
-    const std::string csv = class_csv(graded({row("a", made)}), words("en"));
+    const std::string csv = class_csv(graded({row("a", made)}), speaking("en"));
     EXPECT_NE(csv.find("\n'  @sum,a,yes"), csv.npos) << csv;
 }
 
 TEST(ClassReport, TheTableHasTheStartsThatPassedInTheStudentsOwnLab) {
     HandIn made = hand_in("A", good);
     made.graded_starts = 10, made.passed_starts = 4;
-    const std::string csv = class_csv(graded({row("a", made)}), words("en"));
+    const std::string csv = class_csv(graded({row("a", made)}), speaking("en"));
     EXPECT_NE(csv.find(",0,0,no,4,yes,,,"), csv.npos) << csv;
 }
 
@@ -252,7 +249,7 @@ namespace {
 
 // The words of the language and of the exercise, as `braitenctl grade --lang` reads them.
 Strings words_with_exercise(const std::string& language) {
-    Strings strings = words(language);
+    Strings strings = speaking(language);
     add_translations(strings, texts_of(*aggressor()),
                      *Strings::load(std::string(BRAITENLAB_SOURCE) + "/exercises/words/" + language + ".toml"));
     return strings;
@@ -277,7 +274,7 @@ TEST(ClassReport, NamesOfWrongAnswersAreInTheLanguageOfTheReport) {
 
 TEST(ClassReport, FaultsOfAHandInAreInTheLanguageOfTheReport) {
     const auto problem = [](const std::string& text) {
-        return problem_text(row_of_hand_in(*aggressor(), "f", Result<std::string>(text)), words("de"));
+        return problem_text(row_of_hand_in(*aggressor(), "f", Result<std::string>(text)), speaking("de"));
     };
     EXPECT_NE(problem("format = 1\nexercise = \"05-aggressor\"\n").find("'student' fehlt"), std::string::npos);
     EXPECT_NE(problem("format = 1\nstudent = \" \"\nexercise = \"a\"\n[submission.brain]\n").find("ist leer"),
@@ -292,13 +289,13 @@ TEST(ClassReport, ASupersededHandInIsGreyAndNoFailure) {
                                        row("b", hand_in("ana", good, "2026-01-02T00:00:00Z"))});
     EXPECT_TRUE(is_superseded(report.rows[0]));
     EXPECT_FALSE(is_superseded(report.rows[1]));
-    const std::string page = class_page(report, words("en"), "en"), line = line_of(page, "Ana");
+    const std::string page = class_page(report, speaking("en"), "en"), line = line_of(page, "Ana");
     EXPECT_TRUE(line.starts_with("<tr class=\"superseded\"")) << line;
     EXPECT_NE(line.find("<td>superseded</td>"), line.npos) << line;
     EXPECT_EQ(line.find("class=\"bad\""), line.npos) << line;
     EXPECT_NE(page.find("class=\"student superseded\""), page.npos);
     EXPECT_EQ(line_of(page, "ana").find("superseded"), std::string::npos);
-    const std::string csv = class_csv(report, words("en"));
+    const std::string csv = class_csv(report, speaking("en"));
     EXPECT_NE(csv.find("\nAna,a,,0,10,"), csv.npos) << "neither yes nor no: " << csv;
 }
 
@@ -310,11 +307,11 @@ TEST(ClassReport, AStatedResultThatIsNotTheGradeIsMarked) {
     EXPECT_FALSE(states_another_result(report, report.rows[0]));
     EXPECT_TRUE(states_another_result(report, report.rows[1]));
     EXPECT_FALSE(states_another_result(report, report.rows[2])) << "it states none";
-    const std::string page = class_page(report, words("en"), "en");
+    const std::string page = class_page(report, speaking("en"), "en");
     const std::string said = "the file states 9 starts passed, graded here: 0";
     EXPECT_NE(line_of(page, "Ben").find(said), std::string::npos) << line_of(page, "Ben");
     EXPECT_EQ(line_of(page, "Ana").find("states"), std::string::npos);
-    const std::string csv = class_csv(report, words("en"));
+    const std::string csv = class_csv(report, speaking("en"));
     EXPECT_NE(csv.find(",9,yes,"), csv.npos) << csv;
     EXPECT_NE(csv.find(",10,no,"), csv.npos) << csv;
     report.first_seed = 7;
@@ -322,7 +319,7 @@ TEST(ClassReport, AStatedResultThatIsNotTheGradeIsMarked) {
 }
 
 TEST(ClassReport, TheHeadingSaysThatAStartCountsForItsFirstFailedStep) {
-    const std::string page = class_page(graded({row("b", hand_in("B", four_wires))}), words("en"), "en");
+    const std::string page = class_page(graded({row("b", hand_in("B", four_wires))}), speaking("en"), "en");
     EXPECT_NE(page.find("starts that fail at this step first"), page.npos);
 }
 
@@ -333,10 +330,10 @@ TEST(ClassReport, APassWithTheSolutionShownIsCountedApart) {
     const ClassSummary summary = summary_of(report);
     EXPECT_EQ(summary.passed, 2);
     EXPECT_EQ(summary.passed_shown, 1);
-    const std::string page = class_page(report, words("en"), "en");
+    const std::string page = class_page(report, speaking("en"), "en");
     EXPECT_NE(page.find("<b>2 (1 with the solution shown) / 3</b>"), page.npos);
-    EXPECT_NE(class_page(report, words("de"), "de").find("<b>2 (1 mit gezeigter Lösung) / 3</b>"), page.npos);
-    EXPECT_NE(class_page(report, words("es"), "es").find("<b>2 (1 con la solución mostrada) / 3</b>"), page.npos);
+    EXPECT_NE(class_page(report, speaking("de"), "de").find("<b>2 (1 mit gezeigter Lösung) / 3</b>"), page.npos);
+    EXPECT_NE(class_page(report, speaking("es"), "es").find("<b>2 (1 con la solución mostrada) / 3</b>"), page.npos);
     EXPECT_NE(line_of(page, "Ana").find("<td class=\"shown\">yes (solution shown)</td>"), page.npos);
     EXPECT_NE(line_of(page, "Ben").find("<td>solution shown"), page.npos) << line_of(page, "Ben");
     EXPECT_EQ(line_of(page, "Eva").find("shown"), page.npos);

@@ -7,12 +7,11 @@
 #include "core/scene/scene_file.h"
 #include "core/session/session.h"
 #include "tests/folder.h"
+#include "tests/languages.h"
 #include "tests/well_formed.h"
 
 namespace braitenlab::tests::drawings_test {
 namespace {
-
-Strings words(const char* language) { return *load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", language); }
 
 Session shipped(const char* name) {
     auto scene = load_scene(find_shipped(name)->string());
@@ -30,7 +29,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST(PathsFile, HasAPathANameAndALegendRowForEachOfAFewVehicles) {
     const Session session = shipped("moth-and-hunter");
-    const std::string svg = paths_file(session.recording(), 0, 600, "Moths & <hunter>", words("en"));
+    const std::string svg = paths_file(session.recording(), 0, 600, "Moths & <hunter>", speaking("en"));
     EXPECT_EQ(xml_fault(svg), "");
     EXPECT_NE(svg.find("Moths &amp; &lt;hunter&gt;"), std::string::npos);
     const std::size_t vehicles = session.snapshot().vehicles.size();
@@ -44,7 +43,7 @@ TEST(PathsFile, HasAPathANameAndALegendRowForEachOfAFewVehicles) {
 
 TEST(PathsFile, HasARowForEachKindOfManyVehicles) {
     const Session session = shipped("predator-prey");
-    const std::string svg = paths_file(session.recording(), 0, 120, "hunt", words("de"));
+    const std::string svg = paths_file(session.recording(), 0, 120, "hunt", speaking("de"));
     EXPECT_EQ(xml_fault(svg), "");
     EXPECT_EQ(count(svg, "stroke-linejoin"), session.snapshot().vehicles.size());
     EXPECT_EQ(count(svg, "stroke-width=\"3\"/>"), 3U) << "two kinds in the legend, and the wall";
@@ -54,8 +53,8 @@ TEST(PathsFile, HasARowForEachKindOfManyVehicles) {
 TEST(PathsFile, BeginsAndEndsAtItsTicks) {
     Session session = shipped("3a-love");
     for (int i = 0; i < 300; ++i) session.step();
-    const std::string early = paths_file(session.recording(), 0, 120, "a", words("en"));
-    const std::string late = paths_file(session.recording(), 120, 240, "a", words("en"));
+    const std::string early = paths_file(session.recording(), 0, 120, "a", speaking("en"));
+    const std::string late = paths_file(session.recording(), 120, 240, "a", speaking("en"));
     const auto start_of = [](const std::string& svg) {
         return svg.substr(svg.find("<circle cx", svg.find("linejoin")), 40);
     };
@@ -69,14 +68,14 @@ TEST(PathsFile, IsWellFormedForEveryShippedScene) {
         ASSERT_TRUE(scene) << path;
         const auto session = Session::open(*scene, 1);
         ASSERT_TRUE(session) << path;
-        EXPECT_EQ(xml_fault(paths_file(session->recording(), 0, 12, scene->title, words("es"))), "") << path;
+        EXPECT_EQ(xml_fault(paths_file(session->recording(), 0, 12, scene->title, speaking("es"))), "") << path;
     }
 }
 
 TEST(BrainFile, IsAFileOfItsOwnWithHeadingAndText) {
     const Session session = shipped("moth-and-hunter");
     const Kind& moth = session.scene().kinds.front();
-    const std::string svg = brain_file(moth.brain, moth.sensors, "moth & co", words("en"));
+    const std::string svg = brain_file(moth.brain, moth.sensors, "moth & co", speaking("en"));
     EXPECT_EQ(xml_fault(svg), "");
     EXPECT_TRUE(svg.starts_with("<?xml"));
     EXPECT_NE(svg.find("moth &amp; co</text>"), std::string::npos);
@@ -94,8 +93,9 @@ TEST(BrainFile, IsWideEnoughForManySensors) {
     const Session session = shipped("moth-and-hunter");
     const Kind& moth = session.scene().kinds.front();
     const auto width = [](const std::string& svg) { return std::stof(svg.substr(svg.find("viewBox=\"0 0 ") + 13)); };
-    EXPECT_FLOAT_EQ(width(brain_drawing(moth.brain, moth.sensors, words("en"))), 360) << "on the page of a lab record";
-    EXPECT_GT(width(brain_file(moth.brain, moth.sensors, "", words("en"))), 1.5f * 8 * 90);
+    EXPECT_FLOAT_EQ(width(brain_drawing(moth.brain, moth.sensors, speaking("en"))), 360)
+        << "on the page of a lab record";
+    EXPECT_GT(width(brain_file(moth.brain, moth.sensors, "", speaking("en"))), 1.5f * 8 * 90);
 }
 
 // What a browser and Inkscape draw is tried with librsvg where it is installed.
@@ -103,7 +103,7 @@ TEST(PathsFile, IsDrawnByLibrsvg) {
     if (std::system("rsvg-convert --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "rsvg-convert is not installed";
     const Folder folder;
     const Session session = shipped("moth-and-hunter");
-    put_text(folder / "a.svg", paths_file(session.recording(), 0, 600, "a", words("en")));
+    put_text(folder / "a.svg", paths_file(session.recording(), 0, 600, "a", speaking("en")));
     const std::string line = "rsvg-convert " + (folder / "a.svg").string() + " -o " + (folder / "a.png").string();
     EXPECT_EQ(std::system(line.c_str()), 0);
     EXPECT_GT(fs::file_size(folder / "a.png"), 10000U);

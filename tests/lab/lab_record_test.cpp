@@ -8,18 +8,13 @@
 
 #include "app/files/data.h"
 #include "tests/folder.h"
+#include "tests/languages.h"
 #include "tests/well_formed.h"
 
 namespace braitenlab::tests::lab_record_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-Strings words(const std::string& language) {
-    auto strings = load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", language);
-    EXPECT_TRUE(strings) << strings.error().text();
-    return *strings;
-}
 
 std::shared_ptr<const Exercise> exercise(const std::string& name) {
     const auto loaded = load_exercise(*find_shipped(name));
@@ -80,10 +75,10 @@ double share_of_pixels(const fs::path& picture, const std::string& channel, cons
 
 TEST(LabRecord, IsWellFormedForEveryExerciseAndLanguage) {
     for (const fs::path& path : shipped_exercises())
-        for (const char* language : {"en", "de", "es"}) {
+        for (const auto& [language, name] : shipped_languages()) {
             LabRecord made{.exercise = exercise(path.stem().string()), .student = "A & B"};
             made.submission = with_solution(*made.exercise);
-            const std::string page = lab_record_html(made, words(language), language);
+            const std::string page = lab_record_html(made, speaking(language), language);
             EXPECT_EQ(xml_fault(page), "") << path << " " << language;
             EXPECT_EQ(page.find("report."), page.npos) << "a text is missing in " << language;
             EXPECT_EQ(page.find("{}"), page.npos) << "a gap is left";
@@ -91,7 +86,7 @@ TEST(LabRecord, IsWellFormedForEveryExerciseAndLanguage) {
 }
 
 TEST(LabRecord, ShowsPredictionOutcomeStepsBrainAndStarts) {
-    const std::string page = lab_record_html(record("05-aggressor"), words("en"), "en");
+    const std::string page = lab_record_html(record("05-aggressor"), speaking("en"), "en");
     EXPECT_EQ(xml_fault(page), "");
     EXPECT_NE(page.find("Ana &lt;López&gt; &amp; &quot;Co&quot;"), page.npos);
     EXPECT_NE(page.find("You predicted: It turns towards the lamp"), page.npos);
@@ -110,7 +105,7 @@ TEST(LabRecord, ShowsPredictionOutcomeStepsBrainAndStarts) {
 TEST(LabRecord, HidesABrainThatTheExerciseHides) {
     LabRecord made = record("05-aggressor");
     made.shows_brain = false;
-    EXPECT_EQ(count(lab_record_html(made, words("en"), "en"), "<svg"), 11u);
+    EXPECT_EQ(count(lab_record_html(made, speaking("en"), "en"), "<svg"), 11u);
 }
 
 TEST(LabRecord, PrintsOnTwoPages) {
@@ -119,7 +114,7 @@ TEST(LabRecord, PrintsOnTwoPages) {
     LabRecord made = record("05-aggressor");
     made.notes = std::string(40, 'w');
     for (int i = 0; i < 120; ++i) made.notes += " and a sentence";
-    EXPECT_EQ(printed_pages(lab_record_html(made, words("de"), "de"), folder.path), 2);
+    EXPECT_EQ(printed_pages(lab_record_html(made, speaking("de"), "de"), folder.path), 2);
 }
 
 TEST(LabRecord, PrintsAShortRecordOnOnePage) {
@@ -127,7 +122,7 @@ TEST(LabRecord, PrintsAShortRecordOnOnePage) {
     const Folder folder;
     LabRecord made = record("05-aggressor");
     made.last_run.reset(), made.grade.reset(), made.shows_brain = false;
-    EXPECT_EQ(printed_pages(lab_record_html(made, words("en"), "en"), folder.path), 1);
+    EXPECT_EQ(printed_pages(lab_record_html(made, speaking("en"), "en"), folder.path), 1);
 }
 
 TEST(LabRecord, AnExerciseWithoutANumberHasNone) {
@@ -135,9 +130,9 @@ TEST(LabRecord, AnExerciseWithoutANumberHasNone) {
     Exercise unnumbered = *made.exercise;
     unnumbered.number = 0;
     made.exercise = std::make_shared<const Exercise>(unnumbered);
-    EXPECT_NE(lab_record_html(made, words("en"), "en").find("<h1>" + unnumbered.title + "</h1>"), std::string::npos);
+    EXPECT_NE(lab_record_html(made, speaking("en"), "en").find("<h1>" + unnumbered.title + "</h1>"), std::string::npos);
     made.shows_title = false;
-    EXPECT_NE(lab_record_html(made, words("en"), "en").find("<h1>EXERCISE</h1>"), std::string::npos);
+    EXPECT_NE(lab_record_html(made, speaking("en"), "en").find("<h1>EXERCISE</h1>"), std::string::npos);
 }
 
 TEST(LabRecord, ShowsTextPathsAndSignedWiresInABrowser) {
@@ -145,7 +140,7 @@ TEST(LabRecord, ShowsTextPathsAndSignedWiresInABrowser) {
     const Folder folder;
     const fs::path picture = folder.path / "page.png";
     const auto draw = [&](const LabRecord& shown) {
-        EXPECT_TRUE(open_page(lab_record_html(shown, words("en"), "en"), folder.path,
+        EXPECT_TRUE(open_page(lab_record_html(shown, speaking("en"), "en"), folder.path,
                               "--hide-scrollbars --window-size=400,1200 --screenshot=" + picture.string()));
     };
     LabRecord made = record("05-aggressor");

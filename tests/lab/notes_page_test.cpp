@@ -11,6 +11,7 @@
 #include "app/lab_actions.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
+#include "tests/languages.h"
 #include "tests/well_formed.h"
 
 namespace braitenlab::tests::notes_page_test {
@@ -20,7 +21,7 @@ struct NotesPage : testing::Test {
     Folder folder;
     fs::path file = folder / "state" / "notes.html";
     Lab lab = opened_lab("2a-coward");
-    Strings strings = *load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", "en");
+    Strings strings = english();
 
     NotesPage() {
         auto lecture = read_whole_lecture(*find_shipped("four-numbers"));

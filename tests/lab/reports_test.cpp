@@ -9,6 +9,7 @@
 #include "core/scene/file_kind.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
+#include "tests/languages.h"
 
 namespace braitenlab::tests::reports_test {
 namespace {
@@ -16,8 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const WrittenAt noon = WrittenAt(std::chrono::seconds(1795262400));  // 2026-11-21T12:00:00Z
-
-Strings words() { return *load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", "en"); }
 
 // The hand-ins in the folder "Braitenlab", by file name.
 std::map<std::string, HandIn> hand_ins(const fs::path& documents) {
@@ -35,7 +34,7 @@ std::map<std::string, HandIn> hand_ins(const fs::path& documents) {
 
 void request(Lab& lab, const Request& wanted, const fs::path& documents) {
     handle(lab, wanted);
-    write_student_files(lab, words(), documents, noon);
+    write_student_files(lab, english(), documents, noon);
 }
 
 }  // namespace

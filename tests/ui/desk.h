@@ -16,34 +16,14 @@
 #include "core/brain/four_neurons.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
+#include "tests/languages.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
-#include "ui/strings.h"
 #include "ui/widgets/theme.h"
 #include "ui/window.h"
 #include "ui/window_keys.h"
 
 namespace braitenlab::tests {
-
-inline Strings english() {
-    static const auto strings = load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", "en");
-    if (!strings) throw std::runtime_error(strings.error().text());
-    return *strings;
-}
-
-inline Strings speaking(const std::string& code) {
-    static std::map<std::string, Strings> known;
-    const auto found = known.find(code);
-    if (found != known.end()) return found->second;
-    auto strings = load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", code);
-    if (!strings) throw std::runtime_error(strings.error().text());
-    return known[code] = *strings;
-}
-
-inline const std::vector<Language>& shipped_languages() {
-    static const std::vector<Language> known = languages(std::string(BRAITENLAB_SOURCE) + "/ui/strings");
-    return known;
-}
 
 // The fonts of the window at one scale. Loaded once per process, because it takes longer than a test.
 struct TestFonts {
