@@ -45,6 +45,7 @@ endfunction()
 function(provide_box2d)
   source_folder(folder box2d)
   file(GLOB_RECURSE sources "${folder}/src/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "b2_timer.cpp")  # core/world/physics.cpp has another one
   source_library(box2d::box2d "${folder}/include" ${sources})
   target_include_directories(box2d_box2d PRIVATE "${folder}/src")
 endfunction()

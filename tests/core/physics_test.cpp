@@ -36,6 +36,18 @@ TEST(Physics, Box2DLeavesSineAndCosineOfTheProgramExactForLargeAndNonFiniteArgum
     EXPECT_TRUE(std::signbit(std::sin(-0.0f)));
 }
 
+TEST(Physics, Box2DReadsNoClock) {
+    b2World world({0, 0});
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    b2CircleShape shape;
+    shape.m_radius = 1;
+    for (int body = 0; body < 300; ++body) world.CreateBody(&definition)->CreateFixture(&shape, 1);
+    world.Step(tick_seconds, 6, 2);  // takes milliseconds, because all touch each other
+    EXPECT_GT(world.GetContactCount(), 1000);
+    EXPECT_EQ(world.GetProfile().step, 0);
+}
+
 // The position after one second of a vehicle that hits a thin fixed board at x = 1 at top speed. Starts at
 // several positions, because a tick can skip an obstacle from some of them.
 float farthest_at_full_speed(const Body& body, float board) {
