@@ -12,6 +12,10 @@ namespace {
 // and in release builds.
 constexpr std::uint32_t lanes = 8;
 
+// So few stimuli are read one by one: eight lanes take longer. The order of the additions of two does not matter, so
+// they need no cells either.
+constexpr std::uint32_t few = 2;
+
 }  // namespace
 
 void StimulusGrid::lay_out(const Arena& arena, float farthest_range) {
@@ -30,6 +34,19 @@ void StimulusGrid::fill(const std::vector<Stimulus>& stimuli) {
     // Rows as high as the longest range and four columns per range. More cells cost more to look up than they save, as
     // do more than a few cells per stimulus.
     constexpr float columns_a_range = 4, cells_a_stimulus = 4;
+    x_.resize(stimuli.size() + lanes), y_.resize(x_.size()), strength_.resize(x_.size()), owner_.resize(x_.size());
+    candela_.resize(x_.size());
+    const auto put = [this](std::size_t at, const Stimulus& stimulus) {
+        x_[at] = stimulus.position.x, y_[at] = stimulus.position.y;
+        strength_[at] = stimulus.strength, owner_[at] = stimulus.owner;
+        candela_[at] = stimulus.candela;
+    };
+    if (stimuli.size() <= few) {
+        columns_ = {1, size_.x}, rows_ = {1, size_.y};
+        first_.assign({0, static_cast<std::uint32_t>(stimuli.size())});
+        for (std::size_t i = 0; i < stimuli.size(); ++i) put(i, stimuli[i]);
+        return;
+    }
     const auto count = static_cast<float>(stimuli.size());
     float wide = farthest_ / columns_a_range, high = farthest_;
     const float crowded = size_.x * size_.y / (wide * high * (16 + cells_a_stimulus * count));
@@ -48,25 +65,30 @@ void StimulusGrid::fill(const std::vector<Stimulus>& stimuli) {
     }
     // first_ now holds each cell's end; filling backwards turns ends into beginnings.
     for (std::size_t c = 1; c <= cells; ++c) first_[c] += first_[c - 1];
-    x_.resize(stimuli.size() + lanes), y_.resize(x_.size()), strength_.resize(x_.size()), owner_.resize(x_.size());
-    candela_.resize(x_.size());
-    for (std::size_t i = stimuli.size(); i-- > 0;) {
-        const std::uint32_t at = --first_[cell_[i]];
-        x_[at] = stimuli[i].position.x, y_[at] = stimuli[i].position.y;
-        strength_[at] = stimuli[i].strength, owner_[at] = stimuli[i].owner;
-        candela_[at] = stimuli[i].candela;
-    }
+    for (std::size_t i = stimuli.size(); i-- > 0;) put(--first_[cell_[i]], stimuli[i]);
 }
 
 template <bool is_graded, bool joined>
 float StimulusGrid::sum(const CompiledSensor& sensor, const SensorPose& pose, std::int32_t self) const {
     const float *x = x_.data(), *y = y_.data(), *strength = strength_.data();
     const std::int32_t* owner = owner_.data();
+    if (const std::uint32_t count = first_.back(); !joined && count <= few) {
+        float total = 0;
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (owner[i] != self) total += response_to(sensor, pose, {x[i], y[i]}, strength[i]);
+        return total;
+    }
     const float half_x = seam_.size.x / 2, half_y = seam_.size.y / 2;
     float partial[lanes] = {};
     for_each_span(bounds_of(sensor, pose), [&](std::uint32_t begin, std::uint32_t end) {
         for (std::uint32_t block = begin; block < end; block += lanes) {
             const auto left = static_cast<std::int32_t>(end - block);
+            if (!joined && end - block <= few) {
+                for (std::uint32_t k = 0; block + k < end; ++k)
+                    if (owner[block + k] != self)
+                        partial[k] += response_to(sensor, pose, {x[block + k], y[block + k]}, strength[block + k]);
+                break;
+            }
 #pragma omp simd
             for (std::uint32_t k = 0; k < lanes; ++k) {
                 float dx = x[block + k] - pose.position.x, dy = y[block + k] - pose.position.y;

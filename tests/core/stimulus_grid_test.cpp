@@ -72,6 +72,32 @@ void agrees_with_all_pairs(Boundary edge, std::uint64_t seed) {
     EXPECT_GT(seen, 1000);
 }
 
+// Stimuli of strength 0 add nothing, but with them the two others are sorted into cells and summed in lanes.
+void reads_few_like_many(Boundary edge) {
+    Chance chance(11);
+    int seen = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Case c = make_case(chance, edge);
+        c.stimuli.resize(static_cast<std::size_t>(chance.below(3)));
+        const std::int32_t self = chance.below(3) - 1;
+        for (Stimulus& stimulus : c.stimuli) stimulus.owner = chance.below(3) - 1;
+        const CompiledSensor compiled(c.sensor);
+        SensorPose placed = sensor_pose(compiled, {c.pose.x, c.pose.y}, maths::direction(c.pose.heading));
+        placed.position = Seam(c.arena).inside(placed.position);
+        StimulusGrid few, many;
+        few.lay_out(c.arena, compiled.range), many.lay_out(c.arena, compiled.range);
+        few.fill(c.stimuli);
+        while (c.stimuli.size() < 40)
+            c.stimuli.push_back(
+                {vec2{chance.number(-0.5f, 0.5f) * c.arena.width, chance.number(-0.5f, 0.5f) * c.arena.height}, 0});
+        many.fill(c.stimuli);
+        const float expected = many.total(compiled, placed, self);
+        EXPECT_EQ(few.total(compiled, placed, self), expected);
+        seen += expected > 0 ? 1 : 0;
+    }
+    EXPECT_GT(seen, 1000);
+}
+
 TEST(StimulusGrid, AgreesWithTheSumOfAllPairsWithinWalls) { agrees_with_all_pairs(Boundary::wall, 1); }
 TEST(StimulusGrid, AgreesWithTheSumOfAllPairsAcrossASeam) { agrees_with_all_pairs(Boundary::torus, 2); }
 
@@ -108,6 +134,11 @@ TEST(StimulusGrid, OmitsHiddenStimuli) {
     grid.fill({{{3, 0}, 0.25f, -1}, {{4, 1}, 0.5f, -1}});
     const SensorPose placed = sensor_pose(compiled, {0, 0}, {1, 0});
     EXPECT_EQ(grid.total_in_sight(compiled, placed, -2, [](vec2, vec2 to) { return to.y > 0; }), 0.25f);
+}
+
+TEST(StimulusGrid, ReadsOneOrTwoStimuliWithTheSameBitsAsAmongMany) {
+    reads_few_like_many(Boundary::wall);
+    reads_few_like_many(Boundary::torus);
 }
 
 }  // namespace
