@@ -166,7 +166,17 @@ void Outlines::add(Outline outline) {
     for (const vec2 corner : outline.corners)
         circle.radius = std::max(circle.radius, maths::distance(corner, circle.middle));
     circles_.push_back(circle);
+    boxes_.push_back(box_of(outline));
     outlines_.push_back(std::move(outline));
+}
+
+Outlines::Box Outlines::box_of(const Outline& outline) {
+    Box box{outline.corners[0], outline.corners[0]};
+    for (const vec2 corner : outline.corners) {
+        box.low = {std::min(box.low.x, corner.x), std::min(box.low.y, corner.y)};
+        box.high = {std::max(box.high.x, corner.x), std::max(box.high.y, corner.y)};
+    }
+    return box;
 }
 
 void Outlines::move(const Scene& scene, const std::vector<mechanics::Motion>& obstacles) {
@@ -176,6 +186,7 @@ void Outlines::move(const Scene& scene, const std::vector<mechanics::Motion>& ob
         Circle& circle = circles_[first_obstacle_ + i];
         circle.middle = {};
         for (const vec2 corner : moved.corners) circle.middle += corner / static_cast<float>(moved.corners.size());
+        boxes_[first_obstacle_ + i] = box_of(moved);
         outlines_[first_obstacle_ + i] = std::move(moved);
     }
 }
@@ -197,9 +208,17 @@ bool Outlines::any_image_near(std::size_t first, std::size_t end, vec2 position,
 
 float Outlines::total(const CompiledSensor& sensor, const SensorPose& pose) const {
     // An outline and its images across the seam are one object: the strongest response counts.
+    // The response to an outline whose box is out of range is 0; `rounding` covers that of its nearest point.
+    constexpr float rounding = 0.01f;  // m
+    const float reach = sensor.range + rounding;
     float sum = 0, strongest = 0;
     std::size_t last = outlines_.size();
     any_image_near(0, outlines_.size(), pose.position, sensor.range, [&](std::size_t i, vec2 shift) {
+        const Box& box = boxes_[i];
+        const vec2 at = pose.position + shift;
+        if (at.x < box.low.x - reach || at.x > box.high.x + reach || at.y < box.low.y - reach ||
+            at.y > box.high.y + reach)
+            return false;
         if (i != last) sum += strongest, strongest = 0, last = i;
         strongest = std::max(strongest, response_to_shifted(sensor, pose, outlines_[i], shift));
         return false;

@@ -45,7 +45,7 @@ bool crosses(const Outline&, maths::vec2 a, maths::vec2 b);
 // range is ignored: its field ends at the chassis.
 bool touches_field(const CompiledSensor& bumper, const Body&, const mechanics::Motion&, const Outline&);
 
-// All outlines of a scene, with bounding circles so that distant ones cost little.
+// All outlines of a scene, with bounding circles and boxes so that distant ones cost little.
 class Outlines {
 public:
     // The arena's four walls or its round wall if it has any, the obstacles at their current poses, and solid sources.
@@ -71,6 +71,10 @@ private:
         maths::vec2 middle;
         float radius = 0;
     };
+    struct Box {
+        maths::vec2 low, high;
+    };
+    static Box box_of(const Outline&);
     void add(Outline);
 
     // Calls visit(index, shift) for the outlines first <= i < end within range and for their images across the seam,
@@ -81,6 +85,7 @@ private:
     Seam seam_;
     std::vector<Outline> outlines_;  // walls, obstacles, posts
     std::vector<Circle> circles_;    // bounding circle of each
+    std::vector<Box> boxes_;  // bounding box of each; that of a wall, unlike its circle, is far from most sensors
     std::size_t first_obstacle_ = 0, end_obstacle_ = 0;
 };
 

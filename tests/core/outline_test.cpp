@@ -110,6 +110,38 @@ TEST(Outline, OutlinesSenseObstaclesAndPostsAcrossASeamOnceEach) {
     EXPECT_GT(outlines_of(scene).total(compiled, sensor_pose(compiled, {-9.5f, 0}, {1, 0})), 0.5f);
 }
 
+TEST(Outline, OutlinesOutOfRangeAddNothing) {
+    Chance chance(8);
+    int felt = 0, beyond = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Scene scene;
+        scene.arena.width = chance.number(4, 40), scene.arena.height = chance.number(4, 40);
+        scene.obstacles.resize(3);
+        std::vector<mechanics::Motion> at;
+        std::vector<Outline> all;
+        const float w = scene.arena.width / 2, h = scene.arena.height / 2;
+        for (const Segment& wall :
+             {Segment{{-w, -h}, {w, -h}}, {{w, -h}, {w, h}}, {{w, h}, {-w, h}}, {{-w, h}, {-w, -h}}})
+            all.push_back({{wall.a, wall.b}});
+        for (const Obstacle& obstacle : scene.obstacles) {
+            at.push_back(chance.motion());
+            all.push_back(outline_of(corners_of(obstacle), at.back()));
+        }
+        const CompiledSensor sensor(chance.sensor());
+        const SensorPose pose = sensor_pose(sensor, {chance.number(-1, 1) * w, chance.number(-1, 1) * h},
+                                            maths::direction(chance.number(-4, 4)));
+        float expected = 0;
+        for (const Outline& outline : all) {
+            const float response = response_to_outline(sensor, pose, outline);
+            expected += response;
+            ++(response > 0 ? felt : beyond);
+        }
+        EXPECT_EQ(Outlines(scene, at).total(sensor, pose), expected);
+    }
+    EXPECT_GT(felt, 500);
+    EXPECT_GT(beyond, 500);
+}
+
 TEST(Outline, OutlinesMoveWithPushedObstacles) {
     Scene scene = with_obstacle({.name = "box", .x = 2, .mass = 5});
     Outlines outlines = outlines_of(scene);
