@@ -105,7 +105,7 @@ void replace_starved(WorldData& s) {
     // Many bodies added at random positions make Box2D's tree slow; a rebuilt world adds all bodies in order of
     // position.
     constexpr std::size_t many = 256;
-    if (starved.size() > many) s = WorldData(std::move(static_cast<State&>(s)));
+    if (starved.size() > many) s.rebuild();
 }
 
 void watch_inactivity(WorldData& s) {

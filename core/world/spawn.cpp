@@ -269,7 +269,7 @@ void new_generation(WorldData& s) {
         add_vehicle(s, kind, start, id, brain, pose, is_as_before ? before.design[row] : nullptr);
     }
     s.touching.clear();
-    s = WorldData(std::move(static_cast<State&>(s)));  // recomputes all derived data
+    s.rebuild();
 }
 
 }  // namespace braitenlab::world

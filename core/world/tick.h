@@ -35,7 +35,7 @@ void tick(WorldData& s, Done done) {
 inline std::shared_ptr<const State> begin_keyframe(WorldData& s) {
     const bool stale = s.readings_are_stale;
     auto keyframe = std::make_shared<const State>(s);
-    s = WorldData(State(*keyframe));
+    s.rebuild();
     s.readings_are_stale = stale;
     return keyframe;
 }

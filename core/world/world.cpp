@@ -32,12 +32,29 @@ std::vector<std::size_t> rows_by_position(const std::vector<mechanics::Motion>& 
 }  // namespace
 
 WorldData::WorldData(State state)
-    : State(std::move(state)), environment(*scene, obstacles), physics(*scene, obstacles) {
+    : State(std::move(state)), compiled_scene(scene), environment(*scene, obstacles), physics(*scene, obstacles) {
     for (const Kind& kind_of_scene : scene->kinds) {
         kinds.push_back(compile_kind(kind_of_scene));
         any_memory |= kind_of_scene.memory.marks > 0;
     }
     lay_out_grids();
+    add_bodies();
+}
+
+void WorldData::rebuild() {
+    readings_are_stale = true;
+    if (compiled_scene != scene) {
+        *this = WorldData(std::move(static_cast<State&>(*this)));
+        return;
+    }
+    environment.outlines = sensing::Outlines(*scene, obstacles);
+    lay_out_grids();
+    bumps.clear(), begun.clear(), struck.clear();
+    physics = Physics(*scene, obstacles);
+    add_bodies();
+}
+
+void WorldData::add_bodies() {
     for (const std::size_t row : rows_by_position(vehicles.motion))
         physics.add(row, vehicles.id[row], scene->kinds[kind(row)].body, vehicles.motion[row]);
 }

@@ -31,9 +31,11 @@ struct Preview {
 
 struct WorldData : State {
     // Keeps the state unchanged and derives kinds, environment and bodies from it alone. After an edit of the scene and
-    // at every keyframe, a world is rebuilt from its own state:  s = WorldData(State(s)).
+    // at every keyframe, a world is rebuilt from its own state.
     explicit WorldData(State);
+    void rebuild();  // the same as  *this = WorldData(State(*this)),  but keeps what depends on the scene alone
 
+    std::shared_ptr<const Scene> compiled_scene;  // from which kinds and ground were derived
     std::vector<CompiledKind> kinds;
     sensing::Environment environment;
     std::array<bool, channel_count> sensed_channel{};  // by any kind or vehicle
@@ -56,6 +58,7 @@ struct WorldData : State {
     }
     // Lays out the grids for the sensors of all kinds and vehicles. Call after a vehicle gets sensors of its own.
     void lay_out_grids();
+    void add_bodies();  // of all vehicles
     std::optional<std::size_t> row_of(VehicleId) const;
 };
 
