@@ -163,7 +163,7 @@ struct Physics::Impl : b2ContactListener {
 };
 
 Physics::Physics(const Scene& scene, const std::vector<mechanics::Motion>& obstacles)
-    : impl_(std::make_unique<Impl>()) {
+    : impl_(new Impl) {  // make_unique would fill Box2D's stack of 100 kB with zeros
     fill_contact_table();
     impl_->world.SetContactListener(impl_.get());
     impl_->world.SetContinuousPhysics(may_skip_an_impact(scene));
