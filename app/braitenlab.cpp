@@ -9,6 +9,7 @@
 #include "app/files/file_commands.h"
 #include "app/files/links.h"
 #include "app/files/study_files.h"
+#include "app/platform/memory.h"
 #include "app/platform/page.h"
 #include "app/platform/platform.h"
 #include "core/insight/study_file.h"
@@ -152,6 +153,7 @@ int open_and_run(Options options) {
 }  // namespace braitenlab
 
 int main(int argc, char** argv) {
+    braitenlab::keep_freed_memory();
     braitenlab::use_utf8(argc, argv);
     const auto line = braitenlab::read_command_line(argc, argv);
     return line.exit_code ? *line.exit_code : braitenlab::open_and_run(line.options);

@@ -12,6 +12,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "app/platform/memory.h"
 #include "app/platform/platform.h"
 #include "core/export/export.h"
 #include "core/insight/behaviour.h"
@@ -394,6 +395,7 @@ int command_line(int argc, char** argv) {
 }  // namespace braitenlab
 
 int main(int argc, char** argv) {
+    braitenlab::keep_freed_memory();
     braitenlab::use_utf8(argc, argv);
     return braitenlab::command_line(argc, argv);
 }

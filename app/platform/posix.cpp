@@ -11,12 +11,24 @@
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
+#include "app/platform/memory.h"
 #include "app/platform/platform.h"
 
 namespace braitenlab {
 
 void use_utf8(int&, char**&) {}  // the terminal's encoding
+
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD                                           // glibc
+    constexpr int most_kept = 32 << 20, largest_block = 4 << 20;  // bytes
+    mallopt(M_TRIM_THRESHOLD, most_kept);
+    mallopt(M_MMAP_THRESHOLD, largest_block);  // the first call ends its adjustment to what the program frees
+#endif
+}
 
 std::filesystem::path program_file() {
     std::error_code none;

@@ -1,6 +1,7 @@
 // A browser or node: one process, no other program, and a file system in memory or on the disk of node.
 #include <cstdlib>
 
+#include "app/platform/memory.h"
 #include "app/platform/platform.h"
 
 namespace braitenlab {
@@ -12,6 +13,8 @@ constexpr const char* home = "/home/web_user";  // emscripten's home folder
 }  // namespace
 
 void use_utf8(int&, char**&) {}
+
+void keep_freed_memory() {}  // a page cannot give memory back
 
 std::filesystem::path program_file() { return {}; }
 

@@ -19,6 +19,7 @@
 #include <shlobj.h>
 #include <sys/stat.h>
 
+#include "app/platform/memory.h"
 #include "app/platform/platform.h"
 
 namespace braitenlab {
@@ -75,6 +76,8 @@ std::filesystem::path program_file() {
     name.resize(GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())));
     return name;
 }
+
+void keep_freed_memory() {}  // the heap keeps it
 
 void use_utf8(int& count, char**& arguments) {
     _setmode(_fileno(stdout), _O_BINARY);  // the same bytes in a table as on other systems

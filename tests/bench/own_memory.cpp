@@ -5,7 +5,16 @@
 #include <cstdlib>
 #include <new>
 
+#if __has_include("app/platform/memory.h")  // older revisions have none, see ./dev bench --against
+#include "app/platform/memory.h"
+#endif
+
 namespace {
+
+#if __has_include("app/platform/memory.h")
+// As in the programs.
+[[maybe_unused]] const bool keeps_memory = (braitenlab::keep_freed_memory(), true);
+#endif
 
 // Every block carries its size before it.
 constexpr std::size_t header = alignof(std::max_align_t);
