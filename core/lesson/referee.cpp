@@ -160,8 +160,8 @@ void Referee::watch(const Snapshot& now) {
     if (now.tick > 0 && (!is_given || state_.by_hand)) state_.disturbed = true;  // before, it can be put right
     state_.by_hand = state_.disturbed || !is_given;
     if (state_.by_hand) return;
-    std::vector<bool> done;
-    for (const RefereeState::Judged& step : state_.steps) done.push_back(step.done);
+    std::vector<bool> done(state_.steps.size());  // of its size at once: this runs at every tick
+    for (std::size_t i = 0; i < done.size(); ++i) done[i] = state_.steps[i].done;
     const CheckedTick tick{now, subjects, reference_at(now), done};
     for (std::size_t i = 0; i < state_.steps.size(); ++i) {
         RefereeState::Judged& step = state_.steps[i];
