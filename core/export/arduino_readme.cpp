@@ -35,6 +35,13 @@ constexpr auto sensor_parts = std::to_array<SensorPart>({
     {Channel::energy, "battery through a divider 10 kΩ : 10 kΩ", "empty battery", "full battery"},
 });
 
+// part_of() takes the row of a channel by its number.
+static_assert([] {
+    for (std::size_t i = 0; i < sensor_parts.size(); ++i)
+        if (sensor_parts[i].channel != channel_table[i].value) return false;
+    return sensor_parts.size() == channel_table.size();
+}());
+
 constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on an Arduino Uno
 
 Exported from Braitenlab. The program computes the same commands as the lab: it was compared with it in a simulator of the

@@ -57,7 +57,7 @@ std::vector<ExportedFile> arduino_files(const Plan& plan) {
 }
 
 Result<std::vector<ExportedFile>> micropython_files(const Plan& plan, const Robot& robot) {
-    if (robot.name == "thymio3") {
+    if (robot.is_thymio) {
         if (const auto refusal = thymio3::refusal(plan)) return *refusal;
         return std::vector<ExportedFile>{{"brain.py", thymio3::program(plan)}, {"README.md", thymio3::readme(plan)}};
     }

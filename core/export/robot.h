@@ -30,7 +30,8 @@ static_assert(is_complete_table<target_table>());
 struct Robot {
     std::string_view name;  // "tt2wd-ldr"
     Target target;
-    int rate_hz;  // calls of the brain per second
+    int rate_hz;             // calls of the brain per second
+    bool is_thymio = false;  // its sensors and motors are built in: the program is for them, without pins and parts
 
     // Of keys of strings, ids of widgets and names of folders: the word of the target, or the robot's name where the
     // target takes another robot by default.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ std::string_view expression_of(Place place) {
     constexpr std::string_view ground[] = {"math.max(raw, prox.ground.reflected[0], prox.ground.reflected[0])",
                                            "math.max(raw, prox.ground.reflected[1], prox.ground.reflected[1])",
                                            "math.max(raw, prox.ground.reflected[0], prox.ground.reflected[1])"};
+    static_assert(std::size(front) == side_count && std::size(ground) == side_count);
     return (place.is_ground ? ground : front)[static_cast<std::size_t>(place.side)];
 }
 

@@ -93,6 +93,7 @@ Part part_of(thymio::Place place) {
         {{"(0, 1)", "the two on the left"}, {"(3, 4)", "the two on the right"}, {"(2,)", "the middle one in front"}}};
     constexpr std::array<Part, 3> ground{
         {{"(0,)", "the left one below"}, {"(1,)", "the right one below"}, {"(0, 1)", "both below"}}};
+    static_assert(front.size() == thymio::side_count && ground.size() == thymio::side_count);
     return (place.is_ground ? ground : front)[static_cast<std::size_t>(place.side)];
 }
 

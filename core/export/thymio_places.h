@@ -1,6 +1,7 @@
 // Which sensors of a Thymio take the place of a brain's sensors: the same for Thymio II and Thymio 3.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "core/export/plan.h"
@@ -9,6 +10,7 @@
 namespace braitenlab::robots::thymio {
 
 enum class Side { left, right, middle };
+inline constexpr std::size_t side_count = static_cast<std::size_t>(Side::middle) + 1;
 
 struct Place {
     bool is_ground = false;  // below the robot, else in front of it
