@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "core/export/text.h"
+#include "core/maths/fnv.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
@@ -79,6 +80,35 @@ std::string names_text(const Resistor& r) { return fmt::format("{}", fmt::join(r
 std::vector<std::pair<std::string, const PlanUnit*>> motors_of(const Plan& plan) {
     return {{"left", &plan.units[plan.hidden()]}, {"right", &plan.units[plan.hidden() + 1]}};
 }
+
+// SPICE ignores a second subcircuit of the same name, and the case of names. The digits are those of the contents, so
+// that brains of the same title differ.
+std::string subcircuit_name(const std::string& title, const std::string& contents) {
+    std::string name = Identifiers().make("brain_", title).substr(0, 40);
+    std::transform(name.begin(), name.end(), name.begin(), lower_case);
+    return fmt::format("{}_{:06x}", name, maths::fnv(contents) & 0xffffffU);
+}
+
+// The amplifier has one pole: 1 MHz of gain times bandwidth (1 mS / (2 π 160 pF)) and a slew rate of 0.4 V/µs (64 µA
+// into 160 pF), both of an LM324. Its output without a limit would not converge in a transient where it leaves a rail.
+// The gain, 10^6, is ten times that of an LM324, so that a command is off by its resistors only.
+constexpr std::string_view netlist_text =
+    R"(* The brain "@TITLE@" as a circuit, exported from Braitenlab. Resistors: @VALUES@.
+* 5 V stand for 1. Include this file, then:
+* X1 @PINS@ @NAME@
+
+* Operational amplifier with one pole, between 0 and 7.5 V, as an LM324 at 9 V: currents near 0 V are not limited.
+.subckt @NAME@_opamp plus minus out
+Bgm 0 g I = 64u * tanh(15.625 * (V(plus) - V(minus))) - 10 * uramp(V(g) - 7.5) + 10 * uramp(-V(g))
+Rg g 0 1000meg
+Cg g 0 160p
+Eout out 0 g 0 1
+Rin plus minus 100meg
+.ends
+
+.subckt @NAME@ @PINS@
+@PARTS@.ends
+)";
 
 std::string node_text(const std::string& node) {
     if (node == "0") return "ground";
@@ -153,29 +183,34 @@ double e24_error(const Plan& plan) {
     return worst;
 }
 
+double largest_reading_of_dark(const Plan& plan) {
+    std::map<int, double> weights;  // of each input: the sum of their sizes
+    for (const auto& [side, motor] : motors_of(plan))
+        for (const PlanTap& tap : motor->taps) weights[tap.source] += std::fabs(static_cast<double>(tap.weight));
+    double most = 0;
+    for (const auto& [input, weight] : weights) most = std::max(most, weight * pull_down_ohms / feedback_ohms);
+    return most;
+}
+
 std::string netlist(const Plan& plan, bool exact) {
-    std::string pins, text;
+    std::string pins, parts;
     for (const Input& input : plan.inputs) pins += input.id + " ";
-    text = fmt::format(
-        "* The brain \"{}\" as a circuit, exported from Braitenlab. Resistors: {}.\n"
-        "* 5 V stand for 1. Include this file, then: X1 {}left right v5 brain\n\n"
-        "* Operational amplifier between 0 and 7.5 V, as an LM324 at 9 V.\n"
-        ".options reltol=1e-6 vntol=1e-9 abstol=1e-15\n"
-        ".subckt opamp plus minus out\n"
-        "Bout out 0 V = 3.75 + 3.75 * tanh(10000 * (V(plus) - V(minus)))\n"
-        "Rin plus minus 100meg\n.ends\n\n"
-        ".subckt brain {}left right v5\n",
-        comment_text(plan.title), exact ? "exact values" : "nearest of E24", pins, pins);
+    pins += "left right left_driver right_driver v5";
     const Circuit circuit = circuit_of(plan);
     for (const Resistor& r : circuit.resistors)
         for (std::size_t part = 0; part < (exact ? 1 : r.e24.size()); ++part)
-            text += fmt::format("{} {} {} {:.7g}\n", r.names[part], r.from, r.to, exact ? r.exact : r.e24[part]);
+            parts += fmt::format("{} {} {} {:.7g}\n", r.names[part], r.from, r.to, exact ? r.exact : r.e24[part]);
+    const std::string name = subcircuit_name(plan.title, pins + parts);
     for (std::size_t i = 0; i < circuit.used_amplifiers; ++i) {
         const Amplifier& amplifier = circuit.amplifiers[i];
-        text += fmt::format("X{} {} {} {} opamp\n", amplifier.name(), amplifier.plus.node, amplifier.minus.node,
-                            amplifier.out.node);
+        parts += fmt::format("X{} {} {} {} {}_opamp\n", amplifier.name(), amplifier.plus.node, amplifier.minus.node,
+                             amplifier.out.node, name);
     }
-    return text + ".ends\n";
+    return filled(netlist_text, {{"TITLE", comment_text(plan.title)},
+                                 {"VALUES", exact ? "exact values" : "nearest of E24"},
+                                 {"NAME", name},
+                                 {"PINS", pins},
+                                 {"PARTS", parts}});
 }
 
 std::string readme(const Plan& plan) {
@@ -200,7 +235,15 @@ Exported from Braitenlab. The circuit was compared with the lab in ngspice. **It
 
 @SENSORS@
 `left` and `right` are the outputs of two more amplifiers, 0 V to 7.5 V. **A negative command gives 0 V**: the wheel stops and does not
-turn backwards. Above 1 the output rises to 7.5 V. Outputs drive the input of a motor driver, not a motor.
+turn backwards. Above 1 the output rises to 7.5 V.
+
+`left_driver` and `right_driver` drive an input of a motor driver, not a motor: 0.72 of these outputs, by a divider. A command of 1 gives 3.6 V;
+the most is 5.4 V, 5.9 V with a fresh battery. Inputs of a TB6612 take 6 V, those of an L298 7 V. Both read their inputs as on or off: below
+1.5 V, a command of 0.42, the wheel certainly stands; above 3.5 V (TB6612 at 5 V) or 2.3 V (L298) it certainly turns at full speed. A speed in
+proportion to the command needs a driver with an analog input.
+
+The 1 kΩ from each buffer to ground is there because an LM324 sinks 12 µA only near 0 V (50 µA typically), less than other resistors bring. With
+the weakest LM324 a sensor that reads 0 counts as @RAISED@ at most, and a stopped motor's input stays below 0.1 V.
 
 | Name | From | To | Exact | E24 |
 |---|---|---|---|---|
@@ -223,7 +266,8 @@ simulations of every shipped brain).
                          {"SHEETS", sheets},
                          {"SENSORS", sensors},
                          {"ROWS", rows},
-                         {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))}});
+                         {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))},
+                         {"RAISED", fmt::format("{:.3f}", largest_reading_of_dark(plan))}});
 }
 
 std::string parts_csv(const Plan& plan) {

@@ -17,8 +17,15 @@ namespace braitenlab::robots::opamp {
 
 inline constexpr double feedback_ohms = 100e3;
 
+// An LM324 sinks 12 µA at least near 0 V (data sheet of Texas Instruments, IOL at VO = 200 mV), less than resistors
+// from other outputs bring. These resistors take the rest: one from each buffer to ground, and at each motor a divider
+// from the output of up to 8.2 V (7.5 V at 9 V, more with a fresh battery) to the input of the driver, which takes 6 V
+// (TB6612) or 7 V (L298) at most. 5 V, the command 1, become 3.6 V, above the 3.5 V at which a TB6612 at 5 V reads
+// high.
+inline constexpr double pull_down_ohms = 1e3, limit_ohms = 390;
+
 struct Resistor {
-    std::string from, to;  // nodes of the netlist: "buffered_SL", "left_minus", "v5", "0" (ground)
+    std::string from, to;  // nodes of the netlist: "buffered_SL", "left_minus", "left_driver", "v5", "0" (ground)
     double exact = 0;      // ohms
     // Ohms, of the series E24: the nearest value, or two values in parallel where that one would change a command by
     // more than 0.4 %.
@@ -40,6 +47,10 @@ std::optional<Error> refusal(const Plan&);
 // tolerance.
 double e24_error(const Plan&);
 
+// What a sensor's reading 0 counts as at most with an amplifier that sinks nothing: its inputs are at 5 V at most, and
+// each resistor of weight w brings up to 5 V·|w|/Rf into the buffer's resistor to ground.
+double largest_reading_of_dark(const Plan&);
+
 struct PinOfNode {
     std::string node;
     int pin = 0;
@@ -60,7 +71,8 @@ struct Connector {
 
 // The E24 circuit with the names of its parts. Every file of the export is written from it.
 struct Circuit {
-    std::vector<Resistor> resistors;  // of the left motor, then of the right one
+    // Of the summers, the left motor's first, then of the buffers and of the inputs of the motor driver.
+    std::vector<Resistor> resistors;
     // A buffer for each sensor, the left summer, the right one, then those that are left over: 0 V at their output, so
     // that they do not oscillate.
     std::vector<Amplifier> amplifiers;
@@ -76,9 +88,12 @@ inline constexpr int lm324_supply_pin = 4, lm324_ground_pin = 11;
 inline constexpr std::string_view regulator_name = "U99";
 inline constexpr int regulator_in_pin = 1, regulator_ground_pin = 2, regulator_out_pin = 3;
 
-std::string buffered(const Input&);  // node of the sensor's buffer: "buffered_SL"
-std::string ohms_text(double ohms);  // "120 kΩ"
+std::string buffered(const Input&);                 // node of the sensor's buffer: "buffered_SL"
+std::string driver_input(const std::string& side);  // node of the motor driver's input: "left_driver"
+std::string ohms_text(double ohms);                 // "120 kΩ"
 
+// For ngspice and LTspice, to be included in a deck of its user: a subcircuit whose name begins with "brain_" and
+// differs, also without case, from that of every other brain, so that several fit into one deck. It sets no options.
 std::string netlist(const Plan&, bool exact);
 
 // The E24 circuit with its LM324, regulator and connectors as a netlist of KiCad (s-expressions, version E;

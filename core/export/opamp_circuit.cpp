@@ -1,5 +1,6 @@
 // The parts of the circuit with their names and pins.
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,9 +24,16 @@ void add_amplifier(Circuit& circuit, const std::string& plus, const std::string&
         {number / in_chip, pins.letter, {plus, pins.plus}, {minus, pins.minus}, {out, pins.out}});
 }
 
+void add_resistor(Circuit& circuit, int& number, Resistor r) {
+    for (std::size_t part = 0; part < r.e24.size(); ++part) r.names.push_back(fmt::format("R{}", ++number));
+    circuit.resistors.push_back(std::move(r));
+}
+
 }  // namespace
 
 std::string buffered(const Input& input) { return "buffered_" + input.id.substr(std::string_view("sensor_").size()); }
+
+std::string driver_input(const std::string& side) { return side + "_driver"; }
 
 std::string ohms_text(double ohms) {
     if (ohms >= 1e6) return fmt::format("{:.4g} MΩ", ohms / 1e6);
@@ -49,18 +57,24 @@ Circuit circuit_of(const Plan& plan) {
         bool has_plus = false;
         for (Resistor& r : summer(plan, plan.units[plan.hidden() + i], side)) {
             has_plus |= r.to == side + "_plus";
-            for (std::size_t part = 0; part < r.e24.size(); ++part) r.names.push_back(fmt::format("R{}", ++number));
-            circuit.resistors.push_back(std::move(r));
+            add_resistor(circuit, number, std::move(r));
         }
         add_amplifier(circuit, has_plus ? side + "_plus" : "0", side + "_minus", side);
+    }
+    for (const Input& input : plan.inputs)
+        add_resistor(circuit, number, {buffered(input), "0", pull_down_ohms, {pull_down_ohms}});
+    for (const char* side : {"left", "right"}) {
+        add_resistor(circuit, number, {side, driver_input(side), limit_ohms, {limit_ohms}});
+        add_resistor(circuit, number, {driver_input(side), "0", pull_down_ohms, {pull_down_ohms}});
     }
     circuit.used_amplifiers = circuit.amplifiers.size();
     for (int unused = 1; circuit.amplifiers.size() % std::size(pins_of_lm324) != 0; ++unused) {
         const std::string node = fmt::format("unused_{}", unused);
         add_amplifier(circuit, "0", node, node);
     }
-    circuit.connectors = {
-        {"J1", "9V", {"v9", "0"}}, {"J2", "sensors", sensors}, {"J3", "motors", {"left", "right", "0"}}};
+    circuit.connectors = {{"J1", "9V", {"v9", "0"}},
+                          {"J2", "sensors", sensors},
+                          {"J3", "motors", {driver_input("left"), driver_input("right"), "0"}}};
     return circuit;
 }
 

@@ -33,13 +33,13 @@ struct Part {
 struct Summer {
     std::string side;
     std::vector<Part> minus, plus;
-    std::string feedback{};                // label
-    const Amplifier* amplifier = nullptr;  // null: continued
-    bool goes_on = false;                  // on the next sheet
+    std::string feedback{}, limit{}, pull_down{};  // labels
+    const Amplifier* amplifier = nullptr;          // null: continued
+    bool goes_on = false;                          // on the next sheet
 
     // From the first row to the row below the last one.
     int rows_above() const { return std::max(static_cast<int>(minus.size()), amplifier ? 2 : 0); }
-    int rows() const { return rows_above() + std::max(static_cast<int>(plus.size()), amplifier ? 1 : 0); }
+    int rows() const { return rows_above() + std::max(static_cast<int>(plus.size()), amplifier ? 3 : 0); }
 };
 
 // The vertical wire of a buffer's output.
@@ -67,7 +67,11 @@ Summer summer_of(const Circuit& circuit, const std::string& side) {
     for (const Resistor& r : circuit.resistors)
         for (std::size_t i = 0; i < r.e24.size(); ++i) {
             const std::string label = r.names[i] + " " + ohms_text(r.e24[i]);
-            if (r.from == side)
+            if (r.to == driver_input(side))
+                summer.limit = label;
+            else if (r.from == driver_input(side))
+                summer.pull_down = label;
+            else if (r.from == side)
                 summer.feedback = label;
             else if (r.to == side + "_minus")
                 summer.minus.push_back({label, r.from});
@@ -116,6 +120,21 @@ void draw_follower(Sheet& sheet, int x, int y, const Amplifier& amplifier) {
     sheet.wire(out, y, fmt::format("v37H{}V{}", x - 12, y + Sheet::amplifier_input));
 }
 
+// The resistor to ground of a buffer.
+std::string pull_down_of(const Circuit& circuit, const std::string& node) {
+    for (const Resistor& r : circuit.resistors)
+        if (r.from == node && r.to == "0") return r.names[0] + " " + ohms_text(r.e24[0]);
+    return "";
+}
+
+// A resistor below a wire; its wire ends at y + 40.
+void draw_resistor_below(Sheet& sheet, int x, int y, const std::string& label) {
+    sheet.wire(x, y, "v8");
+    sheet.resistor_down(x, y + 8);
+    sheet.wire(x, y + 36, "v4");
+    sheet.text(x + 10, y + 26, "start", label, 50);
+}
+
 // A sensor and its buffer. `y`: the sensor's wire. The output reaches to `end_x`.
 void draw_buffer(Sheet& sheet, int x, int y, const Circuit& circuit, const Input& input, const Amplifier& amplifier,
                  int end_x) {
@@ -130,6 +149,10 @@ void draw_buffer(Sheet& sheet, int x, int y, const Circuit& circuit, const Input
     sheet.dot(out, yc);
     sheet.wire(out, yc, fmt::format("H{}", end_x));
     sheet.net(out + 6, yc, 88, amplifier.out.node);
+    const int down = out + 38;
+    sheet.dot(down, yc);
+    draw_resistor_below(sheet, down, yc, pull_down_of(circuit, amplifier.out.node));
+    sheet.ground(down, yc + 40);
 }
 
 // ---- The right column ----
@@ -176,13 +199,19 @@ void draw_output(Sheet& sheet, int y0, int y, const Circuit& circuit, const Summ
     sheet.resistor(rect, y0);
     sheet.text(rect + Sheet::resistor_length / 2, y0 - 9, "middle", summer.feedback, 74);
     sheet.wire(rect + Sheet::resistor_length, y0, fmt::format("H{}V{}", out, y));
-    sheet.wire(out - 6, y, "h17");
+    sheet.wire(out - 6, y, fmt::format("H{}", out));
     sheet.dot(out, y);
-    sheet.terminal(out + 14, y);
-    sheet.name(out + 20, y + 4, "start", summer.side, 52);
-    sheet.text(out + 20, y + 17, "start", pin_text(circuit, summer.side), 52);
-    sheet.text(out + 20, y + 29, "start", "to motor", 52);
-    sheet.text(out + 20, y + 40, "start", "driver", 52);
+    sheet.name(out + 9, y + 4, "start", summer.side, 52);
+    draw_resistor_below(sheet, out, y, summer.limit);
+    const int driver_y = y + 48;
+    sheet.wire(out, y + 40, fmt::format("V{}", driver_y));
+    sheet.dot(out, driver_y);
+    sheet.wire(out, driver_y, "h11");
+    sheet.terminal(out + 14, driver_y);
+    sheet.name(out + 20, driver_y + 2, "start", driver_input(summer.side), 60);
+    sheet.text(out + 20, driver_y + 13, "start", pin_text(circuit, driver_input(summer.side)), 60);
+    draw_resistor_below(sheet, out, driver_y, summer.pull_down);
+    sheet.ground(out, driver_y + 40);
 }
 
 void draw_summer(Sheet& sheet, int y0, const Circuit& circuit, const Summer& summer, const Rails& rails) {
@@ -206,7 +235,7 @@ void draw_summer(Sheet& sheet, int y0, const Circuit& circuit, const Summer& sum
     if (!has_plus) sheet.ground(summer_x - 12, plus_y);
     draw_output(sheet, y0, minus_y + Sheet::amplifier_input, circuit, summer);
     if (summer.goes_on)
-        sheet.text(Sheet::width - Sheet::margin, plus_y + 2 * row, "end",
+        sheet.text(Sheet::width - Sheet::margin, y0 + row * summer.rows() + row / 2, "end",
                    fmt::format("{0}_minus, {0}_plus: more resistors follow", summer.side), 320);
 }
 
@@ -288,7 +317,7 @@ void draw_frame(Sheet& sheet, const Plan& plan, std::size_t number, std::size_t 
     constexpr std::array notes = {
         "Lines that cross without a dot are not connected. Wires with the same name are connected.",
         "Resistors: 1 %, names as in README.md. J1: battery. J2: sensors. J3: inputs of the motor driver, not motors.",
-        "5 V stand for the command 1. Outputs are 0 V to 7.5 V; a negative command gives 0 V.",
+        "5 V stand for the command 1. Amplifiers give 0 V to 7.5 V; a negative command gives 0 V. J3 has 0.72 of it.",
     };
     for (std::size_t i = 0; i < notes.size(); ++i)
         sheet.text(Sheet::margin, 1072 + 14 * static_cast<int>(i), "start", notes[i], right - Sheet::margin);
@@ -349,7 +378,7 @@ std::vector<Summer> parts_of(const Summer& whole) {
     std::size_t minus = 0, plus = 0;
     while (parts.empty() || minus < whole.minus.size() || plus < whole.plus.size()) {
         Summer part{whole.side, {}, {}};
-        if (parts.empty()) part.amplifier = whole.amplifier, part.feedback = whole.feedback;
+        if (parts.empty()) part = {whole.side, {}, {}, whole.feedback, whole.limit, whole.pull_down, whole.amplifier};
         while (minus < whole.minus.size() && part.minus.size() < most_rows) part.minus.push_back(whole.minus[minus++]);
         while (plus < whole.plus.size() && part.rows() < static_cast<int>(most_rows))
             part.plus.push_back(whole.plus[plus++]);

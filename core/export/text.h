@@ -14,6 +14,9 @@ std::string number(float);
 // The same as a float constant of C: "0.8f".
 std::string c_number(float);
 
+// Of ASCII letters.
+char lower_case(char);
+
 // A name that a user typed, for a comment of C, Python, Aseba or SPICE: without line ends and without characters that
 // end or begin a comment.
 std::string comment_text(std::string_view);
@@ -22,7 +25,7 @@ std::string comment_text(std::string_view);
 // template has a value.
 std::string filled(std::string_view text, const std::map<std::string, std::string>& values);
 
-// Identifiers that differ from each other.
+// Identifiers that differ from each other, also where case does not count, as in SPICE.
 class Identifiers {
 public:
     // The prefix and the name, with _ for other characters than ASCII letters and digits; with a number at its end when
@@ -30,7 +33,7 @@ public:
     std::string make(std::string_view prefix, std::string_view name);
 
 private:
-    std::set<std::string> made_;
+    std::set<std::string> made_;  // in lower case
 };
 
 }  // namespace braitenlab::robots

@@ -65,6 +65,11 @@ std::multiset<std::string> drawn_resistors(const Circuit& circuit) {
             if (!std::regex_match(w.text, found, label)) continue;
             const double y = w.at.y + 9;
             for (const Box& box : picture.boxes)
+                if (std::fabs((box.upper + box.lower) / 2 - (w.at.y - 4)) < 1 &&
+                    std::fabs((box.left + box.right) / 2 + 10 - w.at.x) < 1)
+                    all.insert(fmt::format("{} {:.4g} {} {}", std::string(found[1]), ohms_of(found[2]),
+                                           nets.at({w.at.x - 10, box.upper}), nets.at({w.at.x - 10, box.lower})));
+            for (const Box& box : picture.boxes)
                 if (std::fabs(box.upper + 6 - y) < 1 && std::fabs((box.left + box.right) / 2 - w.at.x) < 1)
                     // The feedback resistor is drawn from the input to the output.
                     all.insert(fmt::format("{} {:.4g} {}", std::string(found[1]), ohms_of(found[2]),

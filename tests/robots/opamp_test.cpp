@@ -168,6 +168,12 @@ std::string with_tolerance(const std::string& netlist, maths::Random& random) {
     return made;
 }
 
+// The line of a netlist that says how to use it: "X1 sensor_SL … v5 brain_coward_1a2b3c".
+std::string use_of(const std::string& netlist) {
+    const std::size_t at = netlist.find("* X1 ");
+    return at == std::string::npos ? "" : netlist.substr(at + 2, netlist.find('\n', at) - at - 2);
+}
+
 Simulated simulate(const Folder& folder, const BrainToExport& brain, const std::string& file,
                    maths::Random* tolerance = nullptr) {
     const auto plan = robots::make_plan(brain, 60);
@@ -175,9 +181,8 @@ Simulated simulate(const Folder& folder, const BrainToExport& brain, const std::
     const auto files = exported(brain);
     for (const auto& each : *files)
         put_text(folder / each.name, tolerance ? with_tolerance(each.text, *tolerance) : each.text);
-    std::string deck = "test\n.include " + file + "\nV5 v5 0 5\nX1 ", commands;
-    for (const auto& input : plan->inputs) deck += input.id + " ";
-    deck += "left right v5 brain\n";
+    std::string deck = "test\n.include " + file + "\nV5 v5 0 5\n" + use_of(tests::text_of(folder / file)) + "\n";
+    std::string commands;
     for (const auto& input : plan->inputs) deck += fmt::format("V{0} {0} 0 0\n", input.id);
     for (const auto& row : vectors->ticks) {
         for (std::size_t i = 0; i < row.sensed.size(); ++i)
@@ -234,6 +239,178 @@ TEST(OpampInNgspice, HoldsNegativeWeightsAndBiases) {
     EXPECT_LE(exact.worst, 0.01);
     EXPECT_LE(e24.worst, 0.04);
     EXPECT_GT(exact.largest, 0.9);
+}
+
+// Numbers that `print` shows for this expression, in order.
+std::vector<double> printed(const std::string& out, const std::string& expression) {
+    std::vector<double> values;
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(expression + " = ")) values.push_back(std::stod(line.substr(expression.size() + 3)));
+    return values;
+}
+
+// What ngspice prints for a deck with the subcircuit of these netlists.
+std::string simulated(const Folder& folder, const std::string& deck, const std::string& commands) {
+    put_text(folder / "deck.cir", "test\n" + deck + ".control\nset numdgt=9\n" + commands + "quit\n.endc\n.end\n");
+    const Ran ran = shell(fmt::format("cd '{}' && ngspice -b deck.cir >out 2>err; cat out err", folder.path.string()));
+    EXPECT_EQ(ran.out.find("aborted"), std::string::npos) << deck << ran.out;
+    return ran.out;
+}
+
+// A source at each sensor, at these volts or with this waveform.
+std::string sources(const robots::Plan& plan, const std::vector<std::string>& volts) {
+    std::string text = "V5 v5 0 5\n";
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+        text += fmt::format("V{0} {0} 0 {1}\n", plan.inputs[i].id, volts[i]);
+    return text;
+}
+
+// Volts at a motor's output for readings of the sensors.
+double wanted_volts(const robots::PlanUnit& motor, const std::vector<float>& sensed) {
+    double command = static_cast<double>(motor.bias);
+    for (const auto& tap : motor.taps)
+        command += static_cast<double>(tap.weight) * static_cast<double>(sensed[static_cast<std::size_t>(tap.source)]);
+    return std::clamp(5 * command, 0.0, 7.5);
+}
+
+TEST(OpampInNgspice, FollowsEdgesOfEverySensorInATransient) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    const Folder folder;
+    each_exported(Target::opamp, "lm324", [&](const BrainToExport& brain, const auto& files) {
+        const auto plan = robots::make_plan(brain, 60);
+        put_text(folder / "brain.cir", text_of(files, "brain-exact.cir"));
+        const std::string use = ".include brain.cir\n" + use_of(text_of(files, "brain-exact.cir")) + "\n";
+        for (const char* edge : {"PULSE(0 5 1m 1m 1m 2m 9m)", "PULSE(0 5 1m 1u 1u 2m 9m)"})
+            for (std::size_t i = 0; i < plan->inputs.size(); ++i) {
+                std::vector<std::string> volts(plan->inputs.size(), "1");
+                volts[i] = edge;
+                const std::string out =
+                    simulated(folder, use + sources(*plan, volts),
+                              "tran 10u 6m\nmeas tran high find v(left) at=2.9m\nmeas tran low find v(left) at=5.9m\n"
+                              "let last=time[length(time)-1]\nprint last\n");
+                ASSERT_EQ(printed(out, "last").size(), 1u) << brain.title << out;
+                EXPECT_NEAR(printed(out, "last")[0], 6e-3, 1e-9) << brain.title << " " << edge;
+                for (const bool high : {true, false}) {
+                    std::vector<float> sensed(plan->inputs.size(), 0.2f);
+                    sensed[i] = high ? 1 : 0;
+                    const std::regex value((high ? "high" : "low") + std::string(R"re(\s+=\s+(\S+))re"));
+                    std::smatch found;
+                    ASSERT_TRUE(std::regex_search(out, found, value)) << out;
+                    EXPECT_NEAR(std::stod(found[1]), wanted_volts(plan->units[0], sensed), 2e-3) << brain.title << edge;
+                }
+            }
+    });
+}
+
+TEST(OpampInNgspice, IsOffByItsResistorsOnly) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    const Folder folder;
+    each_exported(Target::opamp, "lm324", [&](const BrainToExport& brain, const auto& files) {
+        const auto plan = robots::make_plan(brain, 60);
+        const std::string& netlist = text_of(files, "brain-exact.cir");
+        put_text(folder / "brain.cir", netlist);
+        std::vector<float> sensed(plan->inputs.size(), 0.2f);
+        std::string commands;
+        std::vector<double> wanted[2];
+        for (const float level : {0.0f, 0.3f, 0.7f, 1.0f})
+            for (std::size_t i = 0; i < plan->inputs.size(); ++i) {
+                sensed[i] = level;
+                commands += fmt::format("alter V{} = {}\nop\nprint v(left) v(right)\n", plan->inputs[i].id, 5 * level);
+                for (std::size_t motor = 0; motor < 2; ++motor)
+                    wanted[motor].push_back(wanted_volts(plan->units[motor], sensed));
+            }
+        const std::vector<std::string> volts(plan->inputs.size(), "1");
+        const std::string out =
+            simulated(folder, ".include brain.cir\n" + use_of(netlist) + "\n" + sources(*plan, volts), commands);
+        for (std::size_t motor = 0; motor < 2; ++motor) {
+            const auto seen = printed(out, motor == 0 ? "v(left)" : "v(right)");
+            ASSERT_EQ(seen.size(), wanted[motor].size()) << brain.title << out;
+            for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_NEAR(seen[i], wanted[motor][i], 5e-5) << brain.title;
+        }
+    });
+}
+
+TEST(OpampInNgspice, HoldsTwoBrainsOfOneTitleInADeck) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    const Folder folder;
+    const BrainToExport brains[] = {{"Mine", make_graph({.LL = 1}), {}}, {"mine", make_graph({.LL = 0.5f}), {}}};
+    std::string deck = "V5 v5 0 5\nVS sensor_SL 0 2\n";
+    for (int i = 0; i < 2; ++i) {
+        const std::string netlist = text_of(*exported(brains[i]), "brain.cir");
+        put_text(folder / fmt::format("{}.cir", i), netlist);
+        std::string use = use_of(netlist);
+        use = fmt::format("X{0} sensor_SL left{0} right{0} l{0} r{0} v5 {1}\n", i, use.substr(use.rfind(' ')));
+        deck += fmt::format(".include {}.cir\n{}", i, use);
+    }
+    const std::string out = simulated(folder, deck, "op\nprint v(left0) v(left1)\n");
+    ASSERT_EQ(printed(out, "v(left1)").size(), 1u) << out;
+    EXPECT_NEAR(printed(out, "v(left0)")[0], 2, 1e-3);
+    EXPECT_NEAR(printed(out, "v(left1)")[0], 1, 1e-3);
+    EXPECT_EQ(out.find("redefinition"), std::string::npos) << out;
+}
+
+TEST(OpampInNgspice, KeepsSensorsApartWhoseNamesDifferByCaseOnly) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    BrainGraph graph = make_graph({.LL = 0.5f, .RR = 0.5f});
+    find_node(graph, "SL")->name = "eyeL";
+    find_node(graph, "SR")->name = "EyeL";
+    const BrainToExport brain{"case", graph, {}};
+    const Simulated found = simulate(Folder(), brain, "brain-exact.cir");
+    EXPECT_EQ(found.rows, 57u);
+    EXPECT_LE(found.worst, 0.001);
+}
+
+// An LM324 that sinks the least that its data sheet promises near 0 V, and drives up to 1.2 V below a fresh battery.
+std::string with_weakest_sink(std::string netlist) {
+    const std::size_t from = netlist.find("Eout"), to = netlist.find("Rin");
+    netlist.replace(from, to - from,
+                    "Bout out 0 I = V(out) > V(g) ? min(12u, V(out) - V(g)) : 0.1 * (V(out) - V(g))\n");
+    for (std::size_t at = 0; (at = netlist.find("7.5)", at)) != std::string::npos;) netlist.replace(at, 3, "8.2");
+    return netlist;
+}
+
+TEST(OpampInNgspice, KeepsTheDriversInputsBetweenLowAndTheirLimitWithTheWeakestAmplifier) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    const Folder folder;
+    std::vector<BrainToExport> brains{
+        {"strong", make_graph({.LL = -2, .LR = -2, .RL = 2, .RR = 2, .LM = -1, .RM = 1}), {}}};
+    each_exported(Target::opamp, "lm324", [&](const BrainToExport& brain, const auto&) { brains.push_back(brain); });
+    for (const BrainToExport& brain : brains) {
+        const auto plan = robots::make_plan(brain, 60);
+        const std::string netlist = text_of(*exported(brain), "brain-exact.cir");
+        put_text(folder / "brain.cir", with_weakest_sink(netlist));
+        const std::string use = ".include brain.cir\n" + use_of(netlist) + "\n";
+        const unsigned combinations = 1u << plan->inputs.size();
+        std::string commands;
+        for (unsigned bits = 0; bits < combinations; ++bits) {
+            for (std::size_t i = 0; i < plan->inputs.size(); ++i)
+                commands += fmt::format("alter V{} = {}\n", plan->inputs[i].id, bits >> i & 1u ? 5 : 0);
+            commands += "op\nprint v(left_driver) v(right_driver)\n";
+        }
+        const std::string out =
+            simulated(folder, use + sources(*plan, std::vector(plan->inputs.size(), std::string("0"))), commands);
+        // A dark sensor counts a little more than 0.
+        const double slack = 0.02 + 2 * 3.6 * opamp::largest_reading_of_dark(*plan);
+        for (std::size_t motor = 0; motor < 2; ++motor) {
+            const auto seen = printed(out, motor == 0 ? "v(left_driver)" : "v(right_driver)");
+            ASSERT_EQ(seen.size(), combinations) << brain.title << out;
+            for (unsigned bits = 0; bits < combinations; ++bits) {
+                const auto& unit = plan->units[motor];
+                double command = static_cast<double>(unit.bias);
+                for (const auto& tap : unit.taps)
+                    if (bits >> tap.source & 1u) command += static_cast<double>(tap.weight);
+                const double low = command <= 0   ? -0.01
+                                   : command >= 1 ? 3.5
+                                                  : 3.6 * command - slack,
+                             high = command <= 0   ? 0.1
+                                    : command >= 1 ? 6
+                                                   : 3.6 * command + slack;
+                EXPECT_GE(seen[bits], low) << brain.title << " " << bits;
+                EXPECT_LE(seen[bits], high) << brain.title << " " << bits;
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -175,8 +175,12 @@ private:
                 if (is_same(w.at, {p.x, p.y - 9})) name(p, w.text == "9 V" ? "v9" : "v5");
             if (w.anchor == "end" && (w.text == "5 V" || begins("buffered_")))
                 name({w.at.x + 4, w.at.y - 4}, w.text == "5 V" ? "v5" : w.text);
-            if (w.anchor == "start" && (w.text == "left" || w.text == "right")) name({w.at.x - 9, w.at.y - 4}, w.text);
             if (w.anchor != "start") continue;
+            const bool is_output = w.text == "left" || w.text == "right", is_driver = w.text.ends_with("t_driver");
+            // Right of an output's wire, and of the terminal of the motor driver's input.
+            if (is_output) name({w.at.x - 9, w.at.y - 4}, w.text);
+            if (is_driver) name({w.at.x - 9, w.at.y - 2}, w.text);
+            if (is_output || is_driver) continue;
             // Above a wire; a long name is in two lines.
             if (begins("sensor_") || begins("buffered_") || begins("left_") || begins("right_")) first_half = w.text;
             if (first_half.empty()) continue;
