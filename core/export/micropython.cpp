@@ -1,5 +1,6 @@
 #include "core/export/micropython.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -107,6 +108,7 @@ FASTEST = [1023, 1023]  # less for the faster motor, so that it drives straight
 
 EYES = [@EYES@]
 MOTORS = [[pin8, pin12, pin13], [pin16, pin14, pin15]]  # left and right: PWM, forwards, backwards
+STEP = 1000 // brain.RATE_HZ  # ms
 
 
 def eye(i):  # 0 to 1
@@ -122,9 +124,11 @@ def drive(wheel, command):  # -1 to 1
 
 
 display.off()  # its pins are free then
+for wheel in MOTORS:
+    wheel[0].set_analog_period(4)  # ms; without it 20, as long as a step
 driving = False
+due = running_time()
 while True:
-    start = running_time()
     if button_a.was_pressed():
         driving = not driving
     if button_b.was_pressed():
@@ -132,7 +136,8 @@ while True:
     left, right = brain.think(@ARGUMENTS@)
     drive(0, left if driving else 0)
     drive(1, right if driving else 0)
-    sleep(max(0, 1000 // brain.RATE_HZ - (running_time() - start)))
+    due = max(due + STEP, running_time() - STEP)  # of the next step, so that errors of sleep() do not add up
+    sleep(max(0, due - running_time()))
 )";
 
 constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on a micro:bit
@@ -156,14 +161,30 @@ Copy both files to the micro:bit, for example with the editor Mu.
 | 3V | VCC, STBY | |
 | GND | GND | also the battery's |
 
-| Sensor | Pin | Part (with 3 V instead of 5 V) |
+| Sensor | Pin | Part |
 |---|---|---|
 @SENSORS@
+The pins take 3 V. A sensor that is built for 5 V does not work at 3 V, and 5 V at a pin damage the board: take the parts of this list.
+
 Calibrate by writing values into `main.py`: button B prints what the sensors read, covered (`DARK`) and in front of the lamp (`BRIGHT`).
 Raise `MINIMUM` until each wheel just turns; lower `FASTEST` of the faster motor until it drives straight. Button A starts and stops.
+
+Numbers on the micro:bit have 30 bits and are cut, not rounded, so a command differs from the lab's by less than 0.0001.@MEMORY@
 )";
 
 }  // namespace
+
+double memory_error(const Plan& plan) {
+    constexpr double lost = 1.0 / (1 << 21);  // of a value, in each step
+    double most = 0;
+    for (const PlanUnit& unit : plan.units) {
+        if (unit.follow < 1) most = std::max(most, lost / static_cast<double>(unit.follow));
+        for (const PlanTap& tap : unit.taps)
+            if (tap.learning_rate > 0 && tap.decay > 0)
+                most = std::max(most, lost * static_cast<double>(plan.rate_hz) / static_cast<double>(tap.decay));
+    }
+    return most;
+}
 
 std::optional<Error> refusal(const Plan& plan) {
     for (const Input& input : plan.inputs)
@@ -244,11 +265,16 @@ std::string main_py(const Plan& plan) {
 std::string readme(const Plan& plan) {
     std::string sensors;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i)
-        sensors += fmt::format("| {} | P{} | {} |\n", comment_text(plan.inputs[i].name), i,
-                               arduino::part_of(plan.inputs[i]).part);
-    return filled(
-        readme_text,
-        {{"TITLE", comment_text(plan.title)}, {"BYTES", std::to_string(brain_py(plan).size())}, {"SENSORS", sensors}});
+        sensors += fmt::format("| {} | P{} | {} |\n", comment_text(plan.inputs[i].name), i, part_of(plan.inputs[i]));
+    const double error = memory_error(plan);
+    return filled(readme_text,
+                  {{"TITLE", comment_text(plan.title)},
+                   {"BYTES", std::to_string(brain_py(plan).size())},
+                   {"SENSORS", sensors},
+                   {"MEMORY", error == 0 ? ""
+                                         : fmt::format(" The value of a neuron with a memory, and what a wire has "
+                                                       "learned,\nis up to {:.2g} % too small besides.",
+                                                       100 * error)}});
 }
 
 }  // namespace braitenlab::robots::micropython

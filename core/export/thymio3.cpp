@@ -45,9 +45,10 @@ def read(sensor, ids, low, high):  # 0 to 1
 buttons = thymio.BUTTONS()
 motors = thymio.MOTORS()
 running = True
+last = time.ticks_ms()
+rest = 0  # ms until the next step is due
 try:
     while True:
-        start = time.ticks_ms()
         pressed = buttons.get_status()  # [3] forward: go, [2] centre: stop
         running = (running or pressed[3]) and not pressed[2]
         left = right = 0
@@ -55,7 +56,10 @@ try:
             left, right = think(
 @ARGUMENTS@            )
         motors.set_speed(round(SPEED * left), round(SPEED * right))
-        time.sleep_ms(max(0, 1000 // RATE_HZ - time.ticks_diff(time.ticks_ms(), start)))
+        now = time.ticks_ms()
+        rest += 1000 // RATE_HZ - time.ticks_diff(now, last)
+        last = now
+        time.sleep_ms(max(0, rest))
 finally:
     motors.set_speed(0, 0)
 )";

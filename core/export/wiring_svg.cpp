@@ -26,7 +26,8 @@ std::string box(int x, int y, int width, int height, const std::string& title) {
 // pins.
 std::string sensor_row(const Plan& plan, const Wiring& wiring, std::size_t i) {
     const int y = top + 40 + static_cast<int>(i) * sensor_height;
-    const SensorWiring sensor = sensor_wiring(plan.inputs[i]);
+    const SensorWiring sensor =
+        wiring.part_of ? sensor_wiring(wiring.part_of(plan.inputs[i])) : sensor_wiring(plan.inputs[i]);
     const bool divider = !sensor.resistor.empty();
     std::string text =
         svg_label(20, y + 5, "start", plan.inputs[i].name, " class=\"title\"") +
@@ -73,13 +74,15 @@ std::string svg_label(int x, int y, std::string_view anchor, const std::string& 
     return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style, xml_text(text));
 }
 
-SensorWiring sensor_wiring(const Input& input) {
-    constexpr std::string_view to_supply = " to 5 V, ", to_ground = " to ground";
-    const std::string part(arduino::part_of(input).part);
-    const std::size_t comma = part.find(to_supply);
-    if (comma == std::string::npos || !part.ends_with(to_ground)) return {part.substr(0, part.find_first_of(",(")), ""};
-    const std::string resistor = part.substr(comma + to_supply.size());
-    return {part.substr(0, comma), resistor.substr(0, resistor.size() - to_ground.size())};
+SensorWiring sensor_wiring(const Input& input) { return sensor_wiring(std::string(arduino::part_of(input).part)); }
+
+SensorWiring sensor_wiring(const std::string& part) {
+    constexpr std::string_view between = " V, ", to_ground = " to ground";
+    const std::size_t comma = part.find(between), to = part.rfind(" to ", comma);
+    if (comma == std::string::npos || to == std::string::npos || !part.ends_with(to_ground))
+        return {part.substr(0, part.find_first_of(",(")), ""};
+    const std::string resistor = part.substr(comma + between.size());
+    return {part.substr(0, to), resistor.substr(0, resistor.size() - to_ground.size())};
 }
 
 std::string wiring_svg(const Plan& plan, const Wiring& wiring) {

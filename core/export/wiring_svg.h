@@ -22,6 +22,7 @@ struct Wiring {
     std::string_view left_outputs, right_outputs, motor_supply;  // of the driver
     std::string_view board_supply;  // pin that the motors' battery supplies; empty: the board has its own supply
     std::string_view notes[2];
+    std::string (*part_of)(const Input&) = nullptr;  // of a sensor; null: that of the Arduino
 };
 
 // How the part of a sensor (arduino.h) is connected. A divider: the supply, the part, the input, and a resistor to
@@ -30,6 +31,7 @@ struct SensorWiring {
     std::string part, resistor;  // "photoresistor GL5528", "1.5 kΩ"; resistor empty: a module
 };
 SensorWiring sensor_wiring(const Input&);
+SensorWiring sensor_wiring(const std::string& part);  // "photoresistor GL5528 to 3 V, 1.5 kΩ to ground"
 
 // A text element of SVG. `anchor`: start, middle, end. `style`: attributes, with a space before each.
 std::string svg_label(int x, int y, std::string_view anchor, const std::string& text, std::string_view style = "");

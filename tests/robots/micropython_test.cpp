@@ -126,6 +126,105 @@ TEST(Micropython, WritesTheWiringOfItsPinsAndTheParts) {
     EXPECT_NE(text("parts.csv").find("for sensor SR"), std::string::npos);
 }
 
+const std::string& file_of(const std::vector<robots::ExportedFile>& files, std::string_view name) {
+    return std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.name == name; })->text;
+}
+
+// Runs a program whose clock is simulated: the brain takes 7 ms of each step, and sleep() 1.4 ms more than it is told.
+// Prints the mean time of a step, and the periods of the PWM pins, in ms.
+constexpr const char* with_clock = R"py(
+import sys, types
+clock = [0.0]
+steps = []
+periods = []
+class Pin:
+    def read_analog(self): return 300
+    def write_analog(self, value): pass
+    def write_digital(self, value): pass
+    def set_analog_period(self, ms): periods.append(ms)
+class Button:
+    def was_pressed(self): return False
+class Display:
+    def off(self): pass
+class Done(Exception): pass
+def sleep(ms):
+    clock[0] += ms + (1.4 if ms > 0 else 0)
+class Motors:
+    def set_speed(self, left, right): pass
+class Sensor:
+    def __init__(self, i): pass
+    def value(self): return 300
+class Buttons:
+    def get_status(self): return [0] * 5
+def think(*sensors):
+    steps.append(clock[0])
+    if len(steps) > 1000: raise Done
+    clock[0] += 7 + len(steps) % 3
+    return 0.5, 0.5
+for name, content in {
+        "microbit": dict({"pin%d" % i: Pin() for i in range(17)}, button_a=Button(), button_b=Button(), display=Display(),
+                         sleep=sleep, running_time=lambda: int(clock[0])),
+        "brain": {"RATE_HZ": 50, "think": think},
+        "thymio": {"BUTTONS": Buttons, "MOTORS": Motors, "PROXIMITY": Sensor, "GROUND": Sensor},
+        "time": {"ticks_ms": lambda: int(clock[0]), "ticks_diff": lambda a, b: a - b, "sleep_ms": sleep}}.items():
+    sys.modules[name] = types.ModuleType(name)
+    sys.modules[name].__dict__.update(content)
+source = open(sys.argv[1]).read()
+if "def think" in source: source = source.replace("buttons = ", "think = THINK\nbuttons = ", 1)
+try:
+    exec(source, {"THINK": think})
+except Done:
+    pass
+print((steps[-1] - steps[0]) / (len(steps) - 1), sorted(set(periods)))
+)py";
+
+TEST(Micropython, KeepsItsRateThoughSleepTakesLongerAndSetsThePeriodOfItsMotors) {
+    const Folder folder;
+    put_text(folder / "clock.py", with_clock);
+    for (const char* robot : {"microbit", "thymio3"}) {
+        const auto files = robots::export_brain({"2a-coward", find_preset("2a-coward")->brain, {}}, Target::micropython,
+                                                *robots::find_robot(robot));
+        ASSERT_TRUE(files);
+        const bool pins = std::string_view(robot) == "microbit";
+        put_text(folder / "program.py", file_of(*files, pins ? "main.py" : "brain.py"));
+        const Ran ran = shell(fmt::format("cd '{}' && python3 clock.py program.py", folder.path.string()));
+        ASSERT_EQ(ran.code, 0) << ran.out;
+        EXPECT_NEAR(std::stod(ran.out), 20, 0.05) << robot << ran.out;
+        if (pins) EXPECT_NE(ran.out.find("[4]"), std::string::npos) << ran.out;
+    }
+}
+
+TEST(Micropython, ListsPartsThatWorkAtThreeVoltsInEveryFile) {
+    for (const Channel channel : {Channel::light, Channel::obstacle, Channel::smell, Channel::energy, Channel::touch}) {
+        const auto files = exported({"", make_graph({.LL = 1}), {{.name = "SL", .channel = channel}}});
+        ASSERT_TRUE(files);
+        for (const char* name : {"parts.csv", "README.md", "wiring.svg"}) {
+            const std::string& text = file_of(*files, name);
+            EXPECT_EQ(text.find("GP2Y0A21"), std::string::npos) << name;
+            EXPECT_EQ(text.find("to 5 V"), std::string::npos) << name;
+            if (channel == Channel::light) EXPECT_NE(text.find("1.5 kΩ"), std::string::npos) << name;
+        }
+        const std::string part = robots::micropython::part_of(
+            robots::make_plan({"", make_graph({.LL = 1}), {{.name = "SL", .channel = channel}}}, 50)->inputs[0]);
+        EXPECT_NE(file_of(*files, "parts.csv").find(part), std::string::npos);
+    }
+}
+
+// A neuron with a memory of this many seconds.
+BrainToExport memory_of(float seconds) {
+    BrainGraph graph = make_graph({});
+    graph.nodes.push_back({.id = 50, .kind = NodeKind::neuron, .name = "N", .time_constant = seconds});
+    graph.wires.push_back({.from = find_node(graph, "SL")->id, .to = 50, .weight = 1});
+    graph.wires.push_back({.from = 50, .to = find_node(graph, "ML")->id, .weight = 1});
+    return {"memory", graph, {}};
+}
+
+TEST(Micropython, SaysHowMuchAMemoryLosesByFloatsThatAreCut) {
+    const auto readme = [](const BrainToExport& brain) { return file_of(*exported(brain), "README.md"); };
+    EXPECT_NE(readme(memory_of(60)).find("is up to 0.14 % too small"), std::string::npos);
+    EXPECT_EQ(readme({"2a-coward", find_preset("2a-coward")->brain, {}}).find("too small"), std::string::npos);
+}
+
 TEST(MicropythonOnMicrobit, ComputesWhatTheLabComputesForEveryShippedBrainThatItHolds) {
     if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     const Folder folder;
