@@ -11,6 +11,7 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/panels/signal_drag.h"
 #include "ui/panels/trail_legend.h"
 #include "ui/widgets/item.h"
@@ -254,28 +255,13 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         menu_bar(state, ui, layout.menu_bar);
     }
     scene_menu(view, state, ui, layout.window);
-    recovery_sheet(view, state, ui, layout.window);
     if (!view.lecture) lab_menu(view, state, ui, layout.menu_bar, layout.window);
     switch_menus(state, ui, open_menus);
-    keys_card(view, state, ui, layout.window);
-    files_sheet(view, state, ui, layout.window);
-    author_sheet(view, state, ui, layout.window);
-    robot_sheet(view, state, ui, layout.window);
-    settings_card(view, state, ui, layout.window);
-    about_card(view, state, ui, layout.window);
-    children_sheet(view, state, ui, layout.window);
-    student_sheet(view, state, ui, layout.window);
-    study_sheet(view, state, ui, layout.window);
-    mystery_sheet(view, state, ui, layout.window);
-    take_away_sheet(view, state, ui, layout.window);
-    glossary_sheet(view, state, ui, layout.window);
+    draw_sheets(view, state, ui, layout.window);
     term_card(view, state, ui, layout.window);
-    leaving_sheet(view, state, ui, layout.window);
     keep_drawn(state.fields);
-    for (TextField* field :
-         {&state.values.seed, &state.note, &state.student_name, &state.hand_in.name, &state.robot.folder})
-        (void)keep_drawn(*field);
-    keep_drawn(state.author);
+    keep_drawn_fields(state);
+    for (TextField* field : {&state.values.seed, &state.note, &state.hand_in.name}) (void)keep_drawn(*field);
     for (TextField& field : state.hands) (void)keep_drawn(field);
     blank_window(view, state, ui, layout.window);
     end_keyboard(state.keyboard);

@@ -11,6 +11,7 @@
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/panels/signal_drag.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/wiring/input.h"
@@ -106,45 +107,6 @@ bool key_for_title_page(KeyPress press, Outbox& outbox) {
     if (press.key == key::enter || press.key == ' ' || press.key == key::escape) outbox.push_back(BeginRequest{});
     const auto action = action_for(press);
     if (action == Action::exit || action == Action::full_screen || action == Action::theme) outbox.push_back(*action);
-    return true;
-}
-
-// Scrolls the body of a sheet. Up and Down scroll those that only have words to read.
-bool scrolls_sheet(PanelState& state, KeyPress press) {
-    constexpr float all = 1000, line = 0.12f;  // pages
-    const bool reads = state.sheet == Sheet::keys || state.sheet == Sheet::about;
-    SheetState& sheet = state.sheet == Sheet::keys       ? state.keys
-                        : state.sheet == Sheet::about    ? state.about
-                        : state.sheet == Sheet::students ? state.students
-                        : state.sheet == Sheet::study    ? state.study
-                        : state.sheet == Sheet::mystery  ? state.mystery
-                        : state.sheet == Sheet::take     ? state.take.sheet
-                                                         : state.settings;
-    const float pages = press.key == key::page_down       ? 1
-                        : press.key == key::page_up       ? -1
-                        : reads && press.key == key::down ? line
-                        : reads && press.key == key::up   ? -line
-                        : reads && press.key == key::home ? -all
-                        : reads && press.key == key::end  ? all
-                                                          : 0;
-    sheet.scroll += pages;
-    return pages != 0;
-}
-
-// On a sheet Down and Up are Tab and Shift+Tab, unless they scroll it or move in the grid of exercises. Other keys do
-// nothing.
-bool key_for_sheet(PanelState& state, KeyPress press) {
-    if (scrolls_sheet(state, press)) return true;
-    if (state.sheet == Sheet::files && search_by_typing(state.files, press)) return true;
-    if (press.key == key::escape) state.sheet = Sheet::none;
-    const bool in_gallery = state.sheet == Sheet::files && state.keyboard.focus.starts_with("gallery.");
-    if (in_gallery && press.key >= key::right && press.key <= key::up)
-        return state.keyboard.presses.push_back(press), true;
-    if (press.key == key::down) press = {key::tab};
-    if (press.key == key::up) press = {key::tab, false, true};
-    if (state.sheet == Sheet::children && press.key >= '1' && press.key <= '9') state.keyboard.presses.push_back(press);
-    if (press.key == key::tab || press.key == key::enter || press.key == key::left || press.key == key::right)
-        state.keyboard.presses.push_back(press);
     return true;
 }
 
@@ -352,16 +314,13 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         (for_record_text(state.fields, press) || for_text_field(state.values.seed, press) ||
          for_text_area(state.note, press) || key_for_hands(state, press) || for_text_field(state.hand_in.name, press)))
         return true;
-    if (state.sheet == Sheet::students && for_text_field(state.student_name, press)) return true;
+    if (key_for_sheet_text(state, press)) return true;
     if (view.lecture && state.sheet == Sheet::none && !is_modifier && !is_key_of_pages(view, press))
         state.pressed.push_back({press, view.wall_seconds});
-    if (state.sheet == Sheet::files &&
-        (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press) ||
-         for_text_field(state.files.story, press)))
+    if (state.sheet != Sheet::none && !works_under_a_sheet(press)) {
+        key_for_sheet(state, press);
         return true;
-    if (state.sheet == Sheet::robot && for_text_field(state.robot.folder, press)) return true;
-    if (state.sheet == Sheet::author && for_author_text(state.author, press)) return true;
-    if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return key_for_sheet(state, press);
+    }
     if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;
     if (press.key == key::escape && give_up_drag(state)) return true;
     if (state.presets_open && press.key == key::escape) {

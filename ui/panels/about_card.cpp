@@ -7,13 +7,13 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 
 namespace braitenlab::ui {
 
@@ -42,8 +42,7 @@ constexpr std::array<UsedWork, 14> used_works{{{"Box2D", "MIT"},
 }  // namespace
 
 void about_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    if (state.sheet != Sheet::about) return;
-    begin_sheet(ui, state.about, "card.about", "Braitenlab", 460, window);
+    SheetState& sheet = open_sheet(state, ui, Sheet::about, window, "Braitenlab");
     paragraph(ui, fill(ui.strings("about.version"), {view.version}), ui.palette.text);
     paragraph(ui, ui.strings("about.what"), ui.palette.text);
     paragraph(ui, ui.strings("about.licence"), ui.palette.text);
@@ -58,11 +57,11 @@ void about_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         y += line;
     }
     ImGui::Dummy({width, y - at.y});
-    sheet_buttons(ui, state.about);
+    sheet_buttons(ui, sheet);
     const Item close = button(ui, "about.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     const bool closed = close.pressed;
-    if (end_sheet(state.about) || closed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

@@ -9,7 +9,6 @@
 #include "ui/lab_view.h"
 #include "ui/request.h"
 #include "ui/shortcuts.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/ui.h"
 
@@ -18,7 +17,6 @@ namespace braitenlab::ui {
 enum class FilesPlace { shipped, recent, folder };
 
 struct FilesState {
-    SheetState sheet;
     bool saving = false;
     FilesPlace place = FilesPlace::shipped;  // when opening
     std::optional<FileKind> only;            // when opening from a folder; none: every kind

@@ -10,12 +10,12 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -111,8 +111,6 @@ void saving_head(const LabView& view, FilesState& files, Ui& ui) {
     if (files.kind == FileKind::scene) {
         named_field(ui, "files.title", files.title, "files.title", "files.title_empty", "files.title_how");
         named_field(ui, "files.story", files.story, "files.story", "files.story_empty", "files.story_how");
-    } else {
-        files.title.active = files.story.active = false;
     }
     if (files.typed.text != files.replacing) files.replacing.clear();
     if (files.typed.entered || files.title.entered || files.story.entered) save_file(view, files, ui);
@@ -190,7 +188,6 @@ void first_focus(const LabView& view, FilesState& files, Ui& ui) {
 }  // namespace
 
 void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    if (state.sheet != Sheet::files) return;
     FilesState& files = state.files;
     if (files.asked && view.files && view.files->done > files.done) {
         state.sheet = Sheet::none;
@@ -204,8 +201,9 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         ui.outbox.push_back(BrowseRequest{});
     }
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
-    begin_sheet(ui, files.sheet, "card.open", ui.strings(files.saving ? "files.save_as" : "files.open"),
-                files.saving ? sheet_width : gallery_width, window);
+    SheetState& sheet =
+        open_sheet(state, ui, Sheet::files, window, ui.strings(files.saving ? "files.save_as" : "files.open"),
+                   files.saving ? sheet_width : gallery_width);
     // The part above the buttons has the same height on every tab, so that the buttons do not move.
     const float body =
         std::clamp(window.h - ui.px(taken), ui.px(least_body), ui.px(files.saving ? body_height : gallery_height));
@@ -225,10 +223,10 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         list_shipped(view, files, ui, bottom);
     }
     if (!wrong.empty()) paragraph(ui, wrong, legible(ui.palette.warning, ui.palette.panel, ui.palette.text));
-    sheet_buttons(ui, files.sheet);
+    sheet_buttons(ui, sheet);
     file_buttons(view, state, ui);
     first_focus(view, files, ui);
-    if (end_sheet(files.sheet)) state.sheet = Sheet::none;
+    if (end_sheet(sheet)) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

@@ -9,13 +9,13 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -175,9 +175,8 @@ void write_row(const Ui& ui, const KeyRow& row, ImVec2 at, float width, float li
 }  // namespace
 
 void keys_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    if (state.sheet != Sheet::keys) return;
     constexpr float narrowest = 300, space = 36;  // layout pixels
-    begin_sheet(ui, state.keys, "card.keys", ui.strings("keys.heading"), 1060, window);
+    SheetState& sheet = open_sheet(state, ui, Sheet::keys, window);
     std::vector<KeyRow> list = key_rows(view, ui.strings);
     const float line = line_height(ui, Face::text) + ui.px(line_gap), width = card_width(ui);
     const auto columns =
@@ -200,11 +199,11 @@ void keys_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         at.x += each + ui.px(space);
     }
     ImGui::Dummy({width, lowest - top});
-    sheet_buttons(ui, state.keys);
+    sheet_buttons(ui, sheet);
     const Item close = button(ui, "keys.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     const bool closed = close.pressed;
-    if (end_sheet(state.keys) || closed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

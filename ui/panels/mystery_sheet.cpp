@@ -9,6 +9,7 @@
 
 #include "ui/panels/course/scene_picture.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -16,7 +17,6 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -27,7 +27,7 @@ using insight::MysteryScore;
 using insight::MysteryStart;
 
 // Layout pixels.
-constexpr float mystery_width = 860, between_starts = spacing::small, most_start = 150;
+constexpr float between_starts = spacing::small, most_start = 150;
 constexpr std::size_t starts_per_row = 5;
 
 std::vector<maths::vec2> places(const insight::Path& path) {
@@ -150,9 +150,8 @@ bool mystery_buttons(const LabView& lab, Ui& ui) {
 }  // namespace
 
 void mystery_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
-    if (state.sheet != Sheet::mystery) return;
     const MysteryView& view = lab.mystery;
-    begin_sheet(ui, state.mystery, "card.mystery", ui.strings("mystery.heading"), mystery_width, window);
+    SheetState& sheet = open_sheet(state, ui, Sheet::mystery, window);
     paragraph(ui, ui.strings(view.hidden == no_vehicle ? "mystery.story" : "mystery.steps"), ui.palette.text);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
     gap(ui, 8);
@@ -163,9 +162,9 @@ void mystery_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
         legend_of_mystery(ui);
         starts_of_mystery(view, ui);
     }
-    sheet_buttons(ui, state.mystery);
+    sheet_buttons(ui, sheet);
     const bool closed = mystery_buttons(lab, ui);
-    if (end_sheet(state.mystery) || closed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

@@ -54,24 +54,26 @@ std::array<CardState, card_count> initial_cards();
 // The large charts; one is shown at a time.
 enum class Chart { signals, all, chosen, population, energy, bars };
 
-// The sheet that covers the window; at most one.
+// The sheet that covers the window; at most one, and simulated time is paused. sheets.cpp has one row of traits for
+// each.
 enum class Sheet {
-    none,
-    keys,
-    settings,
-    files,
-    about,
     recovery,
-    leaving,
+    keys,
+    files,
     author,
+    robot,
+    settings,
+    about,
     children,
-    glossary,
     students,
     study,
     mystery,
-    robot,
-    take
+    take,
+    glossary,
+    leaving,
+    none
 };
+inline constexpr std::size_t sheet_count = static_cast<std::size_t>(Sheet::none);
 
 // State that a lecture changes and restores at its end.
 struct BeforeLecture {
@@ -97,7 +99,6 @@ struct ValuesState {
 // The sheet for pictures and clips.
 enum class TakePage { picture, clip };
 struct TakeAwayState {
-    SheetState sheet;
     bool open = false;    // in the last frame
     bool writes = false;  // a clip was being written in the last frame
     TakePage page = TakePage::picture;
@@ -145,6 +146,7 @@ struct PanelState {
     CardState& card(Card which) {
         return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
     }
+    SheetState& state_of(Sheet which) { return sheets[static_cast<std::size_t>(which)]; }  // not of Sheet::none
 
     std::array<CardState, card_count> cards = initial_cards();  // the inspector's is in `canvas`
     SliderState sliders;
@@ -191,7 +193,7 @@ struct PanelState {
     bool note_begins = false;                // their field gets the focus when it is drawn
     TextField note;
     Sheet sheet = Sheet::none;
-    SheetState keys, settings, about, recovery, leaving, children, students, study, mystery;
+    std::array<SheetState, sheet_count> sheets;
     TakeAwayState take;
     int study_shown = 0;            // StudyView::shown at the last frame
     std::size_t study_measure = 0;  // in Study::measures, shown on the sheet of the study

@@ -81,8 +81,7 @@ void lecture_caption(const LabView&, Ui&, Rect);
 void lecture_question(const LabView&, PanelState&, Ui&, Rect);
 void lecture_notes(const LabView&, PanelState&, Ui&, Rect);
 
-// Sheets over the whole window. Each is drawn only while PanelState::sheet names it, and resets PanelState::sheet to
-// close.
+// Sheets over the whole window; sheets.h says when they are drawn. A sheet resets PanelState::sheet to close.
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);       // all shortcuts
 void files_sheet(const LabView&, PanelState&, Ui&, Rect window);     // open and save
 void author_sheet(const LabView&, PanelState&, Ui&, Rect window);    // the open scene as an exercise
@@ -94,13 +93,19 @@ void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the stud
 
 void mystery_sheet(const LabView&, PanelState&, Ui&, Rect window);    // a hidden brain and the score of a rebuilt one
 void study_sheet(const LabView&, PanelState&, Ui&, Rect window);      // runs of a study, as dots and boxes
+void follow_study(const LabView&, PanelState&, Ui&);                  // opens it for StudyView::shown
 void take_away_sheet(const LabView&, PanelState&, Ui&, Rect window);  // pictures and clips as files
+void follow_take_away(const LabView&, PanelState&, Ui&);  // closes it once a clip is written; closed, cancels the clip
 
 // unsaved_sheets.cpp
+// After a crash, while LabView::recovery is set.
+void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);
+void follow_recovery(const LabView&, PanelState&, Ui&);
+// While FilesView::leaving is set.
+void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);
+void follow_leaving(const LabView&, PanelState&, Ui&);
 // "today at 14:05" for the time `when`, "2026-03-01 14:05:12", on the day `today`, "2026-03-01".
 std::string time_words(const Ui&, const std::string& when, const std::string& today);
-void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while LabView::recovery is set
-void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while FilesView::leaving is set
 
 // Parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
@@ -134,8 +139,9 @@ float brain_picture_height(const LabView&, const VehicleView&, float of_pair);
 // LabView::why beside the vehicle, over the scene and below the cards, within `area`. Anchor: why.
 void why_callout(const LabView&, const Ui&, Rect area);
 
-// Lesions outside the brain picture: sets state.lesion_under_pointer to the sensor or motor under the pointer in the
-// scene, or to the wire of the slider under the pointer, and executes state.lesion_requested. Call after the cards.
+// Lesions outside the brain picture: sets state.lesion_under_pointer to the sensor or motor under the pointer in
+// the scene, or to the wire of the slider under the pointer, and executes state.lesion_requested. Call after the
+// cards.
 void lesions(const LabView&, PanelState&, Ui&);
 
 // The last seconds of the nodes with a probe, over the canvas in `area`. Anchors: probe.NAME. Call it after the canvas.

@@ -7,19 +7,19 @@
 
 #include "ui/panels/panels.h"
 #include "ui/panels/robot_state.h"
+#include "ui/panels/sheets.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float robot_width = 620, robot_height = 440;  // layout pixels; height of the body
+constexpr float robot_height = 440;  // layout pixels, of the body
 struct RobotSheet {
     const LabView& view;
     PanelState& panels;
@@ -152,7 +152,6 @@ std::string suggested_folder(const LabView& view, const robots::Robot& robot) {
 }
 
 void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
-    if (panels.sheet != Sheet::robot) return;
     RobotState& state = panels.robot;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!view.files || !vehicle) {
@@ -160,20 +159,20 @@ void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
         return;
     }
     if (!state.begun) ui.outbox.push_back(BrowseRequest{});
-    const RobotSheet sheet{view, panels, state, ui};
-    sheet.make_files(*vehicle);
-    begin_sheet(ui, state.sheet, "card.robot", ui.strings("robot.heading"), robot_width, window);
+    const RobotSheet parts{view, panels, state, ui};
+    parts.make_files(*vehicle);
+    SheetState& sheet = open_sheet(panels, ui, Sheet::robot, window);
     const float bottom = ImGui::GetCursorPosY() + std::min(ui.px(robot_height), window.h - ui.px(200));
-    if (!sheet.is_written()) sheet.targets();
-    sheet.files();
-    sheet.is_written() ? sheet.written() : sheet.folder();
-    if (!sheet.is_written() && ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
-    sheet_buttons(ui, state.sheet);
-    sheet.buttons();
+    if (!parts.is_written()) parts.targets();
+    parts.files();
+    parts.is_written() ? parts.written() : parts.folder();
+    if (!parts.is_written() && ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
+    sheet_buttons(ui, sheet);
+    parts.buttons();
     if (!state.begun && ui.keyboard)
         ui.keyboard->focus = "robot.target." + std::string(state.robot->word()), ui.keyboard->revealed = true;
     state.begun = true;
-    if (end_sheet(state.sheet)) panels.sheet = Sheet::none;
+    if (end_sheet(sheet)) panels.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

@@ -8,13 +8,11 @@
 
 #include "core/export/export.h"
 #include "ui/lab_view.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/text_field.h"
 
 namespace braitenlab::ui {
 
 struct RobotState {
-    SheetState sheet;
     const robots::Robot* robot = robots::find_robot("tt2wd-ldr");  // stays for the next time
     TextField folder;                                              // empty: suggested_folder()
     // Of the brain and the robot; null until the sheet is drawn.

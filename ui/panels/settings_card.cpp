@@ -8,12 +8,12 @@
 
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 
 namespace braitenlab::ui {
 
@@ -123,21 +123,20 @@ void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& want
 }  // namespace
 
 void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    if (state.sheet != Sheet::settings) return;
     Preferences wanted = view.preferences;
-    begin_sheet(ui, state.settings, "card.settings", ui.strings("settings.heading"), 460, window);
+    SheetState& sheet = open_sheet(state, ui, Sheet::settings, window);
     language_choice(view, ui, wanted);
     theme_choice(ui, wanted);
     type_size_choice(view, ui, wanted);
     motion_choice(ui, wanted);
     quality_choice(view, ui, wanted);
-    sheet_buttons(ui, state.settings);
+    sheet_buttons(ui, sheet);
     const Item close = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     const bool closed = close.pressed;
     reset_all(view, state, ui, wanted);
     if (wanted != view.preferences) ui.outbox.push_back(PreferencesRequest{wanted});
-    if (end_sheet(state.settings) || closed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

@@ -10,6 +10,7 @@
 
 #include "core/insight/study_table.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/panels/study_draft.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
@@ -19,7 +20,6 @@
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -32,7 +32,7 @@ using insight::StudyRow;
 using insight::StudySummary;
 
 // Layout pixels.
-constexpr float sheet_width = 940, least_row = 20, most_row = 44, column_gap = spacing::medium, dot_radius = 2.2f;
+constexpr float least_row = 20, most_row = 44, column_gap = spacing::medium, dot_radius = 2.2f;
 
 std::string measure_words(const Ui& ui, const StudyMeasureTraits& measure) {
     std::string words(ui.strings("study.measure." + std::string(measure.word)));
@@ -312,13 +312,15 @@ bool study_buttons(const StudyView& view, Ui& ui) {
 
 }  // namespace
 
+void follow_study(const LabView& lab, PanelState& state, Ui&) {
+    if (std::exchange(state.study_shown, lab.study.shown) != lab.study.shown) state.sheet = Sheet::study;
+}
+
 void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
     const StudyView& view = lab.study;
-    if (std::exchange(state.study_shown, view.shown) != view.shown) state.sheet = Sheet::study;
-    if (state.sheet != Sheet::study) return;
     if (!view.base && !view.error && view.shipped && !view.shipped->empty())
         ui.outbox.emplace_back(StudyRequest{StudyEdit::open, view.last.empty() ? view.shipped->front().id : view.last});
-    begin_sheet(ui, state.study, "card.study", ui.strings("study.heading"), sheet_width, window);
+    SheetState& sheet = open_sheet(state, ui, Sheet::study, window);
     const float top = ImGui::GetCursorScreenPos().y, right = ImGui::GetCursorScreenPos().x + card_width(ui);
     if (view.shipped) study_choice(lab, state.study_draft, ui, right);
     gap(ui, 8);
@@ -339,9 +341,9 @@ void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
         StudyPlot(view, state.study_measure, ui).draw(card_width(ui), window.h - used - ui.px(220));
         if (study.combinations() > 1) paragraph(ui, ui.strings("study.how"), ui.palette.second_text, Face::small);
     }
-    sheet_buttons(ui, state.study);
+    sheet_buttons(ui, sheet);
     const bool closed = drafts ? draft_buttons(state.study_draft, std::move(drafted), ui) : study_buttons(view, ui);
-    if (end_sheet(state.study) || closed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

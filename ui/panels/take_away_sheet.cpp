@@ -9,12 +9,12 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
 
@@ -22,7 +22,6 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float take_width = 540;                     // layout pixels
 constexpr float usual_clip = 10, longest_clip = 120;  // s
 constexpr float ticks_of_a_second = 60;
 
@@ -177,16 +176,18 @@ void begin_take(const LabView& view, TakeAwayState& state) {
 
 }  // namespace
 
-void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
+void follow_take_away(const LabView& view, PanelState& panels, Ui& ui) {
     TakeAwayState& state = panels.take;
     const bool is_written = std::exchange(state.writes, view.clip_progress.has_value()) && !state.writes;
     if (panels.sheet == Sheet::take && is_written) panels.sheet = Sheet::none;
-    if (panels.sheet != Sheet::take) {
-        if (std::exchange(state.open, false) && view.clip_progress) ui.outbox.emplace_back(CancelClipRequest{});
-        return;
-    }
+    if (panels.sheet != Sheet::take && std::exchange(state.open, false) && view.clip_progress)
+        ui.outbox.emplace_back(CancelClipRequest{});
+}
+
+void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
+    TakeAwayState& state = panels.take;
     if (!state.open) begin_take(view, state);
-    begin_sheet(ui, state.sheet, "card.take", ui.strings("take.heading"), take_width, window);
+    SheetState& sheet = open_sheet(panels, ui, Sheet::take, window);
     TakeAway wanted;
     if (view.clip_progress) {
         clip_progress(*view.clip_progress, ui);
@@ -197,7 +198,7 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
         gap(ui, 12);
         wanted = state.page == TakePage::picture ? picture_page(view, state, ui) : clip_page(view, panels, ui);
     }
-    sheet_buttons(ui, state.sheet);
+    sheet_buttons(ui, sheet);
     if (!view.clip_progress) {
         ButtonLook look{icon::save, ui.strings("take.save"), Emphasis::primary};
         look.enabled =
@@ -212,7 +213,7 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
     }
     const Item cancel = button(ui, "take.cancel", {{}, ui.strings("files.cancel"), Emphasis::quiet});
     tooltip(ui, cancel, ui.strings("take.cancel_how"), key_name({key::escape}, ui.strings));
-    const bool beside = end_sheet(state.sheet);
+    const bool beside = end_sheet(sheet);
     if (cancel.pressed || (beside && !view.clip_progress)) panels.sheet = Sheet::none;
 }
 

@@ -7,12 +7,12 @@
 
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -78,20 +78,22 @@ std::string time_words(const Ui& ui, const std::string& when, const std::string&
     return fill(ui.strings("recovery.day"), {when.substr(0, day), clock});
 }
 
-void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+void follow_leaving(const LabView& view, PanelState& state, Ui& ui) {
     if (!view.files || !view.files->leaving) {
         if (state.sheet == Sheet::leaving) state.sheet = Sheet::none;
         state.leaving_asked = false;
         return;
     }
-    const FilesView& files = *view.files;
     if (!state.leaving_asked) state.leaving_asked = true, state.leaving_done = -1, state.sheet = Sheet::leaving;
     if (state.sheet == Sheet::files && state.leaving_done >= 0) return;  // a name is being typed
-    if (state.sheet != Sheet::leaving) return after_naming(files, state, ui);
+    if (state.sheet != Sheet::leaving) after_naming(*view.files, state, ui);
+}
 
-    begin_sheet(ui, state.leaving, "card.leaving", ui.strings("leaving.heading"), 480, window);
+void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    const FilesView& files = *view.files;
+    SheetState& sheet = open_sheet(state, ui, Sheet::leaving, window);
     leaving_question(view, ui);
-    sheet_buttons(ui, state.leaving);
+    sheet_buttons(ui, sheet);
     const Item yes =
         button(ui, "leaving.save",
                {{}, ui.strings(files.save_to.empty() ? "leaving.save_as" : "leaving.save"), Emphasis::primary});
@@ -102,7 +104,7 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     ImGui::SameLine(0, ui.px(spacing::small));
     const Item stay = button(ui, "leaving.stay", {{}, ui.strings("files.cancel"), Emphasis::quiet});
     tooltip(ui, stay, ui.strings("leaving.stay_how"), key_name({key::escape}, ui.strings));
-    const bool beside = end_sheet(state.leaving);
+    const bool beside = end_sheet(sheet);
     if (yes.pressed)
         save_before_leaving(view, state, ui);
     else if (no.pressed)
@@ -111,26 +113,25 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
         ui.outbox.push_back(LeaveRequest{Leave::stay});
 }
 
-void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+void follow_recovery(const LabView& view, PanelState& state, Ui&) {
     if (!view.recovery) state.recovery_asked = false;
     if (view.lecture) {  // asked after the lecture
         if (state.sheet == Sheet::recovery) state.sheet = Sheet::none, state.recovery_asked = false;
         return;
     }
     if (view.recovery && !state.recovery_asked) state.recovery_asked = true, state.sheet = Sheet::recovery;
-    if (state.sheet != Sheet::recovery) return;
-    if (!view.recovery) {
-        state.sheet = Sheet::none;
-        return;
-    }
-    begin_sheet(ui, state.recovery, "card.recovery",
-                ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"), 460, window);
+    if (!view.recovery && state.sheet == Sheet::recovery) state.sheet = Sheet::none;
+}
+
+void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    SheetState& sheet = open_sheet(state, ui, Sheet::recovery, window,
+                                   ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"));
     paragraph(ui,
               fill(ui.strings("recovery.what"),
                    {known_title(view, ui, view.recovery->title), time_words(ui, view.recovery->when, local_day())}),
               ui.palette.text);
     if (!view.recovery->file.empty()) file_row(ui, view.recovery->file);
-    sheet_buttons(ui, state.recovery);
+    sheet_buttons(ui, sheet);
     const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
     tooltip(ui, take, ui.strings("recovery.take_how"));
     ImGui::SameLine(0, ui.px(spacing::small));
@@ -140,7 +141,7 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const Item later = button(ui, "recovery.later", {{}, ui.strings("recovery.later"), Emphasis::quiet});
     tooltip(ui, later, ui.strings("recovery.later_how"), key_name({key::escape}, ui.strings));
     if (take.pressed || discard.pressed) ui.outbox.push_back(RecoverRequest{take.pressed});
-    if (end_sheet(state.recovery) || later.pressed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || later.pressed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

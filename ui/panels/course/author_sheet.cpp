@@ -10,21 +10,20 @@
 #include "core/lesson/submission.h"
 #include "ui/panels/course/author_fields.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float author_width = 680;  // layout pixels
-constexpr float page_height = 600;   // of a page, so that the buttons stay in their place
+constexpr float page_height = 600;  // of a page, so that the buttons stay in their place
 
 struct AuthorSheet : AuthorFields {
     // ── The pages ──
@@ -152,7 +151,6 @@ struct AuthorSheet : AuthorFields {
 }  // namespace
 
 void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
-    if (panels.sheet != Sheet::author) return;
     AuthorState& state = panels.author;
     const bool is_saved = state.asked && view.files && view.files->done > state.done;
     if (is_saved || !view.files || view.now->scene->starts.empty()) {
@@ -163,18 +161,18 @@ void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) 
         ui.outbox.push_back(BrowseRequest{});
         if (state.title.text == view.now->scene->title) state.title.text = translated(ui, view.now->scene->title);
     }
-    const AuthorSheet sheet{{view, panels, state, ui}};
-    begin_sheet(ui, state.sheet, "card.author", ui.strings("author.heading"), author_width, window);
+    const AuthorSheet parts{{view, panels, state, ui}};
+    SheetState& sheet = open_sheet(panels, ui, Sheet::author, window);
     const float bottom = ImGui::GetCursorPosY() + std::min(ui.px(page_height), window.h - ui.px(200));
-    sheet.pages();
-    if (const std::string wrong = sheet.problem(); !wrong.empty())
+    parts.pages();
+    if (const std::string wrong = parts.problem(); !wrong.empty())
         paragraph(ui, wrong, legible(ui.palette.warning, ui.palette.panel, ui.palette.text));
     if (ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
-    sheet_buttons(ui, state.sheet);
-    sheet.buttons();
+    sheet_buttons(ui, sheet);
+    parts.buttons();
     if (!state.begun && ui.keyboard) ui.keyboard->focus = "author.title", ui.keyboard->revealed = true;
     state.begun = true;
-    if (end_sheet(state.sheet)) panels.sheet = Sheet::none;
+    if (end_sheet(sheet)) panels.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

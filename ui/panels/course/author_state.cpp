@@ -10,14 +10,6 @@ namespace braitenlab::ui {
 namespace {
 
 // Every text field of the sheet.
-std::vector<TextField*> fields_of(AuthorState& author) {
-    std::vector<TextField*> all{&author.title, &author.goal, &author.path, &author.question, &author.outcome};
-    for (TextField& each : author.step_texts) all.push_back(&each);
-    for (TextField& each : author.options) all.push_back(&each);
-    for (TextField& each : author.wrong_names) all.push_back(&each);
-    return all;
-}
-
 const Start* start_of_selected(const LabView& view) {
     const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
     const auto& starts = view.now->scene->starts;
@@ -26,6 +18,14 @@ const Start* start_of_selected(const LabView& view) {
 }
 
 }  // namespace
+
+std::vector<TextField*> fields_of(AuthorState& author) {
+    std::vector<TextField*> all{&author.title, &author.goal, &author.path, &author.question, &author.outcome};
+    for (TextField& each : author.step_texts) all.push_back(&each);
+    for (TextField& each : author.options) all.push_back(&each);
+    for (TextField& each : author.wrong_names) all.push_back(&each);
+    return all;
+}
 
 void begin_author(const LabView& view, AuthorState& author) {
     if (author.run_id != view.run_id) author = {};
@@ -42,16 +42,6 @@ void begin_author(const LabView& view, AuthorState& author) {
     const Start& first = start ? *start : scene.starts.front();
     if (first.heading_spread > 0) author.draft.heading_spread = maths::degrees(first.heading_spread);
     author.title.text = scene.title;
-}
-
-bool for_author_text(AuthorState& author, KeyPress press) {
-    for (TextField* each : fields_of(author))
-        if (for_text_field(*each, press)) return true;
-    return false;
-}
-
-void keep_drawn(AuthorState& author) {
-    for (TextField* each : fields_of(author)) (void)keep_drawn(*each);
 }
 
 ExerciseDraft finished_draft(const AuthorState& author) {

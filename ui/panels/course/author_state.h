@@ -7,7 +7,6 @@
 
 #include "core/lesson/author.h"
 #include "ui/lab_view.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/text_field.h"
 
 namespace braitenlab::ui {
@@ -17,7 +16,6 @@ enum class AuthorPage { texts, controls, steps, prediction, wrong };
 inline constexpr std::size_t author_steps = 3, author_options = 4, author_wrong = 4;  // at most
 
 struct AuthorState {
-    SheetState sheet;
     AuthorPage page = AuthorPage::texts;
     ExerciseDraft draft;  // texts are in the fields below until it is saved
     TextField title, goal, path;
@@ -41,11 +39,8 @@ struct AuthorState {
 // Prepares the sheet for the open scene. A draft of the same document is kept.
 void begin_author(const LabView&, AuthorState&);
 
-// Handles a key of an active text field of the sheet. Returns true if the key is handled.
-bool for_author_text(AuthorState&, KeyPress);
-
-// Call at the end of a frame: fields that were not drawn in it receive no more text.
-void keep_drawn(AuthorState&);
+// The text fields of the sheet.
+std::vector<TextField*> fields_of(AuthorState&);
 
 // The draft with the texts of the fields and the offered controls.
 ExerciseDraft finished_draft(const AuthorState&);

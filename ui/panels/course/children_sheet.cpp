@@ -8,6 +8,7 @@
 #include "core/lesson/selection.h"
 #include "ui/panels/course/path_picture.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -16,7 +17,6 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -125,7 +125,6 @@ bool children_buttons(const LabView& view, PanelState& state, Ui& ui) {
 }  // namespace
 
 void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    if (state.sheet != Sheet::children) return;
     if (!view.lesson || !view.lesson->selection) return void(state.sheet = Sheet::none);
     const LessonView& lesson = *view.lesson;
     const std::string generation =
@@ -140,7 +139,7 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const float picture = std::max(most, ui.px(least_picture));
     const ImVec2 size{picture, picture * shape + line};
     const float width = 4 * picture + 3 * ui.px(between_children) + ui.px(56);
-    begin_sheet(ui, state.children, "card.children", generation, width / ui.scale, window);
+    SheetState& sheet = open_sheet(state, ui, Sheet::children, window, generation, width / ui.scale);
     paragraph(ui, ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more"), ui.palette.text);
     parent_picture(lesson, ui, size);
     ImGui::SameLine(0, ui.px(spacing::large));
@@ -148,9 +147,9 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
         paragraph(ui, ui.strings("selection.wait"), ui.palette.second_text, Face::text, 3 * picture);
     else
         child_pictures(lesson, ui, size);
-    sheet_buttons(ui, state.children);
+    sheet_buttons(ui, sheet);
     const bool closed = children_buttons(view, state, ui);
-    if (end_sheet(state.children) || closed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
 void selection_button(const LabView& view, PanelState& state, Ui& ui) {

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab {
@@ -47,7 +46,6 @@ std::vector<Mention> mentions_in(const Strings&, std::string_view text, const st
 
 // View state of the glossary.
 struct GlossaryState {
-    SheetState sheet;
     std::string shown;                   // id of the term of which the sheet shows text and picture
     std::string open;                    // id of the term that is open beside its word; empty: none
     Rect word;                           // that word, window pixels
@@ -62,7 +60,7 @@ void draw_entry(const LabView&, Ui&, const GlossaryTerm&, float width);
 // As paragraph(), with the first mention of each term in this frame underlined by dots: a click, or Enter, opens it.
 void paragraph_with_terms(Ui&, GlossaryState&, std::string_view, Colour);
 
-// The sheet with all terms, while PanelState::sheet is Sheet::glossary.
+// The sheet with all terms.
 void glossary_sheet(const LabView&, PanelState&, Ui&, Rect window);
 
 // The card of the term that is open, beside its word; Escape or a click elsewhere closes it. Call after all cards.

@@ -5,13 +5,13 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 
 namespace braitenlab::ui {
 
@@ -36,10 +36,9 @@ void term_row(Ui& ui, GlossaryState& state, const GlossaryTerm& term, bool focus
 }  // namespace
 
 void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
-    if (panels.sheet != Sheet::glossary) return;
     GlossaryState& state = panels.glossary;
     if (!find_term(state.shown)) state.shown = terms().front().id;
-    begin_sheet(ui, state.sheet, "card.glossary", ui.strings("glossary.heading"), 640, window);
+    SheetState& sheet = open_sheet(panels, ui, Sheet::glossary, window);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::large), ui.px(spacing::hair)});
     const float top = ImGui::GetCursorPosY();
     ImGui::BeginGroup();
@@ -57,11 +56,11 @@ void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window
     ImGui::PopStyleVar();
     ImGui::EndGroup();
     ImGui::PopStyleVar();
-    sheet_buttons(ui, state.sheet);
+    sheet_buttons(ui, sheet);
     const Item close = button(ui, "glossary.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     const bool closed = close.pressed;
-    if (end_sheet(state.sheet) || closed) panels.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) panels.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

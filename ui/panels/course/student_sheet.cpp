@@ -5,18 +5,16 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/sheet.h"
 #include "ui/widgets/text_field.h"
 
 namespace braitenlab::ui {
 
 namespace {
-
-constexpr float students_width = 460;  // layout pixels
 
 std::string_view name_of(const Ui& ui, const StudentProgress& student) {
     return student.name.empty() ? ui.strings("students.nameless") : std::string_view(student.name);
@@ -87,18 +85,17 @@ void keeping(const LabView& view, Ui& ui) {
 }  // namespace
 
 void student_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    if (state.sheet != Sheet::students) return;
     if (!view.students) return void(state.sheet = Sheet::none);
-    begin_sheet(ui, state.students, "card.students", ui.strings("students.heading"), students_width, window);
+    SheetState& sheet = open_sheet(state, ui, Sheet::students, window);
     paragraph(ui, ui.strings("students.what"), ui.palette.second_text);
     naming(view, state, ui);
     gap(ui, 4);
     student_rows(view, ui);
-    sheet_buttons(ui, state.students);
+    sheet_buttons(ui, sheet);
     const Item close = button(ui, "students.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     keeping(view, ui);
-    if (end_sheet(state.students) || close.pressed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || close.pressed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

@@ -1,0 +1,50 @@
+// What the table of sheets gives to each of them.
+#include "ui/panels/sheets.h"
+
+#include <set>
+#include <string_view>
+
+#include "desk.h"
+
+namespace braitenlab::tests::sheets_test {
+
+using namespace ui;
+
+TEST(Sheets, ScrollTheirOwnBodyByPages) {
+    for (const SheetTraits& row : sheets()) {
+        Desk desk;
+        desk.panels.sheet = row.sheet;
+        desk.key({key::page_down});
+        for (const SheetTraits& other : sheets())
+            EXPECT_EQ(desk.panels.state_of(other.sheet).scroll, other.sheet == row.sheet ? 1 : 0)
+                << other.anchor << " while " << row.anchor << " is open";
+        desk.key({key::page_up});
+        EXPECT_EQ(desk.panels.state_of(row.sheet).scroll, 0) << row.anchor;
+    }
+}
+
+TEST(Sheets, CloseByEscape) {
+    for (const SheetTraits& row : sheets()) {
+        Desk desk;
+        desk.panels.sheet = row.sheet;
+        desk.key({key::escape});
+        EXPECT_EQ(desk.panels.sheet, Sheet::none) << row.anchor;
+    }
+}
+
+TEST(Sheets, HaveAnchorsOfTheirOwn) {
+    std::set<std::string_view> anchors;
+    for (const SheetTraits& row : sheets()) EXPECT_TRUE(anchors.insert(row.anchor).second) << row.anchor;
+}
+
+TEST(Sheets, ShowTheTermsBelowInALowWindowByPageDown) {
+    Desk desk(1024, 420);
+    desk.panels.sheet = Sheet::glossary;
+    desk.frame(3);
+    const float before = desk.where("glossary.weight").y;
+    desk.key({key::page_down});
+    desk.frame(3);
+    EXPECT_LT(desk.where("glossary.weight").y, before);
+}
+
+}  // namespace braitenlab::tests::sheets_test

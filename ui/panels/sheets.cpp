@@ -1,0 +1,174 @@
+#include "ui/panels/sheets.h"
+
+#include <algorithm>
+
+#include "ui/panels/course/author_state.h"
+#include "ui/panels/course/glossary.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+// Letters search what ships; arrows move in the grid of exercises.
+bool key_for_files(PanelState& state, KeyPress press) {
+    if (search_by_typing(state.files, press)) return true;
+    const bool in_gallery = state.keyboard.focus.starts_with("gallery.");
+    if (!in_gallery || press.key < key::right || press.key > key::up) return false;
+    state.keyboard.presses.push_back(press);
+    return true;
+}
+
+bool key_for_children(PanelState& state, KeyPress press) {
+    if (press.key < '1' || press.key > '9') return false;
+    state.keyboard.presses.push_back(press);
+    return true;
+}
+
+constexpr SheetTraits sheet_traits[]{
+    {.sheet = Sheet::recovery,
+     .anchor = "card.recovery",
+     .width = 460,
+     .draw = recovery_sheet,
+     .follow = follow_recovery},
+    {.sheet = Sheet::keys,
+     .anchor = "card.keys",
+     .heading = "keys.heading",
+     .width = 1060,
+     .draw = keys_card,
+     .reads = true},
+    {.sheet = Sheet::files,
+     .anchor = "card.open",
+     .draw = files_sheet,
+     .fields =
+         [](PanelState& state) {
+             FilesState& files = state.files;
+             return std::vector<TextField*>{&files.typed, &files.title, &files.story};
+         },
+     .keys = key_for_files},
+    {.sheet = Sheet::author,
+     .anchor = "card.author",
+     .heading = "author.heading",
+     .width = 680,
+     .draw = author_sheet,
+     .fields = [](PanelState& state) { return fields_of(state.author); }},
+    {.sheet = Sheet::robot,
+     .anchor = "card.robot",
+     .heading = "robot.heading",
+     .width = 620,
+     .draw = robot_sheet,
+     .fields = [](PanelState& state) { return std::vector{&state.robot.folder}; }},
+    {.sheet = Sheet::settings,
+     .anchor = "card.settings",
+     .heading = "settings.heading",
+     .width = 460,
+     .draw = settings_card},
+    {.sheet = Sheet::about, .anchor = "card.about", .width = 460, .draw = about_card, .reads = true},
+    {.sheet = Sheet::children, .anchor = "card.children", .draw = children_sheet, .keys = key_for_children},
+    {.sheet = Sheet::students,
+     .anchor = "card.students",
+     .heading = "students.heading",
+     .width = 460,
+     .draw = student_sheet,
+     .fields = [](PanelState& state) { return std::vector{&state.student_name}; }},
+    {.sheet = Sheet::study,
+     .anchor = "card.study",
+     .heading = "study.heading",
+     .width = 940,
+     .draw = study_sheet,
+     .follow = follow_study},
+    {.sheet = Sheet::mystery,
+     .anchor = "card.mystery",
+     .heading = "mystery.heading",
+     .width = 860,
+     .draw = mystery_sheet},
+    {.sheet = Sheet::take,
+     .anchor = "card.take",
+     .heading = "take.heading",
+     .width = 540,
+     .draw = take_away_sheet,
+     .follow = follow_take_away},
+    {.sheet = Sheet::glossary,
+     .anchor = "card.glossary",
+     .heading = "glossary.heading",
+     .width = 640,
+     .draw = glossary_sheet},
+    {.sheet = Sheet::leaving,
+     .anchor = "card.leaving",
+     .heading = "leaving.heading",
+     .width = 480,
+     .draw = leaving_sheet,
+     .follow = follow_leaving},
+};
+
+constexpr bool has_a_row_for_each_sheet() {
+    if (std::size(sheet_traits) != sheet_count) return false;
+    for (std::size_t i = 0; i < sheet_count; ++i)
+        if (sheet_traits[i].sheet != static_cast<Sheet>(i) || !sheet_traits[i].draw) return false;
+    return true;
+}
+static_assert(has_a_row_for_each_sheet());
+
+// Scrolls the body of the sheet.
+bool scrolls_sheet(SheetState& sheet, bool reads, KeyPress press) {
+    constexpr float all = 1000, line = 0.12f;  // pages
+    const float pages = press.key == key::page_down       ? 1
+                        : press.key == key::page_up       ? -1
+                        : reads && press.key == key::down ? line
+                        : reads && press.key == key::up   ? -line
+                        : reads && press.key == key::home ? -all
+                        : reads && press.key == key::end  ? all
+                                                          : 0;
+    sheet.scroll += pages;
+    return pages != 0;
+}
+
+}  // namespace
+
+std::span<const SheetTraits> sheets() { return sheet_traits; }
+
+const SheetTraits& traits(Sheet sheet) { return sheet_traits[static_cast<std::size_t>(sheet)]; }
+
+void draw_sheets(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    for (const SheetTraits& row : sheet_traits) {
+        if (row.follow) row.follow(view, state, ui);
+        if (state.sheet == row.sheet) row.draw(view, state, ui, window);
+    }
+}
+
+SheetState& open_sheet(PanelState& state, Ui& ui, Sheet which, Rect window, std::string_view heading,
+                       float layout_width) {
+    const SheetTraits& row = traits(which);
+    SheetState& sheet = state.state_of(which);
+    begin_sheet(ui, sheet, row.anchor, heading.empty() ? ui.strings(row.heading) : heading,
+                layout_width > 0 ? layout_width : row.width, window);
+    return sheet;
+}
+
+bool key_for_sheet_text(PanelState& state, KeyPress press) {
+    if (state.sheet == Sheet::none || !traits(state.sheet).fields) return false;
+    const std::vector<TextField*> fields = traits(state.sheet).fields(state);
+    return std::any_of(fields.begin(), fields.end(),
+                       [press](TextField* field) { return for_text_field(*field, press); });
+}
+
+// On a sheet Down and Up are Tab and Shift+Tab, unless they scroll it or the sheet takes them. Other keys do nothing.
+void key_for_sheet(PanelState& state, KeyPress press) {
+    const SheetTraits& row = traits(state.sheet);
+    if (scrolls_sheet(state.state_of(row.sheet), row.reads, press)) return;
+    if (row.keys && row.keys(state, press)) return;
+    if (press.key == key::escape) state.sheet = Sheet::none;
+    if (press.key == key::down) press = {key::tab};
+    if (press.key == key::up) press = {key::tab, false, true};
+    if (press.key == key::tab || press.key == key::enter || press.key == key::left || press.key == key::right)
+        state.keyboard.presses.push_back(press);
+}
+
+void keep_drawn_fields(PanelState& state) {
+    for (const SheetTraits& row : sheet_traits)
+        if (row.fields)
+            for (TextField* field : row.fields(state)) (void)keep_drawn(*field);
+}
+
+}  // namespace braitenlab::ui
