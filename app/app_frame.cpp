@@ -48,8 +48,8 @@ std::uint64_t gesture_by_keys(const ui::PanelState& panels, double now) {
 
 std::string typed_text(const ui::PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
-    for (const ui::TextField* field :
-         {&panels.files.typed, &panels.files.title, &panels.files.story, &panels.student_name, &panels.note})
+    for (const ui::TextField* field : {&panels.sheets.files.typed, &panels.sheets.files.title,
+                                       &panels.sheets.files.story, &panels.sheets.student_name, &panels.exercise.note})
         if (field->active) return field->text;
     return {};
 }

@@ -18,7 +18,7 @@ void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
     if (!rides(kept.camera.mode) || selected_vehicle(lab)) lab.view.camera.mode = kept.camera.mode;
     lab.playback.time_scale = stored.time_scale;
     panels.prompts.followed = stored.followed;
-    panels.strips = stored.strips;
+    panels.charts.strips = stored.strips;
     if (!stored.folded) return;
     for (const ui::CardTraits& row : ui::cards())
         panels.card(row.card).folded =
@@ -40,12 +40,12 @@ StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
     stored.settings.selection.whole_kind = lab.view.selection.whole_kind;
     stored.time_scale = lab.playback.time_scale;
     stored.followed = panels.prompts.followed;
-    stored.strips = panels.strips;
+    stored.strips = panels.charts.strips;
     stored.folded.emplace();
     for (const ui::CardTraits& row : ui::cards()) {
         const auto index = static_cast<std::size_t>(row.card);
         const bool is_folded = row.card == ui::Card::inspector ? panels.canvas.inspector.folded
-                               : panels.before_lecture         ? panels.before_lecture->cards[index].folded
+                               : panels.lecture.before         ? panels.lecture.before->cards[index].folded
                                                                : panels.cards[index].folded;
         if (is_folded) stored.folded->emplace_back(row.anchor);
     }

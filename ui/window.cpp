@@ -45,7 +45,8 @@ void switch_menus(PanelState& state, const Ui& ui, OpenMenus open) {
     if (open.scene && is_over("menu")) return;
     const std::string_view title = menu_title_at(ui, mouse.x, mouse.y);
     if ((open.presets || open.scene) && !title.empty()) state.menu_bar.open = title;
-    if ((open.bar || open.scene) && !is_over("menu.rows") && is_over("button.presets")) state.open_presets = true;
+    if ((open.bar || open.scene) && !is_over("menu.rows") && is_over("button.presets"))
+        state.brain.presets.wanted = true;
 }
 
 // The wiring canvas with the inspector below it. The background does not cover the inset with the scene.
@@ -138,8 +139,8 @@ std::string hint_of_tool(const SceneInputState& scene_input, const LabView& view
 void choose_sensor_handles(const LabView& view, PanelState& state) {
     SensorHandleState& handles = state.scene_input.sensors;
     handles.shown = !view.lecture && !state.card(Card::sensors).folded;
-    handles.sensor = state.sensor;
-    handles.alone = state.sensor_alone;
+    handles.sensor = state.sensors.shown;
+    handles.alone = state.sensors.alone;
 }
 
 // The parts of a page of a lecture file.
@@ -165,8 +166,9 @@ std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
 }  // namespace
 
 OpenCards open_cards(const LabView& view, const PanelState& state) {
-    OpenCards open{.charts = state.charts_open};
-    if (view.pages && view.pages->notes) open.notes = state.notes_height, open.question = state.question_height;
+    OpenCards open{.charts = state.charts.open};
+    if (view.pages && view.pages->notes)
+        open.notes = state.lecture.notes_height, open.question = state.lecture.question_height;
     for (const CardTraits& row : cards()) {
         if (row.column == Column::none || state.cards[static_cast<std::size_t>(row.card)].folded) continue;
         (row.column == Column::left ? open.left : open.right) |= row.shown(view);
@@ -192,8 +194,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     Prompt prompt = view.lecture ? Prompt{} : next_prompt(state.prompts, view);
     if (is_play_held(view, state)) prompt = {"exercise.predict", "hint.predict_first"};
     ui.highlight = prompt.anchor;
-    if (state.highlighted != prompt.anchor) state.highlighted = prompt.anchor, state.reveals_highlight = true;
-    ui.reveals = &state.reveals_highlight;
+    if (state.highlight.anchor != prompt.anchor) state.highlight.anchor = prompt.anchor, state.highlight.reveals = true;
+    ui.reveals = &state.highlight.reveals;
     pass_keys_to_rows(state);
     begin_keyboard(state.keyboard);
     // A click into the scene removes the focus from the cards.
@@ -203,19 +205,19 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     MenuBarState& menus = state.menu_bar;
     if (view.lecture || state.sheet != Sheet::none) menus.open.clear();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const OpenMenus open_menus{!menus.open.empty(), state.presets_open, state.scene_input.menu.open};
+    const OpenMenus open_menus{!menus.open.empty(), state.brain.presets.open, state.scene_input.menu.open};
     state.scene_input.below_menu = open_menus.bar && !menus.panel.contains(mouse.x, mouse.y);
     state.cards_are_cut = false;
-    state.lesion_under_pointer.clear();
-    state.what_if.clear();
+    state.brain.lesion_under_pointer.clear();
+    state.brain.what_if.clear();
     state.map.hovered.reset();
     state.reality.hovered.reset();
     follow_map(view, state);
-    record(state.history, view);
+    record(state.charts.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
     choose_sensor_handles(view, state);
-    if (state.marks.drawing) {  // the mouse draws and does nothing else
+    if (state.lecture.marks.drawing) {  // the mouse draws and does nothing else
         LabView without_camera = view;
         without_camera.camera_view = nullptr;
         scene_input(without_camera, state.scene_input, ui, layout.scene, {});
@@ -242,9 +244,10 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         lecture_figures(view, state, ui, layout.hint_bar);
         lecture_bar(view, state, ui, layout.toolbar);
         draw_page(view, state, ui, layout);
-        if (state.sheet == Sheet::none) draw_marks(view, state.marks, ui, layout.scene, layout.toolbar, layout.window);
+        if (state.sheet == Sheet::none)
+            draw_marks(view, state.lecture.marks, ui, layout.scene, layout.toolbar, layout.window);
     } else {
-        state.marks = {};
+        state.lecture.marks = {};
         timeline(view, state, ui, layout.timeline);
         const std::string tool = hint_of_tool(state.scene_input, view);
         const std::string_view hint = !state.sliders.dragged.empty() ? "hint.slider_drag"
@@ -261,8 +264,9 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     term_card(view, state, ui, layout.window);
     keep_drawn(state.fields);
     keep_drawn_fields(state);
-    for (TextField* field : {&state.values.seed, &state.note, &state.hand_in.name}) (void)keep_drawn(*field);
-    for (TextField& field : state.hands) (void)keep_drawn(field);
+    for (TextField* field : {&state.values.seed, &state.exercise.note, &state.exercise.hand_in.name})
+        (void)keep_drawn(*field);
+    for (TextField& field : state.lecture.hands) (void)keep_drawn(field);
     blank_window(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
     execute_chosen(view, state, ui.outbox);
@@ -270,7 +274,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
 bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
     if (vehicle == no_vehicle || !ImGui::GetIO().MouseDown[0]) return false;
-    return !state.sliders.dragged.empty() || state.stick_held || state.map.drags ||
+    return !state.sliders.dragged.empty() || state.brain.stick_held || state.map.drags ||
            state.scene_input.drag.on.object == vehicle_object(vehicle);
 }
 

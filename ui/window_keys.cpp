@@ -38,11 +38,11 @@ bool key_for_typing(SliderState& sliders, Keyboard& keyboard, KeyPress press) {
 bool key_for_hands(PanelState& state, KeyPress press) {
     if (press.key == key::page_up || press.key == key::page_down ||
         action_for(press, KeyPlace::lecture) == Action::blank) {
-        for (TextField& field : state.hands)
+        for (TextField& field : state.lecture.hands)
             if (std::exchange(field.active, false)) state.keyboard.focus.clear();
         return false;
     }
-    return std::any_of(state.hands.begin(), state.hands.end(),
+    return std::any_of(state.lecture.hands.begin(), state.lecture.hands.end(),
                        [press](TextField& field) { return for_text_field(field, press); });
 }
 
@@ -82,11 +82,11 @@ bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Out
     const auto action = action_for(press, KeyPlace::lecture);
     if (!view.lecture || !action) return false;
     if (*action == Action::draw_marks)
-        state.marks.drawing = !state.marks.drawing;
+        state.lecture.marks.drawing = !state.lecture.marks.drawing;
     else if (*action == Action::blank)
-        state.blank = true;
+        state.lecture.blank = true;
     else if (*action == Action::clear_marks)
-        state.marks.lines.clear();
+        state.lecture.marks.lines.clear();
     else if (has_effect_in_lecture(*action, view.pages))
         outbox.push_back(*action);
     else
@@ -144,7 +144,7 @@ bool key_for_menus(PanelState& state, KeyPress press) {
 // Actions that open a file or the sheet of files.
 bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
     const auto open_sheet = [&](bool saving, FileKind kind = FileKind::scene) {
-        begin_files(state.files, saving, kind);
+        begin_files(state.sheets.files, saving, kind);
         state.sheet = Sheet::files;
         return true;
     };
@@ -163,11 +163,11 @@ bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox&
         case Action::save_brain:
             return open_sheet(true, FileKind::brain);
         case Action::save_exercise:
-            begin_author(view, state.author);
+            begin_author(view, state.sheets.author);
             state.sheet = Sheet::author;
             return true;
         case Action::export_robot:
-            begin_robot(state.robot);
+            begin_robot(state.sheets.robot);
             state.sheet = Sheet::robot;
             return true;
         default:
@@ -253,9 +253,9 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
     else if (action == Action::about)
         state.sheet = Sheet::about;
     else if (action == Action::charts)
-        state.charts_open = !state.charts_open;
-    else if (action == Action::lesion && !state.lesion_under_pointer.empty())
-        state.lesion_requested = state.lesion_under_pointer;
+        state.charts.open = !state.charts.open;
+    else if (action == Action::lesion && !state.brain.lesion_under_pointer.empty())
+        state.brain.lesion_requested = state.brain.lesion_under_pointer;
     else
         return act_on_files(view, state, action, outbox);
     return true;
@@ -299,8 +299,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (view.title_page) return key_for_title_page(press, outbox);
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
     if (!is_modifier) state.tooltips.hidden = true;
-    if (state.blank && !is_modifier) {
-        state.blank = false;
+    if (state.lecture.blank && !is_modifier) {
+        state.lecture.blank = false;
         return true;
     }
     if (key_for_prediction(view, state, press, outbox) || key_for_next_exercise(view, state, press)) return true;
@@ -312,19 +312,20 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (key_for_typing(state.sliders, state.keyboard, press)) return true;
     if (state.sheet == Sheet::none &&
         (for_record_text(state.fields, press) || for_text_field(state.values.seed, press) ||
-         for_text_area(state.note, press) || key_for_hands(state, press) || for_text_field(state.hand_in.name, press)))
+         for_text_area(state.exercise.note, press) || key_for_hands(state, press) ||
+         for_text_field(state.exercise.hand_in.name, press)))
         return true;
     if (key_for_sheet_text(state, press)) return true;
     if (view.lecture && state.sheet == Sheet::none && !is_modifier && !is_key_of_pages(view, press))
-        state.pressed.push_back({press, view.wall_seconds});
+        state.lecture.pressed.push_back({press, view.wall_seconds});
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) {
         key_for_sheet(state, press);
         return true;
     }
     if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;
     if (press.key == key::escape && give_up_drag(state)) return true;
-    if (state.presets_open && press.key == key::escape) {
-        state.close_presets = true;
+    if (state.brain.presets.open && press.key == key::escape) {
+        state.brain.presets.closes = true;
         return true;
     }
     if (!state.glossary.open.empty() && press.key == key::escape) {
@@ -332,8 +333,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         return true;
     }
     if (key_for_lecture(view, state, press, outbox)) return true;
-    if (state.marks.drawing && press.key == key::escape) {
-        state.marks.drawing = false;
+    if (state.lecture.marks.drawing && press.key == key::escape) {
+        state.lecture.marks.drawing = false;
         return true;
     }
     if (key_for_link(state, press, outbox)) return true;
@@ -341,7 +342,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     const bool watched = state.keyboard.focus == wiring::canvas_focus && view.mode != Mode::wiring;
     if (watched && works_in_watched_canvas(press) && key_for_canvas(state.canvas, press)) return true;
     if (key_for_focus(state.keyboard, press)) return true;
-    const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
+    const bool on_a_card = action_for(press) == Action::lesion && !state.brain.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {
         if (selects_vehicle(*action) && !has_other_vehicle(view))

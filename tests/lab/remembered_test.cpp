@@ -19,7 +19,7 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     panels.card(Card::brain).folded = true;
     panels.card(Card::sensors).folded = false;
     panels.prompts.followed.wiring = true;
-    panels.strips = {"SL", "N1"};
+    panels.charts.strips = {"SL", "N1"};
     const StoredView stored = view_to_store(lab, panels);
 
     Lab next = opened_lab("2a-coward");
@@ -34,7 +34,7 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     EXPECT_TRUE(next_panels.card(Card::brain).folded);
     EXPECT_FALSE(next_panels.card(Card::sensors).folded);
     EXPECT_TRUE(next_panels.prompts.followed.wiring);
-    EXPECT_EQ(next_panels.strips, panels.strips);
+    EXPECT_EQ(next_panels.charts.strips, panels.charts.strips);
     EXPECT_EQ(view_to_store(next, next_panels), stored);
 }
 
@@ -63,7 +63,7 @@ TEST(Remembered, IsOfTheTimeBeforeALecture) {
     const StoredView before = view_to_store(lab, panels);
     handle(lab, Action::lecture);
     handle(lab, Action::trails);
-    panels.before_lecture = ui::BeforeLecture{panels.cards, {}};
+    panels.lecture.before = ui::BeforeLecture{panels.cards, {}};
     panels.card(Card::brain).folded = true;
     EXPECT_EQ(view_to_store(lab, panels), before);
 }

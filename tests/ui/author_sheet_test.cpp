@@ -57,11 +57,11 @@ TEST_F(AuthorSheet, BeginsWithTheTitleInTheLanguageOfTheWindow) {
     desk.frame(2);
     desk.choose("file", "save_exercise");
     desk.frame(2);
-    EXPECT_EQ(desk.panels.author.title.text, "Feigling");
+    EXPECT_EQ(desk.panels.sheets.author.title.text, "Feigling");
 }
 
 TEST_F(AuthorSheet, BeginsWithTheNearestLampTheDialsAndTheTitleOfTheScene) {
-    EXPECT_EQ(desk.panels.author.title.text, desk.now.scene->title);
+    EXPECT_EQ(desk.panels.sheets.author.title.text, desk.now.scene->title);
     fill_in();
     const SaveExerciseRequest request = saved();
     EXPECT_EQ(request.path, "strike") << "a file name for the title";
@@ -148,7 +148,7 @@ TEST_F(AuthorSheet, APredictionCanSayWhatTheRunShows) {
     ASSERT_TRUE(desk.anchors.find("author.shows.nothing"));
     desk.click("author.shows.nothing");
     desk.rest();
-    EXPECT_TRUE(desk.panels.author.draft.prediction.shows.empty());
+    EXPECT_TRUE(desk.panels.sheets.author.draft.prediction.shows.empty());
     EXPECT_TRUE(saved().draft->prediction.shows.empty());
 }
 
@@ -158,7 +158,7 @@ TEST_F(AuthorSheet, TakesThePresentBrainAsAWrongAnswerOnce) {
     desk.click("author.wrong.add");
     desk.frame(2);
     desk.click("author.wrong.add");
-    ASSERT_EQ(desk.panels.author.draft.wrong.size(), 1u) << "the same brain is not taken twice";
+    ASSERT_EQ(desk.panels.sheets.author.draft.wrong.size(), 1u) << "the same brain is not taken twice";
     EXPECT_EQ(saved().draft->wrong[0].name, "Wrong answer 1");
     EXPECT_EQ(saved().draft->wrong[0].brain, *brain_of(desk.now, desk.now.vehicles[0]));
     desk.now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 2}));
@@ -166,12 +166,12 @@ TEST_F(AuthorSheet, TakesThePresentBrainAsAWrongAnswerOnce) {
     desk.frame(2);
     desk.click("author.wrong.add");
     desk.frame(2);
-    desk.panels.author.wrong_names[1].text = "second";
+    desk.panels.sheets.author.wrong_names[1].text = "second";
     desk.click("author.wrong.1.remove");
     desk.frame(2);
     ASSERT_EQ(saved().draft->wrong.size(), 1u);
     EXPECT_EQ(saved().draft->wrong[0].name, "second") << "the name goes with its brain";
-    desk.panels.author.wrong_names[0].text.clear();
+    desk.panels.sheets.author.wrong_names[0].text.clear();
     desk.click("author.save");
     EXPECT_TRUE(desk.says("A wrong answer has no name"));
 }
@@ -195,17 +195,17 @@ TEST_F(AuthorSheet, KeepsTheDraftWhileTheSceneIsOpen) {
     EXPECT_FALSE(desk.anchors.find("card.author"));
     desk.choose("file", "save_exercise");
     desk.frame(2);
-    EXPECT_EQ(desk.panels.author.goal.text, "Touch the lamp.");
+    EXPECT_EQ(desk.panels.sheets.author.goal.text, "Touch the lamp.");
     desk.key({key::escape});
     ++desk.view.run_id;
     desk.frame(2);
     desk.choose("file", "save_exercise");
-    EXPECT_EQ(desk.panels.author.goal.text, "");
+    EXPECT_EQ(desk.panels.sheets.author.goal.text, "");
 }
 
 TEST_F(AuthorSheet, AStepNeedsAText) {
     fill_in();
-    desk.panels.author.step_texts[0].text.clear();
+    desk.panels.sheets.author.step_texts[0].text.clear();
     desk.click("author.save");
     EXPECT_TRUE(desk.says("A step has no text"));
     EXPECT_FALSE(desk.last<SaveExerciseRequest>());
@@ -215,7 +215,7 @@ TEST_F(AuthorSheet, ARemovedStepTakesItsTextWithIt) {
     fill_in();
     desk.click("author.step.add");
     desk.frame(2);
-    desk.panels.author.step_texts[0].text = "first", desk.panels.author.step_texts[1].text = "second";
+    desk.panels.sheets.author.step_texts[0].text = "first", desk.panels.sheets.author.step_texts[1].text = "second";
     desk.click("author.step.1");
     desk.click("author.step.remove");
     desk.frame(2);
@@ -228,7 +228,7 @@ TEST_F(AuthorSheet, AFileOfAnotherNameIsNotReplacedByTheSecondPress) {
     fill_in();
     (void)saved();
     files.refused = Error{"there is a file of this name"};
-    desk.panels.author.path.text = "other";
+    desk.panels.sheets.author.path.text = "other";
     desk.frame(2);
     EXPECT_FALSE(saved().replace);
     EXPECT_EQ(saved().path, "other");
@@ -243,7 +243,7 @@ TEST_F(AuthorSheet, TheSpreadOfTheSelectedVehicleIsKept) {
     desk.frame(2);
     desk.choose("file", "save_exercise");
     desk.frame(2);
-    EXPECT_NEAR(desk.panels.author.draft.heading_spread, 30, 0.01f);
+    EXPECT_NEAR(desk.panels.sheets.author.draft.heading_spread, 30, 0.01f);
 }
 
 }  // namespace braitenlab::tests::author_sheet_test

@@ -409,11 +409,11 @@ TEST(BrainCard, ShowsNoScopeIfTheKindHasOneVehicle) {
 TEST(BrainCard, ShowsTheNameOfTheWiringOncePerBrain) {
     Desk desk;
     desk.frame(3);
-    EXPECT_EQ(desk.panels.recognised.brain, desk.now.brains[0]);
-    EXPECT_EQ(desk.panels.recognised.single, Character::aggressor);
+    EXPECT_EQ(desk.panels.brain.recognised.brain, desk.now.brains[0]);
+    EXPECT_EQ(desk.panels.brain.recognised.single, Character::aggressor);
     desk.view.settings.selection.vehicle = 1;
     desk.frame();
-    EXPECT_EQ(desk.panels.recognised.single, Character::coward);
+    EXPECT_EQ(desk.panels.brain.recognised.single, Character::coward);
 }
 
 TEST(BrainCard, SetsAClassicBrainFromItsPresets) {

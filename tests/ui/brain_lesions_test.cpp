@@ -100,7 +100,7 @@ TEST(BrainLesions, CutsTheWireOfTheChosenPairAlsoWithoutThePicture) {
     desk.panels.card(Card::brain).folded = true;
     desk.view.settings.selection.pair = "heat";
     desk.rest();
-    desk.panels.lesion_requested = "lesion.LL";
+    desk.panels.brain.lesion_requested = "lesion.LL";
     desk.frame(2);
     ASSERT_EQ(desk.edits().size(), 1u);
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "HL", "ML"));
@@ -137,7 +137,7 @@ TEST(BrainLesions, CutsTheWireOfTheChosenPairWithTheKeyLWhileWiring) {
 
 TEST(BrainLesions, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
     Desk desk(1280, 1000);
-    desk.panels.thresholds_open = true;
+    desk.panels.brain.thresholds_open = true;
     desk.frame(3);
     for (const char* anchor : {"slider.LR", "threshold.LR"}) {
         desk.all.clear();

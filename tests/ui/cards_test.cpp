@@ -33,7 +33,7 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     desk.now.scene = scene;
     desk.now.sources.resize(1);
     desk.view.settings.selection.object = {SceneObjectKind::source, 0};
-    desk.panels.charts_open = true;
+    desk.panels.charts.open = true;
     desk.view.settings.values = desk.view.settings.map = desk.view.settings.reality = true;
     const insight::Design design;
     desk.view.slots.slots[0].design = &design;
@@ -150,7 +150,7 @@ TEST(Cards, StayInTheirColumnWhicheverAreOpen) {
         desk.view.settings.values = desk.view.settings.map = desk.view.settings.reality = true;
         desk.view.slots.slots[0].design = &design;
         desk.view.robots = RobotsView{.count = 40, .is_on = true, .report = &report};
-        desk.panels.values.kinds = desk.panels.sensor_quality_open = true;
+        desk.panels.values.kinds = desk.panels.sensors.quality_open = true;
         std::vector<Card> foldable;  // folding others closes them
         for (const Card card : {Card::scene, Card::values, Card::sensors, Card::brain, Card::information})
             foldable.push_back(card);

@@ -95,7 +95,7 @@ TEST(ChartCard, KeepsTheToolsAboveTheScene) {
     const CameraView camera_view =
         look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
     desk.view.camera_view = &camera_view;
-    desk.panels.charts_open = true;
+    desk.panels.charts.open = true;
     desk.frame(3);
     const Rect tools = desk.where("tool.hand"), scene = desk.where("viewport");
     EXPECT_LE(tools.y + tools.h, scene.y) << "the tools do not cover a vehicle";
@@ -103,7 +103,7 @@ TEST(ChartCard, KeepsTheToolsAboveTheScene) {
 
 TEST(ChartCard, ShowsOneTooltipAtATime) {
     Desk desk(1280, 800, 1, true);
-    desk.panels.charts_open = true;
+    desk.panels.charts.open = true;
     desk.frame(3);
     desk.point("charts.csv");
     desk.frame(60);
@@ -117,7 +117,7 @@ TEST(ChartCard, ShowsOneTooltipAtATime) {
 
 TEST(ChartCard, KeepsTheNumbersOfTwoChartsApart) {
     Desk desk(1280, 800, 1, true);
-    desk.panels.charts_open = true;
+    desk.panels.charts.open = true;
     for (std::uint64_t tick = 0; tick <= 600; tick += 3) desk.now.tick = tick, desk.frame();
     std::vector<Rect> numbers;
     for (const Written& w : desk.written)
@@ -132,7 +132,7 @@ TEST(ChartCard, KeepsTheWordsOfItsTabsApartInANarrowWindow) {
     for (const Language& language : shipped_languages()) {
         Desk desk(1024, 768, 1, true);
         desk.strings = speaking(language.code);
-        desk.panels.charts_open = true;
+        desk.panels.charts.open = true;
         desk.frame(3);
         std::vector<Rect> words;
         for (int tab = 1; tab <= 6; ++tab) {
@@ -165,8 +165,8 @@ TEST(ChartCard, ExportsTheShownValues) {
 TEST(ChartCard, ShowsNeuronsAndLearnedWeightsByName) {
     Desk desk(1280, 800, 1, true);
     desk.now = shipped_scene("7-mnemotrix");
-    desk.panels.charts_open = true;
-    desk.panels.chart = Chart::all;
+    desk.panels.charts.open = true;
+    desk.panels.charts.shown = Chart::all;
     for (std::uint64_t tick = 0; tick <= 60; tick += 3) desk.now.tick = tick, desk.frame();
     const auto writes_in_card = [&](const std::string& words) {
         return std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& w) {
@@ -177,8 +177,8 @@ TEST(ChartCard, ShowsNeuronsAndLearnedWeightsByName) {
         if (node.kind != NodeKind::neuron) continue;
         EXPECT_TRUE(writes_in_card(node.name)) << node.name;
     }
-    ASSERT_FALSE(desk.panels.history.brain_values.empty());
-    EXPECT_NE(desk.panels.history.brain_values.back().find('>'), std::string::npos) << "a learned weight";
+    ASSERT_FALSE(desk.panels.charts.history.brain_values.empty());
+    EXPECT_NE(desk.panels.charts.history.brain_values.back().find('>'), std::string::npos) << "a learned weight";
     EXPECT_TRUE(writes_in_card("0.00"));
 }
 
@@ -186,8 +186,8 @@ TEST(ChartCard, ShowsEverySensorAndBothWheelsAsStrips) {
     Desk desk(1280, 800, 1, true);
     desk.now = shipped_scene("3c-values");
     desk.view.settings.selection.vehicle = 0;
-    desk.panels.charts_open = true;
-    desk.panels.chart = Chart::all;
+    desk.panels.charts.open = true;
+    desk.panels.charts.shown = Chart::all;
     for (std::uint64_t tick = 0; tick <= 60; tick += 3) desk.now.tick = tick, desk.frame();
     for (const Sensor& sensor : desk.now.scene->kinds[0].sensors) {
         const Rect strip = desk.where("charts.strip." + sensor.name);
@@ -243,8 +243,8 @@ TEST(ChartCard, ShowsTheValueUnderThePointer) {
 TEST(ChartCard, ShowsTheNumberOfBarsThatDoNotFit) {
     Desk desk(1280, 800, 1, true);
     desk.now = snapshot(200);
-    desk.panels.charts_open = true;
-    desk.panels.chart = Chart::bars;
+    desk.panels.charts.open = true;
+    desk.panels.charts.shown = Chart::bars;
     desk.frame(4);
     const Rect bars = desk.where("charts.bars");
     int counts = 0;

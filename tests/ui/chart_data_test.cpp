@@ -124,7 +124,7 @@ TEST(ChartData, RecordsNeuronsAndLearnedWeightsAndRestartsForAnotherBrain) {
     Desk desk;
     desk.now = shipped_scene("7-mnemotrix");
     desk.rest();
-    History& history = desk.panels.history;
+    History& history = desk.panels.charts.history;
     const auto names = history.brain_values;
     ASSERT_FALSE(names.empty());
     const auto learned =

@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 struct ChartStrips : testing::Test {
     ChartDesk desk{800};
     ChartStrips() {
-        desk.panels.chart = Chart::all;
+        desk.panels.charts.shown = Chart::all;
         desk.frame(2);
     }
     bool writes(std::string_view words) const {
@@ -25,7 +25,7 @@ struct ChartStrips : testing::Test {
                            [&](const Written& w) { return w.words == words; });
     }
     void show_chosen() {
-        desk.panels.chart = Chart::chosen;
+        desk.panels.charts.shown = Chart::chosen;
         desk.frame(2);
     }
 };
@@ -36,15 +36,15 @@ TEST_F(ChartStrips, ThePlusOfARowChoosesItsSignalAndASecondClickRemovesIt) {
     desk.click("charts.add.ML");
     desk.rest();
     desk.click("charts.add.SL");
-    EXPECT_EQ(desk.panels.strips, (Names{"ML", "SL"})) << "in the order of the clicks";
-    EXPECT_EQ(desk.panels.chart, Chart::all) << "more can be chosen";
+    EXPECT_EQ(desk.panels.charts.strips, (Names{"ML", "SL"})) << "in the order of the clicks";
+    EXPECT_EQ(desk.panels.charts.shown, Chart::all) << "more can be chosen";
     desk.rest();
     desk.click("charts.add.ML");
-    EXPECT_EQ(desk.panels.strips, Names{"SL"});
+    EXPECT_EQ(desk.panels.charts.strips, Names{"SL"});
 }
 
 TEST_F(ChartStrips, OfChosenSignalsAreBelowEachOther) {
-    desk.panels.strips = {"MR", "SL"};
+    desk.panels.charts.strips = {"MR", "SL"};
     show_chosen();
     const Rect first = desk.where("charts.strip.MR"), second = desk.where("charts.strip.SL");
     EXPECT_LE(first.y + first.h, second.y);
@@ -54,10 +54,10 @@ TEST_F(ChartStrips, OfChosenSignalsAreBelowEachOther) {
 }
 
 TEST_F(ChartStrips, TheCrossRemovesASignal) {
-    desk.panels.strips = {"MR", "SL"};
+    desk.panels.charts.strips = {"MR", "SL"};
     show_chosen();
     desk.click("charts.remove.MR");
-    EXPECT_EQ(desk.panels.strips, Names{"SL"});
+    EXPECT_EQ(desk.panels.charts.strips, Names{"SL"});
     EXPECT_FALSE(desk.anchors.find("charts.strip.MR"));
     EXPECT_TRUE(desk.anchors.find("charts.strip.SL"));
 }
@@ -65,13 +65,13 @@ TEST_F(ChartStrips, TheCrossRemovesASignal) {
 TEST_F(ChartStrips, ALineTellsHowToChooseWhileNoneIsChosen) {
     show_chosen();
     EXPECT_TRUE(writes(desk.strings("charts.choose_how")));
-    desk.panels.strips = {"SL"};
+    desk.panels.charts.strips = {"SL"};
     desk.frame(2);
     EXPECT_FALSE(writes(desk.strings("charts.choose_how")));
 }
 
 TEST_F(ChartStrips, OfARemovedSensorDisappears) {
-    desk.panels.strips = {"SL", "MR"};
+    desk.panels.charts.strips = {"SL", "MR"};
     show_chosen();
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->kinds[0].sensors.erase(scene->kinds[0].sensors.begin());
@@ -86,28 +86,28 @@ TEST_F(ChartStrips, OfARemovedSensorDisappears) {
 }
 
 TEST_F(ChartStrips, OfManyChosenSignalsStayWithinTheCard) {
-    for (const Signal& signal : all_signals(desk.panels.history)) choose_strip(desk.panels, signal.name);
-    ASSERT_GT(desk.panels.strips.size(), 8u);
+    for (const Signal& signal : all_signals(desk.panels.charts.history)) choose_strip(desk.panels, signal.name);
+    ASSERT_GT(desk.panels.charts.strips.size(), 8u);
     show_chosen();
     const Rect picture = desk.where("charts.picture");
     std::size_t shown = 0;
-    for (const std::string& name : desk.panels.strips) {
+    for (const std::string& name : desk.panels.charts.strips) {
         const Rect* strip = desk.anchors.find("charts.strip." + name);
         if (!strip) continue;
         ++shown;
         EXPECT_LE(strip->y + strip->h, picture.y + picture.h) << name;
     }
-    EXPECT_TRUE(shown == desk.panels.strips.size() ||
-                writes(fill(desk.strings("info.more"), {std::to_string(desk.panels.strips.size() - shown)})));
+    EXPECT_TRUE(shown == desk.panels.charts.strips.size() ||
+                writes(fill(desk.strings("info.more"), {std::to_string(desk.panels.charts.strips.size() - shown)})));
 }
 
 TEST(ChooseStrip, AddsANameOnceAndAtMostThirtyTwo) {
     PanelState state;
     choose_strip(state, "SL");
     choose_strip(state, "SL");
-    EXPECT_EQ(state.strips, Names{"SL"});
+    EXPECT_EQ(state.charts.strips, Names{"SL"});
     for (int i = 0; i < 40; ++i) choose_strip(state, "N" + std::to_string(i));
-    EXPECT_EQ(state.strips.size(), most_strips);
+    EXPECT_EQ(state.charts.strips.size(), most_strips);
 }
 
 }  // namespace braitenlab::tests::chart_strips_test

@@ -445,13 +445,13 @@ TEST_F(DrawInsight, TheCauseOfTheTurnShowsWholeNamesOfSensors) {
 TEST_F(DrawInsight, APresetUnderThePointerIsTriedOut) {
     desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
     desk.frame(2);
-    EXPECT_TRUE(desk.panels.what_if.empty());
+    EXPECT_TRUE(desk.panels.brain.what_if.empty());
     desk.click("button.presets");
     desk.frame(2);
     desk.point("preset.2a-coward");
     desk.frame(2);
-    ASSERT_EQ(desk.panels.what_if.size(), 1u);
-    EXPECT_TRUE(std::holds_alternative<SetBrain>(desk.panels.what_if.front()));
+    ASSERT_EQ(desk.panels.brain.what_if.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<SetBrain>(desk.panels.brain.what_if.front()));
     EXPECT_TRUE(desk.edits().empty()) << "nothing is changed";
 }
 
@@ -474,16 +474,16 @@ TEST_F(DrawInsight, AWireOnTheDeckUnderThePointerIsTriedOut) {
         ASSERT_TRUE(pixel);
         desk.point(pixel->x, pixel->y);
         desk.frame(2);
-        ASSERT_EQ(desk.panels.what_if.size(), 1u);
+        ASSERT_EQ(desk.panels.brain.what_if.size(), 1u);
         BrainGraph without = brain;
         without.wires[each.wire].cut = true;
-        EXPECT_EQ(std::get<SetBrain>(desk.panels.what_if.front()).brain, without);
+        EXPECT_EQ(std::get<SetBrain>(desk.panels.brain.what_if.front()).brain, without);
         EXPECT_TRUE(desk.says("The path without"));
     }
     EXPECT_TRUE(desk.edits().empty()) << "nothing is changed";
     desk.point(5, 400);
     desk.frame(2);
-    EXPECT_TRUE(desk.panels.what_if.empty());
+    EXPECT_TRUE(desk.panels.brain.what_if.empty());
 }
 
 TEST_F(DrawInsight, AWireOfTheDiagramBesideTheSceneIsTriedOut) {
@@ -494,30 +494,30 @@ TEST_F(DrawInsight, AWireOfTheDiagramBesideTheSceneIsTriedOut) {
     const Wire& wire = brain.wires.front();
     desk.point("wire." + wire_name(brain, {wire.from, wire.to}));
     desk.frame(2);
-    ASSERT_EQ(desk.panels.what_if.size(), 1u);
-    EXPECT_TRUE(find_wire(std::get<SetBrain>(desk.panels.what_if.front()).brain, wire.from, wire.to)->cut);
+    ASSERT_EQ(desk.panels.brain.what_if.size(), 1u);
+    EXPECT_TRUE(find_wire(std::get<SetBrain>(desk.panels.brain.what_if.front()).brain, wire.from, wire.to)->cut);
 }
 
 TEST_F(DrawInsight, AWireOfTheWiringEditorIsTriedOutUnlessItIsDragged) {
     desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
     desk.view.mode = Mode::wiring;
     desk.frame(4);
-    EXPECT_TRUE(desk.panels.what_if.empty());
+    EXPECT_TRUE(desk.panels.brain.what_if.empty());
     const BrainGraph& brain = *brain_of(desk.now, desk.now.vehicles[0]);
     const Wire& wire = brain.wires.front();
     desk.point("wire." + wire_name(brain, {wire.from, wire.to}));
     desk.frame(2);
-    ASSERT_EQ(desk.panels.what_if.size(), 1u);
-    EXPECT_TRUE(find_wire(std::get<SetBrain>(desk.panels.what_if.front()).brain, wire.from, wire.to)->cut);
+    ASSERT_EQ(desk.panels.brain.what_if.size(), 1u);
+    EXPECT_TRUE(find_wire(std::get<SetBrain>(desk.panels.brain.what_if.front()).brain, wire.from, wire.to)->cut);
     desk.button(0, true);
     desk.frame(2);
-    EXPECT_TRUE(desk.panels.what_if.empty());
+    EXPECT_TRUE(desk.panels.brain.what_if.empty());
     desk.button(0, false);
     desk.frame(2);
-    EXPECT_FALSE(desk.panels.what_if.empty());
+    EXPECT_FALSE(desk.panels.brain.what_if.empty());
     desk.point(5, 5);
     desk.frame(2);
-    EXPECT_TRUE(desk.panels.what_if.empty());
+    EXPECT_TRUE(desk.panels.brain.what_if.empty());
 }
 
 TEST_F(DrawInsight, TheInsetOfTheWiringEditorSaysWhichWireIsTriedOut) {

@@ -54,7 +54,7 @@ TEST(ExerciseCard, APageOfTheManualThatItNamesHasAButton) {
     desk.opened.why = "docs/robots.md shows how to build one.";
     desk.lesson.outcome_known = true;
     desk.frame(3);
-    desk.panels.why_open = true;
+    desk.panels.exercise.why_open = true;
     desk.frame(3);
     desk.click("exercise.page");
     ASSERT_TRUE(desk.last<PageRequest>());
@@ -75,12 +75,12 @@ TEST(ExerciseCard, TheReasonIsFoldedInTheNextExercise) {
     desk.open_exercise();
     desk.lesson.prediction = 0;
     desk.frame(2);
-    desk.panels.why_open = true;
+    desk.panels.exercise.why_open = true;
     desk.frame(2);
-    EXPECT_TRUE(desk.panels.why_open);
+    EXPECT_TRUE(desk.panels.exercise.why_open);
     desk.opened.id = "06-love";
     desk.frame(2);
-    EXPECT_FALSE(desk.panels.why_open);
+    EXPECT_FALSE(desk.panels.exercise.why_open);
 }
 
 TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
@@ -116,7 +116,7 @@ TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     desk.open_exercise();
     desk.lesson.has_run = true;
     desk.lesson.hints_shown = 3;
-    desk.panels.why_open = true;
+    desk.panels.exercise.why_open = true;
     desk.lesson.grade = graded({true, false, true}, false);
     desk.frame(5);
     EXPECT_TRUE(inside(desk.where("exercise.show_me"), desk.where("card.exercise")));
@@ -158,7 +158,7 @@ TEST(ExerciseCard, ItsFootDoesNotScroll) {
                 for (int i = 0; i < 8; ++i) desk.opened.hints.push_back(desk.opened.hints.front());
                 desk.lesson.hints_shown = 11;
                 desk.lesson.notes = "Two wires.";
-                desk.panels.why_open = desk.panels.hand_in.asks = true;
+                desk.panels.exercise.why_open = desk.panels.exercise.hand_in.asks = true;
                 desk.frame(6);
                 const Rect card = desk.where("card.exercise");
                 for (const Shown& shown : desk.shown)
@@ -177,11 +177,11 @@ TEST(ExerciseCard, TheNoteFieldIsInSightOnceItIsUnfolded) {
     desk.open_exercise();
     for (int i = 0; i < 12; ++i) desk.opened.hints.push_back(desk.opened.hints.front());
     desk.lesson.hints_shown = 15;
-    desk.panels.why_open = true;
+    desk.panels.exercise.why_open = true;
     desk.frame(5);
     desk.click("exercise.note");
     desk.frame(4);
-    EXPECT_TRUE(desk.panels.note.active);
+    EXPECT_TRUE(desk.panels.exercise.note.active);
     EXPECT_GT(desk.where("exercise.note.text").h, 80);
 }
 

@@ -103,7 +103,7 @@ TEST(ExerciseGrade, EveryStepAndTheNextButtonAreVisibleOnceItIsPassed) {
         Desk desk(1024, 768, 1, true);
         desk.strings = speaking(language);
         pass(desk);
-        desk.panels.why_open = true;
+        desk.panels.exercise.why_open = true;
         desk.lesson.hints_shown = 3;
         desk.frame(5);
         const Rect card = desk.where("card.exercise"), buttons = desk.where("exercise.next");
@@ -156,7 +156,7 @@ TEST(ExerciseGrade, TheLightBulbAtTheNextButtonIsBelowTheScrolledPartOfTheCard) 
     Desk desk(1024, 768, 1, true);
     pass(desk);
     desk.frame(5);
-    ASSERT_EQ(desk.panels.highlighted, "exercise.next");
+    ASSERT_EQ(desk.panels.highlight.anchor, "exercise.next");
     constexpr float above_buttons = 8, rounding = 0.5f;
     EXPECT_GE(desk.pointed_out.bulb.y, desk.where("exercise.next").y - above_buttons - rounding);
 }

@@ -33,7 +33,7 @@ TEST_F(Note, IsTypedBelowItsRowAndIsNoShortcut) {
     EXPECT_FALSE(desk.anchors.find("exercise.note.text"));
     desk.click("exercise.note");
     desk.frame(3);
-    ASSERT_TRUE(desk.panels.note.active) << "the row gives the focus to the field";
+    ASSERT_TRUE(desk.panels.exercise.note.active) << "the row gives the focus to the field";
     for (const char letter : {'R', 'W', ' ', '1'}) desk.key({letter});
     desk.type("row 1");
     desk.frame(3);
@@ -43,7 +43,7 @@ TEST_F(Note, IsTypedBelowItsRowAndIsNoShortcut) {
     press({key::escape});
     desk.lesson.prediction = 0;
     press({' '});
-    EXPECT_FALSE(desk.panels.note.active);
+    EXPECT_FALSE(desk.panels.exercise.note.active);
     EXPECT_EQ(desk.lesson.notes, "row 1") << "Escape ends typing and keeps the text";
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
 }
@@ -62,12 +62,12 @@ TEST_F(Note, BreaksALineThatIsTooWide) {
 
 TEST_F(Note, ShowsTheNotesOfTheStudent) {
     desk.lesson.notes = "of Anna";
-    desk.panels.note_open = true;
+    desk.panels.exercise.note_open = true;
     desk.frame(2);
-    EXPECT_EQ(desk.panels.note.text, "of Anna");
+    EXPECT_EQ(desk.panels.exercise.note.text, "of Anna");
     desk.lesson.notes = "of Ben";
     desk.frame(2);
-    EXPECT_EQ(desk.panels.note.text, "of Ben");
+    EXPECT_EQ(desk.panels.exercise.note.text, "of Ben");
     EXPECT_FALSE(desk.last<NotesRequest>());
 }
 
@@ -165,12 +165,12 @@ TEST_F(Note, DigitsChooseNoAnswerWhileTheStartsRunAtOnce) {
 TEST_F(Note, TabLeavesTheField) {
     desk.click("exercise.note");
     desk.frame(3);
-    ASSERT_TRUE(desk.panels.note.active);
+    ASSERT_TRUE(desk.panels.exercise.note.active);
     press({key::tab});
     desk.frame(2);
-    EXPECT_FALSE(desk.panels.note.active);
+    EXPECT_FALSE(desk.panels.exercise.note.active);
     EXPECT_NE(desk.panels.keyboard.focus, "exercise.note.text");
-    EXPECT_EQ(desk.panels.note.text, "");
+    EXPECT_EQ(desk.panels.exercise.note.text, "");
 }
 
 }  // namespace braitenlab::tests::exercise_note_test

@@ -86,7 +86,7 @@ TEST(ExerciseOutcome, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfThe
     for (const bool passed : {false, true}) {
         Desk desk(1024, 768, 1, true);
         desk.open_exercise();
-        desk.panels.why_open = true;
+        desk.panels.exercise.why_open = true;
         desk.lesson.hints_shown = 3;
         if (passed) pass(desk);
         desk.lesson.prediction = 0;

@@ -134,7 +134,7 @@ TEST_F(FilesSheet, ListsRecentFilesByTheirTitle) {
 }
 
 TEST_F(FilesSheet, LeavesATextFieldByAClickBesideIt) {
-    begin_files(desk.panels.files, true, FileKind::scene);
+    begin_files(desk.panels.sheets.files, true, FileKind::scene);
     desk.panels.sheet = Sheet::files;
     desk.frame(4);
     ASSERT_EQ(desk.panels.keyboard.focus, "files.path");
@@ -147,8 +147,8 @@ TEST_F(FilesSheet, LeavesATextFieldByAClickBesideIt) {
     desk.button(0, false);
     desk.frame(3);
     EXPECT_EQ(desk.panels.keyboard.focus, "");
-    EXPECT_FALSE(desk.panels.files.typed.active);
-    EXPECT_EQ(desk.panels.files.typed.text, "tame");
+    EXPECT_FALSE(desk.panels.sheets.files.typed.active);
+    EXPECT_EQ(desk.panels.sheets.files.typed.text, "tame");
     desk.click("files.title");
     EXPECT_EQ(desk.panels.keyboard.focus, "files.title");
 }
@@ -165,7 +165,7 @@ TEST_F(FilesSheet, TellsRecentFilesOfOneTitleApartInTheMenu) {
 
 TEST_F(FilesSheet, SaysThatAFolderHasNoFileOfTheKindToSave) {
     files.listing.entries = {{"mine.toml", false, FileKind::scene}};
-    begin_files(desk.panels.files, true, FileKind::brain);
+    begin_files(desk.panels.sheets.files, true, FileKind::brain);
     desk.panels.sheet = Sheet::files;
     desk.frame(3);
     EXPECT_EQ(said("There is no file of this kind here."), 1);
@@ -297,7 +297,7 @@ TEST_F(FilesSheet, RequestsATitleOfASceneAndSendsOnlyAChangedTitle) {
         return found;
     };
     press({'S', true});
-    EXPECT_EQ(desk.panels.files.title.text, desk.now.scene->title);
+    EXPECT_EQ(desk.panels.sheets.files.title.text, desk.now.scene->title);
     press({key::enter});
     EXPECT_EQ(titles().back(), std::nullopt);
     press({key::tab});
@@ -323,7 +323,7 @@ TEST_F(FilesSheet, RequestsAStoryOfASceneAndSendsOnlyAChangedStory) {
         return found;
     };
     press({'S', true});
-    EXPECT_EQ(desk.panels.files.story.text, desk.now.scene->story);
+    EXPECT_EQ(desk.panels.sheets.files.story.text, desk.now.scene->story);
     press({key::enter});
     EXPECT_EQ(last().story, std::nullopt);
     press({key::tab}), press({key::tab});
@@ -394,8 +394,8 @@ TEST(PresetsMenu, OpensTheFilesSheetToSaveAndOpenABrain) {
     desk.click("preset.save");
     desk.frame(2);
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
-    EXPECT_TRUE(desk.panels.files.saving);
-    EXPECT_EQ(desk.panels.files.kind, FileKind::brain);
+    EXPECT_TRUE(desk.panels.sheets.files.saving);
+    EXPECT_EQ(desk.panels.sheets.files.kind, FileKind::brain);
     desk.panels.sheet = Sheet::none;
     desk.frame(2);
     desk.click("button.presets");
@@ -403,8 +403,8 @@ TEST(PresetsMenu, OpensTheFilesSheetToSaveAndOpenABrain) {
     desk.click("preset.load");
     desk.frame(2);
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
-    EXPECT_FALSE(desk.panels.files.saving);
-    EXPECT_EQ(desk.panels.files.only, FileKind::brain);
+    EXPECT_FALSE(desk.panels.sheets.files.saving);
+    EXPECT_EQ(desk.panels.sheets.files.only, FileKind::brain);
 }
 
 }  // namespace braitenlab::tests::files_sheet_test

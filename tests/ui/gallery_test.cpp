@@ -199,24 +199,24 @@ TEST_F(Gallery, CtrlASelectsWhatIsSearchedAndTheNextLetterReplacesIt) {
     desk.frame(2);
     desk.key({'T'});
     desk.frame(3);
-    EXPECT_EQ(desk.panels.files.search, "t");
+    EXPECT_EQ(desk.panels.sheets.files.search, "t");
     desk.key({'U'});
     desk.key({'A', true});
     desk.key({key::backspace});
     desk.frame(3);
-    EXPECT_EQ(desk.panels.files.search, "");
+    EXPECT_EQ(desk.panels.sheets.files.search, "");
 }
 
 TEST_F(Gallery, ASearchShowsNoHeadingOfAnEmptyList) {
     open_browser();
     const float narrow = desk.where("gallery.05-aggressor").x;
     EXPECT_TRUE(desk.says("SCENES"));
-    desk.panels.files.search = "shy";
+    desk.panels.sheets.files.search = "shy";
     desk.frame(3);
     EXPECT_TRUE(desk.says("EXERCISES"));
     EXPECT_FALSE(desk.says("SCENES"));
     EXPECT_LT(desk.where("gallery.05-aggressor").x, narrow) << "it is the first one";
-    desk.panels.files.search = "it turns away";
+    desk.panels.sheets.files.search = "it turns away";
     desk.frame(3);
     EXPECT_TRUE(desk.says("SCENES"));
     EXPECT_FALSE(desk.says("EXERCISES"));
@@ -227,7 +227,7 @@ TEST_F(Gallery, ATileHasTheLetterOfItsExerciseAlsoInASearch) {
     open_browser();
     EXPECT_TRUE(desk.says("14a"));
     EXPECT_TRUE(desk.says("14b"));
-    desk.panels.files.search = "exactly";
+    desk.panels.sheets.files.search = "exactly";
     desk.frame(3);
     EXPECT_FALSE(desk.says("14a"));
     EXPECT_TRUE(desk.says("14b")) << "it keeps its letter";

@@ -68,7 +68,7 @@ TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
             desk.key(opens);
             walk.look(desk);
             for (int place = 1; place <= 2; ++place)
-                desk.panels.files.place = static_cast<FilesPlace>(place), walk.look(desk);
+                desk.panels.sheets.files.place = static_cast<FilesPlace>(place), walk.look(desk);
             desk.key({key::escape});
         }
         desk.frame(2);
@@ -138,15 +138,15 @@ TEST(Item, HasATargetOfAtLeast24PixelsOnEveryScreen) {
             desk.view.mode = mode;
             look(desk);
         }
-        desk.panels.card(Card::sensors).folded = false, desk.panels.sensor_channel_open = true;
-        desk.panels.sensor_quality_open = true, desk.panels.charts_open = true;
-        desk.panels.strips = {"SL"};
+        desk.panels.card(Card::sensors).folded = false, desk.panels.sensors.channel_open = true;
+        desk.panels.sensors.quality_open = true, desk.panels.charts.open = true;
+        desk.panels.charts.strips = {"SL"};
         for (const Chart chart :
              {Chart::signals, Chart::all, Chart::chosen, Chart::population, Chart::energy, Chart::bars}) {
-            desk.panels.chart = chart;
+            desk.panels.charts.shown = chart;
             look(desk);
         }
-        desk.panels.charts_open = false;
+        desk.panels.charts.open = false;
         desk.now.vehicles[0].driver = Driver::manual;
         look(desk);
         for (const char* menu : {"file", "edit", "view", "simulation", "exercises", "lecture", "help"}) {
@@ -323,7 +323,7 @@ TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
                 desk.lesson.prediction = 0;
             }
             desk.frame(4);
-            ASSERT_EQ(desk.panels.highlighted, id) << window.width;
+            ASSERT_EQ(desk.panels.highlight.anchor, id) << window.width;
             SCOPED_TRACE(id + " in a window of " + std::to_string(window.width));
             const Rect row = desk.where(id), ring = desk.pointed_out.ring, bulb = desk.pointed_out.bulb;
             const Rect card = id == "button.play"        ? desk.layout.toolbar

@@ -127,7 +127,7 @@ struct TypedQuickly : testing::Test {
             desk.frame();
         }
     }
-    const std::string& name() const { return desk.panels.files.typed.text; }
+    const std::string& name() const { return desk.panels.sheets.files.typed.text; }
 };
 
 TEST_F(TypedQuickly, ReachesAFieldThatTheFirstKeyOpens) {

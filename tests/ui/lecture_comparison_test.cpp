@@ -96,7 +96,7 @@ TEST_F(LectureComparison, LeavesTheCardsAsTheyWereBeforeTheLecture) {
     desk.frame(2);
     EXPECT_FALSE(desk.panels.card(Card::brain).folded);
     EXPECT_FALSE(desk.panels.card(Card::slots).folded);
-    EXPECT_FALSE(desk.panels.before_lecture);
+    EXPECT_FALSE(desk.panels.lecture.before);
 }
 
 }  // namespace braitenlab::tests::lecture_comparison_test

@@ -46,12 +46,12 @@ TEST_F(LectureHands, ACountThatIsTypedCanBeSmallerAndPageKeysEndTyping) {
     desk.frame(3);
     ASSERT_TRUE(desk.last<HandsRequest>());
     EXPECT_EQ(desk.last<HandsRequest>()->hands, 7);
-    ASSERT_TRUE(desk.panels.hands[0].active);
+    ASSERT_TRUE(desk.panels.lecture.hands[0].active);
     desk.key({key::page_down});
     EXPECT_EQ(desk.actions(), std::vector{Action::next_page});
     EXPECT_TRUE(desk.panels.keyboard.focus.empty());
     desk.frame(2);
-    EXPECT_FALSE(desk.panels.hands[0].active);
+    EXPECT_FALSE(desk.panels.lecture.hands[0].active);
 }
 
 TEST_F(LectureHands, TheKeyThatBlanksEndsTheTypingOfHands) {
@@ -94,7 +94,7 @@ TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
 
 TEST_F(LectureHands, TellsThatTheFirstFrameOfAQuestionHasNotItsHeight) {
     show(1, 0);
-    desk.panels.question = {};
+    desk.panels.lecture.question = {};
     desk.frame();
     EXPECT_TRUE(desk.panels.cards_are_cut) << "its height is not known yet";
     desk.frame();

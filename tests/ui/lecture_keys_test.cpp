@@ -52,10 +52,10 @@ TEST_F(LectureKeys, AClickerBlanksTheWindowAndTheNextKeyOnlyShowsItAgain) {
     EXPECT_FALSE(desk.anchors.find("lecture.blank"));
     desk.view.pages = nullptr;
     desk.key({'B'});
-    EXPECT_TRUE(desk.panels.blank) << "also without pages";
+    EXPECT_TRUE(desk.panels.lecture.blank) << "also without pages";
     desk.view.lecture = false;
     desk.frame(2);
-    EXPECT_FALSE(desk.panels.blank);
+    EXPECT_FALSE(desk.panels.lecture.blank);
     desk.key({'B'});
     EXPECT_EQ(desk.actions(), std::vector{Action::birds_eye}) << "without a lecture";
 }

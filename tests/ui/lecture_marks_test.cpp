@@ -39,16 +39,16 @@ struct LectureMarks : testing::Test {
 
 TEST_F(LectureMarks, DDrawsLinesOnTheFloorUnderThePointer) {
     draw({500, 400}, {600, 450});
-    EXPECT_TRUE(desk.panels.marks.lines.empty()) << "drawing is off";
+    EXPECT_TRUE(desk.panels.lecture.marks.lines.empty()) << "drawing is off";
     EXPECT_FALSE(desk.anchors.find("marks.sign"));
     desk.key({'D'});
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("marks.sign"));
     desk.all.clear();
     draw({500, 400}, {600, 450});
-    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
-    ASSERT_TRUE(desk.panels.marks.lines[0].on_floor);
-    const auto& line = desk.panels.marks.lines[0].points;
+    ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);
+    ASSERT_TRUE(desk.panels.lecture.marks.lines[0].on_floor);
+    const auto& line = desk.panels.lecture.marks.lines[0].points;
     EXPECT_GE(line.size(), 10u);
     const auto first = project(camera, line.front()), last = project(camera, line.back());
     EXPECT_NEAR(first->x, 500, 1);
@@ -63,31 +63,31 @@ TEST_F(LectureMarks, ShiftDRemovesThemAndAnotherSceneToo) {
     desk.key({'D'});
     draw({500, 400}, {600, 450});
     draw({500, 300}, {600, 350});
-    ASSERT_EQ(desk.panels.marks.lines.size(), 2u);
+    ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 2u);
     desk.key({'D', false, true});
-    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    EXPECT_TRUE(desk.panels.lecture.marks.lines.empty());
     draw({500, 400}, {600, 450});
-    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);
     ++desk.view.run_id;
     desk.frame();
-    EXPECT_TRUE(desk.panels.marks.lines.empty());
-    EXPECT_TRUE(desk.panels.marks.drawing) << "drawing stays on";
+    EXPECT_TRUE(desk.panels.lecture.marks.lines.empty());
+    EXPECT_TRUE(desk.panels.lecture.marks.drawing) << "drawing stays on";
 }
 
 TEST_F(LectureMarks, EscapeEndsDrawingAndTheEndOfTheLectureToo) {
     desk.key({'D'});
     desk.all.clear();
     desk.key({key::escape});
-    EXPECT_FALSE(desk.panels.marks.drawing);
+    EXPECT_FALSE(desk.panels.lecture.marks.drawing);
     EXPECT_TRUE(desk.all.empty()) << "the lecture goes on";
     desk.key({'D'});
     draw({500, 400}, {600, 450});
     desk.view.lecture = false;
     desk.frame(2);
-    EXPECT_FALSE(desk.panels.marks.drawing);
-    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    EXPECT_FALSE(desk.panels.lecture.marks.drawing);
+    EXPECT_TRUE(desk.panels.lecture.marks.lines.empty());
     desk.key({'D'});
-    EXPECT_FALSE(desk.panels.marks.drawing) << "outside a lecture D has another meaning";
+    EXPECT_FALSE(desk.panels.lecture.marks.drawing) << "outside a lecture D has another meaning";
 }
 
 TEST_F(LectureMarks, DDrawsOverTheDiagramAndTheLinesScaleWithTheWindow) {
@@ -101,11 +101,11 @@ TEST_F(LectureMarks, DDrawsOverTheDiagramAndTheLinesScaleWithTheWindow) {
     desk.all.clear();
     const ImVec2 from{label.x + label.w / 2, label.y + label.h / 2};
     draw(from, {from.x + 40, from.y + 60});
-    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);
     EXPECT_TRUE(canvas.contains(from.x, from.y));
-    EXPECT_FALSE(desk.panels.marks.lines[0].on_floor);
+    EXPECT_FALSE(desk.panels.lecture.marks.lines[0].on_floor);
     EXPECT_TRUE(desk.edits().empty()) << "the weight under the pen is not dragged";
-    const maths::vec2 first = desk.panels.marks.lines[0].points.front();
+    const maths::vec2 first = desk.panels.lecture.marks.lines[0].points.front();
     EXPECT_NEAR(first.x, from.x / 1280, 2e-3);
     EXPECT_NEAR(first.y, from.y / 800, 2e-3);
     ImGui::GetIO().DisplaySize = {640, 400};
@@ -122,9 +122,9 @@ TEST_F(LectureMarks, ALineThatLeavesTheSceneGoesOnInTheWindow) {
     desk.frame(2);
     const Rect scene = desk.layout.scene;
     draw({scene.x + scene.w / 2, scene.y + scene.h - 40}, {scene.x + scene.w / 2, scene.y + scene.h + 30});
-    ASSERT_EQ(desk.panels.marks.lines.size(), 2u);
-    EXPECT_TRUE(desk.panels.marks.lines[0].on_floor);
-    EXPECT_FALSE(desk.panels.marks.lines[1].on_floor);
+    ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 2u);
+    EXPECT_TRUE(desk.panels.lecture.marks.lines[0].on_floor);
+    EXPECT_FALSE(desk.panels.lecture.marks.lines[1].on_floor);
 }
 
 TEST_F(LectureMarks, TheBarCanBeClickedWhileTheMouseDraws) {
@@ -132,7 +132,7 @@ TEST_F(LectureMarks, TheBarCanBeClickedWhileTheMouseDraws) {
     desk.frame(2);
     desk.click("button.play");
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
-    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    EXPECT_TRUE(desk.panels.lecture.marks.lines.empty());
 }
 
 TEST_F(LectureMarks, DDrawsInTheWiringView) {
@@ -141,8 +141,8 @@ TEST_F(LectureMarks, DDrawsInTheWiringView) {
     desk.key({'D'});
     desk.frame(2);
     draw({500, 400}, {600, 450});
-    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
-    EXPECT_FALSE(desk.panels.marks.lines[0].on_floor);
+    ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);
+    EXPECT_FALSE(desk.panels.lecture.marks.lines[0].on_floor);
 }
 
 }  // namespace braitenlab::tests::lecture_marks_test

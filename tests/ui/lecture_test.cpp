@@ -82,7 +82,7 @@ TEST(Lecture, SaysThatKeysOfOtherPartsDoNothing) {
         const auto* notice = desk.last<NoticeRequest>();
         ASSERT_TRUE(notice) << press.key;
         EXPECT_EQ(notice->key, "unavailable.in_lecture");
-        EXPECT_FALSE(desk.panels.charts_open);
+        EXPECT_FALSE(desk.panels.charts.open);
     }
     desk.panels.card(Card::exercise).folded = false;
     desk.all.clear();

@@ -235,7 +235,7 @@ TEST(LiveBrain, KeysHideAndRevealAndAreNotShownToTheAudience) {
     desk.key({'C', false, true});
     desk.key({'B', false, true});
     EXPECT_EQ(desk.actions(), (std::vector{Action::hide_title, Action::hide_character, Action::hide_brain}));
-    EXPECT_TRUE(desk.panels.pressed.empty());
+    EXPECT_TRUE(desk.panels.lecture.pressed.empty());
 }
 
 TEST(LiveBrain, ScenesOfPredatorsAndPreyShowTheirNumbers) {

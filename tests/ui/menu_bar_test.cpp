@@ -179,7 +179,7 @@ TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
         EXPECT_EQ(desk.panels.sheet, sheet) << row;
         EXPECT_EQ(opened(), "") << row;
         EXPECT_TRUE(desk.actions().empty()) << row;
-        kinds[row] = desk.panels.files.kind;
+        kinds[row] = desk.panels.sheets.files.kind;
     }
     EXPECT_EQ(kinds["save_as"], FileKind::scene);
     EXPECT_EQ(kinds["save_run"], FileKind::run);
@@ -190,7 +190,7 @@ TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
     press({key::escape});
     EXPECT_FALSE(desk.anchors.find("card.about"));
     desk.choose("view", "charts");
-    EXPECT_TRUE(desk.panels.charts_open);
+    EXPECT_TRUE(desk.panels.charts.open);
 }
 
 TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
@@ -462,9 +462,9 @@ TEST_F(MenuBar, ConsumesTheClickThatClosesIt) {
 
 TEST(PresetsMenu, EndsInsideALowWindow) {
     Desk desk(1280, 640, 2);
-    desk.panels.open_presets = true;
+    desk.panels.brain.presets.wanted = true;
     desk.frame(4);
-    ASSERT_TRUE(desk.panels.presets_open);
+    ASSERT_TRUE(desk.panels.brain.presets.open);
     const Rect last = desk.where("preset.load");
     EXPECT_GT(last.h, 40) << "not clipped";
     EXPECT_LE(last.y + last.h, 640);
@@ -476,21 +476,21 @@ TEST(PresetsMenu, ConsumesTheClickThatClosesIt) {
     desk.frame(2);
     desk.click("button.presets");
     desk.frame(2);
-    ASSERT_TRUE(desk.panels.presets_open);
+    ASSERT_TRUE(desk.panels.brain.presets.open);
     desk.click("button.play");
-    EXPECT_FALSE(desk.panels.presets_open);
+    EXPECT_FALSE(desk.panels.brain.presets.open);
     EXPECT_TRUE(desk.actions().empty());
 }
 
 TEST_F(MenuBar, OpensByOneClickWhileThePresetsAreOpenAndTheReverse) {
     desk.click("button.presets");
-    ASSERT_TRUE(desk.panels.presets_open);
+    ASSERT_TRUE(desk.panels.brain.presets.open);
     desk.click("menu.view");
-    EXPECT_FALSE(desk.panels.presets_open);
+    EXPECT_FALSE(desk.panels.brain.presets.open);
     EXPECT_TRUE(desk.anchors.find("menu.rows"));
     desk.rest();
     desk.click("button.presets");
-    EXPECT_TRUE(desk.panels.presets_open);
+    EXPECT_TRUE(desk.panels.brain.presets.open);
     EXPECT_FALSE(desk.anchors.find("menu.rows"));
     EXPECT_TRUE(desk.all.empty()) << "the clicks do nothing else";
 }
@@ -514,10 +514,10 @@ TEST_F(MenuBar, GivesWayToTheMenuOfTheSceneOnARightClick) {
     EXPECT_TRUE(desk.panels.scene_input.menu.open);
     desk.rest();
     desk.click("button.presets");
-    EXPECT_TRUE(desk.panels.presets_open);
+    EXPECT_TRUE(desk.panels.brain.presets.open);
     EXPECT_FALSE(desk.panels.scene_input.menu.open);
     right_click();
-    EXPECT_FALSE(desk.panels.presets_open);
+    EXPECT_FALSE(desk.panels.brain.presets.open);
     EXPECT_TRUE(desk.panels.scene_input.menu.open);
     desk.rest();
     desk.click("menu.view");

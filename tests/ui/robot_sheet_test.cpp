@@ -102,7 +102,7 @@ TEST_F(RobotSheet, SaysWhereTheFilesAreAndWhatToDoNext) {
     EXPECT_EQ(desk.panels.sheet, Sheet::none);
     open();
     EXPECT_TRUE(desk.anchors.find("robot.export")) << "it begins anew";
-    EXPECT_EQ(desk.panels.robot.robot, robots::find_robot("thymio2")) << "with the robot of the last time";
+    EXPECT_EQ(desk.panels.sheets.robot.robot, robots::find_robot("thymio2")) << "with the robot of the last time";
 }
 
 TEST_F(RobotSheet, NeedsAVehicleWhoseBrainIsShown) {

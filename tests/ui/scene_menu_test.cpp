@@ -107,14 +107,14 @@ TEST_F(SceneMenu, TriesABrainUnderThePointerOutForTheSelectedVehicle) {
         desk.frame(2);
     };
     point_at_brain(desk.now.vehicles[1].id);
-    ASSERT_EQ(desk.panels.what_if.size(), 1u);
-    EXPECT_EQ(std::get<SetBrain>(desk.panels.what_if.front()).target, (Target{1, -1}));
+    ASSERT_EQ(desk.panels.brain.what_if.size(), 1u);
+    EXPECT_EQ(std::get<SetBrain>(desk.panels.brain.what_if.front()).target, (Target{1, -1}));
     EXPECT_TRUE(commands<SetBrain>().empty()) << "nothing is changed";
     desk.key({key::escape});
     desk.frame(3);
-    EXPECT_TRUE(desk.panels.what_if.empty());
+    EXPECT_TRUE(desk.panels.brain.what_if.empty());
     point_at_brain(desk.now.vehicles[0].id);
-    EXPECT_TRUE(desk.panels.what_if.empty()) << "the path of another vehicle is shown";
+    EXPECT_TRUE(desk.panels.brain.what_if.empty()) << "the path of another vehicle is shown";
 }
 
 TEST_F(SceneMenu, CanBeUsedByKeysAlone) {

@@ -173,7 +173,7 @@ TEST(SensorCard, SetsTheLightThatAPhotocellHalvesAt) {
 
 TEST(SensorCard, OffersTheHalfDistanceOnlyWhereItDecidesAReading) {
     SensorDesk desk;
-    desk.panels.sensor_quality_open = true;
+    desk.panels.sensors.quality_open = true;
     const auto is_offered_for = [&](SensorResponse response, float candela) {
         auto scene = std::make_shared<Scene>(*desk.now.scene);
         for (Sensor& sensor : scene->kinds[0].sensors) sensor.response = response;
@@ -239,7 +239,7 @@ TEST(SensorCard, AddsThePairOfAChannelWithItsNodesInEveryBrainOfTheKind) {
     EXPECT_EQ(read_dials(brains[1].brain).LL, 0.7f) << "it keeps its own brain";
     for (const SetBrain& each : brains) EXPECT_TRUE(find_node(each.brain, "HR"));
     for (const EditRequest& edit : desk.edits()) EXPECT_EQ(edit.gesture, desk.edits().front().gesture) << "one step";
-    EXPECT_EQ(desk.panels.sensor, "HL") << "the new one is chosen";
+    EXPECT_EQ(desk.panels.sensors.shown, "HL") << "the new one is chosen";
     EXPECT_FALSE(desk.anchors.find("sensor.new.heat"));
 }
 

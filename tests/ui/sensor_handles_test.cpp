@@ -132,8 +132,8 @@ TEST_F(SensorHandles, TheMountMovesTheSensorAndTheOtherOneAsItsMirrorImage) {
 }
 
 TEST_F(SensorHandles, ChangeOneSideAndOneVehicleWhereTheCardSaysSo) {
-    desk.panels.sensor_alone = true;
-    desk.panels.sensor = "SR";
+    desk.panels.sensors.alone = true;
+    desk.panels.sensors.shown = "SR";
     desk.view.settings.selection.whole_kind = false;
     desk.frame(2);
     drag("handle.axis", {30, 21});

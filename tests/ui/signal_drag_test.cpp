@@ -37,10 +37,10 @@ struct SignalDrags : testing::Test {
 
 TEST_F(SignalDrags, FromTheBrainCardToTheChartShowsTheStripThere) {
     hold("lesion.SL", "card.charts");
-    EXPECT_TRUE(desk.panels.strips.empty()) << "not before the release";
+    EXPECT_TRUE(desk.panels.charts.strips.empty()) << "not before the release";
     let_go();
-    EXPECT_EQ(desk.panels.strips, Names{"SL"});
-    EXPECT_EQ(desk.panels.chart, Chart::chosen);
+    EXPECT_EQ(desk.panels.charts.strips, Names{"SL"});
+    EXPECT_EQ(desk.panels.charts.shown, Chart::chosen);
     EXPECT_TRUE(desk.anchors.find("charts.strip.SL"));
     EXPECT_TRUE(desk.edits().empty()) << "no lesion";
 }
@@ -49,7 +49,7 @@ TEST_F(SignalDrags, FromTheSensorCardShowTheSensor) {
     desk.panels.card(Card::sensors).folded = false;
     desk.frame(3);
     drag("sensor.SR", "card.charts");
-    EXPECT_EQ(desk.panels.strips, Names{"SR"});
+    EXPECT_EQ(desk.panels.charts.strips, Names{"SR"});
 }
 
 TEST_F(SignalDrags, AreGivenUpByEsc) {
@@ -60,33 +60,33 @@ TEST_F(SignalDrags, AreGivenUpByEsc) {
     desk.point(card.x + 40, card.y + 60);
     desk.frame(2);
     let_go();
-    EXPECT_TRUE(desk.panels.strips.empty());
-    EXPECT_TRUE(desk.panels.charts_open) << "Esc did nothing else";
+    EXPECT_TRUE(desk.panels.charts.strips.empty());
+    EXPECT_TRUE(desk.panels.charts.open) << "Esc did nothing else";
     drag("lesion.SL", "card.charts");
-    EXPECT_EQ(desk.panels.strips, Names{"SL"}) << "the next drag";
+    EXPECT_EQ(desk.panels.charts.strips, Names{"SL"}) << "the next drag";
 }
 
 TEST_F(SignalDrags, OfAChosenStripGiveItThePlaceOfAnother) {
-    desk.panels.strips = {"SL", "SR", "ML", "MR"};
-    desk.panels.chart = Chart::chosen;
+    desk.panels.charts.strips = {"SL", "SR", "ML", "MR"};
+    desk.panels.charts.shown = Chart::chosen;
     desk.frame(3);
     drag("charts.name.SL", "charts.strip.ML");
-    EXPECT_EQ(desk.panels.strips, (Names{"SR", "ML", "SL", "MR"}));
+    EXPECT_EQ(desk.panels.charts.strips, (Names{"SR", "ML", "SL", "MR"}));
     drag("charts.name.MR", "charts.strip.SR");
-    EXPECT_EQ(desk.panels.strips, (Names{"MR", "SR", "ML", "SL"}));
+    EXPECT_EQ(desk.panels.charts.strips, (Names{"MR", "SR", "ML", "SL"}));
     drag("charts.name.MR", "viewport");
-    EXPECT_EQ(desk.panels.strips, (Names{"MR", "SR", "ML", "SL"})) << "outside of the chart";
+    EXPECT_EQ(desk.panels.charts.strips, (Names{"MR", "SR", "ML", "SL"})) << "outside of the chart";
 }
 
 TEST_F(SignalDrags, OutsideOfTheChartChooseNothing) {
     drag("lesion.SL", "viewport");
-    EXPECT_TRUE(desk.panels.strips.empty());
-    EXPECT_TRUE(desk.panels.signal_drag.name.empty());
-    EXPECT_EQ(desk.panels.chart, Chart::signals);
+    EXPECT_TRUE(desk.panels.charts.strips.empty());
+    EXPECT_TRUE(desk.panels.charts.drag.name.empty());
+    EXPECT_EQ(desk.panels.charts.shown, Chart::signals);
 }
 
 TEST_F(SignalDrags, BeginWhenTheMouseMoves) {
-    desk.panels.chart = Chart::all;
+    desk.panels.charts.shown = Chart::all;
     desk.frame(2);
     desk.point("charts.name.MR");
     desk.frame(2);
@@ -101,23 +101,23 @@ TEST_F(SignalDrags, BeginWhenTheMouseMoves) {
 }
 
 TEST_F(SignalDrags, OfANameGoToTheTab) {
-    desk.panels.chart = Chart::all;
+    desk.panels.charts.shown = Chart::all;
     desk.frame(2);
     drag("charts.name.MR", "charts.strip.ML");
-    EXPECT_TRUE(desk.panels.strips.empty()) << "the same tab";
+    EXPECT_TRUE(desk.panels.charts.strips.empty()) << "the same tab";
     desk.rest();
     drag("charts.name.MR", "charts.tab.3");
-    EXPECT_EQ(desk.panels.strips, Names{"MR"});
-    EXPECT_EQ(desk.panels.chart, Chart::chosen);
+    EXPECT_EQ(desk.panels.charts.strips, Names{"MR"});
+    EXPECT_EQ(desk.panels.charts.shown, Chart::chosen);
 }
 
 TEST_F(SignalDrags, OpenTheClosedChartByItsButton) {
-    desk.panels.charts_open = false;
+    desk.panels.charts.open = false;
     desk.panels.card(Card::information).folded = false;
     desk.frame(3);
     drag("lesion.SL", "button.charts");
-    EXPECT_TRUE(desk.panels.charts_open);
-    EXPECT_EQ(desk.panels.strips, Names{"SL"});
+    EXPECT_TRUE(desk.panels.charts.open);
+    EXPECT_EQ(desk.panels.charts.strips, Names{"SL"});
 }
 
 TEST_F(SignalDrags, OfANodeOfTheDiagramLeaveTheNodeWhereItIs) {
@@ -133,20 +133,20 @@ TEST_F(SignalDrags, OfANodeOfTheDiagramLeaveTheNodeWhereItIs) {
     hold("node.MR", "card.charts");
     EXPECT_EQ(names(), without + 1) << "beside the pointer";
     let_go();
-    EXPECT_EQ(desk.panels.strips, Names{"MR"});
+    EXPECT_EQ(desk.panels.charts.strips, Names{"MR"});
     EXPECT_TRUE(desk.edits().empty()) << "the node is not moved";
     EXPECT_EQ(desk.where("node.MR"), before);
 }
 
 TEST_F(SignalDrags, TheMenuOfANodeShowsItsSignalInTheChart) {
-    desk.panels.charts_open = false;
+    desk.panels.charts.open = false;
     desk.view.mode = Mode::wiring;
     desk.frame(4);
     desk.click("node.SL", 1);
     desk.click("menu.chart");
     desk.frame(2);
-    EXPECT_EQ(desk.panels.strips, Names{"SL"});
-    EXPECT_TRUE(desk.panels.charts_open) << "after the diagram";
+    EXPECT_EQ(desk.panels.charts.strips, Names{"SL"});
+    EXPECT_TRUE(desk.panels.charts.open) << "after the diagram";
     ASSERT_TRUE(desk.last<NoticeRequest>());
     EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.on_chart");
     EXPECT_EQ(desk.last<NoticeRequest>()->words, "SL");

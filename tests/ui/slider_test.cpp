@@ -299,7 +299,7 @@ TEST(Slider, ASlowDoubleClickAnywhereOnTheRowOpensTheNumber) {
 
 TEST(Slider, TheBiasesHaveRowsOfTheirOwn) {
     Desk desk;
-    desk.panels.thresholds_open = true;
+    desk.panels.brain.thresholds_open = true;
     desk.frame(3);
     EXPECT_LT(desk.where("bias.LM").y, desk.where("bias.RM").y);
     EXPECT_GT(desk.where("bias.LM").w, desk.where("slider.LL").w);
@@ -318,7 +318,7 @@ TEST(DoubleClick, ItsPressesAreHalfASecondApartAtMost) {
 
 TEST(Slider, EscapeKeepsTheNumber) {
     Desk desk;
-    desk.panels.thresholds_open = true;
+    desk.panels.brain.thresholds_open = true;
     desk.frame(3);
     desk.click("threshold.RL", 0, 0.95f);
     ASSERT_EQ(desk.panels.sliders.typed, "threshold.RL");
@@ -402,7 +402,7 @@ TEST(Slider, DigitsFocusTheSlidersThatTheExerciseOffersFromTopToBottom) {
 
 TEST(Slider, EveryDialHasASlider) {
     Desk desk;
-    desk.panels.thresholds_open = true;
+    desk.panels.brain.thresholds_open = true;
     desk.frame(3);
     for (const char* id : {"slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR",
                            "threshold.RL", "threshold.RR", "bias.LM", "bias.RM"}) {

@@ -47,7 +47,7 @@ TEST_F(StudentSheet, AddsAndRenamesByATypedName) {
     type("Anna");
     desk.click("students.rename");
     EXPECT_FALSE(desk.last<StudentRequest>()) << "the name is taken";
-    desk.panels.student_name.text.clear();
+    desk.panels.sheets.student_name.text.clear();
     type("Ben");
     desk.click("students.add");
     EXPECT_EQ(asked().edit, StudentEdit::add);

@@ -96,8 +96,8 @@ TEST_F(TakeAwayDesk, OffersVideosWhereFfmpegIs) {
 TEST_F(TakeAwayDesk, TakesTheTimeFromTheSliders) {
     desk.click("take.page.2");
     const Rect from = *desk.anchors.find("take.from");
-    desk.panels.take.from = 12.5f;
-    desk.panels.take.to = 31;
+    desk.panels.sheets.take.from = 12.5f;
+    desk.panels.sheets.take.to = 31;
     desk.frame(2);
     EXPECT_GT(from.w, 200);
     desk.click("button.clip");
@@ -107,7 +107,7 @@ TEST_F(TakeAwayDesk, TakesTheTimeFromTheSliders) {
 TEST_F(TakeAwayDesk, SaysWhyThereCanBeNoClip) {
     desk.click("take.page.2");
     EXPECT_TRUE(can_save());
-    desk.panels.take.to = desk.panels.take.from;
+    desk.panels.sheets.take.to = desk.panels.sheets.take.from;
     desk.frame(2);
     EXPECT_FALSE(can_save());
     EXPECT_TRUE(is_written(desk.strings("take.no_time")));

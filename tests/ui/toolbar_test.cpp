@@ -100,7 +100,7 @@ TEST(Toolbar, AsksForANameWhereTheFileHasNone) {
     desk.frame(3);
     desk.click("button.save");
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
-    EXPECT_TRUE(desk.panels.files.saving);
+    EXPECT_TRUE(desk.panels.sheets.files.saving);
 }
 
 TEST(Toolbar, UndoesOnlyWhereThereIsAnEdit) {

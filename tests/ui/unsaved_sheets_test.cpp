@@ -110,7 +110,7 @@ TEST_F(UnsavedSheets, SavesTheBrainOfAnExercise) {
     ask();
     desk.click("leaving.save");
     ASSERT_EQ(desk.panels.sheet, Sheet::files);
-    EXPECT_EQ(desk.panels.files.kind, FileKind::brain);
+    EXPECT_EQ(desk.panels.sheets.files.kind, FileKind::brain);
 }
 
 TEST_F(UnsavedSheets, KeepsTheDocumentIfTheNameIsCancelled) {
@@ -129,10 +129,10 @@ TEST_F(UnsavedSheets, OpensOnCtrlQWithAnySheetOrTextFieldOpen) {
     };
     for (const Sheet sheet : {Sheet::keys, Sheet::settings, Sheet::files}) {
         const auto before = exits();
-        if (sheet == Sheet::files) begin_files(desk.panels.files, true);
+        if (sheet == Sheet::files) begin_files(desk.panels.sheets.files, true);
         desk.panels.sheet = sheet;
         desk.frame(4);
-        EXPECT_EQ(desk.panels.files.typed.active, sheet == Sheet::files);
+        EXPECT_EQ(desk.panels.sheets.files.typed.active, sheet == Sheet::files);
         desk.key({'Q', true});
         EXPECT_EQ(exits(), before + 1) << static_cast<int>(sheet);
         ask("");

@@ -194,7 +194,7 @@ TEST(Window, KeepsTheLettersOfTheWindowWhileTheWatchedWiringHasTheFocus) {
     desk.key({'C'});
     desk.key({'F'});
     desk.frame(2);
-    EXPECT_TRUE(desk.panels.charts_open);
+    EXPECT_TRUE(desk.panels.charts.open);
     EXPECT_EQ(desk.actions(), std::vector{Action::follow});
 }
 
@@ -202,7 +202,7 @@ TEST(Window, FitsTheWatchedWiringAgainWhenItsPaneChanges) {
     Desk desk(1280, 800);
     desk.view.settings.watching = true;
     desk.rest();
-    desk.panels.charts_open = true;
+    desk.panels.charts.open = true;
     desk.rest();
     const Rect canvas = *desk.anchors.find("canvas");
     for (const char* node : {"node.SL", "node.SR", "node.ML", "node.MR"}) {

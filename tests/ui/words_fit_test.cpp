@@ -41,7 +41,7 @@ void late_in_lesson(Desk& desk) {
     desk.lesson.has_run = true;
     desk.lesson.prediction = 1;
     desk.lesson.hints_shown = 3;
-    desk.panels.why_open = true;
+    desk.panels.exercise.why_open = true;
     desk.lesson.grade = graded({true, false, true, true, true, true, true, true, true, true}, true);
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
 }
@@ -96,8 +96,8 @@ void with_slots(Desk& d) {
 
 void with_chart(Desk& desk, Chart chart) {
     desk.now.tick = 600, desk.now.seconds = 10;
-    desk.panels.charts_open = true;
-    desk.panels.chart = chart;
+    desk.panels.charts.open = true;
+    desk.panels.charts.shown = chart;
 }
 
 // The sheet that saves the scene as an exercise.
@@ -214,10 +214,12 @@ std::vector<Screen> screens() {
         {"a picture to save", [](Desk& d) { d.panels.sheet = Sheet::take; }},
         {"a clip to save",
          [](Desk& d) {
-             d.panels.sheet = Sheet::take, d.panels.take.page = TakePage::clip, d.view.timeline.latest = 900;
+             d.panels.sheet = Sheet::take, d.panels.sheets.take.page = TakePage::clip, d.view.timeline.latest = 900;
          }},
         {"no clip to save",
-         [](Desk& d) { d.panels.sheet = Sheet::take, d.panels.take.page = TakePage::clip, d.view.timeline = {}; }},
+         [](Desk& d) {
+             d.panels.sheet = Sheet::take, d.panels.sheets.take.page = TakePage::clip, d.view.timeline = {};
+         }},
         {"a clip that is written", [](Desk& d) { d.panels.sheet = Sheet::take, d.view.clip_progress = 0.99f; }},
         {"exercise, not from every start",
          [](Desk& d) {
@@ -238,7 +240,7 @@ std::vector<Screen> screens() {
          }},
         {"slots A and B", with_slots},
         {"slots A and B in a lecture", [](Desk& d) { with_slots(d), d.view.lecture = true; }},
-        {"sensors", [](Desk& d) { d.panels.card(Card::sensors).folded = false, d.panels.sensor_quality_open = true; }},
+        {"sensors", [](Desk& d) { d.panels.card(Card::sensors).folded = false, d.panels.sensors.quality_open = true; }},
         {"values of the arena", [](Desk& d) { d.view.settings.values = true; }},
         {"values of the arena in an exercise", [](Desk& d) { with_lesson(d), d.view.settings.values = true; }},
         {"values of the kinds", with_kinds},
@@ -253,7 +255,7 @@ std::vector<Screen> screens() {
         {"neurons", [](Desk& d) { with_chart(d, Chart::all); }},
         {"chosen signals",
          [](Desk& d) {
-             with_chart(d, Chart::chosen), d.panels.strips = {"SL", "MR"};
+             with_chart(d, Chart::chosen), d.panels.charts.strips = {"SL", "MR"};
          }},
         {"no chosen signals", [](Desk& d) { with_chart(d, Chart::chosen); }},
         {"everybody's energy", [](Desk& d) { with_chart(d, Chart::bars); }},
@@ -271,13 +273,13 @@ std::vector<Screen> screens() {
         {"replacing",
          [](Desk& d) {
              with_files(d), d.key({'S', true, true}), d.frame(2);
-             d.panels.files.typed.text = d.panels.files.replacing = "a hunt of mine.toml";
+             d.panels.sheets.files.typed.text = d.panels.sheets.files.replacing = "a hunt of mine.toml";
          }},
         {"creating a folder",
          [](Desk& d) {
              with_files(d), d.key({'S', true, true}), d.frame(2);
-             d.panels.files.typed.text = d.panels.files.creating = "new/mine.toml";
-             d.panels.files.asked = true, files.new_folder = "/home/student/braitenlab/experiments/new";
+             d.panels.sheets.files.typed.text = d.panels.sheets.files.creating = "new/mine.toml";
+             d.panels.sheets.files.asked = true, files.new_folder = "/home/student/braitenlab/experiments/new";
          }},
         {"settings in a small window",
          [](Desk& d) {
@@ -294,11 +296,11 @@ std::vector<Screen> screens() {
          }},
         {"a folder",
          [](Desk& d) {
-             with_files(d), d.key({'O', true}), d.panels.files.place = FilesPlace::folder;
+             with_files(d), d.key({'O', true}), d.panels.sheets.files.place = FilesPlace::folder;
          }},
         {"opened lately",
          [](Desk& d) {
-             with_files(d), d.key({'O', true}), d.panels.files.place = FilesPlace::recent;
+             with_files(d), d.key({'O', true}), d.panels.sheets.files.place = FilesPlace::recent;
          }},
         {"unsaved, opening",
          [](Desk& d) {
@@ -307,7 +309,7 @@ std::vector<Screen> screens() {
         {"author, texts", [](Desk& d) { with_author(d, AuthorPage::texts); }},
         {"author, controls", [](Desk& d) { with_author(d, AuthorPage::controls); }},
         {"author, steps", [](Desk& d) { with_author(d, AuthorPage::steps); }},
-        {"author, goals", [](Desk& d) { with_author(d, AuthorPage::steps), d.panels.author.goals_open = true; }},
+        {"author, goals", [](Desk& d) { with_author(d, AuthorPage::steps), d.panels.sheets.author.goals_open = true; }},
         {"author, prediction", [](Desk& d) { with_author(d, AuthorPage::prediction); }},
         {"robot", [](Desk& d) { with_robot(d, "tt2wd-ldr"); }},
         {"robot, refused", [](Desk& d) { with_robot(d, "lm324"); }},
@@ -318,15 +320,15 @@ std::vector<Screen> screens() {
 void with_author(Desk& desk, AuthorPage page) {
     with_files(desk);
     desk.now = shipped_scene("2a-coward");
-    begin_author(desk.view, desk.panels.author);
-    desk.panels.author.page = page;
+    begin_author(desk.view, desk.panels.sheets.author);
+    desk.panels.sheets.author.page = page;
     desk.panels.sheet = Sheet::author;
 }
 
 void with_robot(Desk& desk, const char* robot) {
     with_files(desk);
     desk.now = shipped_scene("4b-decision");
-    desk.panels.robot.robot = robots::find_robot(robot);
+    desk.panels.sheets.robot.robot = robots::find_robot(robot);
     desk.panels.sheet = Sheet::robot;
 }
 

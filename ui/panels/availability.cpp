@@ -42,7 +42,7 @@ std::optional<bool> switched_on(const LabView& view, const PanelState& state, Ac
         case Action::values:
             return view.settings.values;
         case Action::charts:
-            return state.charts_open;
+            return state.charts.open;
         case Action::map:
             return view.settings.map;
         case Action::reality:
@@ -141,10 +141,11 @@ std::string_view why_no_robot(const LabView& view, const PanelState& state) {
 }
 
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
-    const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::all || state.chart == Chart::chosen;
-    const bool empty = of_vehicle                   ? state.history.signals.empty()
-                       : state.chart == Chart::bars ? view.now->vehicles.empty()
-                                                    : state.history.population.empty();
+    const bool of_vehicle =
+        state.charts.shown == Chart::signals || state.charts.shown == Chart::all || state.charts.shown == Chart::chosen;
+    const bool empty = of_vehicle                          ? state.charts.history.signals.empty()
+                       : state.charts.shown == Chart::bars ? view.now->vehicles.empty()
+                                                           : state.charts.history.population.empty();
     return empty ? "charts.nothing" : "";
 }
 

@@ -71,7 +71,7 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     if (const std::string own = own_name(view, vehicle); !own.empty()) title += " · " + own;
     // When the brain does not drive the vehicle, the chip names the driver.
     const bool thinks = vehicle.driver == Driver::brain;
-    const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
+    const Recognised& known = recognised(state.brain.recognised, *view.now, vehicle, view.wall_seconds);
     const std::string_view character = !thinks ? word(vehicle.driver)
                                        : hides_character(view, vehicle)
                                            ? "hidden"
@@ -140,7 +140,7 @@ float height_of_words(const Ui& ui, const std::string& words) {
 // they are while an edit changes the sentence.
 // Before a prediction it takes the same room without words, so that nothing moves once the run has begun.
 void describe_brain(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
-    const std::string words = description(view, ui, state.recognised, vehicle);
+    const std::string words = description(view, ui, state.brain.recognised, vehicle);
     const bool hides = hides_outcome(view);
     const float top = ImGui::GetCursorPosY(), kept = 2 * line_height(ui, Face::label) + ImGui::GetStyle().ItemSpacing.y;
     if (!words.empty() && !hides) paragraph(ui, words, ui.palette.second_text, Face::label);
@@ -275,13 +275,13 @@ void stick(PanelState& state, Ui& ui, const VehicleView& vehicle) {
     if (at.held) {
         push = pushed_by_pointer(at);
         const Steer wanted = steer(vehicle.id, push.right, push.ahead);
-        if (wanted != state.steered) ui.outbox.push_back(EditRequest{wanted});
-        state.steered = wanted;
-    } else if (state.stick_held) {
-        state.steered = steer(vehicle.id, 0, 0);
-        ui.outbox.push_back(EditRequest{state.steered});
+        if (wanted != state.brain.steered) ui.outbox.push_back(EditRequest{wanted});
+        state.brain.steered = wanted;
+    } else if (state.brain.stick_held) {
+        state.brain.steered = steer(vehicle.id, 0, 0);
+        ui.outbox.push_back(EditRequest{state.brain.steered});
     }
-    state.stick_held = at.held;
+    state.brain.stick_held = at.held;
     draw_stick(ui, at, push);
     tooltip(ui, at, ui.strings("drive.stick"));
 }
@@ -363,11 +363,11 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     std::array buttons{
         HeadingButton{"button.presets", ui.strings("button.presets"), ui.strings("tooltip.presets")},
         HeadingButton{"button.drive", ui.strings("button.drive"), ui.strings("tooltip.drive"), keys, by_hand},
-        HeadingButton{"button.controls", "…", ui.strings("lecture.controls"), {}, state.lecture_controls}};
+        HeadingButton{"button.controls", "…", ui.strings("lecture.controls"), {}, state.lecture.controls}};
     const bool has_controls = shows_controls(view, state);
     const std::size_t first = vehicle && !offers_some(view) && has_controls ? 0 : 2, last = view.lecture ? 3 : 2;
     const bool open = open_card(state, ui, Card::brain, place, std::span(buttons).subspan(first, last - first));
-    if (buttons[2].pressed) state.lecture_controls = !state.lecture_controls;
+    if (buttons[2].pressed) state.lecture.controls = !state.lecture.controls;
     if (open && !vehicle) paragraph(ui, ui.strings("brain.no_vehicle"), ui.palette.second_text);
     const bool unrevealed = !view.settings.revealed.brain;
     if (open && vehicle && (unrevealed || is_brain_secret(view, vehicle->kind))) {
@@ -400,7 +400,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
             !(view.lecture && would_be_cut(ui, brain_picture_height(view, *vehicle, height), column)))
             brain_picture(view, state, ui, *vehicle, height);
-        const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
+        const bool wanted = std::exchange(state.brain.presets.wanted, false) || buttons[0].pressed;
         ImGui::PopStyleVar();
         presets_menu(view, state, ui, *vehicle, wanted,
                      {place.x + place.w - ui.px(spacing::large), place.y + ui.px(spacing::medium + spacing::wide)});

@@ -71,7 +71,7 @@ public:
         watch_button();
         ImGui::SetCursorScreenPos({all_.x, all_.y});
         const Item area = item(ui_, "brain.picture", {all_.w, all_.h}, false);
-        if (state_.lesion_under_pointer.empty()) tooltip(ui_, area, ui_.strings("brain.picture"));
+        if (state_.brain.lesion_under_pointer.empty()) tooltip(ui_, area, ui_.strings("brain.picture"));
         heal();
     }
 
@@ -83,9 +83,9 @@ private:
 
     // True when a lesion of this part is requested: by a click, Enter, or L over it.
     bool lesion_requested(const Item& at, bool over, const std::string& anchor) {
-        if (over) state_.lesion_under_pointer = anchor;
-        const bool by_key = state_.lesion_requested == anchor;
-        if (by_key) state_.lesion_requested.clear();
+        if (over) state_.brain.lesion_under_pointer = anchor;
+        const bool by_key = state_.brain.lesion_requested == anchor;
+        if (by_key) state_.brain.lesion_requested.clear();
         return at.pressed || by_key;
     }
 
@@ -119,7 +119,7 @@ private:
     // Wires. The widget is the sign at the end, for the keyboard and for tests; the mouse takes a wire anywhere.
     void wires() {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
-        const bool free = state_.lesion_under_pointer.empty() && all_.contains(mouse.x, mouse.y) &&
+        const bool free = state_.brain.lesion_under_pointer.empty() && all_.contains(mouse.x, mouse.y) &&
                           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
         float nearest = ui_.px(reach_of_wire);
         for (const WireMark& mark : parts_.wires) {
@@ -152,7 +152,7 @@ private:
     }
 
     // The path with this brain is shown while the pointer is here.
-    void try_out(const BrainGraph& edited) { state_.what_if = {SetBrain{target_of(view_, vehicle_), edited}}; }
+    void try_out(const BrainGraph& edited) { state_.brain.what_if = {SetBrain{target_of(view_, vehicle_), edited}}; }
 
     void strokes() {
         for (const WireMark& mark : parts_.wires) {

@@ -166,7 +166,7 @@ void sort_headers(PanelState& state, Ui& ui) {
     const std::array<std::string_view, 3> words{ui.strings("charts.by_number"), ui.strings("charts.by_energy"),
                                                 ui.strings("charts.by_kind")};
     constexpr std::array<std::string_view, 3> anchors{"charts.sort.number", "charts.sort.energy", "charts.sort.kind"};
-    EnergyOrder& order = state.energy_order;
+    EnergyOrder& order = state.charts.energy_order;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const auto by = static_cast<EnergyOrder::By>(i);
         const bool on = order.by == by;
@@ -185,8 +185,8 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
     const float headers = ImGui::GetCursorScreenPos().y;
     sort_headers(state, ui);
     const Rect r = rest_of_card(ui, card);
-    sort(*view.now, state.energy_order, state.energy_rows);
-    const auto& rows = state.energy_rows;
+    sort(*view.now, state.charts.energy_order, state.charts.energy_rows);
+    const auto& rows = state.charts.energy_rows;
     if (rows.empty()) return no_samples(ui, r);
     const float room = r.w - ui.px(40);
     const auto count = static_cast<float>(rows.size());
@@ -227,15 +227,15 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
 }  // namespace
 
 void export_csv(const LabView& view, const PanelState& state, Outbox& outbox) {
-    switch (state.chart) {
+    switch (state.charts.shown) {
         case Chart::signals:
         case Chart::all:
         case Chart::chosen:
-            outbox.push_back(ExportRequest{"signals", signals_csv(state.history)});
+            outbox.push_back(ExportRequest{"signals", signals_csv(state.charts.history)});
             break;
         case Chart::population:
         case Chart::energy:
-            outbox.push_back(ExportRequest{"population", population_csv(state.history)});
+            outbox.push_back(ExportRequest{"population", population_csv(state.charts.history)});
             break;
         case Chart::bars:
             outbox.push_back(ExportRequest{"energies", energies_csv(*view.now)});
@@ -251,26 +251,26 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         const std::array words{ui.strings("charts.signals"), ui.strings("charts.all"),
                                ui.strings("charts.chosen"),  ui.strings("charts.population"),
                                ui.strings("charts.energy"),  ui.strings("charts.bars")};
-        const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.chart), card_width(ui));
-        if (chosen >= 0) state.chart = static_cast<Chart>(chosen);
+        const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.charts.shown), card_width(ui));
+        if (chosen >= 0) state.charts.shown = static_cast<Chart>(chosen);
         const Rect picture = rest_of_card(ui, place);
-        if (state.chart == Chart::bars) {
+        if (state.charts.shown == Chart::bars) {
             energy_bars(view, state, ui, place);
-        } else if (state.chart == Chart::all) {
+        } else if (state.charts.shown == Chart::all) {
             all_strips(view, state, ui, picture);
-        } else if (state.chart == Chart::chosen) {
+        } else if (state.charts.shown == Chart::chosen) {
             chosen_strips(view, state, ui, picture);
         } else {
             const Item area = item(ui, "charts.picture", {picture.w, picture.h}, false);
-            if (state.chart == Chart::signals)
-                signal_chart(state.history, shown_signals(state.history, view), ui, area.rect);
+            if (state.charts.shown == Chart::signals)
+                signal_chart(state.charts.history, shown_signals(state.charts.history, view), ui, area.rect);
             else
-                population_chart(state.history, ui, area.rect, state.chart == Chart::energy);
+                population_chart(state.charts.history, ui, area.rect, state.charts.shown == Chart::energy);
         }
     }
     CardState& card = state.card(Card::charts);
     end_card(ui, card);
-    if (card.folded) card.folded = state.charts_open = false;  // folding closes it
+    if (card.folded) card.folded = state.charts.open = false;  // folding closes it
 }
 
 }  // namespace braitenlab::ui

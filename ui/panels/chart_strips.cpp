@@ -115,12 +115,13 @@ Axis axis_of(const History& history) {
 }  // namespace
 
 void choose_strip(PanelState& state, std::string_view name) {
-    const bool is_there = std::find(state.strips.begin(), state.strips.end(), name) != state.strips.end();
-    if (!is_there && state.strips.size() < most_strips) state.strips.emplace_back(name);
+    const bool is_there =
+        std::find(state.charts.strips.begin(), state.charts.strips.end(), name) != state.charts.strips.end();
+    if (!is_there && state.charts.strips.size() < most_strips) state.charts.strips.emplace_back(name);
 }
 
 void move_strip(PanelState& state, std::string_view name, std::string_view onto) {
-    std::vector<std::string>& strips = state.strips;
+    std::vector<std::string>& strips = state.charts.strips;
     const auto from = std::find(strips.begin(), strips.end(), name), to = std::find(strips.begin(), strips.end(), onto);
     if (from == strips.end() || to == strips.end()) return;
     from < to ? std::rotate(from, from + 1, to + 1) : std::rotate(to, from, from + 1);
@@ -128,7 +129,7 @@ void move_strip(PanelState& state, std::string_view name, std::string_view onto)
 
 void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     mark(ui, "charts.picture", r);
-    const History& history = state.history;
+    const History& history = state.charts.history;
     const VehicleView* vehicle = find_vehicle(*view.now, history.vehicle);
     if (!vehicle || history.signals.size() < 2) return no_samples(ui, r);
     const Axis time = axis_of(history);
@@ -143,13 +144,13 @@ void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         const Rect place{r.x + (i % 2 == 0 ? 0 : width + space), r.y + row * static_cast<float>(i / 2), width, row};
         signal_strip(history, signal, ui, {place, time, room, shown_name(view, *vehicle, signal)});
         name_to_drag(state, ui, signal, place, room, "charts.drag_how");
-        const auto chosen = std::find(state.strips.begin(), state.strips.end(), signal.name);
-        const bool is_chosen = chosen != state.strips.end();
+        const auto chosen = std::find(state.charts.strips.begin(), state.charts.strips.end(), signal.name);
+        const bool is_chosen = chosen != state.charts.strips.end();
         const RowButton look{"charts.add." + signal.name, is_chosen ? icon::check : icon::add, is_chosen ? "–" : "+",
                              ui.strings(is_chosen ? "charts.remove_how" : "charts.add_how"), is_chosen};
         if (!row_button(ui, place, look)) continue;
         if (is_chosen)
-            state.strips.erase(chosen);
+            state.charts.strips.erase(chosen);
         else
             choose_strip(state, signal.name);
     }
@@ -157,11 +158,11 @@ void all_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
 }
 
 void chosen_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
-    state.signal_drag.onto.clear();
+    state.charts.drag.onto.clear();
     mark(ui, "charts.picture", r);
-    const History& history = state.history;
+    const History& history = state.charts.history;
     std::vector<Signal> signals;
-    for (const std::string& name : state.strips)
+    for (const std::string& name : state.charts.strips)
         if (auto signal = signal_named(history, name)) signals.push_back(std::move(*signal));
     const VehicleView* vehicle = find_vehicle(*view.now, history.vehicle);
     if (!vehicle || signals.empty()) {
@@ -187,9 +188,9 @@ void chosen_strips(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         if (count > 1) name_to_drag(state, ui, signals[i], place, room, "charts.order_how");
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         if (place.contains(mouse.x, mouse.y))
-            state.signal_drag.onto = signals[i].name, state.signal_drag.onto_row = place;
+            state.charts.drag.onto = signals[i].name, state.charts.drag.onto_row = place;
         const RowButton look{"charts.remove." + signals[i].name, icon::cross, "×", ui.strings("charts.remove_how")};
-        if (row_button(ui, place, look)) std::erase(state.strips, signals[i].name);
+        if (row_button(ui, place, look)) std::erase(state.charts.strips, signals[i].name);
     }
     count_hidden(ui, r, row, shown, count);
 }

@@ -21,7 +21,7 @@ void move_strip(PanelState&, std::string_view name, std::string_view onto);
 // charts.add.NAME.
 void all_strips(const LabView&, PanelState&, Ui&, Rect);
 
-// The tab "Chosen": PanelState::strips that the vehicle has. Anchors: charts.picture, charts.strip.NAME,
+// The tab "Chosen": ChartsState::strips that the vehicle has. Anchors: charts.picture, charts.strip.NAME,
 // charts.name.NAME (the name, which can be dragged to another strip), charts.remove.NAME.
 void chosen_strips(const LabView&, PanelState&, Ui&, Rect);
 

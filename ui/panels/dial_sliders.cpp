@@ -87,7 +87,7 @@ public:
     }
 
     void draw() {
-        const bool thresholds = has_threshold() || state_.thresholds_open;
+        const bool thresholds = has_threshold() || state_.brain.thresholds_open;
         const float width = card_width(ui_), gap = ui_.px(between_sliders),
                     threshold = ui_.px(width < ui_.px(narrow_card) ? narrow_threshold_width : threshold_width),
                     weight_width = thresholds ? width - threshold - gap : width;
@@ -135,7 +135,7 @@ private:
         const float mirror_x = cross_x - space - small_button_width(ui_, mirror, words);
         if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_, pair_));
         if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_, pair_));
-        if (small(unfold, unfold_x, at.y, true, "tooltip.thresholds")) state_.thresholds_open = !thresholds;
+        if (small(unfold, unfold_x, at.y, true, "tooltip.thresholds")) state_.brain.thresholds_open = !thresholds;
         ImGui::SetCursorScreenPos(at);
         ImGui::Dummy({1, height - ui_.px(spacing::hair)});  // room for the focus ring of the first slider
     }

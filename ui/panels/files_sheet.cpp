@@ -138,7 +138,7 @@ float paragraph_height(const Ui& ui, const std::string& words) {
 }
 
 void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
-    FilesState& files = state.files;
+    FilesState& files = state.sheets.files;
     const bool typing = files.saving || files.place == FilesPlace::folder;
     if (typing) {
         const std::string_view words = ui.strings(!files.saving                  ? "files.open"
@@ -188,7 +188,7 @@ void first_focus(const LabView& view, FilesState& files, Ui& ui) {
 }  // namespace
 
 void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    FilesState& files = state.files;
+    FilesState& files = state.sheets.files;
     if (files.asked && view.files && view.files->done > files.done) {
         state.sheet = Sheet::none;
         return;

@@ -111,15 +111,15 @@ void energy_caption(PanelState& state, Ui& ui, ImVec2 at, std::string_view words
     put(ui, {at.x, at.y + ui.px(3)}, words, mix(ui.palette.second_text, ui.palette.text, caption.warmth), Face::small);
     tooltip(ui, caption, ui.strings("info.sort"));
     if (!caption.pressed) return;
-    const auto here = std::find(turns.begin(), turns.end(), state.energy_order);
+    const auto here = std::find(turns.begin(), turns.end(), state.charts.energy_order);
     const auto next = here == turns.end() ? 0 : static_cast<std::size_t>(here - turns.begin() + 1) % turns.size();
-    state.energy_order = turns[next];
+    state.charts.energy_order = turns[next];
 }
 
 // One bar per vehicle, in the chosen order; a click selects the vehicle.
 void energies(const LabView& view, PanelState& state, Ui& ui) {
     const Snapshot& now = *view.now;
-    sort(now, state.energy_order, state.energy_rows);
+    sort(now, state.charts.energy_order, state.charts.energy_rows);
     const std::size_t shown = std::min(most_bars, now.vehicles.size());
     if (shown == 0) return;
     const std::string_view caption = ui.strings("info.energy");
@@ -137,7 +137,7 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const VehicleView* under = nullptr;
     for (std::size_t i = 0; i < shown; ++i) {
-        const VehicleView& vehicle = now.vehicles[state.energy_rows[i]];
+        const VehicleView& vehicle = now.vehicles[state.charts.energy_rows[i]];
         const float x = at.x + static_cast<float>(static_cast<int>(i) % per_row) * (bar_w + space);
         const float y = at.y + static_cast<float>(static_cast<int>(i) / per_row) * row_h;
         const Rect bar{x, y, bar_w, bar_h};
@@ -231,16 +231,17 @@ void population_strip(const History& history, Ui& ui) {
 void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const std::string key = key_name(Action::charts, ui.strings);
     std::array buttons{HeadingButton{"button.charts", ui.strings("button.charts"), ui.strings("tooltip.charts"), key,
-                                     state.charts_open}};
+                                     state.charts.open}};
     const bool open = open_card(state, ui, Card::information, place, buttons);
-    if (buttons[0].pressed) state.charts_open = !state.charts_open;
+    if (buttons[0].pressed) state.charts.open = !state.charts.open;
     if (open) {
         population_numbers(view, ui);
         ratio(*view.now, ui);
         if (energy_matters(*view.now)) energies(view, state, ui);
-        if (!state.history.signals.empty()) signal_strips(state.history, shown_signals(state.history, view), ui);
-        if (view.now->predators + view.now->prey > 0 && !state.history.population.empty())
-            population_strip(state.history, ui);
+        if (!state.charts.history.signals.empty())
+            signal_strips(state.charts.history, shown_signals(state.charts.history, view), ui);
+        if (view.now->predators + view.now->prey > 0 && !state.charts.history.population.empty())
+            population_strip(state.charts.history, ui);
         inactivity(*view.now, ui);
     }
     end_card(ui, state.card(Card::information));

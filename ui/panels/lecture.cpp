@@ -50,7 +50,7 @@ void draw_figure(Ui& ui, const LectureFigure& f, Rect r) {
 
 // The keys that were pressed, in the bar up to `right`; returns their left edge.
 float pressed_keys(const LabView& view, PanelState& state, Ui& ui, float right, Rect bar) {
-    auto& keys = state.pressed;
+    auto& keys = state.lecture.pressed;
     std::erase_if(keys, [&](const PressedKey& k) { return view.wall_seconds - k.at > pressed_key_seconds; });
     if (keys.size() > most_pressed_keys)
         keys.erase(keys.begin(), keys.end() - static_cast<std::ptrdiff_t>(most_pressed_keys));
@@ -206,14 +206,14 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
 }
 
 void blank_window(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    state.blank &= view.lecture;
-    if (!state.blank) return;
+    state.lecture.blank &= view.lecture;
+    if (!state.lecture.blank) return;
     ImGui::SetNextWindowPos({window.x, window.y});
     ImGui::SetNextWindowSize({window.w, window.h});
     ImGui::Begin("lecture blank", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) state.blank = false;
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) state.lecture.blank = false;
     mark(ui, "lecture.blank", window);
     ImGui::End();
     ImGui::GetForegroundDrawList()->AddRectFilled({window.x, window.y}, {window.x + window.w, window.y + window.h},
@@ -227,10 +227,10 @@ void follow_page(const LabView& view, PanelState& state) {
     const std::array<int, 3> step = view.pages
                                         ? std::array{static_cast<int>(view.run_id), view.pages->page, view.pages->step}
                                         : std::array{-1, -1, -1};
-    const std::array<int, 3> before = std::exchange(state.lecture_step, step);
+    const std::array<int, 3> before = std::exchange(state.lecture.step, step);
     if (!view.pages || before == step) return;
     const bool new_page = before[0] != step[0] || before[1] != step[1];
-    if (new_page) state.hands.clear(), state.card(Card::slots).folded = false;
+    if (new_page) state.lecture.hands.clear(), state.card(Card::slots).folded = false;
     for (const auto& [part, card] : {std::pair{PagePart::sliders, Card::brain}, {PagePart::exercise, Card::exercise}}) {
         const bool shown = view.pages->shows(part);
         const bool was_shown = shows(view.pages->current(), part, before[2]);
@@ -242,16 +242,16 @@ void follow_page(const LabView& view, PanelState& state) {
 // After the runs the card of the slots unfolds: it has their numbers.
 void follow_comparison(const LabView& view, PanelState& state) {
     const bool compares = view.lecture && view.slots.a && view.slots.b;
-    if (std::exchange(state.lecture_compares, compares) == compares || !view.lecture) return;
+    if (std::exchange(state.lecture.compares, compares) == compares || !view.lecture) return;
     if (compares) state.card(Card::brain).folded = true;
     state.card(Card::slots).folded = compares;
 }
 
 // Folds cards when lecture mode begins, and restores them when it ends.
 void follow_lecture_mode(const LabView& view, PanelState& state) {
-    if (view.lecture == state.before_lecture.has_value()) return;
+    if (view.lecture == state.lecture.before.has_value()) return;
     if (view.lecture) {
-        BeforeLecture& before = state.before_lecture.emplace();
+        BeforeLecture& before = state.lecture.before.emplace();
         before.focus = std::exchange(state.keyboard.focus, {});
         for (const CardTraits& row : cards()) {
             CardState& card = state.card(row.card);
@@ -262,11 +262,11 @@ void follow_lecture_mode(const LabView& view, PanelState& state) {
     }
     for (const CardTraits& row : cards())
         if (row.in_lecture != InLecture::unchanged)
-            state.card(row.card) = state.before_lecture->cards[static_cast<std::size_t>(row.card)];
-    state.keyboard.focus = state.before_lecture->focus;
-    state.before_lecture.reset();
-    state.pressed.clear();
-    state.lecture_controls = false;
+            state.card(row.card) = state.lecture.before->cards[static_cast<std::size_t>(row.card)];
+    state.keyboard.focus = state.lecture.before->focus;
+    state.lecture.before.reset();
+    state.lecture.pressed.clear();
+    state.lecture.controls = false;
 }
 
 }  // namespace

@@ -92,9 +92,9 @@ std::string lesion_under_pointer(const LabView& view, const Anchors& anchors, bo
 
 void lesions(const LabView& view, PanelState& state, Ui& ui) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (state.lesion_under_pointer.empty() && vehicle && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
-        state.lesion_under_pointer = lesion_under_pointer(view, ui.anchors, ImGui::GetIO().WantCaptureMouse);
-    const std::string wanted = std::exchange(state.lesion_requested, {});
+    if (state.brain.lesion_under_pointer.empty() && vehicle && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+        state.brain.lesion_under_pointer = lesion_under_pointer(view, ui.anchors, ImGui::GetIO().WantCaptureMouse);
+    const std::string wanted = std::exchange(state.brain.lesion_requested, {});
     if (wanted.empty() || !vehicle) return;
     if (auto brain = toggled(*brain_of(*view.now, *vehicle), wanted, shown_pair(view, *vehicle)))
         ui.outbox.push_back(EditRequest{SetBrain{target_of(view, *vehicle), std::move(*brain)},

@@ -282,7 +282,7 @@ bool has_neurons(const Snapshot& now, const VehicleView& vehicle) {
 void live_words(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, Rect bar) {
     const Palette& p = ui.palette;
     const float x = bar.x + ui.px(live_inset), width = words_share * bar.w - 2 * ui.px(live_inset);
-    const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
+    const Recognised& known = recognised(state.brain.recognised, *view.now, vehicle, view.wall_seconds);
     const bool is_unknown = hides_outcome(view) || is_brain_secret(view, vehicle.kind);
     const bool is_told = view.settings.revealed.character && !is_unknown;
     const std::string word =

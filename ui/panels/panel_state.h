@@ -51,9 +51,6 @@ inline constexpr std::size_t card_count = static_cast<std::size_t>(Card::inspect
 // Every card in its initial state.
 std::array<CardState, card_count> initial_cards();
 
-// The large charts; one is shown at a time.
-enum class Chart { signals, all, chosen, population, energy, bars };
-
 // The sheet that covers the window; at most one, and simulated time is paused. sheets.cpp has one row of traits for
 // each.
 enum class Sheet {
@@ -74,18 +71,6 @@ enum class Sheet {
     none
 };
 inline constexpr std::size_t sheet_count = static_cast<std::size_t>(Sheet::none);
-
-// State that a lecture changes and restores at its end.
-struct BeforeLecture {
-    std::array<CardState, card_count> cards;
-    std::string focus;
-};
-
-// A key shown to the audience of a lecture.
-struct PressedKey {
-    KeyPress press;
-    double at = 0;  // wall seconds
-};
 
 // The card of the arena and the kinds.
 struct ValuesState {
@@ -125,13 +110,6 @@ struct RealityState {
     std::optional<int> hovered{};  // robot under the pointer in this frame
 };
 
-// Handing in an exercise; see exercise_files.cpp.
-struct HandInState {
-    TextField name;       // the student's, typed where the view has none
-    bool asks = false;    // the field for the name is shown
-    bool begins = false;  // and gets the focus when it is drawn
-};
-
 // A signal that is dragged to the chart card; see signal_drag.h.
 struct SignalDrag {
     std::string name;       // empty: none
@@ -142,98 +120,166 @@ struct SignalDrag {
     Rect onto_row;          // its row, window pixels
 };
 
-struct PanelState {
-    CardState& card(Card which) {
-        return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
-    }
-    SheetState& state_of(Sheet which) { return sheets[static_cast<std::size_t>(which)]; }  // not of Sheet::none
-
-    std::array<CardState, card_count> cards = initial_cards();  // the inspector's is in `canvas`
-    SliderState sliders;
-    FieldsState fields;
-    Keyboard keyboard;
-    Tooltips tooltips;
-    wiring::CanvasState canvas;
-    SceneInputState scene_input;
-    Recognised recognised;
+// The card of the charts; one chart is shown at a time.
+enum class Chart { signals, all, chosen, population, energy, bars };
+struct ChartsState {
+    bool open = false;
+    Chart shown = Chart::signals;
     History history;
-    PromptMemory prompts;
-    bool cards_are_cut = false;  // set by draw_window: a card has no room yet for what it shows; see CardState::is_cut
-    std::string highlighted;     // anchor that pulsed in the last frame
-    bool reveals_highlight = false;    // its card has not yet scrolled to it
+    std::vector<std::string> strips;  // names of the signals on the tab "Chosen"; kept for every vehicle
+    SignalDrag drag;
+    EnergyOrder energy_order;
+    std::vector<std::size_t> energy_rows;  // indices into the snapshot's vehicles, in that order
+};
+
+// The card of the sensors.
+struct SensorsState {
+    std::string shown;          // name of the sensor that the card shows; the first if there is none of this name
+    bool channel_open = false;  // the list of channels is unfolded
+    bool adding = false;        // the list of channels of a new sensor is unfolded
+    bool single = false;        // a new sensor is a single one, not a pair
+    bool alone = false;         // edits do not apply to the sensor on the other side
+    bool quality_open = false;  // noise and latency are unfolded
+};
+
+// The menu of presets.
+struct PresetsState {
+    bool open = false, closes = false;
+    float height = 0;     // as drawn last; window pixels
+    std::string asked;    // the preset whose sensors the menu offers to use, too; empty: it lists the presets
+    bool wanted = false;  // requested by a click on their button while another menu covered it
+};
+
+// The card of the brain.
+struct BrainState {
+    Recognised recognised;
+    bool thresholds_open = false;      // the thresholds are shown also while all are 0
     std::string lesion_under_pointer;  // anchor of the part that a click or L would lesion or heal; empty: none
     std::string lesion_requested;      // the same, requested by key and not yet carried out
     // What the preset or the part of the brain picture under the pointer would change; empty: none is.
     std::vector<Command> what_if;
     Steer steered;  // last command of the on-screen stick
     bool stick_held = false;
-    ValuesState values;
-    MapState map;
-    RealityState reality;
-    HandInState hand_in;
-    std::string sensor;  // name of the sensor that the card shows; the first if there is none of this name
-    bool sensor_channel_open = false;  // the list of channels is unfolded
-    bool sensor_adding = false;        // the list of channels of a new sensor is unfolded
-    bool sensor_single = false;        // a new sensor is a single one, not a pair
-    bool sensor_alone = false;         // edits do not apply to the sensor on the other side
-    bool sensor_quality_open = false;  // noise and latency are unfolded
-    bool thresholds_open = false;      // the thresholds of the brain card are shown also while all are 0
-    bool charts_open = false;
-    Chart chart = Chart::signals;
-    std::vector<std::string> strips;  // names of the signals on the tab "Chosen"; kept for every vehicle
-    SignalDrag signal_drag;
-    EnergyOrder energy_order;
-    std::vector<std::size_t> energy_rows;    // indices into the snapshot's vehicles, in that order
-    bool playhead_held = false;              // true while the playhead is dragged; the simulation is paused
+    PresetsState presets;
+};
+
+// Handing in an exercise; see exercise_files.cpp.
+struct HandInState {
+    TextField name;       // the student's, typed where the view has none
+    bool asks = false;    // the field for the name is shown
+    bool begins = false;  // and gets the focus when it is drawn
+};
+
+// The card of the exercise.
+struct ExerciseState {
+    std::string id;  // of the exercise that the values below belong to
+    ExerciseRows rows;
     std::optional<std::uint64_t> play_held;  // LabView::run_id of the document whose question Play has pointed to
     bool shows_question = false;             // the card scrolls to the question
-    bool why_open = false;                   // unfolded on the exercise card
-    bool steps_open = true;                  // can be folded once the exercise is passed
-    bool note_open = false;                  // the notes on the exercise card are unfolded
-    bool note_begins = false;                // their field gets the focus when it is drawn
+    bool outcome_seen = false;               // the outcome of the prediction has been scrolled to
+    std::size_t hints_seen = 0;              // hints already scrolled to
+    bool hints_first = false;                // they were above the steps in the last frame
+    bool outcome_newest = false;  // the outcome has been scrolled to after the newest hint, and is above the hints
+    bool grade_seen = false;
+    bool why_open = false;     // unfolded
+    bool steps_open = true;    // can be folded once the exercise is passed
+    bool note_open = false;    // the notes are unfolded
+    bool note_begins = false;  // their field gets the focus when it is drawn
     TextField note;
-    Sheet sheet = Sheet::none;
-    std::array<SheetState, sheet_count> sheets;
-    TakeAwayState take;
-    int study_shown = 0;            // StudyView::shown at the last frame
-    std::size_t study_measure = 0;  // in Study::measures, shown on the sheet of the study
-    StudyDraft study_draft;
-    GlossaryState glossary;
-    TextField student_name;  // on the sheet of the students
-    bool recovery_asked = false;
-    bool leaving_asked = false;
+    HandInState hand_in;
+};
+
+// Cards and focus that a lecture changes and restores at its end.
+struct BeforeLecture {
+    std::array<CardState, card_count> cards;
+    std::string focus;
+};
+
+// A key shown to the audience of a lecture.
+struct PressedKey {
+    KeyPress press;
+    double at = 0;  // wall seconds
+};
+
+struct LectureState {
+    std::optional<BeforeLecture> before;
+    bool controls = false;            // the card of the brain has all of its buttons
+    std::vector<PressedKey> pressed;  // the newest last
+    Marks marks;
+    bool blank = false;                   // the window is black until the next key or click
+    CardState notes;                      // of the lecturer
+    int notes_page = -1;                  // whose notes were drawn last
+    float notes_height = 1;               // wanted, as drawn last; window pixels
+    std::vector<TextField> hands;         // counts on the current page, by option
+    CardState question;                   // of that page
+    float question_height = 0;            // wanted, as drawn last; window pixels
+    std::array<int, 3> step{-1, -1, -1};  // run, page and step whose cards are shown
+    bool compares = false;                // both runs of slots A and B were shown last
+};
+
+// The sheet of the studies.
+struct StudyState {
+    int shown = 0;            // StudyView::shown at the last frame
+    std::size_t measure = 0;  // in Study::measures
+    StudyDraft draft;
+};
+
+// The sheets about unsaved edits.
+struct UnsavedState {
+    bool recovery_asked = false, leaving_asked = false;
     int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: the sheet is not open
+};
+
+// What the sheets keep.
+struct SheetStates {
+    std::array<SheetState, sheet_count> all;
     FilesState files;
     AuthorState author;
     RobotState robot;
+    TakeAwayState take;
+    StudyState study;
+    UnsavedState unsaved;
+    TextField student_name;
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
+};
+
+// The widget that pulses; see prompts.h.
+struct Highlight {
+    std::string anchor;    // in the last frame
+    bool reveals = false;  // its card has not yet scrolled to it
+};
+
+struct PanelState {
+    CardState& card(Card which) {
+        return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
+    }
+    SheetState& state_of(Sheet which) { return sheets.all[static_cast<std::size_t>(which)]; }  // not of Sheet::none
+
+    std::array<CardState, card_count> cards = initial_cards();  // the inspector's is in `canvas`
+    bool cards_are_cut = false;  // set by draw_window: a card has no room yet for what it shows; see CardState::is_cut
+    SliderState sliders;
+    FieldsState fields;
+    Keyboard keyboard;
+    Tooltips tooltips;
+    wiring::CanvasState canvas;
+    SceneInputState scene_input;
+    PromptMemory prompts;
+    Highlight highlight;
+    BrainState brain;
+    SensorsState sensors;
+    ValuesState values;
+    MapState map;
+    RealityState reality;
+    ChartsState charts;
+    ExerciseState exercise;
+    LectureState lecture;
+    GlossaryState glossary;
+    Sheet sheet = Sheet::none;
+    SheetStates sheets;
     MenuBarState menu_bar;
-    std::string clipboard_at_copy;  // the system's clipboard when objects were copied last; a later link is opened
     std::vector<Action> chosen;     // with toolbar and menus, executed at the end of the frame
-    bool presets_open = false, close_presets = false;
-    float presets_height = 0;     // of their menu, as drawn last; window pixels
-    std::string preset_asked;     // the preset whose sensors the menu offers to use, too; empty: it lists the presets
-    bool open_presets = false;    // requested by a click on their button while another menu covered it
-    bool outcome_seen = false;    // the outcome of the prediction has been scrolled to
-    std::size_t hints_seen = 0;   // hints already scrolled to
-    bool hints_first = false;     // they were above the steps in the last frame
-    bool outcome_newest = false;  // the outcome has been scrolled to after the newest hint, and is above the hints
-    bool grade_seen = false;
-    ExerciseRows exercise_rows;
-    std::string exercise_id;  // of the exercise that the values above belong to
-    std::optional<BeforeLecture> before_lecture;
-    bool lecture_controls = false;                // in a lecture the card of the brain has all of its buttons
-    std::vector<PressedKey> pressed;              // in a lecture, the newest last
-    Marks marks;                                  // drawn in a lecture
-    bool blank = false;                           // the window is black until the next key or click
-    CardState notes;                              // of the lecturer
-    int notes_page = -1;                          // whose notes were drawn last
-    float notes_height = 1;                       // wanted, as drawn last; window pixels
-    std::vector<TextField> hands;                 // counts on the current page of a lecture, by option
-    CardState question;                           // of that page
-    float question_height = 0;                    // wanted, as drawn last; window pixels
-    std::array<int, 3> lecture_step{-1, -1, -1};  // run, page and step whose cards are shown
-    bool lecture_compares = false;                // in a lecture both runs of slots A and B were shown last
+    std::string clipboard_at_copy;  // the system's clipboard when objects were copied last; a later link is opened
+    bool playhead_held = false;     // true while the playhead is dragged; the simulation is paused
 };
 
 }  // namespace braitenlab::ui

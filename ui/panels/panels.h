@@ -28,7 +28,7 @@ void note_button(const LabView&, PanelState&, Ui&);  // unfolds them
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle
 void information_card(const LabView&, PanelState&, Ui&, Rect);
-void chart_card(const LabView&, PanelState&, Ui&, Rect);      // while PanelState::charts_open; folding closes it
+void chart_card(const LabView&, PanelState&, Ui&, Rect);      // while ChartsState::open; folding closes it
 void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that the chart card shows; chart_card.cpp
 
 // Whether edits of the brain or the sensors apply to the vehicle or to all of its kind; nothing for the only vehicle of
@@ -73,7 +73,7 @@ void lecture_bar(const LabView&, PanelState&, Ui&, Rect);
 void live_brain(const LabView&, PanelState&, Ui&, const VehicleView&, Rect);  // eyes, wires and wheels, live_brain.cpp
 void title_page(const LabView&, Ui&, Rect window);                            // LabView::title_page
 void lecture_figures(const LabView&, PanelState&, Ui&, Rect bar);
-void blank_window(const LabView&, PanelState&, Ui&, Rect window);  // black, while PanelState::blank
+void blank_window(const LabView&, PanelState&, Ui&, Rect window);  // black, while LectureState::blank
 void follow_lecture(const LabView&, PanelState&);  // saves and restores the cards; call once a frame, before them
 
 // lecture_page.cpp: the parts of a page of a lecture file. Precondition: view.pages.
@@ -113,7 +113,7 @@ void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
 // Whether the card of the brain has its buttons. In a lecture only after a click on the button in its heading, so that
 // the audience sees weights and sums.
 inline bool shows_controls(const LabView& view, const PanelState& state) {
-    return !view.lecture || state.lecture_controls;
+    return !view.lecture || state.lecture.controls;
 }
 // Anchors of the sliders that the keys 1 to 4 focus: LL, LR, RL and RR, or those that the exercise offers, from top to
 // bottom. In dial_sliders.cpp.
@@ -139,15 +139,15 @@ float brain_picture_height(const LabView&, const VehicleView&, float of_pair);
 // LabView::why beside the vehicle, over the scene and below the cards, within `area`. Anchor: why.
 void why_callout(const LabView&, const Ui&, Rect area);
 
-// Lesions outside the brain picture: sets state.lesion_under_pointer to the sensor or motor under the pointer in
-// the scene, or to the wire of the slider under the pointer, and executes state.lesion_requested. Call after the
+// Lesions outside the brain picture: sets state.brain.lesion_under_pointer to the sensor or motor under the pointer in
+// the scene, or to the wire of the slider under the pointer, and executes state.brain.lesion_requested. Call after the
 // cards.
 void lesions(const LabView&, PanelState&, Ui&);
 
 // The last seconds of the nodes with a probe, over the canvas in `area`. Anchors: probe.NAME. Call it after the canvas.
 void draw_probes(const LabView&, const PanelState&, const Ui&, Rect area);
 
-// PanelState::what_if for the wire under the pointer on the selected vehicle's deck or on the canvas: cut, or
+// BrainState::what_if for the wire under the pointer on the selected vehicle's deck or on the canvas: cut, or
 // healed. In the wiring editor words in the scene's inset say so (anchor what_if). Notes are within `area`, the scene.
 // Call it after what else sets what_if.
 void try_without_wire(const LabView&, PanelState&, const Ui&, Rect area);

@@ -53,10 +53,10 @@ void preset_rows(const LabView& view, PanelState& state, Ui& ui, const VehicleVi
                         start.y + height * static_cast<float>(i < half ? i : i - half)};
         BrainGraph made = graft(brain, preset.brain);
         const Item row = preset_row(ui, preset, same_wiring(made, brain), at);
-        if (row.hovered) state.what_if = {SetBrain{target_of(view, vehicle), made}};
+        if (row.hovered) state.brain.what_if = {SetBrain{target_of(view, vehicle), made}};
         if (!row.pressed) continue;
         if (!lacking_for(kind_of(*view.now, vehicle).sensors, preset).empty()) {
-            state.preset_asked = preset.name;
+            state.brain.presets.asked = preset.name;
             return;
         }
         ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), std::move(made)},
@@ -94,7 +94,7 @@ void ask_for_sensors(const LabView& view, PanelState& state, Ui& ui, const Vehic
     BrainGraph made = graft(*brain_of(*view.now, vehicle), preset.brain);
     const auto chosen = [&](std::string_view id, std::string_view words, Emphasis emphasis) {
         const bool pressed = button(ui, id, {.words = ui.strings(words), .emphasis = emphasis}).pressed;
-        if (pressed) state.preset_asked.clear();
+        if (pressed) state.brain.presets.asked.clear();
         return pressed;
     };
     const auto gesture = [&] { return gestures::panels + ++state.sliders.gesture; };
@@ -135,14 +135,14 @@ void own_brains(PanelState& state, Ui& ui) {
     ImGui::SetCursorScreenPos(
         {ImGui::GetCursorScreenPos().x + ui.px(spacing::medium), ImGui::GetCursorScreenPos().y + ui.px(6)});
     if (wanted({"preset.load", icon::load, ui.strings("own_brain.load")}, ui.strings("own_brain.load_how"))) {
-        begin_files(state.files, false);
-        state.files.place = FilesPlace::folder;
-        state.files.only = FileKind::brain;
+        begin_files(state.sheets.files, false);
+        state.sheets.files.place = FilesPlace::folder;
+        state.sheets.files.only = FileKind::brain;
         ui.outbox.push_back(BrowseRequest{});
     }
     ImGui::SameLine(0, ui.px(spacing::small));
     if (wanted({"preset.save", icon::save, ui.strings("own_brain.save")}, ui.strings("own_brain.save_how")))
-        begin_files(state.files, true, FileKind::brain);
+        begin_files(state.sheets.files, true, FileKind::brain);
     ImGui::Dummy({1, ui.px(spacing::tight)});
 }
 
@@ -155,28 +155,28 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     if (wanted && ui.keyboard && ui.keyboard->focus == "button.presets")
         ui.keyboard->focus = "preset." + std::string(presets().front().name);
     const float lowest = ImGui::GetIO().DisplaySize.y - ui.px(spacing::small);
-    corner.y = std::max(ui.px(spacing::small), std::min(corner.y, lowest - state.presets_height));
+    corner.y = std::max(ui.px(spacing::small), std::min(corner.y, lowest - state.brain.presets.height));
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::tight), ui.px(spacing::hair)});
-    const bool was_open = state.presets_open;
-    state.presets_open = ImGui::BeginPopup("presets");
-    if (state.presets_open) {
-        if (state.close_presets) ImGui::CloseCurrentPopup();
-        if (const Preset* asked = find_preset(state.preset_asked)) {
+    const bool was_open = state.brain.presets.open;
+    state.brain.presets.open = ImGui::BeginPopup("presets");
+    if (state.brain.presets.open) {
+        if (state.brain.presets.closes) ImGui::CloseCurrentPopup();
+        if (const Preset* asked = find_preset(state.brain.presets.asked)) {
             ask_for_sensors(view, state, ui, vehicle, *asked);
         } else {
             preset_rows(view, state, ui, vehicle);
             kept_sensors(ui, *brain_of(*view.now, vehicle));
             own_brains(state, ui);
         }
-        state.presets_height = ImGui::GetWindowHeight();
+        state.brain.presets.height = ImGui::GetWindowHeight();
         ImGui::EndPopup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
         ui.keyboard->focus = "button.presets";
     }
-    if (!state.presets_open) state.preset_asked.clear();
-    state.close_presets = false;
+    if (!state.brain.presets.open) state.brain.presets.asked.clear();
+    state.brain.presets.closes = false;
     ImGui::PopStyleVar(2);
 }
 

@@ -79,7 +79,7 @@ void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect
 }  // namespace
 
 void draw_probes(const LabView& view, const PanelState& state, const Ui& ui, Rect area) {
-    const VehicleView* vehicle = find_vehicle(*view.now, state.history.vehicle);
+    const VehicleView* vehicle = find_vehicle(*view.now, state.charts.history.vehicle);
     if (state.canvas.probes.empty() || !vehicle || hides_brain(view, vehicle->kind)) return;
     std::vector<Rect> nodes, probes;
     for (const Node& node : brain_of(*view.now, *vehicle)->nodes)
@@ -88,10 +88,10 @@ void draw_probes(const LabView& view, const PanelState& state, const Ui& ui, Rec
     ImGui::PushClipRect({area.x, area.y}, {area.x + area.w, area.y + area.h}, false);
     for (const std::string& name : state.canvas.probes) {
         const Rect* node = ui.anchors.find("node." + name);
-        const std::optional<Signal> signal = signal_named(state.history, name);
+        const std::optional<Signal> signal = signal_named(state.charts.history, name);
         if (!node || !signal) continue;
         const Rect place = place_of_probe(ui, *node, area, nodes, probes);
-        draw_probe(ui, state.history, *signal, place);
+        draw_probe(ui, state.charts.history, *signal, place);
         probes.push_back(place);
         ui.anchors.record("probe." + name, place);
     }

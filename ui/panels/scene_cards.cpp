@@ -216,7 +216,7 @@ void several_objects(const LabView& view, Ui& ui, const std::vector<SceneObject>
 }
 
 void goal_row(const PanelState& state, Ui& ui, const PopulationGoal& goal) {
-    const auto best = static_cast<float>(std::floor(longest_time_with(state.history, goal.role, goal.count)));
+    const auto best = static_cast<float>(std::floor(longest_time_with(state.charts.history, goal.role, goal.count)));
     const bool done = best >= goal.seconds;
     gap(ui, 8);
     const ImVec2 start = ImGui::GetCursorScreenPos();

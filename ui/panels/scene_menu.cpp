@@ -33,7 +33,7 @@ struct SceneMenuRow {
     std::optional<SceneInputTool> takes;  // the tool that starts at the menu's position
     std::optional<Role> role;             // shows the sign of a vehicle
     std::optional<Channel> channel;
-    std::optional<Command> tries;  // PanelState::what_if while the pointer is over the row
+    std::optional<Command> tries;  // BrainState::what_if while the pointer is over the row
     bool heading = false, rule_above = false;
 };
 
@@ -259,7 +259,7 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         for (const SceneMenuRow& row : rows) {
             if (!row.heading) menu.rows.push_back(row.anchor);
             const Item at_row = menu_row(ui, row, signs);
-            if (at_row.hovered && row.tries) state.what_if = {*row.tries};
+            if (at_row.hovered && row.tries) state.brain.what_if = {*row.tries};
             if (at_row.pressed) execute(view, state, ui, row);
         }
         mark(ui, "menu", {at.x, at.y, w, h});

@@ -112,7 +112,7 @@ public:
     SensorEditor(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
         : view_(view), state_(state), ui_(ui), vehicle_(vehicle), kind_(kind_of(*view.now, vehicle)) {
         if (kind_.sensors.empty()) return;
-        sensor_ = find_sensor(kind_.sensors, state.sensor);
+        sensor_ = find_sensor(kind_.sensors, state.sensors.shown);
         if (!sensor_) sensor_ = &kind_.sensors.front();
         opposite_ = opposite_of(kind_.sensors, sensor_->name);
         words_width_ = sensor_words_width(ui);
@@ -136,7 +136,7 @@ public:
         gap(ui_, 8);
         choose("sensor.shape", &Sensor::shape);
         response();
-        if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensor_quality_open)) return;
+        if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensors.quality_open)) return;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
         for (const SensorNumber& number : quality_numbers)
             if (number.words != half_distance || has_half_distance()) turn(number);
@@ -164,36 +164,36 @@ private:
             tooltip(ui_, at, ui_.strings(how));
             return at.pressed;
         };
-        if (pressed({"sensor.add", icon::add, ui_.strings("sensors.add"), state_.sensor_adding}, "sensors.add_how",
+        if (pressed({"sensor.add", icon::add, ui_.strings("sensors.add"), state_.sensors.adding}, "sensors.add_how",
                     true))
-            state_.sensor_adding = !state_.sensor_adding;
+            state_.sensors.adding = !state_.sensors.adding;
         const bool has_image = sensor_ && (sensor_->y != 0 || sensor_->angle != 0);
         if (has_image && pressed({"sensor.mirror", icon::mirror, ui_.strings("sensors.mirror")}, "sensors.mirror_how"))
             set(with_mirror_image(kind_.sensors, sensor_->name));
         if (sensor_ && pressed({"sensor.remove", icon::remove, ui_.strings("sensors.remove")}, "sensors.remove_how"))
             set(without_chosen());
-        if (state_.sensor_adding) new_channels();
+        if (state_.sensors.adding) new_channels();
         gap(ui_, 4);
     }
 
     void new_channels() {
         const std::array words{ui_.strings("sensors.pair"), ui_.strings("sensors.single")};
-        const int chosen = segments(ui_, "sensor.new.sides", words, state_.sensor_single ? 1 : 0, card_width(ui_));
-        if (chosen >= 0) state_.sensor_single = chosen == 1;
+        const int chosen = segments(ui_, "sensor.new.sides", words, state_.sensors.single ? 1 : 0, card_width(ui_));
+        if (chosen >= 0) state_.sensors.single = chosen == 1;
         const std::optional<Channel> channel = channel_buttons("sensor.new.", nullptr);
         if (!channel) return;
-        const bool as_pair = row_of(*channel).is_paired && !state_.sensor_single;
+        const bool as_pair = row_of(*channel).is_paired && !state_.sensors.single;
         const std::vector<Sensor> added = new_sensors(kind_.sensors, *channel, as_pair, names_taken(view_, vehicle_));
         set(with_sensors(kind_.sensors, added));
-        state_.sensor = added.front().name;
-        state_.sensor_adding = false;
+        state_.sensors.shown = added.front().name;
+        state_.sensors.adding = false;
     }
 
     // The chosen sensor and, unless it is edited alone, that on the other side are removed.
     std::vector<Sensor> without_chosen() const {
         std::vector<Sensor> sensors = kind_.sensors;
         std::erase_if(sensors, [&](const Sensor& s) {
-            return s.name == sensor_->name || (!state_.sensor_alone && s.name == opposite_);
+            return s.name == sensor_->name || (!state_.sensors.alone && s.name == opposite_);
         });
         return sensors;
     }
@@ -216,7 +216,7 @@ private:
             const Item at = small_button(ui_, look);
             tooltip(ui_, at, senses(sensor));
             drag_signal(state_, ui_, at.held, sensor.name);
-            if (at.pressed) state_.sensor = sensor.name;
+            if (at.pressed) state_.sensors.shown = sensor.name;
         }
         paragraph(ui_,
                   fill(ui_.strings("sensors.of"), {sensor_->name, senses(*sensor_), kind_name(view_, ui_, vehicle_)}),
@@ -234,7 +234,7 @@ private:
         if (is_name_taken(view_, vehicle_, *typed))
             return ui_.outbox.push_back(NoticeRequest{"notice.name_taken", *typed, {}});
         request_renamed_sensor(view_, ui_.outbox, vehicle_, sensor_->name, *typed, next_gesture());
-        state_.sensor = *typed;
+        state_.sensors.shown = *typed;
     }
 
     std::string_view senses(const Sensor& sensor) const {
@@ -243,7 +243,7 @@ private:
 
     // The channel: a list of all channels, while it is unfolded.
     void channels() {
-        if (!fold_row(ui_, "sensor.channel", ui_.strings("sensors.channel"), state_.sensor_channel_open)) return;
+        if (!fold_row(ui_, "sensor.channel", ui_.strings("sensors.channel"), state_.sensors.channel_open)) return;
         const std::optional<Channel> chosen = channel_buttons("sensor.channel.", &sensor_->channel);
         if (chosen && *chosen != sensor_->channel)
             edit(++state_.sliders.gesture, [to = *chosen](Sensor& s, bool) { s.channel = to; });
@@ -271,8 +271,8 @@ private:
     void sides() {
         if (opposite_.empty()) return;
         const std::array words{ui_.strings("sensors.both"), ui_.strings("sensors.one")};
-        const int chosen = segments(ui_, "sensor.sides", words, state_.sensor_alone ? 1 : 0, card_width(ui_));
-        if (chosen >= 0) state_.sensor_alone = chosen == 1;
+        const int chosen = segments(ui_, "sensor.sides", words, state_.sensors.alone ? 1 : 0, card_width(ui_));
+        if (chosen >= 0) state_.sensors.alone = chosen == 1;
     }
 
     // The card offers two laws. Photocells and tables are of measured sensors, whose files give their other numbers.
@@ -338,7 +338,7 @@ private:
     void edit(std::uint64_t gesture, Change change) {
         std::vector<Sensor> sensors = kind_.sensors;
         change(*find_sensor(sensors, sensor_->name), false);
-        if (!state_.sensor_alone)
+        if (!state_.sensors.alone)
             if (Sensor* other = find_sensor(sensors, opposite_)) change(*other, true);
         ui_.outbox.push_back(
             EditRequest{SetSensors{target_of(view_, vehicle_), std::move(sensors)}, gestures::panels + gesture});

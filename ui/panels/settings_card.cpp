@@ -98,14 +98,14 @@ void quality_choice(const LabView& view, Ui& ui, Preferences& wanted) {
 void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& wanted) {
     Preferences fresh;
     fresh.language = view.native_language;
-    if (wanted != fresh) state.before_reset.reset();  // changed since the reset
+    if (wanted != fresh) state.sheets.before_reset.reset();  // changed since the reset
     ImGui::SameLine(0, ui.px(spacing::small));
-    if (state.before_reset) {
+    if (state.sheets.before_reset) {
         const Item back = button(ui, "settings.restore", {{}, ui.strings("settings.restore")});
         tooltip(ui, back, ui.strings("settings.restore_how"));
         if (back.pressed) {
-            wanted = *state.before_reset;
-            state.before_reset.reset();
+            wanted = *state.sheets.before_reset;
+            state.sheets.before_reset.reset();
         }
         return;
     }
@@ -114,7 +114,7 @@ void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& want
     const Item at = button(ui, "settings.reset", look);
     tooltip(ui, at, ui.strings("settings.reset_how"));
     if (!at.pressed) return;
-    state.before_reset = wanted;
+    state.sheets.before_reset = wanted;
     wanted = fresh;
     reset_cards(state);
     state.prompts.followed = {};

@@ -13,7 +13,7 @@ namespace {
 
 // Letters search what ships; arrows move in the grid of exercises.
 bool key_for_files(PanelState& state, KeyPress press) {
-    if (search_by_typing(state.files, press)) return true;
+    if (search_by_typing(state.sheets.files, press)) return true;
     const bool in_gallery = state.keyboard.focus.starts_with("gallery.");
     if (!in_gallery || press.key < key::right || press.key > key::up) return false;
     state.keyboard.presses.push_back(press);
@@ -43,7 +43,7 @@ constexpr SheetTraits sheet_traits[]{
      .draw = files_sheet,
      .fields =
          [](PanelState& state) {
-             FilesState& files = state.files;
+             FilesState& files = state.sheets.files;
              return std::vector<TextField*>{&files.typed, &files.title, &files.story};
          },
      .keys = key_for_files},
@@ -52,13 +52,13 @@ constexpr SheetTraits sheet_traits[]{
      .heading = "author.heading",
      .width = 680,
      .draw = author_sheet,
-     .fields = [](PanelState& state) { return fields_of(state.author); }},
+     .fields = [](PanelState& state) { return fields_of(state.sheets.author); }},
     {.sheet = Sheet::robot,
      .anchor = "card.robot",
      .heading = "robot.heading",
      .width = 620,
      .draw = robot_sheet,
-     .fields = [](PanelState& state) { return std::vector{&state.robot.folder}; }},
+     .fields = [](PanelState& state) { return std::vector{&state.sheets.robot.folder}; }},
     {.sheet = Sheet::settings,
      .anchor = "card.settings",
      .heading = "settings.heading",
@@ -71,7 +71,7 @@ constexpr SheetTraits sheet_traits[]{
      .heading = "students.heading",
      .width = 460,
      .draw = student_sheet,
-     .fields = [](PanelState& state) { return std::vector{&state.student_name}; }},
+     .fields = [](PanelState& state) { return std::vector{&state.sheets.student_name}; }},
     {.sheet = Sheet::study,
      .anchor = "card.study",
      .heading = "study.heading",

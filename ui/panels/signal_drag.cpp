@@ -39,13 +39,13 @@ Rect target_of_signal(const SignalDrag& drag, const Ui& ui, Rect card) {
 }
 
 void show_chosen_strips(PanelState& state) {
-    state.charts_open = true;
-    state.chart = Chart::chosen;
+    state.charts.open = true;
+    state.charts.shown = Chart::chosen;
 }
 
 // A strip of the tab takes the place of the one that it is dropped on.
 void drop_signal(PanelState& state, Rect card) {
-    const SignalDrag& drag = state.signal_drag;
+    const SignalDrag& drag = state.charts.drag;
     if (is_from(drag, card) && !drag.onto.empty()) return move_strip(state, drag.name, drag.onto);
     choose_strip(state, drag.name);
     show_chosen_strips(state);
@@ -91,7 +91,7 @@ void take_from_menu(const LabView& view, PanelState& state, Outbox& outbox) {
 }  // namespace
 
 void drag_signal(PanelState& state, const Ui& ui, bool held, std::string_view name) {
-    SignalDrag& drag = state.signal_drag;
+    SignalDrag& drag = state.charts.drag;
     if (!held || !ImGui::GetIO().MouseDown[0]) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (drag.name != name) drag = {.name = std::string(name), .press = {mouse.x, mouse.y}};
@@ -99,7 +99,7 @@ void drag_signal(PanelState& state, const Ui& ui, bool held, std::string_view na
 }
 
 bool give_up_drag(PanelState& state) {
-    SignalDrag& drag = state.signal_drag;
+    SignalDrag& drag = state.charts.drag;
     return drag.moves && !std::exchange(drag.given_up, true);
 }
 
@@ -118,7 +118,7 @@ void drop_nodes_on_chart(const LabView& view, PanelState& state, Rect card) {
 void drop_signals(const LabView& view, PanelState& state, Ui& ui, Rect card) {
     take_from_menu(view, state, ui.outbox);
     draw_node_over_chart(view, state, ui, card);
-    SignalDrag& drag = state.signal_drag;
+    SignalDrag& drag = state.charts.drag;
     if (drag.name.empty()) return;
     const Rect target = target_of_signal(drag, ui, card);
     if (!ImGui::GetIO().MouseDown[0]) {

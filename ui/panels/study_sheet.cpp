@@ -230,9 +230,9 @@ void measure_choice(const Study& study, PanelState& state, Ui& ui, float right) 
     for (std::size_t i = 0; i < study.measures.size(); ++i) {
         const StudyMeasureTraits& row = row_of(study.measures[i]);
         const std::string id = "study.measure." + std::string(row.word), words = measure_words(ui, row);
-        const SmallButton which{id, {}, words, i == state.study_measure};
+        const SmallButton which{id, {}, words, i == state.sheets.study.measure};
         if (i > 0) beside_or_below(ui, small_button_width(ui, which, true), right);
-        if (small_button(ui, which).pressed) state.study_measure = i;
+        if (small_button(ui, which).pressed) state.sheets.study.measure = i;
     }
 }
 
@@ -313,7 +313,7 @@ bool study_buttons(const StudyView& view, Ui& ui) {
 }  // namespace
 
 void follow_study(const LabView& lab, PanelState& state, Ui&) {
-    if (std::exchange(state.study_shown, lab.study.shown) != lab.study.shown) state.sheet = Sheet::study;
+    if (std::exchange(state.sheets.study.shown, lab.study.shown) != lab.study.shown) state.sheet = Sheet::study;
 }
 
 void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
@@ -322,15 +322,15 @@ void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
         ui.outbox.emplace_back(StudyRequest{StudyEdit::open, view.last.empty() ? view.shipped->front().id : view.last});
     SheetState& sheet = open_sheet(state, ui, Sheet::study, window);
     const float top = ImGui::GetCursorScreenPos().y, right = ImGui::GetCursorScreenPos().x + card_width(ui);
-    if (view.shipped) study_choice(lab, state.study_draft, ui, right);
+    if (view.shipped) study_choice(lab, state.sheets.study.draft, ui, right);
     gap(ui, 8);
     std::optional<Study> drafted;
-    const bool drafts = state.study_draft.open;
-    if (drafts) drafted = study_builder(lab, state.study_draft, state.sliders, ui, card_width(ui));
+    const bool drafts = state.sheets.study.draft.open;
+    if (drafts) drafted = study_builder(lab, state.sheets.study.draft, state.sliders, ui, card_width(ui));
     if (view.error && !drafts) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
     if (view.base && !drafts) {
         const Study& study = view.base->study();
-        if (state.study_measure >= study.measures.size()) state.study_measure = 0;
+        if (state.sheets.study.measure >= study.measures.size()) state.sheets.study.measure = 0;
         if (!study.story.empty()) paragraph(ui, translated(ui, study.story), ui.palette.text);
         progress(view, ui);
         if (!view.table.empty())
@@ -338,11 +338,12 @@ void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
         measure_choice(study, state, ui, right);
         gap(ui, 8);
         const float used = ImGui::GetCursorScreenPos().y - top;
-        StudyPlot(view, state.study_measure, ui).draw(card_width(ui), window.h - used - ui.px(220));
+        StudyPlot(view, state.sheets.study.measure, ui).draw(card_width(ui), window.h - used - ui.px(220));
         if (study.combinations() > 1) paragraph(ui, ui.strings("study.how"), ui.palette.second_text, Face::small);
     }
     sheet_buttons(ui, sheet);
-    const bool closed = drafts ? draft_buttons(state.study_draft, std::move(drafted), ui) : study_buttons(view, ui);
+    const bool closed =
+        drafts ? draft_buttons(state.sheets.study.draft, std::move(drafted), ui) : study_buttons(view, ui);
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 

@@ -138,7 +138,7 @@ std::string_view why_no_clip(const LabView& view, const TakeAwayState& state) {
 }
 
 TakeAway clip_page(const LabView& view, PanelState& panels, Ui& ui) {
-    TakeAwayState& state = panels.take;
+    TakeAwayState& state = panels.sheets.take;
     const RecordedTime time(view);
     TakeAway wanted{format_choice(view, state, ui)};
     const PictureSize size = size_choice(ui, "take.size", clip_sizes, state.clip_size);
@@ -177,7 +177,7 @@ void begin_take(const LabView& view, TakeAwayState& state) {
 }  // namespace
 
 void follow_take_away(const LabView& view, PanelState& panels, Ui& ui) {
-    TakeAwayState& state = panels.take;
+    TakeAwayState& state = panels.sheets.take;
     const bool is_written = std::exchange(state.writes, view.clip_progress.has_value()) && !state.writes;
     if (panels.sheet == Sheet::take && is_written) panels.sheet = Sheet::none;
     if (panels.sheet != Sheet::take && std::exchange(state.open, false) && view.clip_progress)
@@ -185,7 +185,7 @@ void follow_take_away(const LabView& view, PanelState& panels, Ui& ui) {
 }
 
 void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
-    TakeAwayState& state = panels.take;
+    TakeAwayState& state = panels.sheets.take;
     if (!state.open) begin_take(view, state);
     SheetState& sheet = open_sheet(panels, ui, Sheet::take, window);
     TakeAway wanted;

@@ -24,15 +24,15 @@ namespace {
 void save_before_leaving(const LabView& view, PanelState& state, Ui& ui) {
     const FilesView& files = *view.files;
     if (!files.save_to.empty()) return ui.outbox.push_back(LeaveRequest{Leave::save});
-    state.leaving_done = files.done;
-    begin_files(state.files, true, view.lesson ? FileKind::brain : FileKind::scene);
+    state.sheets.unsaved.leaving_done = files.done;
+    begin_files(state.sheets.files, true, view.lesson ? FileKind::brain : FileKind::scene);
     state.sheet = Sheet::files;
 }
 
 // Handles the end of the file browser, with or without a saved file.
 void after_naming(const FilesView& files, PanelState& state, Ui& ui) {
-    const bool saved = state.leaving_done >= 0 && files.done > state.leaving_done;
-    state.leaving_done = -1;
+    const bool saved = state.sheets.unsaved.leaving_done >= 0 && files.done > state.sheets.unsaved.leaving_done;
+    state.sheets.unsaved.leaving_done = -1;
     state.sheet = saved ? Sheet::leaving : Sheet::none;  // the sheet opens again if edits are still unsaved
     ui.outbox.push_back(LeaveRequest{saved ? Leave::saved : Leave::stay});
 }
@@ -81,11 +81,12 @@ std::string time_words(const Ui& ui, const std::string& when, const std::string&
 void follow_leaving(const LabView& view, PanelState& state, Ui& ui) {
     if (!view.files || !view.files->leaving) {
         if (state.sheet == Sheet::leaving) state.sheet = Sheet::none;
-        state.leaving_asked = false;
+        state.sheets.unsaved.leaving_asked = false;
         return;
     }
-    if (!state.leaving_asked) state.leaving_asked = true, state.leaving_done = -1, state.sheet = Sheet::leaving;
-    if (state.sheet == Sheet::files && state.leaving_done >= 0) return;  // a name is being typed
+    if (!state.sheets.unsaved.leaving_asked)
+        state.sheets.unsaved.leaving_asked = true, state.sheets.unsaved.leaving_done = -1, state.sheet = Sheet::leaving;
+    if (state.sheet == Sheet::files && state.sheets.unsaved.leaving_done >= 0) return;  // a name is being typed
     if (state.sheet != Sheet::leaving) after_naming(*view.files, state, ui);
 }
 
@@ -114,12 +115,13 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
 }
 
 void follow_recovery(const LabView& view, PanelState& state, Ui&) {
-    if (!view.recovery) state.recovery_asked = false;
+    if (!view.recovery) state.sheets.unsaved.recovery_asked = false;
     if (view.lecture) {  // asked after the lecture
-        if (state.sheet == Sheet::recovery) state.sheet = Sheet::none, state.recovery_asked = false;
+        if (state.sheet == Sheet::recovery) state.sheet = Sheet::none, state.sheets.unsaved.recovery_asked = false;
         return;
     }
-    if (view.recovery && !state.recovery_asked) state.recovery_asked = true, state.sheet = Sheet::recovery;
+    if (view.recovery && !state.sheets.unsaved.recovery_asked)
+        state.sheets.unsaved.recovery_asked = true, state.sheet = Sheet::recovery;
     if (!view.recovery && state.sheet == Sheet::recovery) state.sheet = Sheet::none;
 }
 

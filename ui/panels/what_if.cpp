@@ -112,7 +112,7 @@ void name_inset(const Ui& ui, Rect inset, std::string_view words) {
 
 void try_without_wire(const LabView& view, PanelState& state, const Ui& ui, Rect area) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (!state.what_if.empty() || !vehicle || vehicle->driver != Driver::brain) return;
+    if (!state.brain.what_if.empty() || !vehicle || vehicle->driver != Driver::brain) return;
     if (hides_brain(view, vehicle->kind)) return;
     const wiring::CanvasState& canvas = state.canvas;
     const bool edits = view.mode == Mode::wiring;
@@ -129,7 +129,7 @@ void try_without_wire(const LabView& view, PanelState& state, const Ui& ui, Rect
     if (edits && view.settings.overlays.prediction > 0 && may_show_future(view))
         name_inset(ui, area, words_of(view, ui, *vehicle, ends, wire->cut));
     wire->cut = !wire->cut;
-    state.what_if = {SetBrain{target_of(view, *vehicle), std::move(brain)}};
+    state.brain.what_if = {SetBrain{target_of(view, *vehicle), std::move(brain)}};
 }
 
 }  // namespace braitenlab::ui

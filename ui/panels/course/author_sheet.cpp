@@ -151,7 +151,7 @@ struct AuthorSheet : AuthorFields {
 }  // namespace
 
 void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
-    AuthorState& state = panels.author;
+    AuthorState& state = panels.sheets.author;
     const bool is_saved = state.asked && view.files && view.files->done > state.done;
     if (is_saved || !view.files || view.now->scene->starts.empty()) {
         panels.sheet = Sheet::none;

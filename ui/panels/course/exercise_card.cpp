@@ -174,7 +174,7 @@ void result(const LabView& view, Ui& ui) {
 
 void hint_text(const LessonView& lesson, std::size_t index, PanelState& state, Ui& ui) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    state.exercise_rows.newest_hint.top = begin_row(state.exercise_rows);
+    state.exercise.rows.newest_hint.top = begin_row(state.exercise.rows);
     ImGui::Indent(ui.px(12));
     paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(index + 1)}), ui.palette.second_text,
               Face::small);
@@ -198,13 +198,13 @@ void hints(const LabView& view, PanelState& state, Ui& ui) {
                   fill(ui.strings(shown < count ? "exercise.hint_in" : "exercise.show_me_in"),
                        {std::to_string(lesson.hint_in)}),
                   ui.palette.second_text, Face::small);
-    state.exercise_rows.newest_hint.end = ImGui::GetCursorPosY();
+    state.exercise.rows.newest_hint.end = ImGui::GetCursorPosY();
     // Scrolls to a new hint, and to the newest where the order changes.
-    const bool is_new = std::exchange(state.hints_seen, shown) < shown;
-    const bool is_first_now = std::exchange(state.hints_first, newest_first) != newest_first && newest_first;
+    const bool is_new = std::exchange(state.exercise.hints_seen, shown) < shown;
+    const bool is_first_now = std::exchange(state.exercise.hints_first, newest_first) != newest_first && newest_first;
     using Aim = ExerciseRows::Aim;
-    if (is_new) state.outcome_newest = false;
-    if (is_new || is_first_now) aim_at(state.exercise_rows, newest_first ? Aim::top : Aim::newest_hint);
+    if (is_new) state.exercise.outcome_newest = false;
+    if (is_new || is_first_now) aim_at(state.exercise.rows, newest_first ? Aim::top : Aim::newest_hint);
 }
 
 // After the last hint: gives the vehicle the solution.
@@ -248,7 +248,7 @@ void next_button(const LabView& view, PanelState& state, Ui& ui) {
             key_name({key::enter}, ui.strings));
     if (!at.pressed) return;
     if (next) return ui.outbox.push_back(OpenRequest{.path = next->path, .next_exercise = true});
-    begin_files(state.files, false);
+    begin_files(state.sheets.files, false);
     state.sheet = Sheet::files;
 }
 
@@ -276,24 +276,25 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
 
 // Forgets what the card of another exercise has scrolled to.
 void follow_exercise(const LessonView& lesson, PanelState& state) {
-    if (state.exercise_id == lesson.exercise->id) return;
-    state.exercise_id = lesson.exercise->id;
-    state.outcome_seen = state.outcome_newest = state.grade_seen = state.why_open = state.note_open = false;
-    state.steps_open = true;
-    state.hints_seen = 0;
-    state.exercise_rows.settling = 0;
+    if (state.exercise.id == lesson.exercise->id) return;
+    state.exercise.id = lesson.exercise->id;
+    state.exercise.outcome_seen = state.exercise.outcome_newest = state.exercise.grade_seen = state.exercise.why_open =
+        state.exercise.note_open = false;
+    state.exercise.steps_open = true;
+    state.exercise.hints_seen = 0;
+    state.exercise.rows.settling = 0;
 }
 
 // Once the exercise is passed they can be folded.
 void steps(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     ImVec2 heading = ImGui::GetCursorScreenPos();
-    ExerciseRows& rows = state.exercise_rows;
+    ExerciseRows& rows = state.exercise.rows;
     if (has_passed(lesson)) {
         const auto done = std::count_if(lesson.verdicts.begin(), lesson.verdicts.end(), [](auto& v) { return v.done; });
         const std::string words = fill(ui.strings("exercise.steps_done"),
                                        {std::to_string(done), std::to_string(lesson.exercise->steps.size())});
-        if (!fold_row(ui, "exercise.steps", words, state.steps_open, ui.strings("exercise.steps_how"))) return;
+        if (!fold_row(ui, "exercise.steps", words, state.exercise.steps_open, ui.strings("exercise.steps_how"))) return;
         heading = ImGui::GetCursorScreenPos();
         if (can_compare(view)) gap(ui, small_button_height + spacing::small);
     } else {
@@ -369,7 +370,8 @@ void head(const LabView& view, PanelState& state, Ui& ui) {
 void reason(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     if (!lesson.exercise->why.empty() && shows_title(view) &&
-        fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
+        fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.exercise.why_open,
+                 ui.strings("exercise.why_how")))
         why(translated(ui, lesson.exercise->why), state, ui);
     gap(ui, 12);
 }
@@ -397,7 +399,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     if (open) {
         head(view, state, ui);
         end_head(ui, card, place);
-        ExerciseRows& rows = state.exercise_rows;
+        ExerciseRows& rows = state.exercise.rows;
         begin_rows(rows);
         const bool hints_first = view.mode == Mode::wiring && !passed;
         if (hints_first) hints(view, state, ui);
@@ -407,15 +409,15 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (!hides_outcome(view)) selection_button(view, state, ui);
         const bool steps_first = (!lesson.as_given || lesson.outcome_known) && !hides_outcome(view);
         if (!passed && steps_first) steps(view, state, ui);
-        const bool hints_last = passed || !steps_first || state.outcome_newest;
+        const bool hints_last = passed || !steps_first || state.exercise.outcome_newest;
         if (!hints_first && !hints_last) hints(view, state, ui);
         prediction(view, state, ui);
         if (!passed && !steps_first) steps(view, state, ui);
         if (!hints_first && hints_last) hints(view, state, ui);
         kept_button(view, ui);
         note_field(view, state, ui);
-        if (lesson.grade && !state.grade_seen) aim_at(rows, ExerciseRows::Aim::top);
-        state.grade_seen = lesson.grade.has_value();
+        if (lesson.grade && !state.exercise.grade_seen) aim_at(rows, ExerciseRows::Aim::top);
+        state.exercise.grade_seen = lesson.grade.has_value();
         scroll_to_aim(ui, rows);
         begin_footer(ui, card, place);
         exercise_buttons(view, state, ui, card_width(ui, place));

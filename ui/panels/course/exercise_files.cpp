@@ -49,7 +49,7 @@ void written_file(const LessonView& lesson, Ui& ui, float width) {
 }  // namespace
 
 void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width) {
-    HandInState& asked = state.hand_in;
+    HandInState& asked = state.exercise.hand_in;
     const float right = ImGui::GetCursorScreenPos().x + width;
     const bool is_shown = view.lesson->has_run;
     if (is_shown && asked.asks && view.student.empty()) {

@@ -72,9 +72,9 @@ bool key_for_next_exercise(const LabView& view, PanelState& state, KeyPress pres
 
 bool holds_play(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
     if ((action != Action::play_pause && action != Action::step) || !asks_before_play(view)) return false;
-    if (state.play_held == view.run_id) return false;
-    state.play_held = view.run_id;
-    state.shows_question = true;
+    if (state.exercise.play_held == view.run_id) return false;
+    state.exercise.play_held = view.run_id;
+    state.exercise.shows_question = true;
     state.card(Card::exercise).folded = false;
     if (view.mode == Mode::wiring) outbox.emplace_back(Action::wiring);  // Play would leave the diagram, too
     if (view.lesson->exercise->prediction.options.empty()) {
@@ -85,11 +85,11 @@ bool holds_play(const LabView& view, PanelState& state, Action action, Outbox& o
 }
 
 bool is_play_held(const LabView& view, const PanelState& state) {
-    return asks_before_play(view) && state.play_held == view.run_id;
+    return asks_before_play(view) && state.exercise.play_held == view.run_id;
 }
 
 void follow_held_play(const LabView& view, PanelState& state) {
-    if (!is_play_held(view, state)) state.play_held.reset();
+    if (!is_play_held(view, state)) state.exercise.play_held.reset();
 }
 
 }  // namespace braitenlab::ui

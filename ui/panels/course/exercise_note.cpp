@@ -14,13 +14,13 @@ namespace braitenlab::ui {
 
 void note_field(const LabView& view, PanelState& state, Ui& ui) {
     constexpr int rows = 5;
-    if (!state.note_open) return;
+    if (!state.exercise.note_open) return;
     const std::string& notes = view.lesson->notes;
-    if (!state.note.active) state.note.text = notes;
-    if (std::exchange(state.note_begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.note.text";
-    text_area(ui, state.note, "exercise.note.text", card_width(ui), rows, ui.strings("exercise.note_empty"),
+    if (!state.exercise.note.active) state.exercise.note.text = notes;
+    if (std::exchange(state.exercise.note_begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.note.text";
+    text_area(ui, state.exercise.note, "exercise.note.text", card_width(ui), rows, ui.strings("exercise.note_empty"),
               ui.strings("exercise.note_how"));
-    if (state.note.text != notes) ui.outbox.emplace_back(NotesRequest{state.note.text});
+    if (state.exercise.note.text != notes) ui.outbox.emplace_back(NotesRequest{state.exercise.note.text});
     gap(ui, 12);
 }
 
@@ -28,9 +28,9 @@ void note_button(const LabView& view, PanelState& state, Ui& ui) {
     const bool empty = view.lesson->notes.empty();
     const Item at = small_button(
         ui, {"exercise.note", empty ? std::string_view{} : icon::check,
-             ui.strings(empty || has_icons(ui) ? "exercise.note" : "exercise.note_written"), state.note_open});
+             ui.strings(empty || has_icons(ui) ? "exercise.note" : "exercise.note_written"), state.exercise.note_open});
     tooltip(ui, at, ui.strings("exercise.note_how"));
-    if (at.pressed) state.note_open = state.note_begins = !state.note_open;
+    if (at.pressed) state.exercise.note_open = state.exercise.note_begins = !state.exercise.note_open;
 }
 
 }  // namespace braitenlab::ui

@@ -41,7 +41,7 @@ std::optional<int> typed_count(const std::string& text) {
 void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t option) {
     const int hands = page.hands[static_cast<std::size_t>(page.page)][option];
     const auto ask = [&](int wanted) { ui.outbox.push_back(HandsRequest{static_cast<int>(option), wanted}); };
-    TextField& field = state.hands[option];
+    TextField& field = state.lecture.hands[option];
     if (!field.active) field.text = std::to_string(hands);
     const std::string less = option_id("lecture.less.", option), more = option_id("lecture.more.", option);
     const Item minus = button(ui, less, {{}, "−", Emphasis::plain, false, hands > 0, hands_button});
@@ -253,8 +253,8 @@ void lecture_caption(const LabView& view, Ui& ui, Rect r) {
 void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureView& page = *view.pages;
     const LectureQuestion& asked = page.current().question;
-    if (state.hands.size() != asked.options.size()) state.hands.assign(asked.options.size(), {});
-    CardState& card = state.question;
+    if (state.lecture.hands.size() != asked.options.size()) state.lecture.hands.assign(asked.options.size(), {});
+    CardState& card = state.lecture.question;
     const bool is_first = !card.folded && card.content == 0;  // it has the whole height until it is measured
     Rect place = r;
     if (card.content > 0) place.h = std::min(r.h, wanted_height(ui, card));
@@ -276,18 +276,18 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     }
     end_card(ui, card);
     state.cards_are_cut |= is_first || (!card.folded && card.is_cut);
-    state.question_height = wanted_height(ui, card);
+    state.lecture.question_height = wanted_height(ui, card);
 }
 
 void lecture_notes(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureView& page = *view.pages;
-    CardState& card = state.notes;
+    CardState& card = state.lecture.notes;
     if (begin_card(ui, card, "lecture.notes", time_words(page, ui.strings), r)) {
-        if (std::exchange(state.notes_page, page.page) != page.page) ImGui::SetScrollY(0);
+        if (std::exchange(state.lecture.notes_page, page.page) != page.page) ImGui::SetScrollY(0);
         paragraph(ui, translated(ui, page.current().notes), ui.palette.text, Face::small);
     }
     end_card(ui, card);
-    state.notes_height = wanted_height(ui, card);
+    state.lecture.notes_height = wanted_height(ui, card);
 }
 
 }  // namespace braitenlab::ui

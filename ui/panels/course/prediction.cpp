@@ -167,7 +167,7 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     if (!is_asked(asked) || (!is_open && !has_predicted(lesson) && !lesson.outcome_known)) return;
     const bool asks_for_a_run = !lesson.as_given && is_open && !offers_selection(*lesson.exercise);
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    ExerciseRows& rows = state.exercise_rows;
+    ExerciseRows& rows = state.exercise.rows;
     const float top = begin_row(rows);
     subheading(ui, ui.strings("exercise.predict"));
     const bool can_choose = is_open && is_prediction_open(lesson);
@@ -189,10 +189,10 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
                                   {translated(ui, asked.outcome)}),
                              lesson.as_given ? ui.palette.text : ui.palette.second_text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
-    if (std::exchange(state.shows_question, false)) reveal(ui, start.y, end.y);
+    if (std::exchange(state.exercise.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
-    if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known)
-        aim_at(rows, ExerciseRows::Aim::outcome), state.outcome_newest = true;
+    if (!std::exchange(state.exercise.outcome_seen, lesson.outcome_known) && lesson.outcome_known)
+        aim_at(rows, ExerciseRows::Aim::outcome), state.exercise.outcome_newest = true;
     rows.outcome = {rows.first_open_step.value_or(top), ImGui::GetCursorPosY()};
     gap(ui, 12);
 }

@@ -45,16 +45,16 @@ void student_rows(const LabView& view, Ui& ui) {
 }
 
 void request_students(PanelState& state, Ui& ui, StudentEdit edit) {
-    ui.outbox.emplace_back(StudentRequest{edit, 0, state.student_name.text});
-    state.student_name.text.clear();
+    ui.outbox.emplace_back(StudentRequest{edit, 0, state.sheets.student_name.text});
+    state.sheets.student_name.text.clear();
 }
 
 // A name, and what it is for: a new student, or the present one.
 void naming(const LabView& view, PanelState& state, Ui& ui) {
-    const bool is_free = is_free_name(*view.students, state.student_name.text);
-    text_field(ui, state.student_name, "students.name", card_width(ui), ui.strings("students.name"),
+    const bool is_free = is_free_name(*view.students, state.sheets.student_name.text);
+    text_field(ui, state.sheets.student_name, "students.name", card_width(ui), ui.strings("students.name"),
                ui.strings("students.name_how"));
-    const bool is_taken = !is_free && !tidy_student_name(state.student_name.text).empty();
+    const bool is_taken = !is_free && !tidy_student_name(state.sheets.student_name.text).empty();
     ButtonLook add{icon::add, ui.strings("students.add")}, rename{{}, ui.strings("students.rename")};
     add.enabled = rename.enabled = is_free;
     const Item one = button(ui, "students.add", add);
@@ -62,7 +62,8 @@ void naming(const LabView& view, PanelState& state, Ui& ui) {
     ImGui::SameLine();
     const Item other = button(ui, "students.rename", rename);
     tooltip(ui, other, ui.strings(is_taken ? "students.taken" : "students.rename_how"));
-    if (one.pressed || (state.student_name.entered && is_free)) return request_students(state, ui, StudentEdit::add);
+    if (one.pressed || (state.sheets.student_name.entered && is_free))
+        return request_students(state, ui, StudentEdit::add);
     if (other.pressed) request_students(state, ui, StudentEdit::rename);
 }
 
