@@ -96,233 +96,175 @@ void show_next_field(Lab& lab) {
     lab.view.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
 }
 
+struct LabAction {
+    Action action;
+    void (*act)(Lab&);
+    bool on_own_run = false;  // acts_on_own_run()
+};
+
+constexpr bool own_run = true;
+
+constexpr LabAction lab_actions[]{
+    {Action::play_pause,
+     [](Lab& lab) { set_mode(lab, lab.playback.mode == Mode::playing ? Mode::paused : Mode::playing); }},
+    {Action::step,
+     [](Lab& lab) {
+         if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
+         tick(lab);
+     }},
+    {Action::step_back,
+     [](Lab& lab) {
+         if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
+         seek_by(lab, -1);
+     },
+     own_run},
+    {Action::rewind, [](Lab& lab) { seek_by(lab, -rewind_ticks); }, own_run},
+    {Action::fast_forward, [](Lab& lab) { seek_by(lab, rewind_ticks); }, own_run},
+    {Action::set_bookmark, [](Lab& lab) { set_bookmark(lab); }, own_run},
+    {Action::last_bookmark, [](Lab& lab) { go_to_last_bookmark(lab); }, own_run},
+    {Action::reset,
+     [](Lab& lab) {
+         if (lab.together && lab.together->robot)
+             restart_replay(lab);
+         else if (lab.together)
+             begin_together(lab);
+         else
+             set_mode(lab, Mode::paused), reset(lab);
+     }},
+    {Action::add, [](Lab& lab) { apply(lab, AddVehicle{}); }, own_run},
+    {Action::remove, [](Lab& lab) { apply(lab, RemoveVehicle{}); }, own_run},
+    {Action::new_population, [](Lab& lab) { apply(lab, NewPopulation{}); }, own_run},
+    {Action::follow, [](Lab& lab) { switch_camera(lab, CameraMode::follow); }},
+    {Action::birds_eye, [](Lab& lab) { switch_camera(lab, CameraMode::birds_eye); }},
+    {Action::drivers_eye, [](Lab& lab) { switch_camera(lab, CameraMode::driver); }},
+    {Action::home,
+     [](Lab& lab) {
+         lab.view.camera = home_camera(lab);
+         lab.view.orbits = false;
+     }},
+    {Action::slow_orbit, [](Lab& lab) { switch_orbit(lab); }},
+    {Action::hide_title, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.title); }},
+    {Action::hide_character, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.character); }},
+    {Action::hide_brain, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.brain); }},
+    {Action::next_field, [](Lab& lab) { show_next_field(lab); }},
+    {Action::why, [](Lab& lab) { ask_why(lab); }},
+    {Action::map, [](Lab& lab) { show_map(lab); }},
+    {Action::slot, [](Lab& lab) { store_or_swap(lab); }, own_run},
+    {Action::compare, [](Lab& lab) { compare_slots(lab); }, own_run},
+    {Action::reality, [](Lab& lab) { show_reality(lab); }},
+    {Action::watch,
+     [](Lab& lab) {
+         if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
+         lab.view.watching = !lab.view.watching;
+     }},
+    {Action::another_start, [](Lab& lab) { reset(lab, lab.document.session.seed() + 1); }, own_run},
+    {Action::wiring, [](Lab& lab) { set_mode(lab, lab.playback.mode == Mode::wiring ? Mode::paused : Mode::wiring); },
+     own_run},
+    {Action::cancel,
+     [](Lab& lab) {
+         if (lab.playback.mode == Mode::wiring)
+             set_mode(lab, Mode::paused);
+         else if (lab.explanation.on)
+             ask_why(lab);
+         else if (lab.before_lecture)
+             end_lecture(lab);
+     },
+     own_run},
+    {Action::return_run, [](Lab& lab) { return_to_last_run(lab); }, own_run},
+    {Action::undo,
+     [](Lab& lab) {
+         if (can_undo_return(lab)) return undo_return(lab);
+         undo(lab);
+     },
+     own_run},
+    {Action::redo,
+     [](Lab& lab) {
+         if (can_redo_return(lab)) return redo_return(lab);
+         redo(lab);
+     },
+     own_run},
+    {Action::drive, [](Lab& lab) { drive(lab); }, own_run},
+    {Action::slower, [](Lab& lab) { change_speed(lab, -1); }},
+    {Action::faster, [](Lab& lab) { change_speed(lab, +1); }},
+    {Action::next_vehicle, [](Lab& lab) { select_neighbour(lab, +1); }},
+    {Action::previous_vehicle, [](Lab& lab) { select_neighbour(lab, -1); }},
+    {Action::next_object, [](Lab& lab) { select_next_object(lab, +1); }},
+    {Action::previous_object, [](Lab& lab) { select_next_object(lab, -1); }},
+    {Action::hint, [](Lab& lab) { show_hint(lab); }},
+    {Action::exercise_reset, [](Lab& lab) { start_over(lab); }, own_run},
+    {Action::exit, [](Lab& lab) { lab.exit = true; }},
+    {Action::erase, [](Lab& lab) { act_on_objects(lab, Action::erase); }, own_run},
+    {Action::duplicate, [](Lab& lab) { act_on_objects(lab, Action::duplicate); }, own_run},
+    {Action::copy, [](Lab& lab) { act_on_objects(lab, Action::copy); }},
+    {Action::cut, [](Lab& lab) { act_on_objects(lab, Action::cut); }, own_run},
+    {Action::select_all, [](Lab& lab) { act_on_objects(lab, Action::select_all); }},
+    {Action::save,
+     [](Lab& lab) {
+         lab.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});
+     }},
+    {Action::copy_link, [](Lab& lab) { copy_link(lab); }},
+    {Action::screenshot, [](Lab& lab) { lab.screenshot = true; }},
+    {Action::full_screen, [](Lab& lab) { lab.full_screen = true; }},
+    {Action::theme,
+     [](Lab& lab) { lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark; }},
+    {Action::lecture,
+     [](Lab& lab) {
+         if (lab.before_lecture) {
+             if (lab.notice.key == "notice.projector_view") lab.notice = {};
+             end_lecture(lab);
+         } else if (lab.left_pages && lab.left_run == lab.document.run_id) {
+             request_left_lecture(lab, true);
+         } else {
+             begin_lecture(lab);
+             say(lab, {NoticeKind::notice, "notice.projector_view"});
+         }
+     }},
+    {Action::first_page, [](Lab& lab) { lab.pages ? show_page(lab, 0) : request_left_lecture(lab, false); }},
+    {Action::next_page, [](Lab& lab) { next_page(lab); }},
+    {Action::previous_page, [](Lab& lab) { previous_page(lab); }},
+    {Action::notes,
+     [](Lab& lab) {
+         if (lab.pages) lab.pages->notes = !lab.pages->notes;
+     }},
+    {Action::notes_page, [](Lab& lab) { lab.opens_notes = lab.pages.has_value(); }},
+    {Action::larger, [](Lab& lab) { change_type_size(lab, +type_step); }},
+    {Action::smaller, [](Lab& lab) { change_type_size(lab, -type_step); }},
+#define LAB_ACTION(id, ...)
+#define UI_ACTION(id, ...)
+#define VIEW_SWITCH(id, keys, flag, ...) {Action::id, [](Lab& lab) { lab.view.flag = !lab.view.flag; }},
+#include "ui/actions.def"
+};
+
+// The actions that the lab executes.
+constexpr Action of_lab[]{
+#define LAB_ACTION(id, ...) Action::id,
+#define UI_ACTION(id, ...)
+#define VIEW_SWITCH(id, ...) Action::id,
+#include "ui/actions.def"
+};
+
+constexpr const LabAction* find_row(Action action) {
+    for (const LabAction& row : lab_actions)
+        if (row.action == action) return &row;
+    return nullptr;
+}
+
+constexpr bool has_a_row_for_each_action_of_the_lab() {
+    for (const Action action : of_lab)
+        if (!find_row(action)) return false;
+    return std::size(lab_actions) == std::size(of_lab);
+}
+static_assert(has_a_row_for_each_action_of_the_lab());
+
 }  // namespace
 
 void act(Lab& lab, Action action) {
-    switch (action) {
-        case Action::play_pause:
-            set_mode(lab, lab.playback.mode == Mode::playing ? Mode::paused : Mode::playing);
-            break;
-        case Action::step:
-            if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
-            tick(lab);
-            break;
-        case Action::step_back:
-            if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
-            seek_by(lab, -1);
-            break;
-        case Action::rewind:
-            seek_by(lab, -rewind_ticks);
-            break;
-        case Action::fast_forward:
-            seek_by(lab, rewind_ticks);
-            break;
-        case Action::set_bookmark:
-            set_bookmark(lab);
-            break;
-        case Action::last_bookmark:
-            go_to_last_bookmark(lab);
-            break;
-        case Action::reset:
-            if (lab.together && lab.together->robot)
-                restart_replay(lab);
-            else if (lab.together)
-                begin_together(lab);
-            else
-                set_mode(lab, Mode::paused), reset(lab);
-            break;
-        case Action::add:
-            apply(lab, AddVehicle{});
-            break;
-        case Action::remove:
-            apply(lab, RemoveVehicle{});
-            break;
-        case Action::new_population:
-            apply(lab, NewPopulation{});
-            break;
-        case Action::follow:
-            switch_camera(lab, CameraMode::follow);
-            break;
-        case Action::birds_eye:
-            switch_camera(lab, CameraMode::birds_eye);
-            break;
-        case Action::drivers_eye:
-            switch_camera(lab, CameraMode::driver);
-            break;
-        case Action::home:
-            lab.view.camera = home_camera(lab);
-            lab.view.orbits = false;
-            break;
-        case Action::slow_orbit:
-            switch_orbit(lab);
-            break;
-        case Action::hide_title:
-            hide_or_reveal(lab, lab.view.revealed.title);
-            break;
-        case Action::hide_character:
-            hide_or_reveal(lab, lab.view.revealed.character);
-            break;
-        case Action::hide_brain:
-            hide_or_reveal(lab, lab.view.revealed.brain);
-            break;
-        case Action::sensors:
-            lab.view.sensors = !lab.view.sensors;
-            break;
-        case Action::outlines:
-            lab.view.outlines = !lab.view.outlines;
-            break;
-        case Action::trails:
-            lab.view.overlays.trails = !lab.view.overlays.trails;
-            break;
-        case Action::surfaces:
-            lab.view.overlays.surfaces = !lab.view.overlays.surfaces;
-            break;
-        case Action::memory:
-            lab.view.overlays.memory = !lab.view.overlays.memory;
-            break;
-        case Action::labels:
-            lab.view.overlays.labels = !lab.view.overlays.labels;
-            break;
-        case Action::next_field:
-            show_next_field(lab);
-            break;
-        case Action::last_run:
-            lab.view.overlays.last_run = !lab.view.overlays.last_run;
-            break;
-        case Action::why:
-            ask_why(lab);
-            break;
-        case Action::map:
-            show_map(lab);
-            break;
-        case Action::slot:
-            store_or_swap(lab);
-            break;
-        case Action::compare:
-            compare_slots(lab);
-            break;
-        case Action::reality:
-            show_reality(lab);
-            break;
-        case Action::watch:
-            if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
-            lab.view.watching = !lab.view.watching;
-            break;
-        case Action::values:
-            lab.view.values = !lab.view.values;
-            break;
-        case Action::another_start:
-            reset(lab, lab.document.session.seed() + 1);
-            break;
-        case Action::wiring:
-            set_mode(lab, lab.playback.mode == Mode::wiring ? Mode::paused : Mode::wiring);
-            break;
-        case Action::cancel:
-            if (lab.playback.mode == Mode::wiring)
-                set_mode(lab, Mode::paused);
-            else if (lab.explanation.on)
-                ask_why(lab);
-            else if (lab.before_lecture)
-                end_lecture(lab);
-            break;
-        case Action::return_run:
-            return_to_last_run(lab);
-            break;
-        case Action::undo:
-            if (can_undo_return(lab)) return undo_return(lab);
-            undo(lab);
-            break;
-        case Action::redo:
-            if (can_redo_return(lab)) return redo_return(lab);
-            redo(lab);
-            break;
-        case Action::drive:
-            drive(lab);
-            break;
-        case Action::slower:
-            change_speed(lab, -1);
-            break;
-        case Action::faster:
-            change_speed(lab, +1);
-            break;
-        case Action::next_vehicle:
-            select_neighbour(lab, +1);
-            break;
-        case Action::previous_vehicle:
-            select_neighbour(lab, -1);
-            break;
-        case Action::next_object:
-            select_next_object(lab, +1);
-            break;
-        case Action::previous_object:
-            select_next_object(lab, -1);
-            break;
-        case Action::hint:
-            show_hint(lab);
-            break;
-        case Action::exercise_reset:
-            start_over(lab);
-            break;
-        case Action::exit:
-            lab.exit = true;
-            break;
-        case Action::erase:
-        case Action::duplicate:
-        case Action::copy:
-        case Action::cut:
-        case Action::select_all:
-            act_on_objects(lab, action);
-            break;
-        case Action::save:
-            lab.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});
-            break;
-        case Action::copy_link:
-            copy_link(lab);
-            break;
-        case Action::screenshot:
-            lab.screenshot = true;
-            break;
-        case Action::full_screen:
-            lab.full_screen = true;
-            break;
-        case Action::theme:
-            lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark;
-            break;
-        case Action::lecture:
-            if (lab.before_lecture) {
-                if (lab.notice.key == "notice.projector_view") lab.notice = {};
-                end_lecture(lab);
-            } else if (lab.left_pages && lab.left_run == lab.document.run_id) {
-                request_left_lecture(lab, true);
-            } else {
-                begin_lecture(lab);
-                say(lab, {NoticeKind::notice, "notice.projector_view"});
-            }
-            break;
-        case Action::first_page:
-            lab.pages ? show_page(lab, 0) : request_left_lecture(lab, false);
-            break;
-        case Action::next_page:
-            next_page(lab);
-            break;
-        case Action::previous_page:
-            previous_page(lab);
-            break;
-        case Action::notes:
-            if (lab.pages) lab.pages->notes = !lab.pages->notes;
-            break;
-        case Action::notes_page:
-            lab.opens_notes = lab.pages.has_value();
-            break;
-        case Action::larger:
-            change_type_size(lab, +type_step);
-            break;
-        case Action::smaller:
-            change_type_size(lab, -type_step);
-            break;
-        default:
-            break;  // handled by the panels
-    }
+    if (const LabAction* row = find_row(action)) row->act(lab);
+}
+
+bool acts_on_own_run(Action action) {
+    const LabAction* row = find_row(action);
+    return row && row->on_own_run;
 }
 
 }  // namespace braitenlab

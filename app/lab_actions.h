@@ -5,7 +5,10 @@
 
 namespace braitenlab {
 
-// Does nothing for the actions that panels execute.
+// Does nothing for the actions that only panels execute.
 void act(Lab&, Action);
+
+// True for an action on the exercise's own run: the graded starts that run at once end first.
+bool acts_on_own_run(Action);
 
 }  // namespace braitenlab

@@ -18,36 +18,6 @@ namespace braitenlab {
 
 namespace {
 
-// Actions on the exercise's own run: the graded starts that run at once end first.
-bool acts_on_own_run(Action action) {
-    switch (action) {
-        case Action::step_back:
-        case Action::rewind:
-        case Action::fast_forward:
-        case Action::set_bookmark:
-        case Action::last_bookmark:
-        case Action::add:
-        case Action::remove:
-        case Action::new_population:
-        case Action::wiring:
-        case Action::another_start:
-        case Action::cancel:
-        case Action::undo:
-        case Action::redo:
-        case Action::drive:
-        case Action::slot:
-        case Action::compare:
-        case Action::return_run:
-        case Action::exercise_reset:
-        case Action::erase:
-        case Action::duplicate:
-        case Action::cut:
-            return true;
-        default:
-            return false;
-    }
-}
-
 bool acts_on_own_run(const Request& request) {
     if (const auto* action = std::get_if<Action>(&request)) return acts_on_own_run(*action);
     return std::holds_alternative<EditRequest>(request) || std::holds_alternative<PasteRequest>(request) ||

@@ -9,7 +9,6 @@
 
 #include "core/io/link.h"
 #include "ui/panels/course/exercise_keys.h"
-#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
 #include "ui/panels/signal_drag.h"
@@ -19,12 +18,6 @@
 namespace braitenlab::ui {
 
 namespace {
-
-// The position of a slider among numbered_sliders().
-std::optional<std::size_t> slider_number(Action action) {
-    if (action < Action::slider_LL || action > Action::slider_RR) return std::nullopt;
-    return static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::slider_LL);
-}
 
 bool key_for_typing(SliderState& sliders, Keyboard& keyboard, KeyPress press) {
     if (sliders.typed.empty()) return false;
@@ -81,16 +74,9 @@ bool works_under_a_sheet(KeyPress press) {
 bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     const auto action = action_for(press, KeyPlace::lecture);
     if (!view.lecture || !action) return false;
-    if (*action == Action::draw_marks)
-        state.lecture.marks.drawing = !state.lecture.marks.drawing;
-    else if (*action == Action::blank)
-        state.lecture.blank = true;
-    else if (*action == Action::clear_marks)
-        state.lecture.marks.lines.clear();
-    else if (has_effect_in_lecture(*action, view.pages))
-        outbox.push_back(*action);
-    else
+    if (!has_effect_in_lecture(*action, view.pages))
         return *action == Action::notes;  // without pages: it is not the key of a new population
+    if (!act_on_panels({view, state, press, outbox}, *action)) outbox.push_back(*action);
     return true;
 }
 
@@ -110,26 +96,17 @@ bool key_for_title_page(KeyPress press, Outbox& outbox) {
     return true;
 }
 
-// True when Ctrl+S needs no name.
-bool saves_at_once(const LabView& view) { return view.files && !view.files->save_to.empty(); }
-
-// Opens the menu, or closes it if it is open.
-void toggle_menu(PanelState& state, std::string_view menu) {
-    state.menu_bar.presses.clear();
-    state.menu_bar.open = state.menu_bar.open == menu ? std::string_view{} : menu;
-}
-
 // Keys while a menu of the menu bar is open: Up and Down are Tab and Shift+Tab. False for keys that also work now.
 bool key_for_menus(PanelState& state, KeyPress press) {
     MenuBarState& menus = state.menu_bar;
     const auto action = action_for(press);
     const auto for_row = [&](KeyPress key) { menus.presses.push_back(key); };
     if (press.key == key::escape || action == Action::menu_bar)
-        toggle_menu(state, menus.open);
+        toggle_menu(menus, menus.open);
     else if (press.key == key::left || press.key == key::right)
         switch_menu(menus, press.key == key::left ? -1 : 1);
     else if (action == Action::view)
-        toggle_menu(state, "view");
+        toggle_menu(menus, "view");
     else if (press.key == key::down)
         for_row({key::tab});
     else if (press.key == key::up)
@@ -139,40 +116,6 @@ bool key_for_menus(PanelState& state, KeyPress press) {
     else if (works_under_a_sheet(press) || action_for(press) == Action::play_pause)
         return false;
     return true;
-}
-
-// Actions that open a file or the sheet of files.
-bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
-    const auto open_sheet = [&](bool saving, FileKind kind = FileKind::scene) {
-        begin_files(state.sheets.files, saving, kind);
-        state.sheet = Sheet::files;
-        return true;
-    };
-    switch (action) {
-        case Action::new_scene:
-            if (const CatalogueEntry* scene = empty_scene(view)) outbox.push_back(OpenRequest{scene->path});
-            return true;
-        case Action::open:
-            return open_sheet(false);
-        case Action::save:
-            return !saves_at_once(view) && open_sheet(true);
-        case Action::save_as:
-            return open_sheet(true);
-        case Action::save_run:
-            return open_sheet(true, FileKind::run);
-        case Action::save_brain:
-            return open_sheet(true, FileKind::brain);
-        case Action::save_exercise:
-            begin_author(view, state.sheets.author);
-            state.sheet = Sheet::author;
-            return true;
-        case Action::export_robot:
-            begin_robot(state.sheets.robot);
-            state.sheet = Sheet::robot;
-            return true;
-        default:
-            return false;
-    }
 }
 
 std::string clipboard_text() {
@@ -191,25 +134,6 @@ bool key_for_link(PanelState& state, KeyPress press, Outbox& outbox) {
     return true;
 }
 
-// Moves the focus to a slider of the brain. Where the exercise offers fewer, to the first one, and says which ones it
-// offers.
-void focus_slider(const LabView& view, PanelState& state, std::size_t number, Outbox& outbox) {
-    if (!view.settings.revealed.brain) return;  // a lecture shows it later
-    const std::vector<std::string_view> sliders = numbered_sliders(view);
-    if (number >= sliders.size()) {
-        std::string offered;
-        for (const Offer& offer : offered_dials(*view.lesson->exercise))
-            offered += (offered.empty() ? "" : ", ") + words_of(offer);
-        const std::string_view key = sliders.empty() ? "notice.no_slider_offered" : "notice.no_such_slider";
-        outbox.push_back(NoticeRequest{std::string(key), std::to_string(number + 1), offered});
-        number = 0;
-    }
-    if (sliders.empty()) return;
-    state.card(Card::brain).folded = false;
-    state.keyboard.focus = sliders[number];
-    state.keyboard.revealed = true;
-}
-
 bool selects_vehicle(Action action) { return action == Action::next_vehicle || action == Action::previous_vehicle; }
 
 // True if Tab has a vehicle to select. Without one it moves the focus into the cards, as it does in other programs.
@@ -226,39 +150,12 @@ bool is_left_out(const LabView& view, const PanelState& state, Action action) {
            (action == Action::hint && (!view.lesson || state.cards[static_cast<std::size_t>(Card::exercise)].folded));
 }
 
-// Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
-bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press, Outbox& outbox) {
-    if (is_left_out(view, state, action))
-        outbox.push_back(NoticeRequest{"unavailable.in_lecture", {}, {}});
-    else if (const auto number = slider_number(action))
-        focus_slider(view, state, *number, outbox);
-    else if (action == Action::next_card)
-        state.keyboard.presses.push_back(press);
-    else if (action == Action::keys)
-        state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
-    else if (action == Action::menu_bar || action == Action::view)
-        toggle_menu(state, action == Action::view ? "view" : "file");
-    else if (action == Action::export_csv)
-        export_csv(view, state, outbox);
-    else if (action == Action::settings)
-        state.sheet = Sheet::settings;
-    else if (action == Action::glossary)
-        state.sheet = Sheet::glossary;
-    else if (action == Action::studies)
-        state.sheet = Sheet::study;
-    else if (action == Action::mystery)
-        state.sheet = Sheet::mystery;
-    else if (action == Action::take_away)
-        state.sheet = Sheet::take;
-    else if (action == Action::about)
-        state.sheet = Sheet::about;
-    else if (action == Action::charts)
-        state.charts.open = !state.charts.open;
-    else if (action == Action::lesion && !state.brain.lesion_under_pointer.empty())
-        state.brain.lesion_requested = state.brain.lesion_under_pointer;
-    else
-        return act_on_files(view, state, action, outbox);
-    return true;
+// Executes an action: by the panels, or else by a request.
+void carry_out(const Acting& at, Action action) {
+    if (is_left_out(at.view, at.state, action))
+        at.outbox.push_back(NoticeRequest{"unavailable.in_lecture", {}, {}});
+    else if (!act_on_panels(at, action) && !holds_play(at.view, at.state, action, at.outbox))
+        at.outbox.push_back(action);
 }
 
 // Executes an action that was chosen with the pointer or in a menu.
@@ -273,8 +170,8 @@ void execute_chosen(const LabView& view, PanelState& state, Action action, Outbo
         for (const Shortcut& s : shortcuts())
             if (s.action == action && s.place == KeyPlace::scene)
                 return void(press_key(view, state.scene_input, state.keyboard, s.press, outbox));
-    } else if (!act_on_panels(view, state, action, {}, outbox) && !holds_play(view, state, action, outbox)) {
-        outbox.push_back(action);
+    } else {
+        carry_out({view, state, {}, outbox}, action);
     }
 }
 
@@ -347,8 +244,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (const auto action = action_for(press)) {
         if (selects_vehicle(*action) && !has_other_vehicle(view))
             state.keyboard.presses.push_back(press);
-        else if (!act_on_panels(view, state, *action, press, outbox) && !holds_play(view, state, *action, outbox))
-            outbox.push_back(*action);
+        else
+            carry_out({view, state, press, outbox}, *action);
         return true;
     }
     return false;

@@ -36,7 +36,8 @@ std::set<std::string> found_in_sources(const std::regex& expression, std::initia
     std::set<std::string> found;
     for (const char* folder : {"ui", "app"})
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+            const fs::path kind = entry.path().extension();
+            if (kind != ".cpp" && kind != ".h" && kind != ".def") continue;
             std::ifstream in(entry.path());
             const std::string text{std::istreambuf_iterator<char>(in), {}};
             for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)

@@ -1,4 +1,4 @@
-// The sheet of all shortcuts, from the table in shortcuts.cpp, and of mouse gestures.
+// The sheet of all shortcuts, from the table in ui/actions.def, and of mouse gestures.
 #include <algorithm>
 #include <array>
 #include <string>

@@ -1,8 +1,9 @@
-// The menu bar: which menu has which rows.
+// The menu bar: titles, the rows of actions and those of files, fields, exercises and lectures.
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene/enums.h"
@@ -24,6 +25,7 @@ constexpr float longest_name = 260, longest_exercise = 520;  // of a recent file
 struct MenuNames {
     std::string_view name, words;  // words: key of the string
 };
+// In the order of Menu.
 constexpr std::array<MenuNames, 7> menu_names{{{"file", "menus.file"},
                                                {"edit", "menus.edit"},
                                                {"view", "menus.view"},
@@ -31,118 +33,7 @@ constexpr std::array<MenuNames, 7> menu_names{{{"file", "menus.file"},
                                                {"exercises", "menus.exercises"},
                                                {"lecture", "menus.lecture"},
                                                {"help", "menus.help"}}};
-
-// The menu of each action, in the order of the rows.
-struct MenuPlace {
-    std::string_view menu;
-    Action action;
-    bool rule_above = false;
-};
-constexpr MenuPlace menu_places[]{
-    {"file", Action::new_scene},
-    {"file", Action::open},
-    {"file", Action::save, true},
-    {"file", Action::save_as},
-    {"file", Action::save_run},
-    {"file", Action::save_brain},
-    {"file", Action::save_exercise},
-    {"file", Action::copy_link, true},
-    {"file", Action::export_robot},
-    {"file", Action::export_csv},
-    {"file", Action::take_away},
-    {"file", Action::screenshot},
-    {"file", Action::exit, true},
-
-    {"edit", Action::undo},
-    {"edit", Action::redo},
-    {"edit", Action::cut, true},
-    {"edit", Action::copy},
-    {"edit", Action::paste},
-    {"edit", Action::duplicate},
-    {"edit", Action::erase},
-    {"edit", Action::select_all},
-    {"edit", Action::next_vehicle, true},
-    {"edit", Action::previous_vehicle},
-    {"edit", Action::next_object},
-    {"edit", Action::previous_object},
-    {"edit", Action::add},
-    {"edit", Action::remove},
-    {"edit", Action::add_here},
-    {"edit", Action::scene_menu},
-    {"edit", Action::close_outline},
-    {"edit", Action::take_back},
-    {"edit", Action::menu, true},
-    {"edit", Action::probe},
-    {"edit", Action::join},
-    {"edit", Action::lesion},
-    {"edit", Action::tidy},
-    {"edit", Action::values, true},
-    {"edit", Action::settings, true},
-
-    {"view", Action::sensors},
-    {"view", Action::outlines},
-    {"view", Action::trails},
-    {"view", Action::surfaces},
-    {"view", Action::memory},
-    {"view", Action::labels},
-    {"view", Action::last_run},
-    {"view", Action::next_field},
-    {"view", Action::home, true},
-    {"view", Action::slow_orbit},
-    {"view", Action::follow},
-    {"view", Action::birds_eye},
-    {"view", Action::drivers_eye},
-    {"view", Action::wiring, true},
-    {"view", Action::watch},
-    {"view", Action::fit},
-    {"view", Action::charts},
-    {"view", Action::full_screen, true},
-    {"view", Action::theme},
-    {"view", Action::larger},
-    {"view", Action::smaller},
-
-    {"simulation", Action::play_pause},
-    {"simulation", Action::step},
-    {"simulation", Action::step_back},
-    {"simulation", Action::rewind},
-    {"simulation", Action::fast_forward},
-    {"simulation", Action::reset, true},
-    {"simulation", Action::another_start},
-    {"simulation", Action::return_run},
-    {"simulation", Action::new_population},
-    {"simulation", Action::slower, true},
-    {"simulation", Action::faster},
-    {"simulation", Action::set_bookmark, true},
-    {"simulation", Action::last_bookmark},
-    {"simulation", Action::drive, true},
-    {"simulation", Action::why},
-    {"simulation", Action::map},
-    {"simulation", Action::slot},
-    {"simulation", Action::compare},
-    {"simulation", Action::mystery},
-    {"simulation", Action::studies},
-    {"simulation", Action::reality},
-
-    {"exercises", Action::hint},
-    {"exercises", Action::exercise_reset},
-
-    {"lecture", Action::lecture},
-    {"lecture", Action::first_page, true},
-    {"lecture", Action::next_page},
-    {"lecture", Action::previous_page},
-    {"lecture", Action::notes},
-    {"lecture", Action::notes_page},
-    {"lecture", Action::hide_title, true},
-    {"lecture", Action::hide_character},
-    {"lecture", Action::hide_brain},
-    {"lecture", Action::draw_marks, true},
-    {"lecture", Action::clear_marks},
-    {"lecture", Action::blank},
-
-    {"help", Action::keys},
-    {"help", Action::glossary},
-    {"help", Action::about},
-};
+static_assert(menu_names.size() == static_cast<std::size_t>(Menu::help));
 
 // A row and its effect: an action or a request.
 struct LabMenuRow {
@@ -152,21 +43,19 @@ struct LabMenuRow {
     std::optional<Sheet> sheet{};  // opened in the next frame
 };
 
-bool is_overlay(Action action) { return action >= Action::sensors && action <= Action::next_field; }
-
-LabMenuRow action_row(const LabView& view, const PanelState& state, const Ui& ui, const MenuPlace& place) {
-    const std::string word(name(place.action));
-    LabMenuRow row{.action = place.action};
+LabMenuRow action_row(const LabView& view, const PanelState& state, const Ui& ui, std::string_view menu,
+                      Action action) {
+    const std::string word(name(action));
+    LabMenuRow row{.action = action};
     MenuEntry& e = row.entry;
-    e.anchor = "menu." + std::string(place.menu) + "." + word;
+    e.anchor = "menu." + std::string(menu) + "." + word;
     e.words = ui.strings("action." + word);
-    e.keys = key_name(place.action, ui.strings);
-    const std::string_view why = why_unavailable(view, state, place.action);
+    e.keys = key_name(action, ui.strings);
+    const std::string_view why = why_unavailable(view, state, action);
     e.enabled = why.empty();
     e.how = e.enabled ? ui.strings.find("tooltip." + word, "") : ui.strings(why);
-    e.on = switched_on(view, state, place.action);
-    e.rule_above = place.rule_above;
-    e.stays_open = is_overlay(place.action);
+    e.on = switched_on(view, state, action);
+    e.stays_open = traits(action).menu.stays_open;
     return row;
 }
 
@@ -308,20 +197,28 @@ void add_lectures(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& 
     }
 }
 
-std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, const Ui& ui, std::string_view menu) {
+std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, const Ui& ui, std::size_t menu) {
     std::vector<LabMenuRow> rows;
-    for (const MenuPlace& place : menu_places) {
-        if (place.menu != menu) continue;
-        rows.push_back(action_row(view, state, ui, place));
-        if (place.action == Action::open) add_recent_files(rows, view, ui);
-        if (place.action == Action::next_field) add_fields(rows, view, ui);
-        if (place.action == Action::trails) rows.push_back(row_of_trail_colour(view, ui));
-        if (place.action == Action::last_run) rows.push_back(row_of_prediction(view, ui));
-        if (place.action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
-        if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);
-        if (place.action == Action::lecture) add_lectures(rows, view, ui);
+    int section = 0;
+    for (const Action action : actions_in(static_cast<Menu>(menu + 1))) {
+        rows.push_back(action_row(view, state, ui, menu_names[menu].name, action));
+        rows.back().entry.rule_above = std::exchange(section, traits(action).menu.section) != section;
+        if (action == Action::open) add_recent_files(rows, view, ui);
+        if (action == Action::next_field) add_fields(rows, view, ui);
+        if (action == Action::trails) rows.push_back(row_of_trail_colour(view, ui));
+        if (action == Action::last_run) rows.push_back(row_of_prediction(view, ui));
+        if (action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
+        if (action == Action::exercise_reset) add_catalogue(rows, view, ui);
+        if (action == Action::lecture) add_lectures(rows, view, ui);
     }
     return rows;
+}
+
+// The position among the menus; the last one if there is none of this name.
+std::size_t menu_named(std::string_view name) {
+    std::size_t at = 0;
+    while (at < menu_names.size() - 1 && menu_names[at].name != name) ++at;
+    return at;
 }
 
 std::array<MenuTitle, menu_names.size()> lab_menu_titles(const Ui& ui) {
@@ -341,7 +238,7 @@ void menu_bar(PanelState& state, Ui& ui, Rect bar) { menu_titles(ui, state.menu_
 
 void lab_menu(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
     if (state.menu_bar.open.empty()) return state.menu_bar.drawn.clear();
-    const std::vector<LabMenuRow> rows = rows_of(view, state, ui, state.menu_bar.open);
+    const std::vector<LabMenuRow> rows = rows_of(view, state, ui, menu_named(state.menu_bar.open));
     std::vector<MenuEntry> entries;
     for (const LabMenuRow& row : rows) entries.push_back(row.entry);
     const int chosen = menu_panel(ui, state.menu_bar, lab_menu_titles(ui), entries, bar, window);
@@ -360,10 +257,14 @@ std::string_view menu_title_at(const Ui& ui, float x, float y) {
     return {};
 }
 
+void toggle_menu(MenuBarState& menus, std::string_view menu) {
+    menus.presses.clear();
+    menus.open = menus.open == menu ? std::string_view{} : menu;
+}
+
 void switch_menu(MenuBarState& menus, int step) {
     const auto count = static_cast<int>(menu_names.size());
-    int at = 0;
-    while (at < count - 1 && menu_names[static_cast<std::size_t>(at)].name != menus.open) ++at;
+    auto at = static_cast<int>(menu_named(menus.open));
     if (menus.open.empty()) at = step = 0;
     menus.presses.clear();
     menus.open = menu_names[static_cast<std::size_t>((at + step + count) % count)].name;

@@ -3,13 +3,13 @@
 // another file.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include <imgui.h>
 
 #include "ui/lab_view.h"
+#include "ui/panels/actions.h"
 #include "ui/panels/panel_state.h"
 #include "ui/widgets/ui.h"
 
@@ -58,15 +58,8 @@ void scene_menu(const LabView&, PanelState&, Ui&, Rect window);  // menu of an o
 void menu_bar(PanelState&, Ui&, Rect bar);                              // the titles
 void lab_menu(const LabView&, PanelState&, Ui&, Rect bar, Rect above);  // the open menu
 std::string_view menu_title_at(const Ui&, float x, float y);            // name of its menu, or empty; window pixels
+void toggle_menu(MenuBarState&, std::string_view menu);                 // opens it, or closes it if it is open
 void switch_menu(MenuBarState&, int step);  // opens the menu `step` titles to the right of the open one, or the first
-
-// The shipped scene that Action::new_scene opens; null when it is missing.
-const CatalogueEntry* empty_scene(const LabView&);
-
-// availability.cpp. The string key of the reason why the action cannot be executed now; empty if it can.
-std::string_view why_unavailable(const LabView&, const PanelState&, Action);
-// Whether the action is a switch that is on; nullopt for other actions.
-std::optional<bool> switched_on(const LabView&, const PanelState&, Action);
 
 // lecture.cpp: shown during a lecture in place of toolbar and hint bar.
 void lecture_bar(const LabView&, PanelState&, Ui&, Rect);

@@ -1,0 +1,230 @@
+#include "ui/panels/actions.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "ui/panels/offered.h"
+#include "ui/panels/panels.h"
+#include "ui/scene_input/edits.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+// ── Conditions: string keys of the reason, or empty ──
+
+constexpr std::string_view nothing_selected = "unavailable.nothing_selected";
+
+const VehicleView* selected_in(const LabView& view) { return find_vehicle(*view.now, view.settings.selection.vehicle); }
+
+bool has_vehicle(const LabView& view) { return selected_in(view) != nullptr; }
+
+bool has_objects(const LabView& view) { return !objects_beside_vehicles(*view.now->scene).empty(); }
+
+std::string_view nothing_to_copy(const LabView& view, const PanelState& state) {
+    if (view.mode == Mode::wiring) return state.canvas.selection.nodes.empty() ? "wiring.refused.nothing_to_copy" : "";
+    return place_of(*view.now, chosen(view)) ? "" : nothing_selected;
+}
+
+std::string_view nothing_to_paste(const LabView& view, const PanelState& state) {
+    const bool has_copy = view.mode == Mode::wiring ? !state.canvas.clipboard.neurons.empty() : view.copied_objects > 0;
+    return has_copy ? "" : "wiring.refused.nothing_copied";
+}
+
+std::string_view nothing_to_select(const LabView& view, const PanelState&) {
+    if (view.mode == Mode::wiring || has_objects(view)) return "";
+    return view.now->vehicles.empty() ? "unavailable.no_objects" : "";
+}
+
+std::string_view nothing_to_erase(const LabView& view, const PanelState& state) {
+    if (view.mode == Mode::wiring) return state.canvas.selection.empty() ? nothing_selected : "";
+    return removal_of(*view.now, chosen(view)) ? "" : nothing_selected;
+}
+
+std::string_view nothing_for_menu(const LabView& view, const PanelState& state) {
+    return view.mode == Mode::wiring ? "unavailable.scene_only" : nothing_to_erase(view, state);
+}
+
+std::string_view nothing_to_duplicate(const LabView& view, const PanelState& state) {
+    if (view.mode == Mode::wiring) return nothing_to_erase(view, state);
+    return copy_of(*view.now, chosen(view)) ? "" : nothing_selected;
+}
+
+std::string_view nothing_to_lesion(const LabView& view, const PanelState& state) {
+    return view.mode == Mode::wiring ? nothing_to_erase(view, state) : "unavailable.lesion";
+}
+
+std::string_view no_node_to_probe(const LabView& view, const PanelState& state) {
+    if (view.mode != Mode::wiring) return "unavailable.wiring_only";
+    return state.canvas.selection.nodes.empty() ? "unavailable.no_node" : "";
+}
+
+std::string_view no_node_to_join(const LabView& view, const PanelState& state) {
+    if (view.mode != Mode::wiring) return "unavailable.wiring_only";
+    return state.canvas.selection.nodes.size() == 1 ? "" : "wiring.refused.join_one";
+}
+
+std::string_view no_hint(const LabView& view, const PanelState&) {
+    if (!view.lesson) return "unavailable.no_exercise";
+    if (view.lesson->hints_shown >= static_cast<int>(view.lesson->exercise->hints.size())) return "exercise.hint_none";
+    return view.lesson->hint_ready ? "" : "exercise.hint_wait";
+}
+
+// The brain must drive, and it must not be hidden.
+std::string_view no_cause(const LabView& view, const PanelState&) {
+    if (!has_vehicle(view)) return view.why ? "" : "unavailable.no_vehicle";
+    return can_tell_why(view) ? "" : "unavailable.why";
+}
+
+std::string_view no_map(const LabView& view, const PanelState&) {
+    const VehicleView* vehicle = selected_in(view);
+    if (view.settings.map) return "";
+    if (!vehicle) return "unavailable.no_vehicle";
+    if (view.mode == Mode::wiring) return "unavailable.scene_only";
+    return can_show_map(view, *vehicle) ? "" : "unavailable.map";
+}
+
+std::string_view no_robots(const LabView& view, const PanelState&) {
+    const VehicleView* vehicle = selected_in(view);
+    if (view.settings.reality) return "";
+    if (!vehicle) return "unavailable.no_vehicle";
+    if (view.mode == Mode::wiring) return "unavailable.scene_only";
+    const bool is_free = vehicle->driver == Driver::brain && may_show_future(view) && !hides_outcome(view);
+    return is_free ? "" : "unavailable.reality";
+}
+
+std::string_view no_brain_to_save(const LabView& view, const PanelState&) {
+    const VehicleView* vehicle = selected_in(view);
+    if (!vehicle) return "unavailable.no_vehicle";
+    return is_brain_secret(view, vehicle->kind) ? "unavailable.hidden_brain" : "";
+}
+
+std::string_view no_brain_for_robot(const LabView& view, const PanelState&) {
+    const VehicleView* vehicle = selected_in(view);
+    if (!vehicle) return "unavailable.no_vehicle";
+    return hides_brain(view, vehicle->kind) ? "wiring.hidden" : "";
+}
+
+std::string_view no_slots(const LabView& view, const PanelState&) { return why_no_slots(view); }
+
+std::string_view no_comparison(const LabView& view, const PanelState&) { return why_no_comparison(view); }
+
+std::string_view no_chart(const LabView& view, const PanelState& state) {
+    const ChartsState& charts = state.charts;
+    const bool of_vehicle =
+        charts.shown == Chart::signals || charts.shown == Chart::all || charts.shown == Chart::chosen;
+    const bool empty = of_vehicle                    ? charts.history.signals.empty()
+                       : charts.shown == Chart::bars ? view.now->vehicles.empty()
+                                                     : charts.history.population.empty();
+    return empty ? "charts.nothing" : "";
+}
+
+// ── Effects ──
+
+void open_files(PanelState& state, bool saving, FileKind kind = FileKind::scene) {
+    begin_files(state.sheets.files, saving, kind);
+    state.sheet = Sheet::files;
+}
+
+bool open_empty_scene(const Acting& at) {
+    if (const CatalogueEntry* scene = empty_scene(at.view)) at.outbox.push_back(OpenRequest{scene->path});
+    return true;
+}
+
+// False for a scene that has a file: the lab saves it there.
+bool save_under_a_name(const Acting& at) {
+    if (at.view.files && !at.view.files->save_to.empty()) return false;
+    open_files(at.state, true);
+    return true;
+}
+
+bool request_lesion(const Acting& at) {
+    BrainState& brain = at.state.brain;
+    if (brain.lesion_under_pointer.empty()) return false;
+    brain.lesion_requested = brain.lesion_under_pointer;
+    return true;
+}
+
+// Moves the focus to a slider of the brain. Where the exercise offers fewer, to the first one, and says which ones it
+// offers.
+void focus_slider(const Acting& at, std::size_t number) {
+    const LabView& view = at.view;
+    if (!view.settings.revealed.brain) return;  // a lecture shows it later
+    const std::vector<std::string_view> sliders = numbered_sliders(view);
+    if (number >= sliders.size()) {
+        std::string offered;
+        for (const Offer& offer : offered_dials(*view.lesson->exercise))
+            offered += (offered.empty() ? "" : ", ") + words_of(offer);
+        const std::string_view key = sliders.empty() ? "notice.no_slider_offered" : "notice.no_such_slider";
+        at.outbox.push_back(NoticeRequest{std::string(key), std::to_string(number + 1), offered});
+        number = 0;
+    }
+    if (sliders.empty()) return;
+    at.state.card(Card::brain).folded = false;
+    at.state.keyboard.focus = sliders[number];
+    at.state.keyboard.revealed = true;
+}
+
+// ── The table ──
+
+#define NEEDS(condition, otherwise)                                                                          \
+    []([[maybe_unused]] const LabView& view, [[maybe_unused]] const PanelState& state) -> std::string_view { \
+        return (condition) ? "" : (otherwise);                                                               \
+    }
+#define ON(condition) \
+    []([[maybe_unused]] const LabView& view, [[maybe_unused]] const PanelState& state) -> bool { return condition; }
+#define DOES(...) [](const Acting& at) -> bool { return (__VA_ARGS__), true; }
+#define OPENS(which) DOES(at.state.sheet = Sheet::which)
+#define ACTION(id, keys, ...) {__VA_ARGS__},
+#define VIEW_SWITCH(id, keys, flag, ...) {__VA_ARGS__, .is_on = ON(view.settings.flag)},
+
+constexpr ActionTraits action_rows[]{
+#include "ui/actions.def"
+};
+static_assert(std::size(action_rows) == static_cast<std::size_t>(last_action) + 1);
+
+#undef NEEDS
+#undef ON
+#undef DOES
+#undef OPENS
+
+}  // namespace
+
+const ActionTraits& traits(Action action) { return action_rows[static_cast<std::size_t>(action)]; }
+
+std::vector<Action> actions_in(Menu menu) {
+    std::vector<Action> found;
+    for (std::size_t i = 0; i < std::size(action_rows); ++i)
+        if (action_rows[i].menu.menu == menu) found.push_back(static_cast<Action>(i));
+    std::stable_sort(found.begin(), found.end(), [](Action a, Action b) {
+        const MenuPlace &x = traits(a).menu, &y = traits(b).menu;
+        return std::pair(x.section, x.row) < std::pair(y.section, y.row);
+    });
+    return found;
+}
+
+std::string_view why_unavailable(const LabView& view, const PanelState& state, Action action) {
+    const auto why_not = traits(action).why_not;
+    return why_not ? why_not(view, state) : std::string_view{};
+}
+
+std::optional<bool> switched_on(const LabView& view, const PanelState& state, Action action) {
+    const auto is_on = traits(action).is_on;
+    return is_on ? std::optional(is_on(view, state)) : std::nullopt;
+}
+
+bool act_on_panels(const Acting& at, Action action) {
+    const auto act = traits(action).act;
+    return act && act(at);
+}
+
+const CatalogueEntry* empty_scene(const LabView& view) {
+    if (!view.catalogue) return nullptr;
+    const auto is_empty_scene = [](const CatalogueEntry& entry) { return entry.name == "empty"; };
+    const auto found = std::find_if(view.catalogue->begin(), view.catalogue->end(), is_empty_scene);
+    return found == view.catalogue->end() ? nullptr : &*found;
+}
+
+}  // namespace braitenlab::ui
