@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,11 +24,27 @@ inline constexpr std::array motor_pins{
     MotorPin{4, "STANDBY", "STBY", ""},
 };
 inline constexpr int button_pin = 2;
-inline constexpr int analog_inputs = 6;  // A0 to A5
-inline constexpr int most_wires = 400;   // program memory of 32 KB
-inline constexpr int most_neurons = 60;  // memory of 2 KB
+inline constexpr int analog_inputs = 6;        // A0 to A5
+inline constexpr int most_neurons = 60;        // memory of 2 KB
+inline constexpr int largest_program = 32256;  // bytes: 32 KB less the boot loader
 // A smaller command stops the wheel. Others begin at the wheel's minimum PWM, so that there is no dead band.
 inline constexpr float smallest_command = 0.02f;
+
+// Estimates of the whole sketch: not less than avr-gcc 5.4 and simavr give, and at most 30 % more bytes where the
+// numbers of wires and curves all differ. Where they repeat, the compiler saves up to 40 %.
+struct Cost {
+    int cycles = 0;  // of one step, at 16 MHz
+    int bytes = 0;   // of program memory
+};
+Cost cost_of(const Plan&);
+
+// The largest rate, `robot_rate` or less, at which a step ends in time; nullopt: there is none of 10 per second or
+// more.
+std::optional<int> rate_for(const Cost&, int robot_rate);
+inline constexpr int lowest_rate = 10;
+
+// Of these sensors in this order, so that a sketch does not use the calibration of another brain's sensors.
+unsigned calibration_mark(const Plan&);
 
 // The part that senses a channel, and what is done for its two calibration values.
 struct SensorPart {
@@ -42,7 +59,7 @@ const SensorPart& part_of(const Input&);  // a sensor of unknown channel is an e
 std::string pin_of_input(std::size_t input);
 
 std::string sketch(const Plan&);
-std::string readme(const Plan&);
+std::string readme(const Plan&, int robot_rate);
 std::string parts_csv(const Plan&);
 std::string wiring_svg(const Plan&);
 

@@ -80,10 +80,16 @@ With an L298N remove the jumpers of ENA and ENB. It loses about 2 V, so take six
 5. **Straight run**: on the floor, press the button, step back. It drives for 3 s. Press once if it turned left, twice if it turned right, and
    it repeats with the faster wheel 2 % slower. Wait 5 s if it was straight.
 
-The values are kept in the EEPROM. To calibrate again, hold the button during reset.
+The values are kept in the EEPROM. To calibrate again, hold the button during reset. A sketch with other sensors, or with the same ones in
+another order, calibrates anew.
 
 **Each start.** After power-on or reset the light on the board blinks and the wheels stand for 3 s: time to set the robot down. The button
 starts it at once. `START_DELAY` in the sketch is this time.
+
+## Rate and memory
+
+The brain is computed @RATE@ times per second. A step takes up to @STEP@ ms of @PERIOD@ ms, the program up to @BYTES@ of @LARGEST@ bytes: estimates
+from costs that were measured in a simulator of the processor.@LOWERED@
 
 ## What transfers and what does not
 
@@ -114,14 +120,30 @@ const SensorPart& part_of(const Input& input) {
     return sensor_parts[static_cast<std::size_t>(input.channel.value_or(Channel::light))];
 }
 
-std::string readme(const Plan& plan) {
+std::string readme(const Plan& plan, int robot_rate) {
+    const Cost cost = cost_of(plan);
+    const std::string lowered =
+        plan.rate_hz >= static_cast<float>(robot_rate)
+            ? ""
+            : fmt::format(
+                  " Smaller brains are computed {} times per second; this one takes too long\nfor that, most of it for "
+                  "sigmoids and humps (0.3 ms each). Memories and learning wires are those of the lower rate.",
+                  robot_rate);
     std::string sensors;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
         const SensorPart& part = part_of(plan.inputs[i]);
         sensors += fmt::format("| {} | {} | {}; 0: {}, 1: {} |\n", cell(plan.inputs[i].name), pin_of_input(i),
                                part.part, part.zero, part.one);
     }
-    return filled(readme_text, {{"TITLE", comment_text(plan.title)}, {"PINS", pin_table()}, {"SENSORS", sensors}});
+    return filled(readme_text, {{"TITLE", comment_text(plan.title)},
+                                {"PINS", pin_table()},
+                                {"SENSORS", sensors},
+                                {"RATE", fmt::format("{:g}", plan.rate_hz)},
+                                {"STEP", fmt::format("{:.1f}", cost.cycles / 16e3)},
+                                {"PERIOD", fmt::format("{:g}", 1000 / plan.rate_hz)},
+                                {"BYTES", std::to_string(cost.bytes)},
+                                {"LARGEST", std::to_string(largest_program)},
+                                {"LOWERED", lowered}});
 }
 
 std::string parts_csv(const Plan& plan) {

@@ -3,6 +3,8 @@
 
 #include "core/export/arduino.h"
 #include "core/export/text.h"
+#include "core/maths/fnv.h"
+#include "core/scene/enums.h"
 
 namespace braitenlab::robots::arduino {
 
@@ -30,7 +32,7 @@ struct Calibration {
 @EYE_FIELDS@  byte minimum[2];      // PWM from which the left and the right wheel turn
   byte fastest[2];      // PWM at the command 1; less for the faster motor, so that it drives straight
 };
-const uint16_t MARK = 0xB7A1;
+const uint16_t MARK = @MARK@;  // of these sensors in this order: the calibration of other ones is not used
 Calibration calibration;
 
 const byte LEFT = 0, RIGHT = 1;
@@ -225,6 +227,14 @@ std::string pin_constants() {
 
 std::string pin_of_input(std::size_t input) { return fmt::format("A{}", input); }
 
+unsigned calibration_mark(const Plan& plan) {
+    std::uint64_t hash = maths::fnv_start;
+    for (const Input& input : plan.inputs)
+        hash = maths::fnv(fmt::format("{} {};", input.name, word(input.channel.value_or(Channel::light))), hash);
+    // Erased memory reads 0xFFFF.
+    return static_cast<unsigned>(hash % 0xFFFFU);
+}
+
 std::string sketch(const Plan& plan) {
     std::string pins, names, read;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
@@ -242,6 +252,7 @@ std::string sketch(const Plan& plan) {
                   {{"TITLE", comment_text(plan.title)},
                    {"RATE", fmt::format("{:g}", plan.rate_hz)},
                    {"PINS", pin_constants()},
+                   {"MARK", fmt::format("0x{:04X}", calibration_mark(plan))},
                    {"BUTTON", std::to_string(button_pin)},
                    {"EYE_PINS", with_eyes(filled(eye_pins, {{"EYES", count}, {"PINS", pins}, {"NAMES", names}}))},
                    {"EYE_FIELDS", with_eyes(eye_fields)},

@@ -21,19 +21,13 @@ using Refusal = std::optional<Error>;
 
 Error refused(std::string what) { return Error{std::move(what), {}, 0, {}}; }
 
-std::size_t wires_of(const Plan& plan) {
-    std::size_t wires = 0;
-    for (const PlanUnit& unit : plan.units) wires += unit.taps.size();
-    return wires;
-}
-
 Refusal check_robot(Target target, const Robot& robot) {
     if (robot.target == target) return std::nullopt;
     return refused(fmt::format("the target {} is not for the robot {}; its target is {}", word(target),
                                in_quotes(std::string(robot.name)), word(robot.target)));
 }
 
-Refusal check_arduino(const Plan& plan) {
+Refusal check_arduino(const Plan& plan, int robot_rate) {
     const std::string_view board = "Arduino Uno";
     for (const Input& input : plan.inputs)
         if (arduino::part_of(input).part.empty())
@@ -43,17 +37,25 @@ Refusal check_arduino(const Plan& plan) {
         return error_of(message_of("no_pin", in_quotes(plan.inputs[inputs].name), plan.inputs.size(), board, inputs));
     if (plan.hidden() > static_cast<std::size_t>(arduino::most_neurons))
         return error_of(message_of("program_neurons", plan.hidden(), board, arduino::most_neurons));
-    if (wires_of(plan) > static_cast<std::size_t>(arduino::most_wires))
-        return error_of(message_of("program_wires", wires_of(plan), board, arduino::most_wires));
+    const arduino::Cost cost = arduino::cost_of(plan);
+    if (cost.bytes > arduino::largest_program)
+        return error_of(message_of("program_flash", cost.bytes, board, arduino::largest_program));
+    if (!arduino::rate_for(cost, robot_rate))
+        return error_of(message_of("program_time", cost.cycles / 16000, board, 1000 / arduino::lowest_rate));
     return std::nullopt;
 }
 
-std::vector<ExportedFile> arduino_files(const Plan& plan) {
-    return {{"braitenberg/braitenberg.ino", arduino::sketch(plan)},
-            {"braitenberg/brain.h", c_header(plan)},
-            {"README.md", arduino::readme(plan)},
-            {"parts.csv", arduino::parts_csv(plan)},
-            {"wiring.svg", arduino::wiring_svg(plan)}};
+Result<std::vector<ExportedFile>> arduino_files(const BrainToExport& given, const Plan& fast, int robot_rate) {
+    if (const auto refusal = check_arduino(fast, robot_rate)) return *refusal;
+    // Memories follow the rate.
+    const auto slow = make_plan(given, static_cast<float>(*arduino::rate_for(arduino::cost_of(fast), robot_rate)));
+    if (!slow) return slow.error();
+    const Plan& plan = *slow;
+    return std::vector<ExportedFile>{{"braitenberg/braitenberg.ino", arduino::sketch(plan)},
+                                     {"braitenberg/brain.h", c_header(plan)},
+                                     {"README.md", arduino::readme(plan, robot_rate)},
+                                     {"parts.csv", arduino::parts_csv(plan)},
+                                     {"wiring.svg", arduino::wiring_svg(plan)}};
 }
 
 Result<std::vector<ExportedFile>> micropython_files(const Plan& plan, const Robot& robot) {
@@ -91,8 +93,7 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
         case Target::c:
             return std::vector<ExportedFile>{{"brain.h", c_header(*plan)}, {"README.md", c_readme(*plan)}};
         case Target::arduino:
-            if (const auto refusal = check_arduino(*plan)) return *refusal;
-            return arduino_files(*plan);
+            return arduino_files(given, *plan, robot.rate_hz);
         case Target::thymio:
             if (const auto refusal = thymio::refusal(*plan)) return *refusal;
             return std::vector<ExportedFile>{{"brain.aesl", thymio::program(*plan)},

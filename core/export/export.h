@@ -14,8 +14,9 @@ struct ExportedFile {
     std::string text;
 };
 
-// The files of an export. The brain is computed at the robot's rate. Fails as make_plan() does, when the robot is not
-// one of this target, and for a part that the target cannot hold: the message names the part and says what to do.
+// The files of an export. The brain is computed at the robot's rate; on an Arduino at a lower one where a step would
+// not end in time, which its README says. Fails as make_plan() does, when the robot is not one of this target, and for
+// a part that the target cannot hold: the message names the part and says what to do.
 Result<std::vector<ExportedFile>> export_brain(const BrainToExport&, Target, const Robot&);
 
 // One target's file or files. Precondition: the plan is made for the robot's rate.

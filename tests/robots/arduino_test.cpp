@@ -1,4 +1,6 @@
 // The Arduino sketch: compiled with Debian's avr-gcc and Arduino core, and run in simavr with golden vectors.
+#include "core/export/arduino.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -71,6 +73,88 @@ TEST(Arduino, ExportsOrRefusesEveryShippedBrainWithAReason) {
     EXPECT_GT(exports.size(), 2 * refusals.size());
 }
 
+// Neurons that each read every sensor by such a wire. `after`: the curve of neurons and of wires into motors.
+BrainToExport brain_of(int neurons, const Wire& wire, float time_constant = 0, int sensors = 6, Curve after = {}) {
+    BrainToExport made{fmt::format("{} {} {}", neurons, word(wire.curve.response), wire.threshold), {}, {}};
+    const auto join = [&](int from, int to, Wire with) {
+        with.from = from, with.to = to;
+        // Numbers that differ, as a compiler shares equal ones.
+        const int n = (37 * from + 11 * to) % 499;
+        with.weight = (to < 20 && from % 4 < 2 ? -1.0f : 1.0f) * (0.05f + 0.0006f * static_cast<float>(n));
+        with.curve.peak += 0.0002f * static_cast<float>(n), with.curve.width *= 1 + 0.0003f * static_cast<float>(n);
+        made.brain.wires.push_back(with);
+    };
+    for (int i = 0; i < sensors; ++i)
+        made.brain.nodes.push_back({.id = i, .kind = NodeKind::sensor, .name = fmt::format("S{}", i)});
+    for (int i = 0; i < 2; ++i)
+        made.brain.nodes.push_back({.id = 10 + i, .kind = NodeKind::motor, .name = i == 0 ? "ML" : "MR"});
+    for (int n = 20; n < 20 + neurons; ++n) {
+        made.brain.nodes.push_back({.id = n,
+                                    .kind = NodeKind::neuron,
+                                    .name = fmt::format("N{}", n),
+                                    .curve = after,
+                                    .time_constant = time_constant});
+        for (int i = 0; i < sensors; ++i) join(i, n, wire);
+        join(n, 10 + n % 2, {.curve = after});
+    }
+    return made;
+}
+
+constexpr Curve sigmoid{.response = Response::sigmoid, .peak = 0.4f, .width = 0.15f};
+constexpr Curve hump{.response = Response::hump, .peak = 0.4f, .width = 0.4f};
+
+const std::string& named(const std::vector<robots::ExportedFile>& files, std::string_view ending) {
+    return std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.name.ends_with(ending); })
+        ->text;
+}
+
+TEST(Arduino, LowersTheRateOfALongBrainWithItsMemoriesAndSaysSo) {
+    const BrainToExport brain = brain_of(28, {.curve = sigmoid}, 0.5f);
+    const auto files = exported(brain);
+    ASSERT_TRUE(files) << files.error().what;
+    const std::string &header = named(*files, "brain.h"), &readme = named(*files, "README.md");
+    EXPECT_NE(header.find("#define BRAIN_RATE_HZ 20 "), std::string::npos);
+    const auto slow = robots::make_plan(brain, 20), fast = robots::make_plan(brain, 50);
+    EXPECT_NE(header.find(fmt::format("+ {}f *", slow->units[0].follow)), std::string::npos);
+    EXPECT_EQ(header.find(fmt::format("+ {}f *", fast->units[0].follow)), std::string::npos);
+    EXPECT_NE(named(*files, ".ino").find("// Each 1/20 s"), std::string::npos);
+    EXPECT_NE(readme.find("computed 20 times per second"), std::string::npos);
+    EXPECT_NE(readme.find("Smaller brains are computed 50 times per second"), std::string::npos);
+    const auto small = exported(with_channel(Channel::light));
+    EXPECT_NE(named(*small, "brain.h").find("#define BRAIN_RATE_HZ 50 "), std::string::npos);
+    EXPECT_EQ(named(*small, "README.md").find("Smaller brains"), std::string::npos);
+}
+
+TEST(Arduino, RefusesABrainThatIsTooLargeOrTooSlowWithTheNumbers) {
+    const auto large = exported(brain_of(56, {.curve = hump}));
+    ASSERT_FALSE(large);
+    EXPECT_NE(large.error().what.find("holds 32256"), std::string::npos) << large.error().what;
+    const auto slow = exported(brain_of(60, {.curve = sigmoid}, 0, 4, sigmoid));
+    ASSERT_FALSE(slow);
+    EXPECT_NE(slow.error().what.find("allows 100 ms"), std::string::npos) << slow.error().what;
+}
+
+TEST(Arduino, MarksACalibrationByNumberOrderAndChannelOfTheSensors) {
+    const auto mark = [](const std::vector<std::pair<const char*, Channel>>& sensors) {
+        BrainToExport brain = brain_of(0, {}, 0, 0);
+        for (const auto& [name, channel] : sensors) {
+            const int id = static_cast<int>(brain.brain.nodes.size());
+            brain.brain.nodes.push_back({.id = id, .kind = NodeKind::sensor, .name = name});
+            brain.brain.wires.push_back({.from = id, .to = 10, .weight = 1});
+            brain.sensors.push_back({.name = name, .channel = channel});
+        }
+        return robots::arduino::calibration_mark(*robots::make_plan(brain, 50));
+    };
+    const std::set<unsigned> marks{mark({}),
+                                   mark({{"A", Channel::light}}),
+                                   mark({{"A", Channel::floor}}),
+                                   mark({{"A", Channel::light}, {"B", Channel::light}}),
+                                   mark({{"B", Channel::light}, {"A", Channel::light}}),
+                                   mark({{"A", Channel::light}, {"B", Channel::floor}}),
+                                   0xffff};
+    EXPECT_EQ(marks.size(), 7u);
+}
+
 // ---- In the simulator ----
 
 // The PWM that the README promises for a command.
@@ -87,19 +171,21 @@ struct Compared {
 };
 
 // Sensor values as ADC counts, without loss where bright − dark is 1000 or −1000.
-Compared compare(Simulator& simulator, const BrainToExport& brain, int ticks, const Calibrated& calibrated = {}) {
-    const auto vectors = robots::golden_vectors(brain, 50, ticks);
+Compared compare(Simulator& simulator, const BrainToExport& brain, int ticks, const Calibrated& calibrated = {},
+                 float rate = 50) {
+    const auto vectors = robots::golden_vectors(brain, rate, ticks);
     const auto files = exported(brain);
     if (!vectors || !files || !simulator.compile(*files)) return {};
     const std::size_t inputs = vectors->sensors.size();
-    std::string lines = eeprom(calibrated, inputs) + "\n";
+    const auto plan = robots::make_plan(brain, rate);
+    std::string lines = eeprom(calibrated, inputs, robots::arduino::calibration_mark(*plan)) + "\n";
     for (const auto& row : vectors->ticks) {
         for (const float value : row.sensed)
             lines += fmt::format("{} ", std::lround(calibrated.dark + static_cast<double>(value) *
                                                                           (calibrated.bright - calibrated.dark)));
         lines += "\n";
     }
-    const Ran ran = simulator.run(inputs, lines);
+    const Ran ran = simulator.run(inputs, lines, "", 1000 / static_cast<double>(rate));
     EXPECT_EQ(ran.code, 0) << brain.title << " " << ran.out.substr(0, 300);
     std::istringstream rows(ran.out);
     Compared found;
@@ -147,7 +233,8 @@ TEST(ArduinoInSimavr, StandsForThreeSecondsAfterPowerOn) {
     Simulator simulator;
     const auto files = exported({"", make_graph({.LM = 1, .RM = 1}), {}});
     ASSERT_TRUE(files && simulator.compile(*files));
-    const Ran ran = simulator.run(0, eeprom({}, 0) + "\n", "wait");
+    const auto plan = robots::make_plan({"", make_graph({.LM = 1, .RM = 1}), {}}, 50);
+    const Ran ran = simulator.run(0, eeprom({}, 0, robots::arduino::calibration_mark(*plan)) + "\n", "wait");
     EXPECT_EQ(ran.code, 0) << ran.out;
     std::istringstream rows(ran.out);
     std::vector<int> standing(40);
@@ -181,7 +268,8 @@ TEST(ArduinoInSimavr, KeepsWhatTheFirstStartCalibrates) {
     const std::string run = "press\nwait 4300\npress\nwait 5500\npress\nwait 4300\nwait 6000\n";
     const Ran ran = simulator.run(2, "-\n" + eyes + motors + run, "calibrate");
     ASSERT_EQ(ran.code, 0) << ran.out;
-    EXPECT_EQ(word_at(ran.out, 0), 0xB7A1) << ran.out;
+    const auto plan = robots::make_plan({"2a-coward", find_preset("2a-coward")->brain, {}}, 50);
+    EXPECT_EQ(word_at(ran.out, 0), static_cast<int>(robots::arduino::calibration_mark(*plan))) << ran.out;
     EXPECT_EQ(word_at(ran.out, 2), 40);
     EXPECT_EQ(word_at(ran.out, 4), 55);
     EXPECT_EQ(word_at(ran.out, 6), 800);
@@ -190,6 +278,50 @@ TEST(ArduinoInSimavr, KeepsWhatTheFirstStartCalibrates) {
     EXPECT_NEAR(byte_at(ran.out, 11), 50, 4);
     EXPECT_EQ(byte_at(ran.out, 12), 255);
     EXPECT_EQ(byte_at(ran.out, 13), 250);  // turned left: the right motor was faster
+}
+
+TEST(ArduinoInSimavr, HoldsBrainsUpToTheirLimitsAtTheRateOfTheReadme) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const BrainToExport brains[] = {
+        brain_of(28, {.curve = sigmoid}, 0.5f),
+        brain_of(48, {.curve = sigmoid}),
+        brain_of(39, {.curve = hump}),
+        brain_of(58, {}),
+        brain_of(29, {.threshold = 0.2f}, 0.5f),
+        brain_of(30, {.curve = {.response = Response::step, .peak = 0.4f}}),
+        brain_of(30, {.curve = {.response = Response::rectified}}, 0.3f),
+        brain_of(12, {.learning_rate = 0.5f, .decay = 0.1f}),
+    };
+    for (const BrainToExport& brain : brains) {
+        const auto plan = robots::make_plan(brain, 50);
+        const robots::arduino::Cost cost = robots::arduino::cost_of(*plan);
+        const auto rate = robots::arduino::rate_for(cost, 50);
+        ASSERT_TRUE(rate && cost.bytes <= robots::arduino::largest_program) << brain.title << " " << cost.bytes;
+        const Compared found = compare(simulator, brain, 100, {}, static_cast<float>(*rate));
+        EXPECT_EQ(found.rows, 100u) << brain.title;
+        EXPECT_LE(found.worst, 1) << brain.title;
+        const int bytes = simulator.program_bytes();
+        EXPECT_LE(bytes, cost.bytes) << brain.title;
+        EXPECT_GE(1.3 * bytes, cost.bytes) << brain.title;
+        std::printf("%-20s %2d Hz, %5d bytes of %5d, %.1f ms\n", brain.title.c_str(), *rate, bytes, cost.bytes,
+                    cost.cycles / 16e3);
+    }
+}
+
+TEST(ArduinoInSimavr, DoesNotUseTheCalibrationOfOtherSensors) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const BrainToExport two = brain_of(2, {}, 0, 2), three = brain_of(3, {}, 0, 3);
+    const auto files = exported(three);
+    ASSERT_TRUE(files && simulator.compile(*files));
+    const unsigned mark = robots::arduino::calibration_mark(*robots::make_plan(two, 50));
+    const Ran ran = simulator.run(3, eeprom({}, 2, mark) + "\n", "wait");
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    std::istringstream rows(ran.out);
+    int left = 0, right = 0, read = 0;
+    for (; rows >> left >> right; ++read) EXPECT_TRUE(left == 0 && right == 0) << "it drives uncalibrated";
+    EXPECT_EQ(read, 40);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "core/export/arduino.h"
 #include "core/world/world.h"
 #include "tests/robots/exported.h"
 #include "tests/robots/simulators.h"
@@ -114,7 +115,7 @@ TEST(ClosedLoop, TheArduinoSketchInSimavrTouchesTheLamp) {
         sketch = std::make_shared<Conversation>(
             "cd '" + simulator.folder.path.string() + "' && exec ./simavr_run sketch.elf 2 /dev/fd/3 live >/dev/null",
             3);
-        sketch->say(eeprom({}, 2));
+        sketch->say(eeprom({}, 2, robots::arduino::calibration_mark(*robots::make_plan(exported_aggressor(), 50))));
         return [&, first = true](float left, float right) mutable {
             sketch->say(fmt::format("{} {}", std::lround(1000 * left), std::lround(1000 * right)));
             if (std::exchange(first, false)) return Commands{};  // the wheels are known when the next step begins

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,12 +43,21 @@ public:
         return ran.code == 0;
     }
 
-    Ran run(std::size_t inputs, const std::string& lines, const std::string& mode = "") {
+    // `step_ms`: the time between two steps of the sketch.
+    Ran run(std::size_t inputs, const std::string& lines, const std::string& mode = "", double step_ms = 20) {
         put_text(folder / "lines", lines);
-        Ran ran = shell(fmt::format("cd '{}' && ./simavr_run sketch.elf {} results {} < lines", folder.path.string(),
-                                    inputs, mode));
+        Ran ran = shell(fmt::format("cd '{}' && STEP_MS={} ./simavr_run sketch.elf {} results {} < lines",
+                                    folder.path.string(), step_ms, inputs, mode));
         if (ran.code == 0) ran.out = text_of(folder / "results");
         return ran;
+    }
+
+    // Program memory of the sketch in bytes.
+    int program_bytes() const {
+        std::istringstream words(size);
+        int text = 0, data = 0;
+        words >> text >> data;
+        return text + data;
     }
 
     std::string size;
@@ -66,9 +76,10 @@ struct Calibrated {
     int minimum[2] = {0, 0}, fastest[2] = {255, 255};
 };
 
-inline std::string eeprom(const Calibrated& c, std::size_t inputs) {
+// The bytes that a calibration leaves in the EEPROM. `mark`: that of the sketch.
+inline std::string eeprom(const Calibrated& c, std::size_t inputs, unsigned mark) {
     const auto word16 = [](int value) { return fmt::format("{:02x}{:02x}", value & 255, value >> 8 & 255); };
-    std::string bytes = word16(0xB7A1);
+    std::string bytes = word16(static_cast<int>(mark));
     for (std::size_t i = 0; i < inputs; ++i) bytes += word16(c.dark);
     for (std::size_t i = 0; i < inputs; ++i) bytes += word16(c.bright);
     for (const int value : {c.minimum[0], c.minimum[1], c.fastest[0], c.fastest[1]})

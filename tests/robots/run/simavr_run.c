@@ -13,6 +13,8 @@
  *
  * With a fourth argument "live": a line is read when a step begins, after the wheels of the step before are written.
  * Ends with the lines.
+ *
+ * The environment variable STEP_MS is the time between two steps, 20 ms without it.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -169,6 +171,7 @@ int main(int argc, char **argv) {
         return 0;
     }
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_OUT_TRIGGER), on_conversion, NULL);
-    /* A step takes 20 ms; one that takes longer shows as missing rows. */
-    return run_for(0.1 + (steps + 1) * 0.0201) && step >= steps ? 0 : 1;
+    /* A step that takes longer than the time between two shows as missing rows. */
+    const char *step_ms = getenv("STEP_MS");
+    return run_for(0.1 + (steps + 1) * 1.005e-3 * (step_ms ? atof(step_ms) : 20)) && step >= steps ? 0 : 1;
 }
