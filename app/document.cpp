@@ -31,6 +31,8 @@ SavedRun run_to_keep(const Document& document) {
     return run;
 }
 
+const Referee& referee_of(const Document& document) { return *document.session.observer().as<Referee>(); }
+
 std::string title_of(const Document& document) {
     const std::string& title =
         document.lesson ? document.lesson->exercise->title : document.session.snapshot().scene->title;
@@ -70,7 +72,8 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
     }
     auto scene = exercise ? Result<Scene>(exercise->scene) : parse_scene(file.text, file.path.string(), settings);
     if (!scene) return scene.error();
-    auto session = Session::open(*scene, seed.value_or(exercise ? exercise->seed : 1));
+    auto session = Session::open(*scene, seed.value_or(exercise ? exercise->seed : 1),
+                                 exercise ? RunObserver::of(Referee(*exercise)) : RunObserver());
     if (!session) return session.error();
     Document document{.session = std::move(*session),
                       .name = file.path.stem().string(),
@@ -81,7 +84,7 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
                       .settings = settings};
     if (exercise) {
         const std::string key = ships(document.path) ? exercise->id : document.path.string();
-        document.lesson = Lesson{exercise, Referee(*exercise), {.exercise = exercise.get(), .key = key}};
+        document.lesson = Lesson{exercise, {.exercise = exercise.get(), .key = key}};
         document.lesson->view.hint_ready = !exercise->hints.empty();
     }
     return document;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -51,22 +50,15 @@ struct Selecting {
     Job<std::vector<StartResult>> job{};
 };
 
-// The state of an exercise's referee beside a keyframe of the session.
-struct RefereeAtKeyframe {
-    std::uint64_t tick = 0;
-    RefereeState state;
-};
-
 // A place of the first vehicle, m, at a tick.
 struct RunPlace {
     std::uint64_t tick = 0;
     maths::vec2 at;
 };
 
-// An open exercise: its text, its referee and the student's progress.
+// An open exercise: its text and the student's progress. Its referee observes the session.
 struct Lesson {
     std::shared_ptr<const Exercise> exercise;  // never null
-    Referee referee;
     LessonView view;
     double last_hint_at = 0;  // wall seconds
     std::optional<Grading> grading{};
@@ -75,10 +67,8 @@ struct Lesson {
     std::optional<Selecting> selecting{};         // nullopt: not begun
     std::optional<std::uint64_t> changed_at{};    // first tick of the run that is not as given; nullopt: none
     std::optional<Submission> done_with{};        // when every step of this run was done; nullopt: they are not
-    bool was_shown = false;                  // the solution, since the exercise was opened; it may come back by undo
-    std::uint64_t selections = 0;            // begun since the exercise was opened
-    std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick
-    std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
+    bool was_shown = false;        // the solution, since the exercise was opened; it may come back by undo
+    std::uint64_t selections = 0;  // begun since the exercise was opened
     ReferenceRuns runs{};
     // One per path_ticks from the start of the run, by ascending tick: the session records only the last minute. Valid
     // before Session::earliest(); an edit in the past leaves later ones until the next tick.
@@ -99,6 +89,10 @@ struct Document {
     std::uint64_t saved_tick = 0;             // the run up to this tick is in its file
     std::uint64_t run_id = 0;                 // unique among the documents opened since the program started
 };
+
+// The referee of the open exercise, as it has watched the run up to the present tick. Precondition: an exercise is
+// open.
+const Referee& referee_of(const Document&);
 
 // The title of the exercise, else of the scene with all edits; the name of the file if there is no title.
 std::string title_of(const Document&);

@@ -31,8 +31,7 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
         say(lab, *error);
     } else {
         ++lab.document.edits;
-        follow_removed_ticks(lab.document, latest);
-        tell_referee(lab, command);
+        watch(lab);
         report_time_change(lab, latest);
     }
     keep_selection(lab);
@@ -48,9 +47,6 @@ void change(Lab& lab, const Change& make) {
     const UndoResult made = make();
     lab.document.edits += made.done;
     keep_selection(lab);
-    follow_removed_ticks(lab.document, latest);
-    recompute_referee(lab.document);
-    record_referee(lab.document);
     watch(lab);
     report_time_change(lab, latest);
     if (made.error) say(lab, *made.error);

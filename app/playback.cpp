@@ -80,7 +80,7 @@ void tick(Lab& lab) {
     const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
     add_to_path(lab.document);
     record_paths(lab);
-    step_session(lab.document);
+    session.step();
     if (before) reselect_after_death(lab, *before), tell_fall(lab, before->id);
     keep_selection(lab);
     if (auto& lesson = lab.document.lesson) {
@@ -91,7 +91,6 @@ void tick(Lab& lab) {
     }
     record_moment(lab);
     watch(lab);
-    record_referee(lab.document);
 }
 
 void advance(Lab& lab, double wall_seconds, const std::function<void(const Snapshot&)>& seen) {
@@ -142,7 +141,6 @@ void arrive(Lab& lab) {
 
 void go_to_tick(Lab& lab, std::uint64_t tick) {
     lab.document.session.seek(tick);
-    recompute_referee(lab.document);
     arrive(lab);
 }
 
@@ -172,7 +170,6 @@ void set_bookmark(Lab& lab) {
     if (bookmarks.size() >= most_bookmarks) bookmarks.erase(bookmarks.begin());
     bookmarks.push_back({lab.document.session.bookmark(), {}});
     if (lab.document.lesson) bookmarks.back().path = lab.document.lesson->path;
-    if (const RefereeState* state = referee_at_keyframe(lab.document)) bookmarks.back().referee = *state;
 }
 
 void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
@@ -187,7 +184,6 @@ void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
     }
     lab.document.session.go_to(mark->moment);
     if (lab.document.lesson) lab.document.lesson->path = mark->path;
-    restore_referee(lab.document, mark->referee);
     arrive(lab);
 }
 

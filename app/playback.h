@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/document.h"
-#include "core/lesson/referee.h"
 #include "core/session/session.h"
 #include "core/world/snapshot.h"
 #include "ui/lab_view.h"
@@ -25,11 +24,10 @@ struct Pace {
     std::optional<float> reached;    // simulated seconds per second in the last interval; nullopt: as requested
 };
 
-// A moment of the run, with the state of an exercise's referee at the last keyframe before it.
+// A moment of the run.
 struct TimeMark {
     Bookmark moment;
-    std::optional<RefereeState> referee;  // nullopt: no exercise, or the keyframe is the start of the run
-    std::vector<RunPlace> path{};         // Lesson::path at that moment; empty: no exercise
+    std::vector<RunPlace> path{};  // Lesson::path at that moment; empty: no exercise
 };
 
 struct Playback {

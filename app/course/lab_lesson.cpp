@@ -54,100 +54,25 @@ void note_change_of_run(Lesson& lesson, const Snapshot& now) {
 // question is about another vehicle, because its options may compare both.
 bool shows_outcome(const Lesson& lesson, const Snapshot& now) {
     return now.tick > 0 && now.seconds >= static_cast<double>(lesson.exercise->prediction.after) &&
-           !lesson.referee.by_hand() && lesson.view.as_given;
-}
-
-// Passes a run to the referee. At keyframes uses the stored state.
-RunVisitor referee_visitor(Document& document) {
-    return {
-        [&document](const Snapshot& now) {
-            const auto& states = document.lesson->states;
-            const auto stored =
-                std::find_if(states.begin(), states.end(), [&](const auto& each) { return each.tick == now.tick; });
-            const bool is_keyframe = document.session.keyframe_before(now.tick) == now.tick;
-            if (is_keyframe && stored != states.end())
-                document.lesson->referee.restore(stored->state);
-            else
-                document.lesson->referee.watch(now);
-        },
-        [&document](const Snapshot& after, const Command& command) { document.lesson->referee.watch(after, command); }};
-}
-
-void store(std::deque<RefereeAtKeyframe>& states, std::uint64_t tick, const RefereeState& state) {
-    std::erase_if(states, [tick](const auto& each) { return each.tick == tick; });
-    const auto later =
-        std::find_if(states.begin(), states.end(), [tick](const auto& each) { return each.tick > tick; });
-    states.insert(later, {tick, state});
+           !lesson.view.by_hand && lesson.view.as_given;
 }
 
 }  // namespace
 
-void step_session(Document& document) {
-    const bool is_recorded = document.session.snapshot().tick < document.session.latest();
-    document.session.step(document.lesson && is_recorded ? referee_visitor(document) : RunVisitor{});
-}
-
-// A replay repeats the commands at a keyframe's tick, so the state before these commands is stored. It does not repeat
-// commands that have created a keyframe, so the state after these is stored.
-void record_referee(Document& document) {
-    const Session& session = document.session;
-    const std::uint64_t now = session.snapshot().tick;
-    if (!document.lesson || now == 0 || session.latest() > now) return;
-    if (session.keyframe_before(now) != now || session.replays_commands()) return;
-    auto& states = document.lesson->states;
-    std::erase_if(states, [&](const auto& each) { return each.tick < session.earliest() || each.tick > now; });
-    store(states, now, document.lesson->referee.state());
-}
-
-void follow_removed_ticks(Document& document, std::uint64_t latest_before) {
-    if (!document.lesson) return;
-    Lesson& lesson = *document.lesson;
-    const std::uint64_t latest = document.session.latest();
-    if (latest < latest_before) lesson.states_before_edit = lesson.states;
-    if (latest > latest_before) lesson.states = std::exchange(lesson.states_before_edit, {});
-}
-
-const RefereeState* referee_at_keyframe(const Document& document) {
-    if (!document.lesson) return nullptr;
-    const std::uint64_t keyframe = document.session.keyframe_before(document.session.snapshot().tick);
-    for (const RefereeAtKeyframe& each : document.lesson->states)
-        if (each.tick == keyframe) return &each.state;
-    return nullptr;
-}
-
-void recompute_referee(Document& document) {
-    const Session& session = document.session;
-    if (document.lesson) session.replay(session.keyframe_before(session.snapshot().tick), referee_visitor(document));
-}
-
-void restore_referee(Document& document, const std::optional<RefereeState>& state) {
-    if (!document.lesson) return;
-    const Session& session = document.session;
-    std::erase_if(document.lesson->states, [&](const auto& each) { return each.tick > session.latest(); });
-    if (state) store(document.lesson->states, session.keyframe_before(session.snapshot().tick), *state);
-    recompute_referee(document);
-}
-
-void tell_referee(Lab& lab, const Command& command) {
-    if (!lab.document.lesson) return;
-    lab.document.lesson->referee.watch(lab.document.session.snapshot(), command);
-    record_referee(lab.document);
-    watch(lab);
-}
-
 void watch(Lab& lab) {
     if (!lab.document.lesson) return;
     Lesson& lesson = *lab.document.lesson;
-    lesson.referee.watch(lab.document.session.snapshot());
-    lesson.view.verdicts = lesson.referee.verdicts();
-    lesson.view.by_hand = lesson.referee.by_hand();
-    note_change_of_run(lesson, lab.document.session.snapshot());
-    lesson.view.as_given = !lesson.changed_at || lab.document.session.snapshot().tick < *lesson.changed_at;
+    const Referee& referee = referee_of(lab.document);
+    const Snapshot& now = lab.document.session.snapshot();
+    lesson.view.verdicts = referee.verdicts();
+    lesson.view.by_hand = referee.by_hand();
+    note_change_of_run(lesson, now);
+    lesson.view.as_given = !lesson.changed_at || now.tick < *lesson.changed_at;
     const bool has_chosen = lesson.selecting && lesson.selecting->parents.size() > 1;
-    lesson.view.at_start = lab.document.session.snapshot().tick == 0 && !has_chosen;
+    lesson.view.at_start = now.tick == 0 && !has_chosen;
     // A prediction about a selection is about its end, not about the first run.
     if (!lesson.view.outcome_known && !offers_selection(*lesson.exercise))
-        lesson.view.outcome_known = shows_outcome(lesson, lab.document.session.snapshot());
+        lesson.view.outcome_known = shows_outcome(lesson, now);
 }
 
 namespace {
@@ -175,9 +100,9 @@ bool fails_here(const Lesson& lesson, std::uint64_t seed) {
                        [seed](const StartResult& start) { return start.seed == seed && !start.passed; });
 }
 
-// Whether the steps that are done say what the present submission does.
-void note_changes(Lesson& lesson, const Submission& now, std::uint64_t seed) {
-    if (!lesson.referee.passed())
+// Whether the steps that are done say what the present submission does. `passed`: they are done in this run.
+void note_changes(Lesson& lesson, const Submission& now, std::uint64_t seed, bool passed) {
+    if (!passed)
         lesson.done_with.reset();
     else if (!lesson.done_with)
         lesson.done_with = now;
@@ -189,20 +114,21 @@ void note_changes(Lesson& lesson, const Submission& now, std::uint64_t seed) {
 void update_grading(Lab& lab, Jobs& jobs) {
     if (!lab.document.lesson) return;
     Lesson& lesson = *lab.document.lesson;
+    const bool passed = referee_of(lab.document).passed();
     update_shipped_grade(lesson, jobs);
-    if (!lesson.grading && !lesson.graded && !lesson.referee.passed()) {
+    if (!lesson.grading && !lesson.graded && !passed) {
         lesson.view.outside_offers = lesson.view.too_many_changes = lesson.view.changed_since_done = false;
         lesson.done_with.reset();
         return;
     }
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
     show_grade(lesson, now);
-    note_changes(lesson, now, lab.document.session.seed());
+    note_changes(lesson, now, lab.document.session.seed(), passed);
     if (lesson.was_shown && now == with_solution(*lesson.exercise)) lesson.view.solution_shown = true;
     lesson.view.outside_offers = !outside_offers(*lesson.exercise, now).empty();
     lesson.view.too_many_changes = changes_too_many(*lesson.exercise, now);
     const bool is_allowed = !lesson.view.outside_offers && !lesson.view.too_many_changes;
-    const bool is_due = lesson.referee.passed() && !lesson.view.grade && is_allowed;
+    const bool is_due = passed && !lesson.view.grade && is_allowed;
     if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
     if (!lesson.grading && is_due) {
         auto job = submit_grading(jobs, lesson.exercise, now);
@@ -231,7 +157,6 @@ void reset(Lab& lab, std::uint64_t seed) {
     keep_run(lab, std::move(ended), new_ids);
     renumber_selection(lab.view.selection, new_ids);
     lab.steered = {};  // a new run has no steering command
-    if (lab.document.lesson) lab.document.lesson->states.clear();
     lab.playback.previous.clear();
     lab.playback.debt = 0;
     forget_vehicle_notice(lab);
@@ -279,7 +204,6 @@ void begin_again(Lab& lab) {
             .drawn_path = std::move(view.drawn_path)};
     lesson.grading.reset();
     lesson.selecting.reset();
-    lesson.referee = Referee(*lesson.exercise);
     reset(lab);
 }
 

@@ -6,41 +6,15 @@
 
 namespace braitenlab {
 
-// Passes the current snapshot to the referee, and its verdicts to the lesson's view.
+// Passes the referee's verdicts to the lesson's view, and follows what the run has shown. Call after the session has
+// changed.
 void watch(Lab&);
-
-// Notifies the referee of a command of the user.
-void tell_referee(Lab&, const Command&);
 
 // Call once per turn, after Jobs::deliver. When every step is done, grades the submission from all starts in the
 // background and writes progress and grade to the lesson's view. An edit of the submission cancels grading and hides
 // the grade of the earlier submission; if every step is still done, grading starts again. If the graded submission
 // comes back, for example by undo, so does its grade.
 void update_grading(Lab&, Jobs&);
-
-// ── The referee and time travel. Its state is stored with each keyframe of the session and recomputed from there. ──
-
-// Steps the session. In the recorded past the referee is notified of the recorded commands.
-void step_session(Document&);
-
-// Stores the referee's state if the current tick is that of a keyframe. Call after each tick, command, undo
-// and redo.
-void record_referee(Document&);
-
-// Keeps the stored states when an edit in the past removes recorded ticks, and restores them when its undo restores
-// these ticks. Call after each command, undo and redo, with Session::latest() before it, and before the referee is
-// notified.
-void follow_removed_ticks(Document&, std::uint64_t latest_before);
-
-// The state stored with the last keyframe; null at the start of the run, and if it is not known.
-const RefereeState* referee_at_keyframe(const Document&);
-
-// Recomputes the referee's state from the last keyframe to the current tick. Call after the session has moved to
-// another tick.
-void recompute_referee(Document&);
-
-// As recompute_referee(), with this state at the last keyframe. Call after the session has changed to another run.
-void restore_referee(Document&, const std::optional<RefereeState>&);
 
 void show_hint(Lab&);
 

@@ -76,8 +76,12 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
     }
     auto document = open_document(keys.path, std::nullopt, {});
     if (!document) return document.error();
-    document->session = Session::resume(std::move(run));
+    RunObserver observer;
     if (document->lesson) {
+        Referee referee(*document->lesson->exercise);
+        if (auto state = read_referee_state(keys.exercise->referee, *document->lesson->exercise))
+            referee.restore(std::move(*state));
+        observer = RunObserver::of(std::move(referee));
         LessonView& view = document->lesson->view;
         const auto hints = static_cast<int>(document->lesson->exercise->hints.size());
         view.prediction = keys.exercise->prediction;
@@ -85,8 +89,8 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         view.hint_ready |= view.has_run;
         view.outcome_known = keys.exercise->outcome_known;
         view.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
-        restore_referee(*document, read_referee_state(keys.exercise->referee, *document->lesson->exercise));
     }
+    document->session = Session::resume(std::move(run), std::move(observer));
     return document;
 }
 
@@ -131,9 +135,9 @@ Draft draft_of(const Document& document) {
     if (document.lesson) {
         const LessonView& view = document.lesson->view;
         draft.hides_brain = !document.lesson->exercise->hides.empty();
-        draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run, view.outcome_known};
-        if (const RefereeState* state = referee_at_keyframe(document))
-            draft.exercise->referee = write_referee_state(*state);
+        const auto& referee = *document.session.observer_at_keyframe().as<Referee>();
+        draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run, view.outcome_known,
+                                         write_referee_state(referee.state())};
     }
     return draft;
 }

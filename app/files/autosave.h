@@ -29,8 +29,7 @@ struct Draft {
     struct Progress {
         int prediction = -1, hints_shown = 0;
         bool has_run = false, outcome_known = false;
-        std::string
-            referee{};  // state beside the last keyframe, from write_referee_state; empty: see referee_at_keyframe
+        std::string referee{};  // at the run's last keyframe, from write_referee_state
     };
     std::optional<Progress> exercise;
     bool hides_brain = false;  // the exercise hides one: the run is sealed

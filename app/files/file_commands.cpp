@@ -84,7 +84,6 @@ struct FileCommands {
             const std::uint64_t latest = lab.document.session.latest();
             end_together(lab);
             if (const auto error = take_brain(lab, *file)) return fail(*error);
-            follow_removed_ticks(lab.document, latest);
             done(path, "files.took_brain");
             return report_time_change(lab, latest);
         }

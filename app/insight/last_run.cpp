@@ -69,8 +69,7 @@ const ReferencePath* path_of_selected(const Lab& lab) {
 LeftRun present_run(const Lab& lab) {
     LeftRun run{.run = lab.document.run_id, .timeline = lab.document.session.timeline(), .paths = lab.last_run.present};
     if (run.paths.run != run.run) run.paths = {run.run, {}};
-    if (const auto& lesson = lab.document.lesson)
-        run.states = lesson->states, run.states_before_edit = lesson->states_before_edit, run.path = lesson->path;
+    if (const auto& lesson = lab.document.lesson) run.path = lesson->path;
     return run;
 }
 
@@ -133,7 +132,6 @@ void return_to_last_run(Lab& lab) {
     for (const auto& [old_id, new_id] : then.new_ids) old_ids[new_id] = old_id;
     lab.document.session.return_to(then.timeline);
     if (auto& lesson = lab.document.lesson) {
-        lesson->states = std::move(then.states), lesson->states_before_edit = std::move(then.states_before_edit);
         lesson->path = std::move(then.path);
         if (then.lesson) {
             now.lesson = lesson_before(*lesson);
@@ -150,7 +148,6 @@ void return_to_last_run(Lab& lab) {
     lab.steered = {};
     lab.playback.previous.clear();
     lab.playback.debt = 0;
-    recompute_referee(lab.document);
     keep_selection(lab);
     watch(lab);
     say(lab, {NoticeKind::done, "notice.returned"});

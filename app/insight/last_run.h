@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <optional>
 #include <vector>
@@ -35,7 +34,6 @@ struct LeftRun {
     Timeline timeline;
     RunPaths paths;
     std::map<VehicleId, VehicleId> new_ids{};  // of its vehicles in the run after it
-    std::deque<RefereeAtKeyframe> states{}, states_before_edit{};
     std::vector<RunPlace> path{};
     std::optional<LessonBefore> lesson{};  // of a run that was left by starting over
 };

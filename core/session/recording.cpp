@@ -1,6 +1,7 @@
 #include "core/session/recording.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/world/cosmetic_edits.h"
 
@@ -12,25 +13,27 @@ const auto by_tick = [](const LoggedCommand& command, std::uint64_t tick) { retu
 
 }  // namespace
 
-Recording::Recording(const Checkpoint& begin)
-    : keyframes_{{begin.keyframe_tick, begin.keyframe}}, commands_(begin.commands), latest_(begin.tick) {}
+Recording::Recording(const Checkpoint& begin, RunObserver observer)
+    : keyframes_{{begin.keyframe_tick, begin.keyframe, std::move(observer)}},
+      commands_(begin.commands),
+      latest_(begin.tick) {}
 
-void Recording::add_step(const World& world) {
+void Recording::add_step(const World& world, const RunObserver& observer) {
     latest_ = world.tick();
     if (world.keyframe_tick() == keyframes_.back().tick) return;
-    keyframes_.push_back({world.keyframe_tick(), world.keyframe()});
+    keyframes_.push_back({world.keyframe_tick(), world.keyframe(), observer});
     while (keyframes_.size() > 1 && keyframes_[1].tick + recorded_ticks <= latest_) keyframes_.pop_front();
     commands_.erase(commands_.begin(), std::lower_bound(commands_.begin(), commands_.end(), earliest(), by_tick));
 }
 
 // A keyframe created by commands replaces the commands before it and a keyframe at the same tick.
-void Recording::add_command(const World& world, const Command& command) {
+void Recording::add_command(const World& world, const Command& command, const RunObserver& observer) {
     const std::uint64_t tick = world.tick();
     if (world::is_cosmetic(command)) return add_cosmetic(tick, command);
     if (!world.is_at_keyframe()) return commands_.push_back({tick, command});
     commands_.erase(std::lower_bound(commands_.begin(), commands_.end(), tick, by_tick), commands_.end());
     if (keyframes_.back().tick == tick) keyframes_.pop_back();
-    keyframes_.push_back({tick, world.keyframe(), true});
+    keyframes_.push_back({tick, world.keyframe(), observer, true});
 }
 
 // Keeps the later recorded ticks: executes the edit in every later keyframe and changes later commands so that they do

@@ -1,4 +1,5 @@
-// Recording: the last minute of a run. Each of its ticks can be restored exactly.
+// Recording: the last minute of a run. Each of its ticks can be restored exactly. Each keyframe holds the state of the
+// world and the run's observer.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/session/run_observer.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
@@ -15,16 +17,16 @@ inline constexpr std::uint64_t recorded_ticks = 3600;  // minimum number of reco
 
 class Recording {
 public:
-    // Starts at the checkpoint's keyframe.
-    explicit Recording(const Checkpoint& begin);
+    // Starts at the checkpoint's keyframe. `observer`: as it was there.
+    explicit Recording(const Checkpoint& begin, RunObserver observer = {});
 
     std::uint64_t earliest() const { return keyframes_.front().tick; }
     std::uint64_t latest() const { return latest_; }
 
-    // Call add_step() after each step of the world and add_command() after each command. Precondition: latest() is not
-    // after the world's tick, except for cosmetic commands.
-    void add_step(const World&);
-    void add_command(const World&, const Command&);
+    // Call add_step() after each step of the world and add_command() after each command, once the observer has seen it.
+    // Precondition: latest() is not after the world's tick, except for cosmetic commands.
+    void add_step(const World&, const RunObserver&);
+    void add_command(const World&, const Command&, const RunObserver&);
 
     // Removes everything after this tick.
     void forget_after(std::uint64_t tick);
@@ -42,6 +44,9 @@ public:
     // The last keyframe at or before `tick`, without the commands executed at its tick since.
     Checkpoint keyframe_at(std::uint64_t tick) const;
 
+    // The observer at that keyframe.
+    const RunObserver& observer_at(std::uint64_t tick) const { return last_keyframe(tick).observer; }
+
     // Tick of the last keyframe at or before `tick`. Restoring it costs no steps.
     std::uint64_t keyframe_before(std::uint64_t tick) const;
 
@@ -49,6 +54,7 @@ private:
     struct Keyframe {
         std::uint64_t tick = 0;
         std::shared_ptr<const world::State> state;
+        RunObserver observer{};
         bool made_by_commands = false;
     };
     const Keyframe& last_keyframe(std::uint64_t tick) const;

@@ -40,18 +40,30 @@ void push(Steps& steps, UndoStep step) { steps.push_back(std::make_shared<const 
 
 }  // namespace
 
-Session::Session(Scene opened, World world)
-    : opened_(std::move(opened)), world_(std::move(world)), recording_(world_.checkpoint()) {
+Session::Session(Scene opened, World at_keyframe, RunObserver observer)
+    : opened_(std::move(opened)),
+      world_(std::move(at_keyframe)),
+      observer_(std::move(observer)),
+      recording_(world_.checkpoint()) {
     world_.capture(snapshot_);
+    observer_.watch(snapshot_);
+    recording_ = Recording(world_.checkpoint(), observer_);
 }
 
-Result<Session> Session::open(const Scene& scene, std::uint64_t seed) {
+Result<Session> Session::open(const Scene& scene, std::uint64_t seed, RunObserver observer) {
     auto world = World::create(scene, seed);
     if (!world) return world.error();
-    return Session(scene, std::move(*world));
+    return Session(scene, std::move(*world), std::move(observer));
 }
 
-Session Session::resume(SavedRun run) { return Session(std::move(run.opened), World::restore(run.checkpoint)); }
+Session Session::resume(SavedRun run, RunObserver at_keyframe) {
+    const Checkpoint& to = run.checkpoint;
+    World world = World::restore({to.keyframe, to.keyframe_tick, {}, to.keyframe_tick});
+    Session session(std::move(run.opened), std::move(world), std::move(at_keyframe));
+    session.recording_ = Recording(to, session.observer_);
+    session.restore(to.tick);
+    return session;
+}
 
 std::optional<Error> Session::execute(const Command& command) {
     if (auto error = world_.apply(command)) return error;
@@ -60,8 +72,9 @@ std::optional<Error> Session::execute(const Command& command) {
             forgotten_ = Forgotten{world_.tick(), edits_.done.size(), recording_, edits_since_};
         recording_.forget_after(world_.tick());
     }
-    recording_.add_command(world_, command);
     world_.capture(snapshot_);
+    if (!world::is_cosmetic(command)) observer_.watch(snapshot_, command);
+    recording_.add_command(world_, command, observer_);
     return std::nullopt;
 }
 
@@ -134,8 +147,7 @@ void Session::bring_time_back() {
     recording_ = std::move(forgotten_->recording);
     edits_since_ = std::move(forgotten_->edits_since);
     forgotten_.reset();
-    world_ = World::restore(recording_.at(world_.tick()));
-    world_.capture(snapshot_);
+    restore(world_.tick());
 }
 
 namespace {
@@ -240,13 +252,37 @@ void repeat_tick(World& world, const Recording& recording, Snapshot& snapshot, c
 
 }  // namespace
 
-// One step, new or recorded.
-void Session::advance(const RunVisitor& visitor) {
-    world_.step();
-    if (world_.tick() <= recording_.latest()) return repeat_tick(world_, recording_, snapshot_, visitor);
-    visit_tick(world_, snapshot_, visitor);
-    forgotten_.reset();
-    recording_.add_step(world_);
+// Passes recorded ticks to the observer. At a keyframe it takes the stored one, which has also seen the commands that
+// created the keyframe; these are not repeated. Valid while the session is not moved; empty without an observer.
+RunVisitor Session::observing() {
+    if (!observer_) return {};
+    return {[this](const Snapshot& now) {
+                if (recording_.keyframe_before(now.tick) == now.tick)
+                    observer_ = recording_.observer_at(now.tick);
+                else
+                    observer_.watch(now);
+            },
+            [this](const Snapshot& after, const Command& command) {
+                if (!world::is_cosmetic(command)) observer_.watch(after, command);
+            }};
+}
+
+// Repeats recorded ticks.
+void Session::repeat_until(std::uint64_t tick) {
+    const RunVisitor observer = observing();
+    while (world_.tick() < tick) {
+        world_.step();
+        repeat_tick(world_, recording_, snapshot_, observer);
+    }
+}
+
+// Goes to a recorded tick from the last keyframe at or before it.
+void Session::restore(std::uint64_t tick) {
+    world_ = World::restore(recording_.keyframe_at(tick));
+    observer_ = recording_.observer_at(tick);
+    repeat_commands(world_, recording_, snapshot_, observing());
+    repeat_until(tick);
+    world_.capture(snapshot_);
 }
 
 void Session::replay(std::uint64_t from, const RunVisitor& visitor) const {
@@ -263,18 +299,20 @@ void Session::replay(std::uint64_t from, const RunVisitor& visitor) const {
     }
 }
 
-void Session::step(const RunVisitor& visitor) {
-    const bool in_the_past = world_.tick() < latest();
-    advance(visitor);
-    if (in_the_past) take_edits_of(world_.tick());
+void Session::step() {
+    if (world_.tick() < latest()) return seek(world_.tick() + 1);
+    world_.step();
     world_.capture(snapshot_);
+    observer_.watch(snapshot_);
+    forgotten_.reset();
+    recording_.add_step(world_, observer_);
 }
 
 void Session::seek(std::uint64_t tick) {
     tick = std::clamp(tick, earliest(), latest());
     if (tick < world_.tick() || recording_.keyframe_before(tick) > world_.tick())
-        world_ = World::restore(recording_.at(recording_.keyframe_before(tick)));
-    while (world_.tick() < tick) advance({});
+        restore(recording_.keyframe_before(tick));
+    repeat_until(tick);
     take_edits_of(tick);
     world_.capture(snapshot_);
 }
@@ -295,22 +333,20 @@ void Session::go_to(const Bookmark& bookmark) {
                        bookmark.checkpoint.commands.end(), same))
             return seek(tick);
     }
-    world_ = World::restore(bookmark.checkpoint);
-    recording_ = Recording(bookmark.checkpoint);
+    recording_ = Recording(bookmark.checkpoint, bookmark.observer);
+    restore(tick);
     forgotten_.reset();
     edits_ = bookmark.edits;
     edits_since_.clear();
     edits_since_.emplace_back(earliest(), edits_);
-    world_.capture(snapshot_);
 }
 
 void Session::return_to(const Timeline& run) {
-    world_ = World::restore(run.recording.at(run.tick));
     recording_ = run.recording;
+    restore(run.tick);
     forgotten_.reset();
     edits_ = run.edits;
     edits_since_ = run.edits_since;
-    world_.capture(snapshot_);
 }
 
 Scene Session::edited_scene() const {
@@ -434,10 +470,11 @@ std::map<VehicleId, VehicleId> Session::restart(std::uint64_t seed, Keep keep) {
     }
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
-    recording_ = Recording(world_.checkpoint());
     forgotten_.reset();
     snapshot_ = {};
     world_.capture(snapshot_);
+    observer_.watch(snapshot_);
+    recording_ = Recording(world_.checkpoint(), observer_);
     return renumber_after_reset(before, keep);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/session/recording.h"
+#include "core/session/run_observer.h"
 #include "core/session/undo.h"
 #include "core/world/world.h"
 
@@ -21,6 +22,7 @@ enum class Keep { edits, submission };
 // A tick to return to.
 struct Bookmark {
     Checkpoint checkpoint;
+    RunObserver observer;  // at the checkpoint's keyframe
     Edits edits;
     std::uint64_t tick() const { return checkpoint.tick; }
 };
@@ -49,11 +51,12 @@ struct RunVisitor {
 
 class Session {
 public:
-    // Fails as World::create does.
-    static Result<Session> open(const Scene&, std::uint64_t seed);
+    // Fails as World::create does. The observer watches the run from its start on, see observer().
+    static Result<Session> open(const Scene&, std::uint64_t seed, RunObserver = {});
 
-    // Continues a saved run, identical to the uninterrupted run.
-    static Session resume(SavedRun);
+    // Continues a saved run, identical to the uninterrupted run. The observer is as it was at the run's last keyframe,
+    // see observer_at_keyframe().
+    static Session resume(SavedRun, RunObserver at_keyframe = {});
 
     // Executes a command of the user. Every edit can be undone; edits with the same gesture (not 0, one number per
     // drag) are one undo step. At a tick before latest(), a command removes the later recorded ticks unless it is
@@ -61,8 +64,8 @@ public:
     std::optional<Error> apply(const Command&, std::uint64_t gesture = 0);
 
     // Computes one tick. Before latest() it also executes the recorded commands of that tick, so that the run is the
-    // same; the visitor receives them.
-    void step(const RunVisitor& = {});
+    // same.
+    void step();
 
     // Restarts the run at tick 0 and keeps edits (see Keep).
     void reset(Keep = Keep::edits);
@@ -104,11 +107,13 @@ public:
     // change. Costs one step per tick from the keyframe before `from`.
     void replay(std::uint64_t from, const RunVisitor&) const;
 
-    // True when replay() visits the commands executed at the present tick. False when there are none, or when they
-    // created a keyframe, which holds their effect.
-    bool replays_commands() const { return !recording_.commands_at(world_.tick()).empty(); }
+    // What has watched the run up to the present tick: it goes back and forward in time with the world. It sees every
+    // tick and every command but cosmetic ones, each once, as if the run had been driven straight to here.
+    const RunObserver& observer() const { return observer_; }
+    // The same at the last keyframe, which is that of save(). The run goes on from there with its commands.
+    const RunObserver& observer_at_keyframe() const { return recording_.observer_at(world_.tick()); }
 
-    Bookmark bookmark() const { return {world_.checkpoint(), edits_}; }
+    Bookmark bookmark() const { return {world_.checkpoint(), observer_at_keyframe(), edits_}; }
     void go_to(const Bookmark&);
 
     // The present run, to return to after a reset. Recorded states are shared, not copied.
@@ -129,7 +134,7 @@ public:
     std::uint64_t hash() const { return world_.hash(); }
 
 private:
-    Session(Scene opened, World);
+    Session(Scene opened, World at_keyframe, RunObserver);
     // The recorded ticks that an edit at an earlier tick removed; kept until the next new tick.
     struct Forgotten {
         std::uint64_t tick = 0;  // of that edit
@@ -141,7 +146,9 @@ private:
     std::optional<Error> execute(const Command&);
     void execute_part(Command, UndoResult&);
     void bring_time_back();
-    void advance(const RunVisitor&);
+    RunVisitor observing();
+    void repeat_until(std::uint64_t tick);
+    void restore(std::uint64_t tick);
     void remember_edits();
     void change_later(const SharedStep& lost, const SharedStep& gained);
     void take_edits_of(std::uint64_t tick);
@@ -150,6 +157,7 @@ private:
     std::optional<Error> last_reset_error_;
     Scene opened_;
     World world_;
+    RunObserver observer_;
     Snapshot snapshot_;
     Recording recording_;
     Edits edits_;

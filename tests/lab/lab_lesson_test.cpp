@@ -16,7 +16,7 @@ TEST(LabLesson, ChecksStepsLive) {
     EXPECT_EQ(lab.document.lesson->view.prediction, 1);
     handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     handle(lab, Action::play_pause);
-    for (int i = 0; i < 60 * 20 && !lab.document.lesson->referee.passed(); ++i) tick(lab);
+    for (int i = 0; i < 60 * 20 && !referee_of(lab.document).passed(); ++i) tick(lab);
     for (const Verdict& verdict : lab.document.lesson->view.verdicts) EXPECT_TRUE(verdict.done);
 }
 
@@ -121,15 +121,15 @@ TEST(LabLesson, AResetFindsTheSubjectAgainAfterAVehicleWasAddedOrRemoved) {
         for (int i = 0; i < 30; ++i) tick(lab);
         for (const Command& command : commands) handle(lab, EditRequest{command});
         tick(lab);
-        EXPECT_TRUE(lab.document.lesson->referee.by_hand()) << how;
+        EXPECT_TRUE(referee_of(lab.document).by_hand()) << how;
         reset(lab);
         const Snapshot& now = lab.document.session.snapshot();
         ASSERT_EQ(now.vehicles.size(), 1u) << how;
-        EXPECT_EQ(lab.document.lesson->referee.state().subjects, std::vector<VehicleId>{now.vehicles[0].id}) << how;
+        EXPECT_EQ(referee_of(lab.document).state().subjects, std::vector<VehicleId>{now.vehicles[0].id}) << how;
         EXPECT_EQ(lab.view.selection.vehicle, now.vehicles[0].id) << how;
-        EXPECT_FALSE(lab.document.lesson->referee.by_hand()) << how;
-        for (int i = 0; i < 60 * 20 && !lab.document.lesson->referee.passed(); ++i) tick(lab);
-        EXPECT_TRUE(lab.document.lesson->referee.passed()) << how;
+        EXPECT_FALSE(referee_of(lab.document).by_hand()) << how;
+        for (int i = 0; i < 60 * 20 && !referee_of(lab.document).passed(); ++i) tick(lab);
+        EXPECT_TRUE(referee_of(lab.document).passed()) << how;
     }
 }
 

@@ -29,7 +29,7 @@ struct Attempt {
     void take_solution() { handle(lab, EditRequest{SetBrain{{.kind = 0}, exercise().solution.submission.brain}}); }
     void run() {
         handle(lab, Action::reset);
-        for (int i = 0; i < 60 * 20 && !lab.document.lesson->referee.passed(); ++i) tick(lab);
+        for (int i = 0; i < 60 * 20 && !referee_of(lab.document).passed(); ++i) tick(lab);
         turn();
     }
     ExerciseProgress progress() const {

@@ -39,8 +39,8 @@ inline void run(Lab& lab, int ticks) {
 }
 
 inline void run_until_every_step_is_done(Lab& lab) {
-    for (int i = 0; i < 60 * 20 && !lab.document.lesson->referee.passed(); ++i) tick(lab);
-    ASSERT_TRUE(lab.document.lesson->referee.passed());
+    for (int i = 0; i < 60 * 20 && !referee_of(lab.document).passed(); ++i) tick(lab);
+    ASSERT_TRUE(referee_of(lab.document).passed());
 }
 
 // The part of App::turn that grades.
