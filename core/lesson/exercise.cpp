@@ -57,14 +57,13 @@ void check_first_start(const SceneText& text, const Scene& scene, TomlFile& file
     if (first.sensors) fail(".sensor", "sensors_of_first");
 }
 
-// What the student would hand in to have the exercise's scene as it is here.
-Submission submission_for(Exercise exercise, const Scene& scene) {
-    exercise.scene = scene;
-    return as_shipped(exercise);
+// What the student would hand in to have the exercise's scene as it is here. Precondition: the scene has a start.
+Submission submission_for(const Scene& scene) {
+    return submission_of(scene.kinds[static_cast<std::size_t>(subject_kind(scene))]);
 }
 
 bool differs_in_submission_only(const Exercise& exercise, const Scene& scene) {
-    return scene_with(exercise, submission_for(exercise, scene)) == scene;
+    return scene_with(exercise, submission_for(scene)) == scene;
 }
 
 // The error at the first of an answer's settings, applied after `before`, that changes something else.
@@ -89,7 +88,7 @@ void resolve(Answer& answer, const std::string& path, const TomlNode& table, con
     if (!scene) return file.add(path + ".set", scene.error());
     if (!differs_in_submission_only(exercise, *scene))
         return file.add(path + ".set", setting_outside_submission(exercise, text, before, answer.settings));
-    answer.submission = submission_for(exercise, *scene);
+    answer.submission = submission_for(*scene);
     for (const Dial dial : all_dials)
         if (table.contains(name(dial))) answer.brain.given.push_back(dial);
     if (answer.brain.given.empty() && answer.brain.nodes.empty() && answer.brain.wires.empty()) return;
@@ -226,7 +225,5 @@ std::vector<TranslatableText> texts_of(const Scene& scene) {
     if (!scene.story.empty()) texts.push_back({"scene." + scene.name + ".story", scene.story});
     return texts;
 }
-
-int subject_kind(const Scene& scene) { return find_kind(scene, scene.starts.front().kind); }
 
 }  // namespace braitenlab

@@ -14,6 +14,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
+#include "core/scene/subject.h"
 #include "core/scene/translatable.h"
 
 namespace braitenlab {
@@ -45,14 +46,6 @@ inline bool is_asked(const Prediction& prediction) { return !prediction.question
 struct Hint {
     std::string text;
     std::string anchor;  // id of the widget that pulses while the hint is the newest, e.g. "slider.LR"; may be empty
-};
-
-// Everything that the student may change: these parts of the kind of the scene's first vehicle (see subject_kind).
-struct Submission {
-    BrainGraph brain;
-    std::vector<Sensor> sensors;
-    Body body;
-    friend bool operator==(const Submission&, const Submission&) = default;
 };
 
 // A submission stored in the file: the solution, or a plausible one that must fail.
@@ -118,9 +111,5 @@ std::vector<TranslatableText> texts_of(const Scene&);
 
 // The tables of docs/exercise-format.md, in Markdown.
 std::string describe_exercise_format();
-
-// Index of the kind of the scene's first vehicle: its brain, sensors and body are what the student changes.
-// Precondition: the scene has a start (load_exercise ensures it) and passes check_scene.
-int subject_kind(const Scene&);
 
 }  // namespace braitenlab

@@ -36,9 +36,8 @@ bool same_but_for_brain(Kind a, const Kind& b) {
 }
 
 bool same_but_for_submission(Kind a, const Kind& b) {
-    a.sensors = b.sensors;
-    a.body = b.body;
-    return same_but_for_brain(std::move(a), b);
+    a.colour = b.colour;
+    return differ_in_submission_only(a, b);
 }
 
 // The kind whose brain or sensors a command changes, or −1.
@@ -57,7 +56,7 @@ bool is_as_given(const Scene& given, const Snapshot& after, int start) {
 
 // True unless a command changes only what the student may change, or nothing that a run depends on.
 bool is_help(const Scene& given, const Snapshot& after, const Command& command) {
-    const int subject = given.starts.empty() ? -1 : subject_kind(given);
+    const int subject = subject_kind(given);
     const auto changes_other_kind = [&](int kind) { return subject >= 0 && kind != subject; };
     return std::visit(Match{[&](const TurnDial& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [&](const SetBrain& c) { return changes_other_kind(kind_of(after, c.target)); },
@@ -123,7 +122,7 @@ bool is_as_given(const Exercise& exercise, const Scene& now) {
     const Scene& given = exercise.scene;
     if (now.kinds.size() != given.kinds.size()) return false;
     for (std::size_t k = 0; k < given.kinds.size(); ++k) {
-        const bool is_subject = !given.starts.empty() && static_cast<int>(k) == subject_kind(given);
+        const bool is_subject = static_cast<int>(k) == subject_kind(given);
         if (!(is_subject ? same_but_for_submission : same_but_for_brain)(now.kinds[k], given.kinds[k])) return false;
     }
     return now.sources == given.sources && now.arena == given.arena && now.ecology == given.ecology &&
@@ -131,6 +130,35 @@ bool is_as_given(const Exercise& exercise, const Scene& now) {
            members_without_own_values(now) == members_without_own_values(given) && now.obstacles == given.obstacles &&
            now.zones == given.zones;
 }
+
+namespace {
+
+// The places of nodes on the canvas do not count.
+bool is_given_brain(const BrainGraph& brain, const BrainGraph& given) {
+    return brain == given || same_wiring(brain, given);
+}
+
+// True if a kind and all its vehicles have the brain, the sensors and the body of the exercise's file.
+bool has_given_parts(const Snapshot& now, std::size_t kind, const Kind& given) {
+    if (kind >= std::min(now.kind_brains.size(), now.scene->kinds.size())) return false;  // the kind was removed
+    if (now.scene->kinds[kind].body != given.body || now.scene->kinds[kind].sensors != given.sensors) return false;
+    if (!is_given_brain(*now.kind_brains[kind], given.brain)) return false;
+    return std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
+        if (static_cast<std::size_t>(v.kind) != kind) return true;
+        const auto row = static_cast<std::size_t>(v.brain);
+        const bool is_of_kind = row >= now.brains.size() || now.brains[row] == now.kind_brains[kind];
+        return (is_of_kind || is_given_brain(*now.brains[row], given.brain)) &&
+               kind_of(now, v).sensors == given.sensors;
+    });
+}
+
+bool has_every_given_part(const Snapshot& now, const Scene& given) {
+    for (std::size_t k = 0; k < given.kinds.size(); ++k)
+        if (!has_given_parts(now, k, given.kinds[k])) return false;
+    return true;
+}
+
+}  // namespace
 
 Referee::Referee(const Exercise& exercise) : exercise_(std::make_shared<const Exercise>(exercise)) {
     for (const Step& step : exercise.steps) state_.steps.push_back({initial_state(step.check)});
@@ -155,6 +183,8 @@ void Referee::watch(const Snapshot& now) {
     if (is_new_run) begin(now);
     if (missed_start) state_.disturbed = true;
     state_.tick = now.tick;
+    note_changes(now);
+    state_.was_changed = now.tick > 0 && state_.changed;
     const Subjects subjects{exercise_->scene.starts, state_.subjects};
     const bool is_given = is_undisturbed(now);
     if (now.tick > 0 && (!is_given || state_.by_hand)) state_.disturbed = true;  // before, it can be put right
@@ -180,6 +210,11 @@ const ReferencePath* Referee::reference_at(const Snapshot& now) {
 void Referee::watch(const Snapshot& after, const Command& command) {
     if (after.tick > 0 && is_help(exercise_->scene, after, command)) state_.disturbed = state_.by_hand = true;
     watch(after);
+    note_changes(after);
+}
+
+void Referee::note_changes(const Snapshot& now) {
+    if (!state_.was_changed) state_.changed = !has_every_given_part(now, exercise_->scene);
 }
 
 // The scene, the brains and sensors of other kinds, and who drives. After the first tick, commands for single vehicles
@@ -191,9 +226,9 @@ bool Referee::is_undisturbed(const Snapshot& now) {
         as_given_ = is_as_given(*exercise_, *now.scene);
     }
     if (!as_given_) return false;
-    const int subject = given.starts.empty() ? -1 : subject_kind(given);
+    const int subject = subject_kind(given);
     for (std::size_t k = 0; k < std::min(given.kinds.size(), now.kind_brains.size()); ++k)
-        if (static_cast<int>(k) != subject && *now.kind_brains[k] != given.kinds[k].brain) return false;
+        if (static_cast<int>(k) != subject && !is_given_brain(*now.kind_brains[k], given.kinds[k].brain)) return false;
     for (const VehicleView& vehicle : now.vehicles)
         if (subject >= 0 && vehicle.kind != subject && !has_given_sensors(given, now, vehicle)) return false;
     for (std::size_t i = 0; i < std::min(given.starts.size(), state_.subjects.size()); ++i) {
@@ -265,8 +300,9 @@ void read_state(const Json& json, CheckState& state) {
 }  // namespace
 
 std::string write_referee_state(const RefereeState& state) {
-    Json json{{"tick", state.tick},       {"begun", state.begun},       {"disturbed", state.disturbed},
-              {"by_hand", state.by_hand}, {"subjects", state.subjects}, {"steps", Json::array()}};
+    Json json{{"tick", state.tick},         {"begun", state.begun},     {"disturbed", state.disturbed},
+              {"by_hand", state.by_hand},   {"changed", state.changed}, {"was_changed", state.was_changed},
+              {"subjects", state.subjects}, {"steps", Json::array()}};
     for (const RefereeState::Judged& step : state.steps) {
         Json& judged = json["steps"].emplace_back(state_json(step.check));
         judged["done"] = step.done;
@@ -282,6 +318,8 @@ std::optional<RefereeState> read_referee_state(std::string_view text, const Exer
         json.at("begun").get_to(state.begun);
         json.at("disturbed").get_to(state.disturbed);
         json.at("by_hand").get_to(state.by_hand);
+        json.at("changed").get_to(state.changed);
+        json.at("was_changed").get_to(state.was_changed);
         json.at("subjects").get_to(state.subjects);
         if (state.begun && state.subjects.size() != subject_count(exercise)) return std::nullopt;
         const Json& steps = json.at("steps");

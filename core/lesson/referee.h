@@ -34,6 +34,8 @@ struct RefereeState {
     bool begun = false;               // a snapshot was seen
     bool disturbed = false;           // something was changed by hand after the first tick, or the start was not seen
     bool by_hand = false;             // see Referee::by_hand
+    bool changed = false;             // see Referee::as_given
+    bool was_changed = false;         // changed at a tick after the first, which is not taken back
 };
 
 class Referee {
@@ -53,6 +55,10 @@ public:
     // exercise. Steps done before stay done.
     bool by_hand() const { return state_.by_hand; }
 
+    // True if every brain, sensor and body has been that of the exercise's file since the start: a change that is
+    // undone before the run goes on does not count.
+    bool as_given() const { return !state_.changed; }
+
     std::vector<Verdict> verdicts() const;  // one per step
     bool passed() const;                    // every step is done
     bool lost() const;                      // a step that is not done cannot be done any more in this run
@@ -64,6 +70,7 @@ public:
 private:
     void begin(const Snapshot&);
     bool is_undisturbed(const Snapshot&);
+    void note_changes(const Snapshot&);
 
     const ReferencePath* reference_at(const Snapshot&);
 

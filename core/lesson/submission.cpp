@@ -97,10 +97,7 @@ bool same_but_for_values(const std::vector<Sensor>& a, const std::vector<Sensor>
 
 }  // namespace
 
-Submission as_shipped(const Exercise& exercise) {
-    const Kind& kind = shipped_kind(exercise);
-    return {kind.brain, kind.sensors, kind.body};
-}
+Submission as_shipped(const Exercise& exercise) { return submission_of(shipped_kind(exercise)); }
 
 Submission with_brain(const Exercise& exercise, BrainGraph brain) {
     Submission submission = as_shipped(exercise);
@@ -125,9 +122,7 @@ Submission submission_of(const Exercise& exercise, const Snapshot& now) {
 Scene scene_with(const Exercise& exercise, const Submission& submission) {
     Scene scene = exercise.scene;
     Kind& kind = scene.kinds[static_cast<std::size_t>(subject_kind(scene))];
-    kind.brain = submission.brain;
-    kind.sensors = submission.sensors;
-    kind.body = submission.body;
+    kind = with_submission(std::move(kind), submission);
     return scene;
 }
 

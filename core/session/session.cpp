@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/messages.h"
+#include "core/scene/subject.h"
 #include "core/session/own_values.h"
 #include "core/world/cosmetic_edits.h"
 
@@ -358,19 +359,9 @@ Scene Session::edited_scene() const {
 
 namespace {
 
-// The kind whose sensors and body are part of a submission: that of the first start. −1 if there is none.
-int submitted_kind(const Scene& opened) {
-    return opened.starts.empty() ? -1 : find_kind(opened, opened.starts.front().kind);
-}
-
-bool differs_by_submission_only(Kind a, const Kind& b) {
-    a.brain = b.brain, a.sensors = b.sensors, a.body = b.body;
-    return a == b;
-}
-
 // True if the command edits only what Keep::submission keeps. `now`: before the reset.
 bool is_about_submission(const Scene& opened, const Snapshot& now, const Command& command) {
-    const int subject = submitted_kind(opened);
+    const int subject = subject_kind(opened);
     if (is_about_brains(command)) return true;
     if (const auto* sensors = std::get_if<SetSensors>(&command)) {
         const VehicleView* vehicle = find_vehicle(now, sensors->target.vehicle);
@@ -378,7 +369,7 @@ bool is_about_submission(const Scene& opened, const Snapshot& now, const Command
     }
     const auto* kind = std::get_if<EditKind>(&command);
     return kind && subject >= 0 && kind->kind == subject &&
-           differs_by_submission_only(kind->to, opened.kinds[static_cast<std::size_t>(subject)]);
+           differ_in_submission_only(kind->to, opened.kinds[static_cast<std::size_t>(subject)]);
 }
 
 }  // namespace
@@ -408,7 +399,7 @@ std::map<VehicleId, VehicleId> Session::renumber_after_reset(const Snapshot& bef
         const VehicleView* now = find_vehicle(snapshot_, id);
         if (!now || now->kind != v.kind) continue;
         const std::vector<Sensor>& sensors = kind_of(before, v).sensors;
-        if (v.kind == submitted_kind(opened_) && sensors != kind_of(snapshot_, *now).sensors)
+        if (v.kind == subject_kind(opened_) && sensors != kind_of(snapshot_, *now).sensors)
             (void)execute(SetSensors{{.vehicle = id}, sensors});
         if (brain != *brain_of(snapshot_, *find_vehicle(snapshot_, id)))
             (void)execute(SetBrain{{.vehicle = id}, brain});
@@ -443,14 +434,16 @@ const Kind* counterpart(const std::vector<Kind>& now, const std::vector<Kind>& o
     return found == now.end() ? nullptr : &*found;
 }
 
-// The opened scene with the submission of the edited one. Kinds may have been added, removed or renamed.
-Scene with_submission(Scene opened, const Scene& edited) {
-    const int subject = submitted_kind(opened);
+// The opened scene with the submission and the other kinds' brains of the edited one. Kinds may have been added,
+// removed or renamed.
+Scene with_kept_edits(Scene opened, const Scene& edited) {
+    const int subject = subject_kind(opened);
     for (std::size_t k = 0; k < opened.kinds.size(); ++k) {
         const Kind* kind = counterpart(edited.kinds, opened.kinds, k);
         if (!kind) continue;
         opened.kinds[k].brain = kind->brain;
-        if (static_cast<int>(k) == subject) opened.kinds[k].sensors = kind->sensors, opened.kinds[k].body = kind->body;
+        if (static_cast<int>(k) == subject)
+            opened.kinds[k] = with_submission(std::move(opened.kinds[k]), submission_of(*kind));
     }
     return opened;
 }
@@ -461,7 +454,7 @@ void Session::reset(Keep keep) { restart(seed(), keep); }
 
 std::map<VehicleId, VehicleId> Session::restart(std::uint64_t seed, Keep keep) {
     Scene scene = edited_scene();
-    if (keep == Keep::submission) scene = with_submission(opened_, scene);
+    if (keep == Keep::submission) scene = with_kept_edits(opened_, scene);
     auto world = World::create(scene, seed);
     last_reset_error_.reset();
     if (!world) {  // such as a large brain that was made for fewer vehicles than the opened scene has

@@ -15,8 +15,8 @@
 
 namespace braitenlab {
 
-// Edits that a reset keeps: all, or only those of what a student submits: the brains, and the sensors and body of the
-// kind of the first start (an exercise starts from its own scene).
+// Edits that a reset keeps: all, or only those of the submission (core/scene/subject.h) and of other kinds' brains: an
+// exercise starts from its own scene.
 enum class Keep { edits, submission };
 
 // A tick to return to.

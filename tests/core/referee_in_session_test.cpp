@@ -1,5 +1,7 @@
 // The referee as the observer of a session.
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,64 @@ TEST(Referee, JudgesASessionAsAStraightReplayOfItsRecording) {
     EXPECT_LT(by_hand, judged * 9 / 10);
     EXPECT_GT(done, judged / 10);
     EXPECT_LT(done, judged * 9 / 10);
+}
+
+// A session of two kinds, the first of which is the subject.
+struct TwoKinds {
+    Exercise exercise;
+    Session session;
+    explicit TwoKinds(Exercise of)
+        : exercise(std::move(of)),
+          session(std::move(*Session::open(exercise.scene, 1, RunObserver::of(Referee(exercise))))) {}
+    const Referee& referee() const { return referee_of(session); }
+};
+
+TwoKinds two_kinds() {
+    Exercise exercise;
+    exercise.scene = furnished();
+    exercise.scene.starts.resize(2);
+    exercise.steps = {{"Drive on", {goals::Runs{5}}}};
+    return TwoKinds(std::move(exercise));
+}
+
+TEST(Referee, ARunIsAsGivenUntilItGoesOnWithAChangedBrainSensorOrBody) {
+    const Scene given = two_kinds().exercise.scene;
+    std::vector<Sensor> fewer = given.kinds[0].sensors;
+    fewer.pop_back();
+    Kind wider = given.kinds[1];
+    wider.body = resized(wider.body, 1.2f * wider.body.length, wider.body.width);
+    for (const Command& change :
+         {Command(TurnDial{{.kind = 1}, Dial::LL, 1.5f}), Command(TurnDial{{.vehicle = 0}, Dial::LR, 0.5f}),
+          Command(SetSensors{{.kind = 0}, fewer}), Command(EditKind{1, wider})}) {
+        TwoKinds two = two_kinds();
+        ASSERT_TRUE(two.referee().as_given());
+        for (int i = 0; i < 10; ++i) two.session.step();
+        ASSERT_FALSE(two.session.apply(change)) << change.index();
+        EXPECT_FALSE(two.referee().as_given()) << change.index();
+        two.session.undo();
+        EXPECT_TRUE(two.referee().as_given()) << change.index() << ": undone before the run goes on";
+        two.session.redo();
+        two.session.step();
+        two.session.undo();
+        two.session.step();
+        EXPECT_FALSE(two.referee().as_given()) << change.index() << ": a tick was driven with it";
+        two.session.seek(9);
+        EXPECT_TRUE(two.referee().as_given()) << change.index() << ": before the change";
+        two.session.seek(10);
+        EXPECT_FALSE(two.referee().as_given()) << change.index();
+        two.session.seek(0);
+        EXPECT_TRUE(two.referee().as_given()) << change.index();
+    }
+}
+
+TEST(Referee, MovedNodesOfAnotherKindsBrainAreNoChangeAndNoHelp) {
+    TwoKinds two = two_kinds();
+    for (int i = 0; i < 10; ++i) two.session.step();
+    ASSERT_FALSE(two.session.apply(
+        PlaceNodes{{.kind = 1}, {{two.session.snapshot().kind_brains[1]->nodes.front().id, maths::vec2{3, 4}}}}));
+    two.session.step();
+    EXPECT_TRUE(two.referee().as_given());
+    EXPECT_FALSE(two.referee().by_hand());
 }
 
 }  // namespace

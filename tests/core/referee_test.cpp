@@ -423,7 +423,7 @@ TEST(Referee, EveryValueOfAStateIsWrittenAndReadBack) {
     RefereeState state = Referee(exercise).state();
     state.tick = 7;
     state.subjects = {4, 5};
-    state.begun = state.disturbed = state.by_hand = true;
+    state.begun = state.disturbed = state.by_hand = state.changed = state.was_changed = true;
     state.steps[0] = {{goals::TurnsTo::State{true}, 12, 5, 2}, true};
     state.steps[1] = {{goals::SpeedsUp::State{0.5f, 1.25f, true}, 1.25f, 3, 4}, true};
     const auto read = read_referee_state(write_referee_state(state), exercise);
@@ -433,6 +433,8 @@ TEST(Referee, EveryValueOfAStateIsWrittenAndReadBack) {
     EXPECT_TRUE(read->begun);
     EXPECT_TRUE(read->disturbed);
     EXPECT_TRUE(read->by_hand);
+    EXPECT_TRUE(read->changed);
+    EXPECT_TRUE(read->was_changed);
     ASSERT_EQ(read->steps.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_TRUE(read->steps[i].done);
