@@ -84,8 +84,7 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
                       .settings = settings};
     if (exercise) {
         const std::string key = ships(document.path) ? exercise->id : document.path.string();
-        document.lesson = Lesson{exercise, {.exercise = exercise.get(), .key = key}};
-        document.lesson->view.hint_ready = !exercise->hints.empty();
+        document.lesson = Lesson{exercise, key, {.answers = unanswered(*exercise)}};
     }
     return document;
 }

@@ -10,6 +10,7 @@
 
 #include "app/course/reference_runs.h"
 #include "app/jobs/jobs.h"
+#include "core/lesson/attempt.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
@@ -17,7 +18,6 @@
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "core/session/session.h"
-#include "ui/lab_view.h"
 
 namespace braitenlab {
 
@@ -48,6 +48,20 @@ struct Selecting {
     std::vector<Parent> undone{};  // parents that undo has taken away, for redo
     std::uint64_t start = 0;       // seed of the runs
     Job<std::vector<StartResult>> job{};
+    std::optional<StartResult> parent_run{};  // of the last parent; nullopt while it is computed
+    std::vector<StartResult> child_runs{};    // of its children; empty while they are computed
+};
+
+// How the present submission stands. It follows from the vehicle, the last grade and the student's progress; updated
+// once per turn.
+struct Standing {
+    bool is_graded = false;           // Lesson::graded is its grade
+    bool changed_since_done = false;  // every step was done, and the brain was changed since, or during the run
+    bool outside_offers = false;      // it changes what is not offered: it is not graded
+    bool too_many_changes = false;    // it changes more controls than Exercise::changes: it is not graded
+    bool passed_before = false;       // the student has passed the exercise, with any brain
+    bool has_kept = false;            // the student's progress has another submission
+    std::optional<std::size_t> starts_tested{};  // so far, while it is graded
 };
 
 // A place of the first vehicle, m, at a tick.
@@ -59,21 +73,27 @@ struct RunPlace {
 // An open exercise: its text and the student's progress. Its referee observes the session.
 struct Lesson {
     std::shared_ptr<const Exercise> exercise;  // never null
-    LessonView view;
+    std::string key;                           // in StudentProgress: Exercise::id if it ships, else its file's path
+    Attempt attempt{};
+    Standing standing{};
     double last_hint_at = 0;  // wall seconds
     std::optional<Grading> grading{};
     std::optional<Job<Grade>> shipped_grading{};  // for Exercise::median; begins with the first grade
-    std::optional<GradedSubmission> graded{};     // view.grade is its grade while the vehicle has this submission
-    std::optional<Selecting> selecting{};         // nullopt: not begun
-    std::optional<std::uint64_t> changed_at{};    // first tick of the run that is not as given; nullopt: none
-    std::optional<Submission> done_with{};        // when every step of this run was done; nullopt: they are not
-    bool was_shown = false;        // the solution, since the exercise was opened; it may come back by undo
-    std::uint64_t selections = 0;  // begun since the exercise was opened
+    std::optional<Grade> shipped_grade{};         // of the starts as shipped, once the submission has a grade
+    std::optional<GradedSubmission> graded{};
+    std::optional<Selecting> selecting{};   // nullopt: not begun
+    std::optional<Submission> done_with{};  // when every step of this run was done; nullopt: they are not
+    bool was_shown = false;                 // the solution, since the exercise was opened; it may come back by undo
+    std::uint64_t selections = 0;           // begun since the exercise was opened
     ReferenceRuns runs{};
     // One per path_ticks from the start of the run, by ascending tick: the session records only the last minute. Valid
     // before Session::earliest(); an edit in the past leaves later ones until the next tick.
     std::vector<RunPlace> path{};
 };
+
+// The grade of the present submission, or null; and whether it has passed.
+inline const Grade* grade_of(const Lesson& l) { return l.standing.is_graded && l.graded ? &l.graded->grade : nullptr; }
+inline bool has_passed(const Lesson& lesson) { return grade_of(lesson) && grade_of(lesson)->good; }
 
 struct Document {
     Session session;

@@ -5,6 +5,7 @@
 
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
+#include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
 #include "ui/scene_input/clipboard.h"
 
@@ -88,19 +89,20 @@ LabView view_of(const Lab& lab) {
     view.copied_objects = ui::object_count(lab.clipboard);
     view.undo_depth = document.session.undo_depth() + can_undo_return(lab);
     view.redo_depth = document.session.redo_depth() + can_redo_return(lab);
-    view.lesson = document.lesson ? &document.lesson->view : nullptr;
-    if (can_compare(view)) view.ghost = ghost_of(lab);
+    if (document.lesson) view.lesson = std::make_shared<const LessonView>(lesson_view_of(lab));
+    view.may = disclosure_of(lab);
+    if (view.may.solution_run) view.ghost = ghost_of(lab);
     view.pages = lab.pages ? &*lab.pages : nullptr;
-    if (may_show_future(view)) view.last_run = last_run_of(lab), view.prediction = prediction_of(lab);
+    if (view.may.future) view.last_run = last_run_of(lab), view.prediction = prediction_of(lab);
     view.path = path_of_selected(lab);
-    view.why = explanation_of(lab, view);
+    view.why = explanation_of(lab);
     view.has_left_run = has_left_run(lab);
-    view.mystery = mystery_of(lab, view);
-    view.slots = slots_of(lab, view);
+    view.mystery = mystery_of(lab);
+    view.slots = slots_of(lab);
     if (view.slots.b) view.last_run.reset(), view.prediction.reset();
-    view.map = map_of(lab, view);
+    view.map = map_of(lab);
     view.study = study_of(lab.study);
-    view.robots = robots_of(lab, view);
+    view.robots = robots_of(lab);
     view.students = &lab.students;
     view.student = lab.students.student().name;
     view.opened = document.name;

@@ -60,7 +60,7 @@ void hide_or_reveal(Lab& lab, bool& part) {
 void ask_why(Lab& lab) {
     lab.explanation.on = !lab.explanation.on;
     update_explanation(lab);
-    if (lab.explanation.on && !explanation_of(lab, view_of(lab))) {
+    if (lab.explanation.on && !explanation_of(lab)) {
         lab.explanation.on = false;
         say(lab, {NoticeKind::failure, selected_vehicle(lab) ? "unavailable.why" : "unavailable.no_vehicle"});
     }
@@ -71,7 +71,7 @@ void show_reality(Lab& lab) {
     lab.view.reality = !lab.view.reality;
     if (!lab.view.reality) return;
     lab.view.map = false;
-    if (robots_of(lab, view_of(lab))) return;
+    if (robots_of(lab)) return;
     lab.view.reality = false;
     say(lab, {NoticeKind::failure, selected_vehicle(lab) ? "unavailable.reality" : "unavailable.no_vehicle"});
 }
@@ -80,7 +80,7 @@ void show_map(Lab& lab) {
     lab.view.map = !lab.view.map;
     if (lab.view.map) lab.view.reality = false;
     const VehicleView* vehicle = selected_vehicle(lab);
-    if (!lab.view.map || (vehicle && can_show_map(view_of(lab), *vehicle))) return;
+    if (!lab.view.map || (vehicle && can_show_map(lab, *vehicle))) return;
     lab.view.map = false;
     say(lab, {NoticeKind::failure, vehicle ? "unavailable.map" : "unavailable.no_vehicle"});
 }

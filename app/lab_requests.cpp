@@ -82,7 +82,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const PredictPathRequest& r) { predict(lab, r); },
                      [&](const CompareRequest& r) { compare(lab, r); },
                      [&](const FreePlayRequest& r) {
-                         if (lab.document.lesson) lab.document.lesson->view.free_play = r.on;
+                         if (lab.document.lesson) lab.document.lesson->attempt.work.free_play = r.on;
                      },
                      [&](const ShowMeRequest&) { show_solution(lab); },
                      [&](const ChooseChildRequest& r) { choose_child(lab, r.child); },
@@ -90,7 +90,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const KeptRequest&) { take_kept_submission(lab); },
                      [&](const TogetherRequest& r) { r.on ? begin_together(lab) : end_together(lab); },
                      [&](const NotesRequest& r) {
-                         if (lab.document.lesson) lab.document.lesson->view.notes = utf8_cut(r.text, longest_notes);
+                         if (lab.document.lesson) lab.document.lesson->attempt.notes = utf8_cut(r.text, longest_notes);
                      },
                      [&](const StudentRequest& r) {
                          if (r.edit == StudentEdit::save) return lab.files.push_back(r);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/course/lesson_view.h"
 #include "app/lab_edits.h"
 #include "ui/request.h"
 
@@ -97,11 +98,11 @@ void select_objects(Lab& lab, const std::vector<SceneObject>& objects) {
 }
 
 void select_neighbour(Lab& lab, int step) {
-    const LabView view = view_of(lab);
     const VehicleId selected = lab.view.selection.vehicle;
     std::vector<VehicleId> order;
     for (const VehicleView& vehicle : lab.document.session.snapshot().vehicles)
-        if (vehicle.id == selected || is_in_tab_order(view, vehicle)) order.push_back(vehicle.id);
+        if (vehicle.id == selected || !lab.document.lesson || !is_secret(lab, vehicle.kind))
+            order.push_back(vehicle.id);
     if (order.empty()) return;
     const auto here = std::find(order.begin(), order.end(), selected);
     const auto count = static_cast<int>(order.size());

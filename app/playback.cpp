@@ -16,7 +16,6 @@ namespace braitenlab {
 
 namespace {
 
-constexpr double hint_interval = 30;       // s after which the next hint is available without a run
 constexpr double tick_length = 1.0 / 60;   // s, as in core/brain/brain.h
 constexpr double stepping_budget = 0.012;  // s of wall time per frame
 constexpr std::string_view page_pauses = "notice.page_pauses";
@@ -35,9 +34,8 @@ void measure_pace(Playback& playback, double wall_seconds, double simulated) {
 
 // The next hint is available after a while, also without a run.
 void follow_hint(Lesson& lesson, double wall_seconds) {
-    const double left = hint_interval - (wall_seconds - lesson.last_hint_at);
-    if (left <= 0) lesson.view.hint_ready = true;
-    lesson.view.hint_in = lesson.view.hint_ready ? 0 : static_cast<int>(std::ceil(left));
+    const double left = seconds_between_hints - (wall_seconds - lesson.last_hint_at);
+    if (left <= 0) lesson.attempt.answers.hint_ready = true;
 }
 
 // Adds the place of the first vehicle before a step to a new tick. A step in the recorded past adds nothing.
@@ -84,10 +82,10 @@ void tick(Lab& lab) {
     if (before) reselect_after_death(lab, *before), tell_fall(lab, before->id);
     keep_selection(lab);
     if (auto& lesson = lab.document.lesson) {
-        lesson->view.has_run = true;
+        lesson->attempt.work.has_run = true;
         const bool begins = session.snapshot().tick == 1;
-        lesson->view.runs += begins;
-        if (begins) lesson->view.hint_ready = true;  // each run makes one hint available
+        lesson->attempt.work.runs += begins;
+        if (begins) lesson->attempt.answers.hint_ready = true;  // each run makes one hint available
     }
     record_moment(lab);
     watch(lab);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/course/lesson_view.h"
 #include "app/ctl/report.h"
 #include "app/files/safe_file.h"
 #include "core/brain/four_neurons.h"
@@ -119,9 +120,8 @@ Json exercise_json(const Lab& lab) {
     if (!lab.document.lesson) return nullptr;
     Json steps = Json::array();
     int number = 0;
-    for (const Verdict& verdict : lab.document.lesson->view.verdicts)
-        steps.push_back({{"id", ++number}, {"done", verdict.done}});
-    const LessonView& view = lab.document.lesson->view;
+    const LessonView view = lesson_view_of(lab);
+    for (const Verdict& verdict : view.verdicts) steps.push_back({{"id", ++number}, {"done", verdict.done}});
     Json starts = Json::array();
     if (view.grade)
         for (const StartResult& start : view.grade->starts)
@@ -137,7 +137,7 @@ Json exercise_json(const Lab& lab) {
             {"path_difference", view.real_path.empty() ? Json(nullptr) : Json(plain(view.path_difference))},
             {"steps", std::move(steps)},
             {"starts", std::move(starts)},
-            {"passed", lab.document.lesson->view.grade && lab.document.lesson->view.grade->good},
+            {"passed", has_passed(*lab.document.lesson)},
             {"together", view.together},
             {"notes", view.notes}};
 }

@@ -18,6 +18,7 @@
 #include "core/insight/robustness.h"
 #include "core/insight/study.h"
 #include "core/insight/why.h"
+#include "core/lesson/disclosure.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/lecture.h"
@@ -86,9 +87,6 @@ struct LessonView {
 
 // True once an option is chosen or a path is drawn.
 inline bool has_predicted(const LessonView& lesson) { return lesson.prediction >= 0 || !lesson.drawn_path.empty(); }
-
-// True if the prediction can be made or changed: at the start of a run, until a run has shown the outcome.
-inline bool is_prediction_open(const LessonView& lesson) { return lesson.at_start && !lesson.outcome_known; }
 
 // True while the prediction is asked for: before the first run, and until it is made.
 inline bool awaits_prediction(const LessonView& lesson) {
@@ -254,7 +252,8 @@ struct LabView {
     bool has_moved_camera = false;            // by the user: neither the camera that Home restores nor a slow orbit
     int undo_depth = 0, redo_depth = 0;
     std::size_t copied_objects = 0;            // that can be pasted into the scene
-    const LessonView* lesson = nullptr;        // null outside exercises
+    std::shared_ptr<const LessonView> lesson;  // null outside exercises
+    Disclosure may;                            // what may be shown now
     std::optional<GhostView> ghost;            // while LessonView::compares and it is known
     std::optional<GhostView> last_run;         // the selected vehicle in the run before the reset
     const std::vector<Pose>* path = nullptr;   // of the selected vehicle, a pose per tick of the run; null: not known
@@ -310,38 +309,14 @@ inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
     return filed_kind(view, kind_of(*view.now, vehicle).name);
 }
 
-// True while the exercise's prediction is asked and neither made nor shown by a run: nothing may tell the outcome. On a
-// page of a lecture the answer to the page's question tells it.
-inline bool hides_outcome(const LabView& view) {
-    if (!view.lesson || !is_asked(view.lesson->exercise->prediction)) return false;
-    if (view.pages && view.pages->shows(PagePart::answer)) return false;
-    const bool passed = view.lesson->grade && view.lesson->grade->good;
-    return !has_predicted(*view.lesson) && !view.lesson->outcome_known && !passed;
-}
-
-// True if the coming seconds and the last run may be shown: not before the exercise's prediction is made and a run has
-// begun, nor at a start at which the prediction can be changed and the scene is as given; nor before the answer to the
-// question of a lecture's page.
-inline bool may_show_future(const LabView& view) {
-    if (view.pages && !view.pages->current().question.options.empty() && !view.pages->shows(PagePart::answer))
-        return false;
-    if (!view.lesson || !is_asked(view.lesson->exercise->prediction) || view.lesson->outcome_known) return true;
-    const LessonView& lesson = *view.lesson;
-    return has_predicted(lesson) && lesson.has_run && !(is_prediction_open(lesson) && lesson.as_given);
-}
-
-// True if the run with the solution may be shown beside the student's: after a run, and not before the prediction.
-inline bool can_compare(const LabView& view) {
-    return view.lesson && view.lesson->has_run && !view.lesson->together && !hides_outcome(view);
-}
+// Shorter names of what LabView::may says.
+inline bool hides_outcome(const LabView& view) { return !view.may.outcome; }
+inline bool may_show_future(const LabView& view) { return view.may.future; }
+inline bool can_compare(const LabView& view) { return view.may.solution_run; }
 
 // True for a kind whose brains are hidden by the scene or by the exercise.
 inline bool is_brain_secret(const LabView& view, int kind) {
-    if (view.now->scene->kinds[static_cast<std::size_t>(kind)].hidden) return true;
-    if (!view.lesson) return false;
-    const std::vector<std::string>& secret = view.lesson->exercise->hides;
-    const std::string& name = view.now->scene->kinds[static_cast<std::size_t>(kind)].name;
-    return std::find(secret.begin(), secret.end(), name) != secret.end();
+    return is_secret(view.lesson ? view.lesson->exercise : nullptr, *view.now->scene, kind);
 }
 
 // True if Tab selects this vehicle: an exercise that hides a brain is about the other vehicles.
@@ -350,38 +325,43 @@ inline bool is_in_tab_order(const LabView& view, const VehicleView& vehicle) {
 }
 
 // True if the brains of this kind may not be shown now: they are secret, or their wires would tell the outcome.
-inline bool hides_brain(const LabView& view, int kind) {
-    if (!view.settings.revealed.brain) return true;
-    return is_brain_secret(view, kind) || (hides_outcome(view) && view.lesson->exercise->prediction.hides_brain);
+inline bool hides_brain(const LabView& view, int kind) { return !view.may.brains || is_brain_secret(view, kind); }
+
+// True if this vehicle's brain drives it and is shown.
+inline bool shows_driving_brain(const LabView& view, const VehicleView& vehicle) {
+    return vehicle.driver == Driver::brain && !hides_brain(view, vehicle.kind);
 }
 
-// True if the cause of the selected vehicle's turns may be told: its brain drives and is shown.
+// True if the cause of the selected vehicle's turns may be told.
 inline bool can_tell_why(const LabView& view) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    return vehicle && vehicle->driver == Driver::brain && !hides_outcome(view) && !hides_brain(view, vehicle->kind);
+    return vehicle && view.may.why && shows_driving_brain(view, *vehicle);
 }
 
-// True if the map of behaviour may show what other brains of this vehicle would do: its brain drives and is shown, and
-// no exercise asks for one of these brains.
+// True if the map of behaviour may show what other brains of this vehicle would do.
 inline bool can_show_map(const LabView& view, const VehicleView& vehicle) {
-    if (vehicle.driver != Driver::brain || !may_show_future(view) || hides_outcome(view)) return false;
-    const bool is_free = !view.lesson || view.lesson->free_play || offers_all(*view.lesson->exercise);
-    return is_free && !hides_brain(view, vehicle.kind);
+    return view.may.other_brains && shows_driving_brain(view, vehicle);
 }
 
 // The string key of the reason why the selected vehicle's brain cannot be stored in a slot or replaced by one; empty if
-// it can.
+// it can. `vehicle`: null if none is selected.
+inline std::string_view why_no_slots(const VehicleView* vehicle, bool shows_driving_brain) {
+    if (!vehicle) return "unavailable.no_vehicle";
+    return shows_driving_brain ? "" : "unavailable.why";
+}
 inline std::string_view why_no_slots(const LabView& view) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (!vehicle) return "unavailable.no_vehicle";
-    return vehicle->driver == Driver::brain && !hides_brain(view, vehicle->kind) ? "" : "unavailable.why";
+    return why_no_slots(vehicle, vehicle && shows_driving_brain(view, *vehicle));
 }
 
-// The same for running both slots.
+// The same for running both slots, for a vehicle that can take them.
+inline std::string_view why_no_comparison(bool has_both, const Disclosure& may) {
+    if (!has_both) return "unavailable.slots_empty";
+    return may.future ? "" : "unavailable.before_answer";
+}
 inline std::string_view why_no_comparison(const LabView& view) {
     if (const std::string_view why = why_no_slots(view); !why.empty()) return why;
-    if (!view.slots.slots[0].design || !view.slots.slots[1].design) return "unavailable.slots_empty";
-    return may_show_future(view) ? "" : "unavailable.before_answer";
+    return why_no_comparison(view.slots.slots[0].design && view.slots.slots[1].design, view.may);
 }
 
 // hides_brain() of every kind of the scene.
@@ -397,8 +377,7 @@ inline std::vector<bool> hidden_brains(const LabView& view) {
 
 // True if the name of this vehicle's character may not be shown now.
 inline bool hides_character(const LabView& view, const VehicleView& vehicle) {
-    const auto& revealed = view.settings.revealed;
-    return !revealed.character || !revealed.brain || hides_outcome(view) || is_brain_secret(view, vehicle.kind);
+    return !view.may.characters || is_brain_secret(view, vehicle.kind);
 }
 
 // The vehicle whose eyes, wires and wheels a lecture shows large below the scene; null in scenes of predators and prey,
@@ -414,8 +393,11 @@ inline SensorPair shown_pair(const LabView& view, const VehicleView& vehicle) {
 }
 
 // What an edit of this vehicle's brain or sensors applies to: its whole kind or this vehicle alone.
+inline Target target_of(const Selection& selection, const VehicleView& vehicle) {
+    return selection.whole_kind ? Target{no_vehicle, vehicle.kind} : Target{vehicle.id, -1};
+}
 inline Target target_of(const LabView& view, const VehicleView& vehicle) {
-    return view.settings.selection.whole_kind ? Target{no_vehicle, vehicle.kind} : Target{vehicle.id, -1};
+    return target_of(view.settings.selection, vehicle);
 }
 
 }  // namespace braitenlab

@@ -17,7 +17,8 @@ BrainGraph present_brain(const Lab& lab) {
 
 void forget_runs(Lesson& lesson) {
     lesson.selecting->job.cancel();
-    lesson.view.selection = SelectionView{.generation = static_cast<int>(lesson.selecting->parents.size()) - 1};
+    lesson.selecting->parent_run.reset();
+    lesson.selecting->child_runs.clear();
 }
 
 // Each selection from the first generation on has other children.
@@ -80,20 +81,19 @@ void update_children(Lab& lab, Jobs& jobs) {
     if (!lab.document.lesson || !offers_selection(*lab.document.lesson->exercise)) return;
     Lesson& lesson = *lab.document.lesson;
     if (!lesson.selecting) begin_selecting(lab);
-    if (!lesson.view.selection) forget_runs(lesson);
     follow_brain(lesson, present_brain(lab));
     const std::uint64_t start = lab.document.session.seed();
     if (std::exchange(lesson.selecting->start, start) != start) forget_runs(lesson);
     Job<std::vector<StartResult>>& job = lesson.selecting->job;
-    SelectionView& view = *lesson.view.selection;
+    Selecting& selecting = *lesson.selecting;
     if (auto result = job.take()) {
         if (!*result) {
-            view.parent.emplace();  // not tried again before the brain or the start changes
+            selecting.parent_run.emplace();  // not tried again before the brain or the start changes
             return say(lab, result->error());
         }
-        view.parent = std::move((*result)->front());
-        view.children.assign((*result)->begin() + 1, (*result)->end());
-    } else if (!view.parent && !job.active()) {
+        selecting.parent_run = std::move((*result)->front());
+        selecting.child_runs.assign((*result)->begin() + 1, (*result)->end());
+    } else if (!selecting.parent_run && !job.active()) {
         job = submit_runs(jobs, lesson);
     }
 }
@@ -101,8 +101,8 @@ void update_children(Lab& lab, Jobs& jobs) {
 void choose_child(Lab& lab, int child) {
     if (!lab.document.lesson || !lab.document.lesson->selecting) return;
     Lesson& lesson = *lab.document.lesson;
-    if (!lesson.view.selection || lesson.view.selection->children.empty()) return;  // they are computed
-    const int count = static_cast<int>(lesson.view.selection->children.size());
+    if (lesson.selecting->child_runs.empty()) return;  // they are computed
+    const int count = static_cast<int>(lesson.selecting->child_runs.size());
     const int generations = static_cast<int>(lesson.selecting->parents.size()) - 1;
     if (child < -1 || child >= count || generations >= lesson.exercise->selection.generations) return;
     const Parent& parent = lesson.selecting->parents.back();

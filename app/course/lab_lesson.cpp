@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "app/course/lesson_view.h"
 #include "app/jobs/grading.h"
 #include "app/lab_edits.h"
 #include "app/lab_selection.h"
@@ -30,31 +31,12 @@ bool has_sensors(const Snapshot& now, std::size_t kind, const std::vector<Sensor
            });
 }
 
-bool is_as_shipped(const Snapshot& now, const Scene& shipped) {
-    for (std::size_t k = 0; k < shipped.kinds.size(); ++k) {
-        const Kind& kind = shipped.kinds[k];
-        if (!is_as_shipped(now, k, kind.brain) || !has_sensors(now, k, kind.sensors)) return false;
-        if (now.scene->kinds[k].body != kind.body) return false;
-    }
-    return true;
-}
-
-// Keeps the first tick at which the run was not that of the scene as given, so that a change that is undone during the
-// run counts, too. A change that is undone before the run goes on does not count, and a new run begins without one.
-void note_change_of_run(Lesson& lesson, const Snapshot& now) {
-    std::optional<std::uint64_t>& at = lesson.changed_at;
-    if (!is_as_shipped(now, lesson.exercise->scene))
-        at = std::min(at.value_or(now.tick), now.tick);
-    else if (now.tick == 0 || now.tick == at)
-        at.reset();
-}
-
 // True if this moment of a run shows what the prediction asks for: what the scene does as given, with every brain,
 // sensor and body of the file and with nothing moved. A run with the student's changes does not show it, also where the
 // question is about another vehicle, because its options may compare both.
-bool shows_outcome(const Lesson& lesson, const Snapshot& now) {
-    return now.tick > 0 && now.seconds >= static_cast<double>(lesson.exercise->prediction.after) &&
-           !lesson.view.by_hand && lesson.view.as_given;
+bool shows_outcome(const Exercise& exercise, const Snapshot& now, const Referee& referee) {
+    return now.tick > 0 && now.seconds >= static_cast<double>(exercise.prediction.after) && !referee.by_hand() &&
+           referee.as_given();
 }
 
 }  // namespace
@@ -62,42 +44,27 @@ bool shows_outcome(const Lesson& lesson, const Snapshot& now) {
 void watch(Lab& lab) {
     if (!lab.document.lesson) return;
     Lesson& lesson = *lab.document.lesson;
-    const Referee& referee = referee_of(lab.document);
-    const Snapshot& now = lab.document.session.snapshot();
-    lesson.view.verdicts = referee.verdicts();
-    lesson.view.by_hand = referee.by_hand();
-    note_change_of_run(lesson, now);
-    lesson.view.as_given = !lesson.changed_at || now.tick < *lesson.changed_at;
-    const bool has_chosen = lesson.selecting && lesson.selecting->parents.size() > 1;
-    lesson.view.at_start = now.tick == 0 && !has_chosen;
+    bool& known = lesson.attempt.work.outcome_known;
     // A prediction about a selection is about its end, not about the first run.
-    if (!lesson.view.outcome_known && !offers_selection(*lesson.exercise))
-        lesson.view.outcome_known = shows_outcome(lesson, now);
+    if (!known && !offers_selection(*lesson.exercise))
+        known = shows_outcome(*lesson.exercise, lab.document.session.snapshot(), referee_of(lab.document));
 }
 
 namespace {
 
-// Shows the grade of the present submission.
-void show_grade(Lesson& lesson, const Submission& now) {
-    lesson.view.grade.reset();
-    if (lesson.graded && lesson.graded->submission == now) lesson.view.grade = lesson.graded->grade;
-}
-
-// The starts as shipped, for an exercise that compares medians. The view has them once the submission has a grade.
+// The starts as shipped, for an exercise that compares medians, once a submission has a grade.
 void update_shipped_grade(Lesson& lesson, Jobs& jobs) {
-    if (lesson.exercise->median.step == 0 || !lesson.graded || lesson.view.shipped_grade) return;
+    if (lesson.exercise->median.step == 0 || !lesson.graded || lesson.shipped_grade) return;
     if (!lesson.shipped_grading)
         lesson.shipped_grading = submit_grading(jobs, lesson.exercise, as_shipped(*lesson.exercise));
-    if (auto result = lesson.shipped_grading->take(); result && *result)
-        lesson.view.shipped_grade = std::move(**result);
+    if (auto result = lesson.shipped_grading->take(); result && *result) lesson.shipped_grade = std::move(**result);
 }
 
 // True if the grade has the start of the present run as failed: then the brain was changed during the run.
 bool fails_here(const Lesson& lesson, std::uint64_t seed) {
-    if (!lesson.view.grade) return false;
-    const auto& starts = lesson.view.grade->starts;
-    return std::any_of(starts.begin(), starts.end(),
-                       [seed](const StartResult& start) { return start.seed == seed && !start.passed; });
+    const Grade* grade = grade_of(lesson);
+    return grade && std::any_of(grade->starts.begin(), grade->starts.end(),
+                                [seed](const StartResult& start) { return start.seed == seed && !start.passed; });
 }
 
 // Whether the steps that are done say what the present submission does. `passed`: they are done in this run.
@@ -106,7 +73,7 @@ void note_changes(Lesson& lesson, const Submission& now, std::uint64_t seed, boo
         lesson.done_with.reset();
     else if (!lesson.done_with)
         lesson.done_with = now;
-    lesson.view.changed_since_done = lesson.done_with && (*lesson.done_with != now || fails_here(lesson, seed));
+    lesson.standing.changed_since_done = lesson.done_with && (*lesson.done_with != now || fails_here(lesson, seed));
 }
 
 }  // namespace
@@ -117,33 +84,35 @@ void update_grading(Lab& lab, Jobs& jobs) {
     const bool passed = referee_of(lab.document).passed();
     update_shipped_grade(lesson, jobs);
     if (!lesson.grading && !lesson.graded && !passed) {
-        lesson.view.outside_offers = lesson.view.too_many_changes = lesson.view.changed_since_done = false;
+        Standing& none = lesson.standing;
+        none.outside_offers = none.too_many_changes = none.changed_since_done = false;
         lesson.done_with.reset();
         return;
     }
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
-    show_grade(lesson, now);
+    Standing& standing = lesson.standing;
+    standing.is_graded = lesson.graded && lesson.graded->submission == now;
     note_changes(lesson, now, lab.document.session.seed(), passed);
-    if (lesson.was_shown && now == with_solution(*lesson.exercise)) lesson.view.solution_shown = true;
-    lesson.view.outside_offers = !outside_offers(*lesson.exercise, now).empty();
-    lesson.view.too_many_changes = changes_too_many(*lesson.exercise, now);
-    const bool is_allowed = !lesson.view.outside_offers && !lesson.view.too_many_changes;
-    const bool is_due = passed && !lesson.view.grade && is_allowed;
+    if (lesson.was_shown && now == with_solution(*lesson.exercise)) lesson.attempt.work.solution_shown = true;
+    standing.outside_offers = !outside_offers(*lesson.exercise, now).empty();
+    standing.too_many_changes = changes_too_many(*lesson.exercise, now);
+    const bool is_allowed = !standing.outside_offers && !standing.too_many_changes;
+    const bool is_due = passed && !standing.is_graded && is_allowed;
     if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
     if (!lesson.grading && is_due) {
         auto job = submit_grading(jobs, lesson.exercise, now);
         lesson.grading = Grading{now, std::move(job)};
     }
-    lesson.view.starts_tested.reset();
+    standing.starts_tested.reset();
     if (!lesson.grading) return;
     auto result = lesson.grading->job.take();
-    if (lesson.grading->job.active()) lesson.view.starts_tested = lesson.grading->job.progress().done;
+    if (lesson.grading->job.active()) standing.starts_tested = lesson.grading->job.progress().done;
     if (!result) return;
     if (!*result) return say(lab, result->error());  // try again after an edit
     if ((*result)->good || !lesson.grading->run_was_reset) {
         lesson.graded = GradedSubmission{std::move(now), std::move(**result)};
-        lesson.view.grade = lesson.graded->grade;
-        lesson.view.outcome_known |= lesson.graded->grade.good;
+        standing.is_graded = true;
+        lesson.attempt.work.outcome_known |= lesson.graded->grade.good;
     }
     lesson.grading.reset();
 }
@@ -160,8 +129,7 @@ void reset(Lab& lab, std::uint64_t seed) {
     lab.playback.previous.clear();
     lab.playback.debt = 0;
     forget_vehicle_notice(lab);
-    if (lab.document.lesson && !(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good))
-        lab.document.lesson->view.grade.reset(), lab.document.lesson->graded.reset();
+    if (auto& lesson = lab.document.lesson; lesson && !has_passed(*lesson)) lesson->graded.reset();
     if (lab.document.lesson && lab.document.lesson->grading) lab.document.lesson->grading->run_was_reset = true;
     watch(lab);
     keep_selection(lab);
@@ -193,15 +161,8 @@ void begin_again(Lab& lab) {
     set_mode(lab, Mode::paused);
     reset(lab);  // first: kinds may have been added or removed
     take_changes_back(lab);
-    LessonView& view = lesson.view;
-    view = {.exercise = view.exercise,
-            .key = std::move(view.key),
-            .prediction = view.prediction,
-            .hints_shown = view.hints_shown,
-            .hint_ready = view.hint_ready,
-            .shipped_grade = std::move(view.shipped_grade),
-            .notes = std::move(view.notes),
-            .drawn_path = std::move(view.drawn_path)};
+    lesson.attempt.work = {};
+    lesson.standing = {};
     lesson.grading.reset();
     lesson.selecting.reset();
     reset(lab);
@@ -227,9 +188,8 @@ void restart_exercise(Lab& lab) {
     begin_again(lab);
     lab.last_run.left.reset();  // of another student
     Lesson& lesson = *lab.document.lesson;
-    lesson.view = {
-        .exercise = lesson.exercise.get(), .key = std::move(lesson.view.key), .notes = std::move(lesson.view.notes)};
-    lesson.view.hint_ready = !lesson.exercise->hints.empty();
+    lesson.attempt.answers = unanswered(*lesson.exercise);
+    lesson.shipped_grade.reset();
     lesson.shipped_grading.reset();
     lesson.graded.reset();
     lesson.last_hint_at = lab.wall_seconds;
@@ -237,28 +197,30 @@ void restart_exercise(Lab& lab) {
 }
 
 void predict(Lab& lab, const PredictRequest& request) {
-    if (!lab.document.lesson || !is_prediction_open(lab.document.lesson->view)) return;
-    lab.document.lesson->view.prediction = request.option;
+    if (disclosure_of(lab).open_prediction) lab.document.lesson->attempt.answers.prediction = request.option;
 }
 
 void predict(Lab& lab, const PredictPathRequest& request) {
-    if (!lab.document.lesson || !is_prediction_open(lab.document.lesson->view)) return;
+    if (!disclosure_of(lab).open_prediction) return;
     if (lab.document.lesson->exercise->prediction.path_of.empty()) return;
-    lab.document.lesson->view.drawn_path = request.path;
-    lab.document.lesson->runs.drawn_seed = lab.document.session.seed();
+    Attempt::Answers& answers = lab.document.lesson->attempt.answers;
+    answers.drawn_path = request.path;
+    answers.drawn_seed = lab.document.session.seed();
 }
 
 void compare(Lab& lab, const CompareRequest& request) {
-    if (lab.document.lesson) lab.document.lesson->view.compares = request.on && can_compare(view_of(lab));
+    if (auto& lesson = lab.document.lesson)
+        lesson->attempt.work.compares = request.on && disclosure_of(lab).solution_run;
 }
 
 void show_hint(Lab& lab) {
     if (!lab.document.lesson) return;
-    LessonView& view = lab.document.lesson->view;
-    if (!view.hint_ready || view.hints_shown >= static_cast<int>(view.exercise->hints.size())) return;
-    ++view.hints_shown;
-    view.hint_ready = false;
-    lab.document.lesson->last_hint_at = lab.wall_seconds;
+    Lesson& lesson = *lab.document.lesson;
+    Attempt::Answers& answers = lesson.attempt.answers;
+    if (!answers.hint_ready || answers.hints_shown >= static_cast<int>(lesson.exercise->hints.size())) return;
+    ++answers.hints_shown;
+    answers.hint_ready = false;
+    lesson.last_hint_at = lab.wall_seconds;
 }
 
 bool give_submission(Lab& lab, const Submission& submission) {
@@ -276,7 +238,7 @@ bool give_submission(Lab& lab, const Submission& submission) {
 void show_solution(Lab& lab) {
     if (!lab.document.lesson) return;
     if (give_submission(lab, with_solution(*lab.document.lesson->exercise)))
-        lab.document.lesson->view.solution_shown = lab.document.lesson->was_shown = true;
+        lab.document.lesson->attempt.work.solution_shown = lab.document.lesson->was_shown = true;
 }
 
 }  // namespace braitenlab

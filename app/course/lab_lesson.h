@@ -6,24 +6,25 @@
 
 namespace braitenlab {
 
-// Passes the referee's verdicts to the lesson's view, and follows what the run has shown. Call after the session has
-// changed.
+inline constexpr double seconds_between_hints = 30;  // after which the next hint is available without a run
+
+// Notes that the run has shown what the prediction asks for. Call after the session has moved to another tick.
 void watch(Lab&);
 
 // Call once per turn, after Jobs::deliver. When every step is done, grades the submission from all starts in the
-// background and writes progress and grade to the lesson's view. An edit of the submission cancels grading and hides
+// background and writes progress and grade to the lesson. An edit of the submission cancels grading and hides
 // the grade of the earlier submission; if every step is still done, grading starts again. If the graded submission
 // comes back, for example by undo, so does its grade.
 void update_grading(Lab&, Jobs&);
 
 void show_hint(Lab&);
 
-// Keeps an option or a path as the prediction while it can be made or changed, see is_prediction_open().
+// Keeps an option or a path as the prediction while it can be made or changed, see Disclosure::open_prediction.
 void predict(Lab&, const PredictRequest&);
 void predict(Lab&, const PredictPathRequest&);
 
 // Shows the run with the solution beside the student's, or ends it. Nothing is shown before the prediction is made and
-// before a run; see can_compare().
+// before a run; see Disclosure::solution_run.
 void compare(Lab&, const CompareRequest&);
 // Gives the subject's kind a submission of the exercise, in one step of undo, and resets the run. False if the kind was
 // removed.

@@ -12,22 +12,23 @@ namespace {
 
 // What is known after this attempt, from what was known before it.
 ExerciseProgress progressed(ExerciseProgress progress, const Lesson& lesson) {
-    const LessonView& view = lesson.view;
+    const Attempt::Answers& answers = lesson.attempt.answers;
+    const bool was_shown = lesson.attempt.work.solution_shown;
     const Prediction& asked = lesson.exercise->prediction;
-    if (view.prediction >= 0 && static_cast<std::size_t>(view.prediction) < asked.options.size()) {
-        progress.prediction = asked.options[static_cast<std::size_t>(view.prediction)];
-        progress.predicted_right = view.prediction == asked.answer;
+    if (answers.prediction >= 0 && static_cast<std::size_t>(answers.prediction) < asked.options.size()) {
+        progress.prediction = asked.options[static_cast<std::size_t>(answers.prediction)];
+        progress.predicted_right = answers.prediction == asked.answer;
     }
-    progress.drew_path |= !view.drawn_path.empty();
-    progress.hints = std::max(progress.hints, view.hints_shown);
-    progress.notes = view.notes;
+    progress.drew_path |= !answers.drawn_path.empty();
+    progress.hints = std::max(progress.hints, answers.hints_shown);
+    progress.notes = lesson.attempt.notes;
     const bool passed_alone = progress.passed && !progress.shown;
-    if (view.solution_shown && !passed_alone) progress.shown = true;
-    if (!view.grade || !lesson.graded) return progress;
-    const Grade& grade = *view.grade;
+    if (was_shown && !passed_alone) progress.shown = true;
+    if (!grade_of(lesson)) return progress;
+    const Grade& grade = *grade_of(lesson);
     if (grade.count > progress.best || progress.starts == 0)
         progress.best = grade.count, progress.starts = static_cast<int>(grade.starts.size());
-    if (grade.good && !view.solution_shown) progress.shown = false;
+    if (grade.good && !was_shown) progress.shown = false;
     if (grade.good || !progress.passed) progress.submission = lesson.graded->submission;
     progress.passed = progress.passed || grade.good;
     return progress;
@@ -35,7 +36,7 @@ ExerciseProgress progressed(ExerciseProgress progress, const Lesson& lesson) {
 
 const ExerciseProgress* stored_progress(const Lab& lab) {
     if (!lab.document.lesson) return nullptr;
-    return find_progress(lab.students.student(), lab.document.lesson->view.key);
+    return find_progress(lab.students.student(), lab.document.lesson->key);
 }
 
 // True once after another exercise was opened or another student was chosen.
@@ -50,15 +51,15 @@ void follow_progress(Lab& lab) {
     if (!lab.document.lesson || lab.pages) return;  // a page of a lecture is no attempt of a student
     Lesson& lesson = *lab.document.lesson;
     const ExerciseProgress* known = stored_progress(lab);
-    if (is_new_attempt(lab)) lesson.view.notes = known ? known->notes : std::string();
+    if (is_new_attempt(lab)) lesson.attempt.notes = known ? known->notes : std::string();
     const ExerciseProgress before = known ? *known : ExerciseProgress{};
     ExerciseProgress now = progressed(before, lesson);
-    lesson.view.has_kept =
+    lesson.standing.has_kept =
         now.submission && *now.submission != submission_of(*lesson.exercise, lab.document.session.snapshot());
-    lesson.view.passed_before = now.passed;
+    lesson.standing.passed_before = now.passed;
     if (now == before) return;
     lab.students.before_reset.reset();
-    lab.students.student().exercises[lesson.view.key] = std::move(now);
+    lab.students.student().exercises[lesson.key] = std::move(now);
 }
 
 bool is_kept(const Lab& lab, const Submission& submission) {
@@ -71,7 +72,7 @@ void take_kept_submission(Lab& lab) {
     if (!known || !known->submission) return;
     const bool shown = known->shown;
     give_submission(lab, Submission(*known->submission));
-    if (shown) lab.document.lesson->view.solution_shown = true;
+    if (shown) lab.document.lesson->attempt.work.solution_shown = true;
 }
 
 namespace {
@@ -108,7 +109,7 @@ void reset_student(Lab& lab) {
     if (book.student().exercises.empty()) return;
     StudentProgress before = book.student();
     book.student().exercises.clear();
-    if (lab.document.lesson) restart_exercise(lab), lab.document.lesson->view.notes.clear();
+    if (lab.document.lesson) restart_exercise(lab), lab.document.lesson->attempt.notes.clear();
     book.before_reset = std::move(before);
 }
 

@@ -70,14 +70,15 @@ std::size_t start_of_path(const Exercise& exercise) {
 
 void compare_drawn_path(Lesson& lesson, Jobs& jobs) {
     constexpr std::size_t step = 6;  // ticks: ten points a second
-    LessonView& view = lesson.view;
-    if (!view.outcome_known || view.drawn_path.empty() || !view.real_path.empty()) return;
+    const Attempt::Answers& answers = lesson.attempt.answers;
+    Attempt::Work& work = lesson.attempt.work;
+    if (!work.outcome_known || answers.drawn_path.empty() || !work.real_path.empty()) return;
     const std::size_t ticks = ticks_of(static_cast<double>(lesson.exercise->prediction.after));
     lesson.runs.shipped.follow(jobs, lesson.exercise, as_shipped(*lesson.exercise), start_of_path(*lesson.exercise),
-                               lesson.runs.drawn_seed, ticks);
-    view.real_path = positions(lesson.runs.shipped.path(), ticks + 1, step);
-    view.path_difference = path_distance(view.drawn_path, view.real_path);
-    view.path_reversed = runs_against(view.drawn_path, view.real_path);
+                               answers.drawn_seed, ticks);
+    work.real_path = positions(lesson.runs.shipped.path(), ticks + 1, step);
+    work.path_difference = path_distance(answers.drawn_path, work.real_path);
+    work.path_reversed = runs_against(answers.drawn_path, work.real_path);
 }
 
 Pose between(Pose a, Pose b, float t) {
@@ -91,7 +92,7 @@ void update_reference_runs(Lab& lab, Jobs& jobs) {
     if (!lab.document.lesson) return;
     Lesson& lesson = *lab.document.lesson;
     compare_drawn_path(lesson, jobs);
-    if (!lesson.view.compares) return;
+    if (!lesson.attempt.work.compares) return;
     const Session& session = lab.document.session;
     const double seconds =
         std::max(session.snapshot().seconds + ahead, static_cast<double>(lesson.exercise->seconds) + ahead);
@@ -115,7 +116,8 @@ std::optional<GhostView> ghost_of(const Lab& lab) {
     const Lesson& lesson = *lab.document.lesson;
     const Session& session = lab.document.session;
     const BackgroundPath& run = lesson.runs.solution;
-    if (!lesson.view.compares || lesson.view.by_hand || run.seed() != session.seed()) return std::nullopt;
+    if (!lesson.attempt.work.compares || referee_of(lab.document).by_hand() || run.seed() != session.seed())
+        return std::nullopt;
     return ghost_at(lab, run.path(), lesson.exercise->solution.submission.body);
 }
 

@@ -37,11 +37,10 @@ private:
 
 struct ReferenceRuns {
     BackgroundPath solution, shipped;
-    std::uint64_t drawn_seed = 0;  // of the run at whose start the prediction was drawn
 };
 
-// Call once per turn, after Jobs::deliver. Asks for the runs that the lesson's view needs and writes the real path and
-// its distance to the drawn one to the view. Without an open exercise does nothing.
+// Call once per turn, after Jobs::deliver. Asks for the runs that the lesson needs and writes the real path and its
+// distance to the drawn one to the attempt. Without an open exercise does nothing.
 void update_reference_runs(Lab&, Jobs&);
 
 // The vehicle of the run with the solution at the displayed time. nullopt while it is not compared or not known, once

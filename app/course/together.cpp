@@ -72,7 +72,7 @@ void step(Together& together) {
 
 void begin_together(Lab& lab) {
     const auto& lesson = lab.document.lesson;
-    if (!lesson || !lesson->graded || !lesson->view.grade || !lesson->view.grade->good) return;
+    if (!lesson || !has_passed(*lesson)) return;
     Together together = begin_together(*lesson->exercise, lesson->graded->submission, lesson->graded->grade);
     if (!together.worlds.empty()) begin_together(lab, std::move(together));
 }
@@ -80,7 +80,6 @@ void begin_together(Lab& lab) {
 void begin_together(Lab& lab, Together together) {
     together.shown = shown_of(together.worlds);
     lab.together = std::move(together);
-    if (lab.document.lesson) lab.document.lesson->view.together = true;
     lab.playback.previous.clear();
     lab.playback.debt = 0;
     set_mode(lab, Mode::playing);
@@ -89,7 +88,6 @@ void begin_together(Lab& lab, Together together) {
 void end_together(Lab& lab) {
     if (!lab.together) return;
     lab.together.reset();
-    if (lab.document.lesson) lab.document.lesson->view.together = false;
     lab.playback.previous.clear();
     lab.playback.debt = 0;
     set_mode(lab, Mode::paused);

@@ -82,13 +82,13 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         if (auto state = read_referee_state(keys.exercise->referee, *document->lesson->exercise))
             referee.restore(std::move(*state));
         observer = RunObserver::of(std::move(referee));
-        LessonView& view = document->lesson->view;
+        Attempt& attempt = document->lesson->attempt;
         const auto hints = static_cast<int>(document->lesson->exercise->hints.size());
-        view.prediction = keys.exercise->prediction;
-        view.has_run = keys.exercise->has_run;
-        view.hint_ready |= view.has_run;
-        view.outcome_known = keys.exercise->outcome_known;
-        view.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
+        attempt.answers.prediction = keys.exercise->prediction;
+        attempt.work.has_run = keys.exercise->has_run;
+        attempt.answers.hint_ready |= attempt.work.has_run;
+        attempt.work.outcome_known = keys.exercise->outcome_known;
+        attempt.answers.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
     }
     document->session = Session::resume(std::move(run), std::move(observer));
     return document;
@@ -133,11 +133,11 @@ Error cannot_store(const Error& reason) {
 Draft draft_of(const Document& document) {
     Draft draft{document.name, document.path, document.session.save(), std::nullopt, false};
     if (document.lesson) {
-        const LessonView& view = document.lesson->view;
+        const Attempt& attempt = document.lesson->attempt;
         draft.hides_brain = !document.lesson->exercise->hides.empty();
         const auto& referee = *document.session.observer_at_keyframe().as<Referee>();
-        draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run, view.outcome_known,
-                                         write_referee_state(referee.state())};
+        draft.exercise = Draft::Progress{attempt.answers.prediction, attempt.answers.hints_shown, attempt.work.has_run,
+                                         attempt.work.outcome_known, write_referee_state(referee.state())};
     }
     return draft;
 }

@@ -30,12 +30,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // True if the open exercise is passed with the present brain.
-bool passed_before(const Lab& lab) { return lab.document.lesson && lab.document.lesson->view.passed_before; }
+bool passed_before(const Lab& lab) { return lab.document.lesson && lab.document.lesson->standing.passed_before; }
 
-bool has_passed(const Lab& lab) {
-    const auto& lesson = lab.document.lesson;
-    return lesson && lesson->view.grade && lesson->view.grade->good;
-}
+bool has_passed(const Lab& lab) { return lab.document.lesson && has_passed(*lab.document.lesson); }
 
 struct FileCommands {
     Lab& lab;

@@ -6,6 +6,7 @@
 
 #include <fmt/chrono.h>
 
+#include "app/course/lesson_view.h"
 #include "app/files/safe_file.h"
 #include "app/reports/lab_record.h"
 #include "core/lesson/submission.h"
@@ -35,7 +36,7 @@ std::optional<Error> write_hand_in_file(Lab& lab, const std::string& student, co
     fs::path path = folder / hand_in_name(exercise, student);
     for (int number = 2; is_taken(path, student); ++number) path = folder / hand_in_name(exercise, student, number);
     if (auto error = write_whole(path, write_hand_in(hand_in_of(lab, student, at)))) return error;
-    lab.document.lesson->view.written = path.string();
+    lab.document.lesson->attempt.work.written = path.string();
     say(lab, {NoticeKind::done, "notice.handed_in", path.string()});
     return std::nullopt;
 }
@@ -43,7 +44,7 @@ std::optional<Error> write_hand_in_file(Lab& lab, const std::string& student, co
 // The run from its start to the present tick, with the verdicts of now.
 StartResult last_run(const Lab& lab) {
     const Session& session = lab.document.session;
-    StartResult run{.seed = session.snapshot().seed, .verdicts = lab.document.lesson->view.verdicts};
+    StartResult run{.seed = session.snapshot().seed, .verdicts = referee_of(lab.document).verdicts()};
     for (const RunPlace& place : lab.document.lesson->path)
         if (place.tick < session.earliest()) run.path.push_back(place.at);
     const auto add = [&](const Snapshot& now) {
@@ -59,19 +60,20 @@ StartResult last_run(const Lab& lab) {
 
 LabRecord lab_record_of(const Lab& lab, WrittenAt at) {
     const Lesson& lesson = *lab.document.lesson;
-    const LessonView& view = lesson.view;
-    const Prediction& asked = lesson.exercise->prediction;
+    const Attempt::Answers& answers = lesson.attempt.answers;
+    const Attempt::Work& work = lesson.attempt.work;
     LabRecord record{.exercise = lesson.exercise, .date = utc_text(at).substr(0, 10)};
-    record.prediction = view.prediction, record.outcome_known = view.outcome_known;
-    const bool passed = view.grade && view.grade->good;
-    record.shows_title = !is_asked(asked) || has_predicted(view) || view.outcome_known || passed;
-    record.shows_brain = !asked.hides_brain || record.shows_title;
-    if (!view.real_path.empty() && !view.drawn_path.empty()) record.path_difference = view.path_difference;
-    record.runs = view.runs, record.hints = view.hints_shown, record.solution_shown = view.solution_shown;
+    record.prediction = answers.prediction, record.outcome_known = work.outcome_known;
+    // On paper: a lecture hides nothing of it.
+    const Known known{.predicted = has_predicted(answers), .outcome = work.outcome_known, .passed = has_passed(lesson)};
+    const Disclosure may = disclosure_of(lesson.exercise.get(), known);
+    record.shows_title = may.outcome, record.shows_brain = may.brains;
+    if (!work.real_path.empty() && !answers.drawn_path.empty()) record.path_difference = work.path_difference;
+    record.runs = work.runs, record.hints = answers.hints_shown, record.solution_shown = work.solution_shown;
     if (lab.document.session.snapshot().tick > 0) record.last_run = last_run(lab);
-    record.grade = view.grade;
+    if (const Grade* grade = grade_of(lesson)) record.grade = *grade;
     record.submission = submission_of(*lesson.exercise, lab.document.session.snapshot());
-    record.notes = view.notes;
+    record.notes = lesson.attempt.notes;
     return record;
 }
 
@@ -84,7 +86,7 @@ std::optional<Error> write_lab_record(Lab& lab, const std::string& student, cons
     for (int number = 2; fs::exists(path, none); ++number)  // an earlier record stays
         path = folder / lab_record_name(record.exercise->id, student, number);
     if (auto error = write_whole(path, lab_record_html(record, strings, lab.preferences.language))) return error;
-    lab.document.lesson->view.written = path.string();
+    lab.document.lesson->attempt.work.written = path.string();
     say(lab, {NoticeKind::done, "notice.lab_record", path.string()});
     return std::nullopt;
 }
@@ -93,18 +95,18 @@ std::optional<Error> write_lab_record(Lab& lab, const std::string& student, cons
 
 HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
     const Lesson& lesson = *lab.document.lesson;
-    const LessonView& view = lesson.view;
+    const Attempt& attempt = lesson.attempt;
     HandIn hand_in{.student = student, .exercise = lesson.exercise->id, .written = utc_text(at)};
-    hand_in.prediction = view.prediction + 1;
-    hand_in.runs = view.runs;
-    const ExerciseProgress* known = find_progress(lab.students.student(), view.key);
-    hand_in.hints = std::max(view.hints_shown, known ? known->hints : 0);  // of earlier attempts, too
-    hand_in.solution_shown = view.solution_shown || (known && known->shown);
-    if (view.grade) {
-        hand_in.graded_starts = static_cast<int>(view.grade->starts.size());
-        hand_in.passed_starts = view.grade->count;
+    hand_in.prediction = attempt.answers.prediction + 1;
+    hand_in.runs = attempt.work.runs;
+    const ExerciseProgress* known = find_progress(lab.students.student(), lesson.key);
+    hand_in.hints = std::max(attempt.answers.hints_shown, known ? known->hints : 0);  // of earlier attempts, too
+    hand_in.solution_shown = attempt.work.solution_shown || (known && known->shown);
+    if (const Grade* grade = grade_of(lesson)) {
+        hand_in.graded_starts = static_cast<int>(grade->starts.size());
+        hand_in.passed_starts = grade->count;
     }
-    hand_in.notes = view.notes;
+    hand_in.notes = attempt.notes;
     hand_in.submission = submission_of(*lesson.exercise, lab.document.session.snapshot());
     return hand_in;
 }

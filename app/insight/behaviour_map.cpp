@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/course/lesson_view.h"
 #include "app/lab.h"
 #include "app/lab_selection.h"
 #include "core/scene/scene_number.h"
@@ -88,8 +89,10 @@ void clear_axes(MapSubject& subject, const Snapshot& now, const VehicleView& veh
     }
 }
 
-insight::ValueSubject subject_of(const Lab& lab, const LabView& view, const VehicleView& vehicle) {
-    return {lab.document.session.snapshot(), vehicle, target_of(view, vehicle), shown_pair(view, vehicle)};
+insight::ValueSubject subject_of(const Lab& lab, const VehicleView& vehicle) {
+    const Snapshot& now = lab.document.session.snapshot();
+    const Selection& selection = lab.view.selection;
+    return {now, vehicle, target_of(selection, vehicle), chosen_pair(kind_of(now, vehicle), selection.pair)};
 }
 
 MapChoice usual(const AxisValue& value) { return {value.id, value.from, value.to}; }
@@ -146,14 +149,14 @@ void begin_map(BehaviourMap& map, MapSubject subject, const Scene& scene) {
 }
 
 // Compares the scene only after an edit or another choice.
-void follow_subject(Lab& lab, const LabView& view, const VehicleView& vehicle) {
+void follow_subject(Lab& lab, const VehicleView& vehicle) {
     BehaviourMap& map = lab.map;
-    const std::string scope = std::to_string(view.settings.selection.whole_kind) + view.settings.selection.pair;
+    const std::string scope = std::to_string(lab.view.selection.whole_kind) + lab.view.selection.pair;
     if (map.subject && map.edits == lab.document.edits && map.compared_run == lab.document.run_id &&
         map.compared_vehicle == vehicle.id && map.compared_scope == scope && map.compared_x == map.x &&
         map.compared_y == map.y && map.compared_seeds == map.seeds && map.subject->seed == lab.document.session.seed())
         return;
-    const insight::ValueSubject values = subject_of(lab, view, vehicle);
+    const insight::ValueSubject values = subject_of(lab, vehicle);
     const std::vector<AxisValue> offered = axis_values(values);
     keep_axes(map, offered, map.compared_run != lab.document.run_id);
     Scene scene = lab.document.session.edited_scene();
@@ -230,12 +233,16 @@ void set_range(MapChoice& axis, const MapRange& range, const std::vector<AxisVal
 
 }  // namespace
 
+bool can_show_map(const Lab& lab, const VehicleView& vehicle) {
+    const Disclosure may = disclosure_of(lab);
+    return may.other_brains && shows_driving_brain(lab, may, vehicle);
+}
+
 void update_map(Lab& lab, Jobs& jobs) {
     BehaviourMap& map = lab.map;
     const VehicleView* vehicle = selected_vehicle(lab);
-    const LabView view = view_of(lab);
-    if (!lab.view.map || !vehicle || lab.together || !can_show_map(view, *vehicle)) return forget_map(map);
-    follow_subject(lab, view, *vehicle);
+    if (!lab.view.map || !vehicle || lab.together || !can_show_map(lab, *vehicle)) return forget_map(map);
+    follow_subject(lab, *vehicle);
     take_cells(map);
     submit_cells(map, jobs);
     follow_path(map, jobs);
@@ -247,7 +254,7 @@ void choose_map(Lab& lab, const MapRequest& wanted) {
     if (wanted.seeds) map.seeds = std::clamp(*wanted.seeds, 1, insight::limits::map_seeds);
     const VehicleView* vehicle = selected_vehicle(lab);
     if (!vehicle) return;
-    const std::vector<AxisValue> values = axis_values(subject_of(lab, view_of(lab), *vehicle));
+    const std::vector<AxisValue> values = axis_values(subject_of(lab, *vehicle));
     if (wanted.x) exchange_axes(map.x, map.y, *wanted.x, values);
     if (wanted.y) exchange_axes(map.y, map.x, *wanted.y, values);
     if (wanted.x_range) set_range(map.x, *wanted.x_range, values);
@@ -256,10 +263,10 @@ void choose_map(Lab& lab, const MapRequest& wanted) {
 
 bool is_computing(const BehaviourMap& map) { return !map.jobs.empty() || map.path_job; }
 
-std::optional<MapView> map_of(const Lab& lab, const LabView& view) {
+std::optional<MapView> map_of(const Lab& lab) {
     const BehaviourMap& map = lab.map;
     const VehicleView* vehicle = selected_vehicle(lab);
-    if (!lab.view.map || !map.base || !vehicle || lab.together || !can_show_map(view, *vehicle)) return std::nullopt;
+    if (!lab.view.map || !map.base || !vehicle || lab.together || !can_show_map(lab, *vehicle)) return std::nullopt;
     MapView shown{.cells = &map.cells,
                   .x = map.subject->x,
                   .y = map.subject->y,

@@ -61,6 +61,10 @@ struct BehaviourMap {
     insight::Path path{};  // empty: not known yet
 };
 
+// True if the map may show what other brains of this vehicle would do: its brain drives and is shown, and no exercise
+// asks for one of these brains.
+bool can_show_map(const Lab&, const VehicleView&);
+
 // Call once per turn, after Jobs::deliver. A change of the scene or the choice begins the map anew.
 void update_map(Lab&, Jobs&);
 
@@ -70,6 +74,6 @@ void choose_map(Lab&, const MapRequest&);
 bool is_computing(const BehaviourMap&);
 
 // nullopt: not shown, or it may not be shown now. Points into the lab.
-std::optional<MapView> map_of(const Lab&, const LabView&);
+std::optional<MapView> map_of(const Lab&);
 
 }  // namespace braitenlab

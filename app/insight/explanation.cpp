@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/course/lesson_view.h"
 #include "app/lab.h"
 #include "app/lab_selection.h"
 
@@ -70,9 +71,11 @@ void explain_at(Lab& lab, std::uint64_t tick) {
     update_explanation(lab);
 }
 
-const insight::Why* explanation_of(const Lab& lab, const LabView& view) {
-    if (!lab.explanation.why || lab.together || !can_tell_why(view)) return nullptr;
-    if (lab.explanation.why->vehicle != view.settings.selection.vehicle) return nullptr;
+const insight::Why* explanation_of(const Lab& lab) {
+    const VehicleView* vehicle = selected_vehicle(lab);
+    if (!lab.explanation.why || lab.together || !vehicle || lab.explanation.why->vehicle != vehicle->id) return nullptr;
+    const Disclosure may = disclosure_of(lab);
+    if (!may.why || !shows_driving_brain(lab, may, *vehicle)) return nullptr;
     return &*lab.explanation.why;
 }
 

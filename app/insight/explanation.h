@@ -33,6 +33,6 @@ void update_explanation(Lab&);
 void explain_at(Lab&, std::uint64_t tick);
 
 // null: not shown, or the vehicle's brain may not be shown, or it does not drive.
-const insight::Why* explanation_of(const Lab&, const LabView&);
+const insight::Why* explanation_of(const Lab&);
 
 }  // namespace braitenlab

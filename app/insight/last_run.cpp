@@ -86,19 +86,14 @@ void keep_run(Lab& lab, LeftRun ended, const std::map<VehicleId, VehicleId>& new
 namespace {
 
 LessonBefore lesson_before(const Lesson& lesson) {
-    return {lesson.view, lesson.graded, lesson.selecting ? lesson.selecting->parents : std::vector<Parent>{}};
+    return {lesson.attempt.work, lesson.standing, lesson.graded,
+            lesson.selecting ? lesson.selecting->parents : std::vector<Parent>{}};
 }
 
-// The prediction, the hints and the notes stay as they are now.
 void give_back(Lesson& lesson, LessonBefore before, std::uint64_t seed) {
-    LessonView& now = lesson.view;
-    LessonView& view = before.view;
-    view.prediction = now.prediction, view.drawn_path = std::move(now.drawn_path);
-    view.hints_shown = now.hints_shown, view.hint_ready = now.hint_ready;
-    view.notes = std::move(now.notes), view.shipped_grade = std::move(now.shipped_grade);
-    view.starts_tested.reset(), view.selection.reset();
-    view.together = false;
-    now = std::move(view);
+    lesson.attempt.work = std::move(before.work);
+    lesson.standing = before.standing;
+    lesson.standing.starts_tested.reset();
     lesson.graded = std::move(before.graded);
     lesson.grading.reset();
     lesson.selecting.reset();

@@ -23,7 +23,8 @@ struct RunPaths {
 
 // What starting an exercise over forgets: what the runs have shown, the grade, and the generations of a selection.
 struct LessonBefore {
-    LessonView view;
+    Attempt::Work work;
+    Standing standing;
     std::optional<GradedSubmission> graded{};
     std::vector<Parent> parents{};  // empty: no selection has begun
 };

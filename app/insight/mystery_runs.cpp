@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/course/lesson_view.h"
 #include "app/lab.h"
 #include "app/lab_edits.h"
 #include "app/lab_selection.h"
@@ -29,20 +30,19 @@ private:
     insight::MysteryRun run_;
 };
 
-const VehicleView* first_hidden(const LabView& view) {
-    for (const VehicleView& each : view.now->vehicles)
-        if (is_brain_secret(view, each.kind)) return &each;
+const VehicleView* first_hidden(const Lab& lab) {
+    for (const VehicleView& each : shown_snapshot(lab).vehicles)
+        if (is_secret(lab, each.kind)) return &each;
     return nullptr;
 }
 
 // The selected vehicle, or the first one with a brain that is shown.
-const VehicleView* rebuilt_vehicle(const LabView& view) {
-    const auto is_meant = [&](const VehicleView& v) {
-        return v.driver == Driver::brain && !is_brain_secret(view, v.kind);
-    };
-    const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
+const VehicleView* rebuilt_vehicle(const Lab& lab) {
+    const Snapshot& now = shown_snapshot(lab);
+    const auto is_meant = [&](const VehicleView& v) { return v.driver == Driver::brain && !is_secret(lab, v.kind); };
+    const VehicleView* selected = find_vehicle(now, lab.view.selection.vehicle);
     if (selected && is_meant(*selected)) return selected;
-    for (const VehicleView& each : view.now->vehicles)
+    for (const VehicleView& each : now.vehicles)
         if (is_meant(each)) return &each;
     return nullptr;
 }
@@ -107,19 +107,19 @@ void ask_score(Lab& lab, const VehicleView& hidden, const VehicleView& rebuilt) 
 }  // namespace
 
 void handle_mystery(Lab& lab, const MysteryRequest& wanted) {
-    const LabView view = view_of(lab);
     const VehicleView* selected = selected_vehicle(lab);
-    const VehicleView* hidden = first_hidden(view);
-    const VehicleView* rebuilt = rebuilt_vehicle(view);
+    const VehicleView* hidden = first_hidden(lab);
+    const VehicleView* rebuilt = rebuilt_vehicle(lab);
+    const bool in_exercise = lab.document.lesson.has_value();
     switch (wanted.edit) {
         case MysteryEdit::hide:
-            if (selected && !hidden && !view.lesson) set_hidden(lab, *selected, true);
+            if (selected && !hidden && !in_exercise) set_hidden(lab, *selected, true);
             return;
         case MysteryEdit::reveal:
-            if (hidden && !view.lesson) set_hidden(lab, *hidden, false);
+            if (hidden && !in_exercise) set_hidden(lab, *hidden, false);
             return;
         case MysteryEdit::rebuild:
-            if (hidden && !view.lesson) add_rebuilt(lab, *hidden);
+            if (hidden && !in_exercise) add_rebuilt(lab, *hidden);
             return;
         case MysteryEdit::score:
             if (hidden && rebuilt) ask_score(lab, *hidden, *rebuilt);
@@ -150,10 +150,10 @@ void update_mystery(Lab& lab, Jobs& jobs) {
 
 bool is_computing(const MysteryRuns& runs) { return runs.begins || runs.job; }
 
-MysteryView mystery_of(const Lab& lab, const LabView& view) {
+MysteryView mystery_of(const Lab& lab) {
     MysteryView shown;
-    if (const VehicleView* hidden = first_hidden(view)) shown.hidden = hidden->id;
-    if (const VehicleView* rebuilt = rebuilt_vehicle(view)) shown.rebuilt = rebuilt->id;
+    if (const VehicleView* hidden = first_hidden(lab)) shown.hidden = hidden->id;
+    if (const VehicleView* rebuilt = rebuilt_vehicle(lab)) shown.rebuilt = rebuilt->id;
     const MysteryRuns& runs = lab.mystery;
     if (runs.run != lab.document.run_id) return shown;
     shown.is_computing = is_computing(runs);

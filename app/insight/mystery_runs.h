@@ -32,6 +32,6 @@ void update_mystery(Lab&, Jobs&);
 bool is_computing(const MysteryRuns&);
 
 // Points into the lab.
-MysteryView mystery_of(const Lab&, const LabView&);
+MysteryView mystery_of(const Lab&);
 
 }  // namespace braitenlab

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/course/lesson_view.h"
 #include "app/lab.h"
 #include "app/lab_selection.h"
 
@@ -167,11 +168,10 @@ void note_press(Lab& lab, bool down, std::uint64_t keys) {
 
 void update_predictions(Lab& lab, Jobs& jobs) {
     Predictions& p = lab.predictions;
-    const LabView view = view_of(lab);
     const PredictionSubject now = subject_of(lab);
     const VehicleView* vehicle = selected_vehicle(lab);
     const bool is_on =
-        lab.view.overlays.prediction > 0 && may_show_future(view) && !lab.together && vehicle && !lab.sheet_open;
+        lab.view.overlays.prediction > 0 && disclosure_of(lab).future && !lab.together && vehicle && !lab.sheet_open;
     if (!is_on) {
         p.at_press.reset();
         return forget_paths(p);

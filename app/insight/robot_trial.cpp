@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/course/lesson_view.h"
 #include "app/lab.h"
 #include "app/lab_selection.h"
 
@@ -39,8 +40,6 @@ const VehicleView* tried_vehicle(const Lab& lab) {
     }
     return vehicle && vehicle->driver == Driver::brain ? vehicle : nullptr;
 }
-
-bool may_try(const LabView& view) { return may_show_future(view) && !hides_outcome(view); }
 
 RobotsQuestion question_of(const Lab& lab, const VehicleView& vehicle) {
     const Document& document = lab.document;
@@ -91,7 +90,7 @@ bool is_replay(const Lab& lab) { return lab.together && lab.together->robot; }
 void update_robots(Lab& lab, Jobs& jobs) {
     RobotTrial& trial = lab.robots;
     const VehicleView* vehicle = tried_vehicle(lab);
-    if (!lab.view.reality || !vehicle || !may_try(view_of(lab))) {
+    if (!lab.view.reality || !vehicle || !disclosure_of(lab).robots) {
         if (is_replay(lab)) end_together(lab);
         return forget_trial(trial);
     }
@@ -128,10 +127,10 @@ void restart_replay(Lab& lab) {
 
 bool is_computing(const RobotTrial& trial) { return trial.job.active(); }
 
-std::optional<RobotsView> robots_of(const Lab& lab, const LabView& view) {
+std::optional<RobotsView> robots_of(const Lab& lab) {
     const RobotTrial& trial = lab.robots;
     const VehicleView* vehicle = tried_vehicle(lab);
-    if (!lab.view.reality || !vehicle || !may_try(view)) return std::nullopt;
+    if (!lab.view.reality || !vehicle || !disclosure_of(lab).robots) return std::nullopt;
     const Snapshot& now = lab.document.session.snapshot();
     const int kind = vehicle->kind;
     const Kind& of_vehicle = now.scene->kinds[static_cast<std::size_t>(kind)];

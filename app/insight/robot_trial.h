@@ -45,6 +45,6 @@ void restart_replay(Lab&);
 bool is_computing(const RobotTrial&);
 
 // nullopt: not shown, or it may not be shown now. Points into the lab.
-std::optional<RobotsView> robots_of(const Lab&, const LabView&);
+std::optional<RobotsView> robots_of(const Lab&);
 
 }  // namespace braitenlab

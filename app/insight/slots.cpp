@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/course/lab_lesson.h"
+#include "app/course/lesson_view.h"
 #include "app/course/reference_runs.h"
 #include "app/lab.h"
 #include "app/lab_edits.h"
@@ -34,10 +35,15 @@ private:
     insight::DesignRun run_;
 };
 
+std::string_view why_no_slots(const Lab& lab) {
+    const VehicleView* vehicle = find_vehicle(shown_snapshot(lab), lab.view.selection.vehicle);
+    return why_no_slots(vehicle, vehicle && shows_driving_brain(lab, disclosure_of(lab), *vehicle));
+}
+
 // The selected vehicle, or null after a message if its brain may not be stored or replaced.
 const VehicleView* vehicle_for_slots(Lab& lab) {
     const VehicleView* vehicle = selected_vehicle(lab);
-    const std::string_view why = why_no_slots(view_of(lab));
+    const std::string_view why = why_no_slots(lab);
     if (why.empty()) return vehicle;
     say(lab, {NoticeKind::failure, std::string(why)});
     return nullptr;
@@ -65,7 +71,7 @@ bool put(Lab& lab, std::size_t slot) {
     const VehicleView vehicle = *selected_vehicle(lab);
     const std::uint64_t gesture = gestures::lab + ++lab.gesture;
     for (const Command& command : insight::commands_for(*lab.slots.stored[slot], lab.document.session.snapshot(),
-                                                        vehicle, target_of(view_of(lab), vehicle)))
+                                                        vehicle, target_of(lab.view.selection, vehicle)))
         if (!apply(lab, command, gesture)) return false;
     lab.slots.current = slot;
     return true;
@@ -110,7 +116,8 @@ void handle_slot(Lab& lab, const SlotRequest& wanted) {
 }
 
 void compare_slots(Lab& lab) {
-    const std::string_view why = why_no_comparison(view_of(lab));
+    std::string_view why = why_no_slots(lab);
+    if (why.empty()) why = why_no_comparison(lab.slots.stored[0] && lab.slots.stored[1], disclosure_of(lab));
     if (!why.empty()) return say(lab, {NoticeKind::failure, std::string(why)});
     reset(lab);
     const VehicleView* vehicle = selected_vehicle(lab);
@@ -119,7 +126,7 @@ void compare_slots(Lab& lab) {
                   .seed = lab.document.session.seed(),
                   .vehicle = vehicle->id,
                   .question = {lab.document.session.bookmark().checkpoint, vehicle->id,
-                               target_of(view_of(lab), *vehicle), ticks_to_compare(lab)},
+                               target_of(lab.view.selection, *vehicle), ticks_to_compare(lab)},
                   .designs = {*lab.slots.stored[0], *lab.slots.stored[1]}};
     if (!put(lab, 0)) return;
     runs.edits = lab.document.edits;
@@ -147,7 +154,7 @@ void update_slots(Lab& lab, Jobs& jobs) {
 
 bool is_computing(const Slots& slots) { return slots.runs && slots.runs->runs.empty(); }
 
-SlotsView slots_of(const Lab& lab, const LabView& view) {
+SlotsView slots_of(const Lab& lab) {
     SlotsView shown;
     const Slots& slots = lab.slots;
     const VehicleView* vehicle = selected_vehicle(lab);
@@ -158,7 +165,7 @@ SlotsView slots_of(const Lab& lab, const LabView& view) {
         shown.slots[i].character = slots.characters[i];
         shown.slots[i].is_in_vehicle = vehicle && has(lab, *vehicle, i);
     }
-    if (!slots.runs || slots.runs->run != lab.document.run_id || !may_show_future(view)) return shown;
+    if (!slots.runs || slots.runs->run != lab.document.run_id || !disclosure_of(lab).future) return shown;
     const SlotRuns& runs = *slots.runs;
     shown.seconds = static_cast<float>(runs.question.ticks) / 60;
     shown.is_computing = runs.runs.empty();

@@ -56,6 +56,6 @@ void update_slots(Lab&, Jobs&);
 bool is_computing(const Slots&);
 
 // Points into the lab.
-SlotsView slots_of(const Lab&, const LabView&);
+SlotsView slots_of(const Lab&);
 
 }  // namespace braitenlab

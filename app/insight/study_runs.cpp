@@ -115,10 +115,12 @@ void build_study(Lab& lab, insight::Study wanted) {
     StudyRuns& study = lab.study;
     forget_study(study);
     const VehicleView* vehicle = selected_vehicle(lab);
-    const LabView view = view_of(lab);
     Scene scene = lab.document.session.edited_scene();
     if (vehicle) {
-        const insight::ValueSubject subject{*view.now, *vehicle, target_of(view, *vehicle), shown_pair(view, *vehicle)};
+        const Snapshot& now = lab.document.session.snapshot();
+        const Selection& selection = lab.view.selection;
+        const insight::ValueSubject subject{now, *vehicle, target_of(selection, *vehicle),
+                                            chosen_pair(kind_of(now, *vehicle), selection.pair)};
         if (has_path_with(wanted, ".sensor.")) place_sensors(scene, subject);
         if (has_path_with(wanted, ".brain.")) place_brain(scene, subject);
     }

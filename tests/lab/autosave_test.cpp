@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lesson.h"
+#include "app/course/lesson_view.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
 #include "app/lab_requests.h"
@@ -320,9 +321,9 @@ TEST_F(AutosaveTest, RestoresTheProgressOfAnExercise) {
     const auto recovered = Autosave(folder.path, complaints).recover();
     ASSERT_TRUE(recovered) << recovered.error().text();
     ASSERT_TRUE(recovered->lesson);
-    EXPECT_EQ(recovered->lesson->view.prediction, 2);
-    EXPECT_EQ(recovered->lesson->view.hints_shown, 1);
-    EXPECT_TRUE(recovered->lesson->view.has_run);
+    EXPECT_EQ(recovered->lesson->attempt.answers.prediction, 2);
+    EXPECT_EQ(recovered->lesson->attempt.answers.hints_shown, 1);
+    EXPECT_TRUE(recovered->lesson->attempt.work.has_run);
     EXPECT_EQ(dials(*recovered).LR, 1.75f);
     EXPECT_EQ(read_dials(recovered->lesson->exercise->scene.kinds[0].brain).LR, 0)
         << "reset still restores the shipped brain";
@@ -331,7 +332,7 @@ TEST_F(AutosaveTest, RestoresTheProgressOfAnExercise) {
 TEST_F(AutosaveTest, TheRefereeOfARecoveredExerciseContinuesAsIfTheLabHadNotCrashed) {
     lab = open("05-aggressor");
     handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
-    while (!lab.document.lesson->view.verdicts[0].done) tick(lab);
+    while (!lesson_view_of(lab).verdicts[0].done) tick(lab);
     const std::uint64_t done_at = lab.document.session.snapshot().tick;
     while (lab.document.session.keyframe_before(lab.document.session.snapshot().tick) < done_at) tick(lab);
     for (int i = 0; i < 20; ++i) tick(lab);
@@ -342,7 +343,7 @@ TEST_F(AutosaveTest, TheRefereeOfARecoveredExerciseContinuesAsIfTheLabHadNotCras
     Lab again = make_lab(std::move(recovered->document));
     const auto compare = [&](const char* when) {
         EXPECT_EQ(again.document.session.hash(), lab.document.session.hash()) << when;
-        const auto &ours = again.document.lesson->view.verdicts, &theirs = lab.document.lesson->view.verdicts;
+        const auto ours = lesson_view_of(again).verdicts, theirs = lesson_view_of(lab).verdicts;
         ASSERT_EQ(ours.size(), theirs.size()) << when;
         for (std::size_t i = 0; i < ours.size(); ++i) {
             EXPECT_EQ(ours[i].done, theirs[i].done) << when << ", step " << i;

@@ -51,11 +51,11 @@ TEST_P(CourseInTheLab, IsPassedThroughTheOfferedControlsAlone) {
     for (int i = 0; i < 60 * static_cast<int>(exercise.seconds) && !referee_of(lab.document).passed(); ++i) tick(lab);
     ASSERT_TRUE(referee_of(lab.document).passed());
     Jobs jobs(0);
-    const LessonView& view = lab.document.lesson->view;
-    for (int turn = 0; turn < 100000 && !view.grade; ++turn) {
+    for (int turn = 0; turn < 100000 && !grade_of(*lab.document.lesson); ++turn) {
         update_grading(lab, jobs);
         jobs.deliver(1ms);
     }
+    const LessonView view = lesson_view_of(lab);
     ASSERT_TRUE(view.grade);
     EXPECT_TRUE(view.grade->good);
     EXPECT_FALSE(view.outside_offers || view.too_many_changes);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lesson.h"
+#include "app/course/lesson_view.h"
 #include "core/export/export.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
@@ -186,7 +187,7 @@ TEST_F(FileCommands, UndoOfABrainFromAFileInThePastRestoresTheDoneStepsOfAnExerc
     lab = open("05-aggressor");
     handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     for (int i = 0; i < 700; ++i) tick(lab);
-    const auto then = lab.document.lesson->view.verdicts;
+    const auto then = lesson_view_of(lab).verdicts;
     handle(lab, SeekRequest{20});
     ask(OpenRequest{"shy.toml"});
     for (int i = 0; i < 600; ++i)  // more than a keyframe holds
@@ -196,8 +197,8 @@ TEST_F(FileCommands, UndoOfABrainFromAFileInThePastRestoresTheDoneStepsOfAnExerc
     handle(lab, SeekRequest{700});
     ASSERT_EQ(lab.document.session.snapshot().tick, 700u);
     for (std::size_t i = 0; i < then.size(); ++i) {
-        EXPECT_EQ(lab.document.lesson->view.verdicts[i].done, then[i].done) << i;
-        EXPECT_EQ(lab.document.lesson->view.verdicts[i].measures, then[i].measures) << i;
+        EXPECT_EQ(lesson_view_of(lab).verdicts[i].done, then[i].done) << i;
+        EXPECT_EQ(lesson_view_of(lab).verdicts[i].measures, then[i].measures) << i;
     }
 }
 

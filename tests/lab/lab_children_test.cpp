@@ -17,7 +17,7 @@ struct Selected {
     Jobs jobs{0};
 
     Selected() { wait(); }
-    const SelectionView& view() const { return *lab.document.lesson->view.selection; }
+    SelectionView view() const { return *lesson_view_of(lab).selection; }
     BrainGraph brain() const { return *lab.document.session.snapshot().kind_brains[0]; }
     void wait() {
         update_children(lab, jobs);
@@ -29,7 +29,7 @@ struct Selected {
         wait();
     }
     int longest() const {
-        const auto& children = view().children;
+        const auto children = view().children;
         return static_cast<int>(
             std::max_element(children.begin(), children.end(),
                              [](const StartResult& a, const StartResult& b) { return a.seconds < b.seconds; }) -
@@ -151,7 +151,7 @@ TEST(LabChildren, AnExerciseWithoutSelectionHasNone) {
     Lab lab = opened_lab("05-aggressor");
     Jobs jobs(0);
     update_children(lab, jobs);
-    EXPECT_FALSE(lab.document.lesson->view.selection);
+    EXPECT_FALSE(lesson_view_of(lab).selection);
     handle(lab, ChooseChildRequest{0});
     handle(lab, EarlierGenerationRequest{});
     EXPECT_EQ(lab.document.session.undo_depth(), 0);
@@ -159,8 +159,7 @@ TEST(LabChildren, AnExerciseWithoutSelectionHasNone) {
 
 TEST(LabChildren, ChoosingTheLongestSurvivorPassesTheExercise) {
     Selected s;
-    const LessonView& lesson = s.lab.document.lesson->view;
-    while (s.view().generation < 12 && !(lesson.grade && lesson.grade->good)) {
+    while (s.view().generation < 12 && !has_passed(*s.lab.document.lesson)) {
         s.choose(s.longest());
         if (s.view().parent->seconds < 59) continue;
         for (int i = 0; i < 60 * 60 + 1; ++i) tick(s.lab);
@@ -168,9 +167,8 @@ TEST(LabChildren, ChoosingTheLongestSurvivorPassesTheExercise) {
         s.jobs.finish();
         update_grading(s.lab, s.jobs);
     }
-    ASSERT_TRUE(lesson.grade);
-    EXPECT_TRUE(lesson.grade->good);
-    EXPECT_FALSE(lesson.outside_offers);
+    EXPECT_TRUE(has_passed(*s.lab.document.lesson));
+    EXPECT_FALSE(lesson_view_of(s.lab).outside_offers);
 }
 
 TEST(LabChildren, AnotherStartShowsTheRunsFromThere) {

@@ -6,6 +6,7 @@
 #include "app/course/lab_lesson.h"
 #include "app/lab_edits.h"
 #include "app/lab_requests.h"
+#include "core/maths/random.h"
 #include "tests/lab/lesson_in_lab.h"
 
 namespace braitenlab::tests::lab_lesson_in_time_test {
@@ -13,11 +14,11 @@ namespace {
 
 std::vector<bool> done(const Lab& lab) {
     std::vector<bool> all;
-    for (const Verdict& verdict : lab.document.lesson->view.verdicts) all.push_back(verdict.done);
+    for (const Verdict& verdict : lesson_view_of(lab).verdicts) all.push_back(verdict.done);
     return all;
 }
 
-bool by_hand(const Lab& lab) { return lab.document.lesson->view.by_hand; }
+bool by_hand(const Lab& lab) { return lesson_view_of(lab).by_hand; }
 
 TEST(LabLesson, AnObstacleOrAVehicleAddedBeforeTheFirstTickMakesARunByHand) {
     for (const Command& help :
@@ -39,10 +40,10 @@ TEST(LabLesson, AnObstacleOrAVehicleAddedBeforeTheFirstTickMakesARunByHand) {
 TEST(LabLesson, TheRefereeGoesBackInTime) {
     Lab lab = solved_exercise();
     std::vector<std::vector<Verdict>> then;
-    for (int i = 0; i < 700; ++i) then.push_back(lab.document.lesson->view.verdicts), tick(lab);
+    for (int i = 0; i < 700; ++i) then.push_back(lesson_view_of(lab).verdicts), tick(lab);
     for (const std::uint64_t at : {650u, 600u, 599u, 301u, 300u, 299u, 2u, 699u}) {
         handle(lab, SeekRequest{at});
-        const auto& now = lab.document.lesson->view.verdicts;
+        const auto& now = lesson_view_of(lab).verdicts;
         for (std::size_t i = 0; i < now.size(); ++i) {
             EXPECT_EQ(now[i].done, then[at][i].done) << at;
             EXPECT_EQ(now[i].measures, then[at][i].measures) << at;
@@ -80,7 +81,7 @@ TEST(LabLesson, HelpInThePastIsDroppedWhenItsUndoRestoresTheFuture) {
         for (const int moves : {1, 600}) {        // 600: more commands than a keyframe holds
             Lab lab = solved_exercise();
             run(lab, 700);
-            const auto then = lab.document.lesson->view.verdicts;
+            const auto then = lesson_view_of(lab).verdicts;
             ASSERT_TRUE(then[0].done);
             handle(lab, SeekRequest{at});
             for (int i = 0; i < moves; ++i)
@@ -91,7 +92,7 @@ TEST(LabLesson, HelpInThePastIsDroppedWhenItsUndoRestoresTheFuture) {
             EXPECT_FALSE(by_hand(lab)) << moves << " moves at tick " << at;
             handle(lab, SeekRequest{700});
             for (std::size_t i = 0; i < then.size(); ++i) {
-                const Verdict& now = lab.document.lesson->view.verdicts[i];
+                const Verdict& now = lesson_view_of(lab).verdicts[i];
                 EXPECT_EQ(now.done, then[i].done) << moves << " moves at tick " << at << ", step " << i;
                 EXPECT_EQ(now.measures, then[i].measures) << moves << " moves at tick " << at << ", step " << i;
             }
@@ -106,13 +107,13 @@ TEST(LabLesson, AStepThatWasDoneStaysDoneAfterAnUndoThatMadeAKeyframe) {
         handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.001f * static_cast<float>(i)}, 7});
     handle(lab, Action::undo);
     ASSERT_EQ(lab.document.session.keyframe_before(310), 310u);
-    const auto then = lab.document.lesson->view.verdicts;
+    const auto then = lesson_view_of(lab).verdicts;
     ASSERT_TRUE(then[0].done);
     run(lab, 100);
     handle(lab, SeekRequest{310});
     for (std::size_t i = 0; i < then.size(); ++i) {
-        EXPECT_EQ(lab.document.lesson->view.verdicts[i].done, then[i].done) << i;
-        EXPECT_EQ(lab.document.lesson->view.verdicts[i].measures, then[i].measures) << i;
+        EXPECT_EQ(lesson_view_of(lab).verdicts[i].done, then[i].done) << i;
+        EXPECT_EQ(lesson_view_of(lab).verdicts[i].measures, then[i].measures) << i;
     }
 }
 
@@ -143,6 +144,38 @@ TEST(LabLesson, HelpWhoseCommandsMadeAKeyframeIsStillHelpAfterGoingBack) {
     }
     handle(lab, SeekRequest{99});
     EXPECT_FALSE(by_hand(lab));
+}
+
+// The lab tells the referee nothing: whatever it does with the session, the verdict is that of the recorded run.
+TEST(LabLesson, TheVerdictIsThatOfAStraightReplayWhateverTheLabDoes) {
+    int by_hand = 0, judged = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Lab lab = solved_exercise();
+        maths::Random chance{seed, 3};
+        const auto below = [&](std::uint64_t n) { return chance.next() % n; };
+        const auto lr = [&] { return chance.uniform(0, 2); };
+        for (int i = 0; i < 15; ++i) {
+            const std::uint64_t what = below(10);
+            if (what < 3) run(lab, static_cast<int>(below(200)));
+            if (what == 3) handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, lr()}, 7 + below(2)});
+            if (what == 4 && below(3) == 0) handle(lab, EditRequest{MoveSource{0, chance.uniform(-4, 4), 2}});
+            if (what == 5) handle(lab, below(2) == 0 ? Action::undo : Action::redo);
+            if (what == 6) handle(lab, SeekRequest{below(lab.document.session.latest() + 1)});
+            if (what == 7) handle(lab, below(2) == 0 ? Action::reset : Action::exercise_reset);
+            if (what == 8) handle(lab, Action::return_run);
+            if (what == 9) handle(lab, Action::step_back);
+            const Session& session = lab.document.session;
+            ASSERT_EQ(session.earliest(), 0u);
+            Referee straight(*lab.document.lesson->exercise);
+            session.replay(0, {[&](const Snapshot& now) { straight.watch(now); },
+                               [&](const Snapshot& now, const Command& command) { straight.watch(now, command); }});
+            ASSERT_EQ(write_referee_state(referee_of(lab.document).state()), write_referee_state(straight.state()))
+                << "seed " << seed << ", action " << i << ": " << what;
+            ++judged, by_hand += straight.by_hand();
+        }
+    }
+    EXPECT_GT(by_hand, judged / 20);
+    EXPECT_LT(by_hand, judged / 2);
 }
 
 }  // namespace

@@ -13,27 +13,27 @@ namespace {
 TEST(LabLesson, ChecksStepsLive) {
     Lab lab = aggressor();
     handle(lab, PredictRequest{1});
-    EXPECT_EQ(lab.document.lesson->view.prediction, 1);
+    EXPECT_EQ(lesson_view_of(lab).prediction, 1);
     handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     handle(lab, Action::play_pause);
     for (int i = 0; i < 60 * 20 && !referee_of(lab.document).passed(); ++i) tick(lab);
-    for (const Verdict& verdict : lab.document.lesson->view.verdicts) EXPECT_TRUE(verdict.done);
+    for (const Verdict& verdict : lesson_view_of(lab).verdicts) EXPECT_TRUE(verdict.done);
 }
 
 TEST(LabLesson, OffersAHintAfterARunOrHalfAMinute) {
     Lab lab = aggressor();
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.document.lesson->view.hints_shown, 1);
+    EXPECT_EQ(lesson_view_of(lab).hints_shown, 1);
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.document.lesson->view.hints_shown, 1);
+    EXPECT_EQ(lesson_view_of(lab).hints_shown, 1);
     advance(lab, 31);
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.document.lesson->view.hints_shown, 2);
+    EXPECT_EQ(lesson_view_of(lab).hints_shown, 2);
     handle(lab, Action::reset);
     handle(lab, Action::play_pause);
     tick(lab);
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.document.lesson->view.hints_shown, 3);
+    EXPECT_EQ(lesson_view_of(lab).hints_shown, 3);
 }
 
 TEST(LabLesson, ResetRestoresTheStartAndTheShippedBrain) {
@@ -156,7 +156,7 @@ TEST(LabLesson, ARunResetKeepsTheSensorsAndTheBodyOfTheStudentAndStartOverRestor
 }
 
 bool any_done(const Lab& lab) {
-    const auto& verdicts = lab.document.lesson->view.verdicts;
+    const auto& verdicts = lesson_view_of(lab).verdicts;
     return std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
@@ -171,21 +171,21 @@ TEST(LabLesson, DoesNotPassIfTheLampIsMovedToTheVehicle) {
             tick(lab);
         }
         EXPECT_FALSE(any_done(lab)) << before;
-        EXPECT_TRUE(lab.document.lesson->view.by_hand);
+        EXPECT_TRUE(lesson_view_of(lab).by_hand);
         handle(lab, Action::reset);
-        EXPECT_FALSE(lab.document.lesson->view.by_hand);
+        EXPECT_FALSE(lesson_view_of(lab).by_hand);
     }
 }
 
 TEST(LabLesson, CountsAgainOnceAMoveBeforeTheStartIsUndone) {
     Lab lab = aggressor();
     handle(lab, EditRequest{MoveSource{0, 1, 1}});
-    EXPECT_TRUE(lab.document.lesson->view.by_hand);
+    EXPECT_TRUE(lesson_view_of(lab).by_hand);
     handle(lab, Action::undo);
-    EXPECT_FALSE(lab.document.lesson->view.by_hand);
+    EXPECT_FALSE(lesson_view_of(lab).by_hand);
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
     tick(lab);
-    EXPECT_FALSE(lab.document.lesson->view.by_hand) << "the exercise requires a change of the brain";
+    EXPECT_FALSE(lesson_view_of(lab).by_hand) << "the exercise requires a change of the brain";
 }
 
 TEST(LabLesson, CountsBeforeADisturbanceAfterGoingBack) {
@@ -194,11 +194,11 @@ TEST(LabLesson, CountsBeforeADisturbanceAfterGoingBack) {
     handle(lab, EditRequest{MoveVehicle{lab.view.selection.vehicle, 0, 0, 0}});
     for (int i = 0; i < 100; ++i) tick(lab);
     handle(lab, SeekRequest{104});
-    EXPECT_TRUE(lab.document.lesson->view.by_hand);
+    EXPECT_TRUE(lesson_view_of(lab).by_hand);
     handle(lab, SeekRequest{50});
-    EXPECT_FALSE(lab.document.lesson->view.by_hand);
+    EXPECT_FALSE(lesson_view_of(lab).by_hand);
     handle(lab, SeekRequest{199});
-    EXPECT_TRUE(lab.document.lesson->view.by_hand);
+    EXPECT_TRUE(lesson_view_of(lab).by_hand);
 }
 
 TEST(LabLesson, ResetRestoresTheShippedBrainOfASingleVehicle) {

@@ -90,13 +90,13 @@ TEST(LabRequests, TellThatAnUndoIsRefused) {
 TEST(LabRequests, RestartAnExerciseAfterItsKindsChanged) {
     Lab lab = opened_lab("05-aggressor");
     handle(lab, EditRequest{AddKind{lab.document.session.snapshot().scene->kinds[0], 0}});
-    EXPECT_TRUE(lab.document.lesson->view.by_hand);
+    EXPECT_TRUE(lesson_view_of(lab).by_hand);
     handle(lab, Action::another_start);
-    EXPECT_FALSE(lab.document.lesson->view.by_hand) << "a reset restores the exercise's scene";
+    EXPECT_FALSE(lesson_view_of(lab).by_hand) << "a reset restores the exercise's scene";
     handle(lab, EditRequest{EditArena{Arena{.width = 12}}});
-    EXPECT_TRUE(lab.document.lesson->view.by_hand);
+    EXPECT_TRUE(lesson_view_of(lab).by_hand);
     handle(lab, Action::exercise_reset);
-    EXPECT_FALSE(lab.document.lesson->view.by_hand);
+    EXPECT_FALSE(lesson_view_of(lab).by_hand);
     const BrainGraph shipped = *lab.document.session.snapshot().kind_brains[0];
     handle(lab, EditRequest{AddKind{lab.document.session.snapshot().scene->kinds[0], 0}});
     handle(lab, EditRequest{TurnDial{{.kind = 1}, Dial::LL, 1.25f}});

@@ -153,12 +153,12 @@ TEST_F(ReturnToTheLastRun, GoesOnAsItWouldHaveAndHasTheOtherRunAsItsGhost) {
 TEST_F(ReturnToTheLastRun, BringsBackTheTicksOfAnExercise) {
     lab = solved_exercise();
     handle(lab, PredictRequest{0});
-    for (int i = 0; i < 1200 && !lab.document.lesson->view.verdicts.front().done; ++i) tick(lab);
-    ASSERT_TRUE(lab.document.lesson->view.verdicts.front().done);
+    for (int i = 0; i < 1200 && !lesson_view_of(lab).verdicts.front().done; ++i) tick(lab);
+    ASSERT_TRUE(lesson_view_of(lab).verdicts.front().done);
     handle(lab, Action::reset);
-    EXPECT_FALSE(lab.document.lesson->view.verdicts.front().done);
+    EXPECT_FALSE(lesson_view_of(lab).verdicts.front().done);
     handle(lab, Action::return_run);
-    EXPECT_TRUE(lab.document.lesson->view.verdicts.front().done);
+    EXPECT_TRUE(lesson_view_of(lab).verdicts.front().done);
 }
 
 TEST_F(LastRun, EndsWithTheDocument) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lesson.h"
+#include "app/course/lesson_view.h"
 #include "tests/lab/lab_files.h"
 
 namespace braitenlab::tests::leaving_test {
@@ -105,10 +106,10 @@ TEST_F(LeaveRequests, OpensTheNextExerciseWithoutAQuestionOnceThisOneIsPassed) {
     EXPECT_TRUE(files.leaving) << "not passed yet";
     ask(LeaveRequest{Leave::stay});
     Jobs jobs;
-    const auto grade_is_known = [&] { return lab.document.lesson->view.grade.has_value(); };
+    const auto grade_is_known = [&] { return lesson_view_of(lab).grade.has_value(); };
     for (int i = 0; i < 60 * 60 && !grade_is_known(); ++i) tick(lab), update_grading(lab, jobs), jobs.finish();
     ASSERT_TRUE(grade_is_known());
-    ASSERT_TRUE(lab.document.lesson->view.grade->good);
+    ASSERT_TRUE(lesson_view_of(lab).grade->good);
     ask(OpenRequest{next.path});
     EXPECT_TRUE(files.leaving) << "opened in another way";
     ask(LeaveRequest{Leave::stay});

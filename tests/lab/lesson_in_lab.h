@@ -28,11 +28,10 @@ inline Lab exercise_that_offers(std::vector<std::string> offers, int changes = 0
     exercise->offers = std::move(offers);
     exercise->changes = changes;
     lab.document.lesson->exercise = exercise;
-    lab.document.lesson->view.exercise = exercise.get();
     return lab;
 }
 
-inline const LessonView& lesson_of(const Lab& lab) { return lab.document.lesson->view; }
+inline LessonView lesson_of(const Lab& lab) { return lesson_view_of(lab); }
 
 inline void run(Lab& lab, int ticks) {
     for (int i = 0; i < ticks; ++i) tick(lab);

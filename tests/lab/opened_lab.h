@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/course/lesson_view.h"
 #include "app/files/data.h"
 #include "app/lab.h"
 #include "app/lab_requests.h"

@@ -155,7 +155,7 @@ TEST(Playback, RestoresTheRefereeAtEachTick) {
     std::vector<std::vector<bool>> done;
     const auto ticks_now = [&] {
         std::vector<bool> all;
-        for (const Verdict& verdict : lab.document.lesson->view.verdicts) all.push_back(verdict.done);
+        for (const Verdict& verdict : lesson_view_of(lab).verdicts) all.push_back(verdict.done);
         return all;
     };
     for (int i = 0; i < 600; ++i) done.push_back(ticks_now()), tick(lab);

@@ -18,7 +18,7 @@ struct ReferenceRuns : testing::Test {
     Jobs jobs{0};
     Lab lab = opened_lab("13-orbit");
 
-    const LessonView& lesson() const { return lab.document.lesson->view; }
+    LessonView lesson() const { return lesson_view_of(lab); }
     const Exercise& exercise() const { return *lab.document.lesson->exercise; }
     void let_jobs_end() { update_reference_runs(lab, jobs), jobs.finish(), update_reference_runs(lab, jobs); }
     void run(int ticks) {
@@ -106,7 +106,7 @@ TEST_F(ReferenceRuns, ADrawnPathIsComparedWithTheShippedRunOnceItsOutcomeIsKnown
     const std::vector<maths::vec2> right = positions(shipped.until(ticks), ticks + 1, 6);
     handle(lab, PredictPathRequest{right});
     EXPECT_EQ(lesson().drawn_path, right);
-    EXPECT_FALSE(is_prediction_open(lesson()) && hides_outcome(view_of(lab)));
+    EXPECT_TRUE(disclosure_of(lab).outcome);
     run(static_cast<int>(ticks) - 10);
     let_jobs_end();
     EXPECT_TRUE(lesson().real_path.empty()) << "the outcome is not known";
@@ -120,7 +120,7 @@ TEST_F(ReferenceRuns, ADrawnPathIsComparedWithTheShippedRunOnceItsOutcomeIsKnown
     handle(lab, Action::exercise_reset);
     EXPECT_EQ(lesson().drawn_path, right) << "Start over keeps the prediction";
     EXPECT_TRUE(lesson().real_path.empty()) << "but not what the run has shown";
-    EXPECT_TRUE(is_prediction_open(lesson()));
+    EXPECT_TRUE(disclosure_of(lab).open_prediction);
 }
 
 TEST_F(ReferenceRuns, APathIsDrawnAtTheStartOfARunOfAnExerciseThatAsksForOne) {
@@ -133,7 +133,7 @@ TEST_F(ReferenceRuns, APathIsDrawnAtTheStartOfARunOfAnExerciseThatAsksForOne) {
     EXPECT_EQ(lesson().drawn_path, path);
     Lab other = opened_lab("05-aggressor");
     handle(other, PredictPathRequest{path});
-    EXPECT_TRUE(other.document.lesson->view.drawn_path.empty());
+    EXPECT_TRUE(lesson_view_of(other).drawn_path.empty());
 }
 
 }  // namespace

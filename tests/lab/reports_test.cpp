@@ -47,7 +47,7 @@ TEST(Reports, AHandInHoldsWhatTheStudentHasDone) {
     handle(lab, Action::hint);
     handle(lab, Action::reset);
     tick(lab);
-    lab.document.lesson->view.notes = "note";
+    lab.document.lesson->attempt.notes = "note";
     request(lab, HandInRequest{"Ana López"}, documents.path);
     EXPECT_EQ(lab.notice.key, "notice.handed_in");
     const auto found = hand_ins(documents.path);

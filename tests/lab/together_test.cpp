@@ -30,7 +30,7 @@ TEST(Together, RunsEachStartAsItWasGraded) {
     for (int i = 0; i < 10 * path_ticks; ++i) tick(lab);
     const Snapshot& now = *view_of(lab).now;
     EXPECT_EQ(now.tick, 10u * path_ticks);
-    const Grade& grade = *lab.document.lesson->view.grade;
+    const Grade grade = *lesson_view_of(lab).grade;
     for (std::size_t i = 0; i < 10; ++i) {
         ASSERT_GT(grade.starts[i].path.size(), 10u);
         EXPECT_FLOAT_EQ(now.vehicles[i].x, grade.starts[i].path[10].x) << i;
@@ -67,10 +67,10 @@ TEST(Together, EndsWithTheExerciseAsItWasPassed) {
         handle(lab, last);
         update_grading(lab, jobs);
         EXPECT_FALSE(lab.together);
-        EXPECT_FALSE(lab.document.lesson->view.together);
+        EXPECT_FALSE(lesson_view_of(lab).together);
         EXPECT_EQ(lab.document.session.hash(), hash);
         EXPECT_EQ(lab.document.edits, edits);
-        EXPECT_TRUE(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good);
+        EXPECT_TRUE(lesson_view_of(lab).grade && lesson_view_of(lab).grade->good);
         EXPECT_EQ(lab.playback.mode, Mode::paused);
     }
 }

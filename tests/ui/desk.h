@@ -144,13 +144,34 @@ public:
         now = snapshot(0);
         lesson.exercise = &opened;
         lesson.verdicts.assign(opened.steps.size(), Verdict{false, {{0.83f, 0.6f, "m", true, true}}});
-        view.lesson = &lesson;
+        show_lesson();
+    }
+    void show_lesson() {
+        view.lesson = std::shared_ptr<const LessonView>(std::shared_ptr<void>(), &lesson);
+    }  // not owned
+
+    // What may be shown follows from the lesson, the page and what the lecture reveals.
+    void follow_disclosure() {
+        Known known{.brain_revealed = view.settings.revealed.brain,
+                    .character_revealed = view.settings.revealed.character};
+        if (view.lesson) {
+            known.predicted = has_predicted(lesson), known.outcome = lesson.outcome_known;
+            known.passed = lesson.grade && lesson.grade->good;
+            known.has_run = lesson.has_run, known.at_start = lesson.at_start, known.as_given = lesson.as_given;
+            known.free_play = lesson.free_play, known.together = lesson.together;
+        }
+        if (view.pages) {
+            known.page_asks = !view.pages->current().question.options.empty();
+            known.page_answers = view.pages->shows(PagePart::answer);
+        }
+        view.may = disclosure_of(view.lesson ? lesson.exercise : nullptr, known);
     }
 
     // Draws so many frames; `asked` then holds what the last one put into the outbox, `all` everything so far.
     void frame(int count = 1) {
         for (; count > 0; --count) {
             view.wall_seconds += 1.0 / 60;
+            follow_disclosure();
             asked.clear();
             anchors.begin();
             ui::Ui ui{strings, palette(view.theme), fonts_, scale_, anchors, asked, {}, 1};
@@ -172,6 +193,7 @@ public:
 
     // Draws only the hint bar, with this text, while the widget `prompted` pulses.
     void show_hint(std::string_view key, std::string_view prompted = {}) {
+        follow_disclosure();
         anchors.begin();
         ui::Ui ui{strings, palette(view.theme), fonts_, scale_, anchors, asked, {}, 1};
         ui.highlight = prompted;
@@ -210,7 +232,10 @@ public:
     }
     void rest() { frame(30); }  // long enough that two clicks are no double click
 
-    void key(KeyPress press) { ui::press_key(view, panels, press, all); }
+    void key(KeyPress press) {
+        follow_disclosure();
+        ui::press_key(view, panels, press, all);
+    }
     void type(const char* text) { ImGui::GetIO().AddInputCharactersUTF8(text); }
     // The number of a slider, typed.
     void type_into(const char* slider, const char* number) {

@@ -161,8 +161,10 @@ TEST_F(LectureHands, TheAnswerOfThePageTellsTheOutcomeOfItsExercise) {
     pages = opened_lecture("wheels-to-neurons");
     desk.open_exercise();
     show(5, 1);
+    desk.follow_disclosure();
     EXPECT_TRUE(hides_outcome(desk.view));
     show(5, 2);
+    desk.follow_disclosure();
     EXPECT_FALSE(hides_outcome(desk.view));
 }
 

@@ -28,7 +28,7 @@ TEST_F(LectureSliders, TheCardOfTheBrainIsShownWholeWithItsNamesApart) {
             desk.lesson.exercise = &*exercise;
             desk.lesson.verdicts.assign(exercise->steps.size(), Verdict{});
             desk.lesson.prediction = 0, desk.lesson.has_run = true;
-            desk.view.lesson = &desk.lesson;
+            desk.show_lesson();
             desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
             desk.panels.card(Card::brain).folded = false;
             show(page, static_cast<int>(shown.steps.size()));

@@ -92,29 +92,15 @@ TEST_F(PathPrediction, ArrowKeysDrawFromTheVehicleAndEnterMakesItThePrediction) 
 }
 
 TEST_F(PathPrediction, ADrawnPathIsAPrediction) {
+    desk.follow_disclosure();
     EXPECT_TRUE(hides_outcome(desk.view));
     desk.lesson.drawn_path = {{0, 0}, {1, 0}};
+    desk.follow_disclosure();
     EXPECT_FALSE(hides_outcome(desk.view));
-    EXPECT_TRUE(is_prediction_open(desk.lesson));
+    EXPECT_TRUE(desk.view.may.open_prediction);
     begin_run(desk);
-    EXPECT_FALSE(is_prediction_open(desk.lesson));
-}
-
-TEST_F(PathPrediction, TheComingSecondsAreShownOnceARunHasBegunUnlessThePredictionCanStillBeChanged) {
-    LessonView& lesson = desk.lesson;
-    EXPECT_FALSE(may_show_future(desk.view));
-    begin_run(desk);
-    EXPECT_FALSE(may_show_future(desk.view)) << "nothing is predicted";
-    lesson.prediction = 1;
-    EXPECT_TRUE(may_show_future(desk.view));
-    lesson.at_start = true;
-    EXPECT_FALSE(may_show_future(desk.view)) << "after a reset";
-    lesson.as_given = false;
-    EXPECT_TRUE(may_show_future(desk.view)) << "of a changed brain";
-    lesson.as_given = true, lesson.outcome_known = true;
-    EXPECT_TRUE(may_show_future(desk.view));
-    lesson.outcome_known = false, lesson.has_run = false, lesson.as_given = false;
-    EXPECT_FALSE(may_show_future(desk.view)) << "before the first run";
+    desk.follow_disclosure();
+    EXPECT_FALSE(desk.view.may.open_prediction);
 }
 
 TEST(PredictionPart, SaysWhetherTheChosenOptionCameTrueAndHowFarAPathIsOff) {

@@ -421,6 +421,7 @@ TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
         {{"sensors"}, "sensor"},  {{"selection"}, "child"}, {{}, "slider"}};
     for (const auto& [offered, what] : cases) {
         desk.opened.offers = offered;
+        desk.follow_disclosure();
         EXPECT_EQ(next_change(desk.view), "hint.change." + std::string(what));
     }
     desk.opened.offers = {"wiring"};
@@ -428,6 +429,7 @@ TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
     EXPECT_EQ(next_change(desk.view), "hint.change.slider") << "free play offers all";
     desk.lesson.free_play = false;
     desk.lesson.prediction = -1;
+    desk.follow_disclosure();
     EXPECT_EQ(next_change(desk.view), "hint.change.answer");
     for (const char* language : {"en", "de", "es"}) {
         desk.strings = speaking(language);

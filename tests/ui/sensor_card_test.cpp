@@ -341,7 +341,7 @@ TEST(SensorCard, RenamesASensorWithTheWiresThatReadIt) {
     ASSERT_EQ(notices().size(), 1u);
     EXPECT_EQ(notices()[0].key, "notice.bad_name");
     desk.lesson.exercise = &desk.opened;
-    desk.view.lesson = &desk.lesson;
+    desk.show_lesson();
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("sensor.SL.name")) << "hints of an exercise use the names";
 }

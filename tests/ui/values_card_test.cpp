@@ -181,7 +181,7 @@ TEST(ValuesCard, RenamesAndTintsASelectedVehicleWithAStart) {
     EXPECT_EQ(desk.last<EditStart>().to.colour, "#009e73");
     EXPECT_EQ(desk.last<EditStart>().start, 0);
     desk.lesson.exercise = &desk.opened;
-    desk.view.lesson = &desk.lesson;
+    desk.show_lesson();
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("vehicle.name")) << "the steps of an exercise use the names";
     EXPECT_TRUE(desk.anchors.find("vehicle.colour.3"));

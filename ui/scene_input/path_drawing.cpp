@@ -41,7 +41,7 @@ void finish(PathDrawing& drawing, Outbox& outbox) {
 }  // namespace
 
 const VehicleView* vehicle_to_draw_for(const LabView& view) {
-    if (!view.lesson || view.mode == Mode::wiring || !is_prediction_open(*view.lesson)) return nullptr;
+    if (!view.lesson || view.mode == Mode::wiring || !view.may.open_prediction) return nullptr;
     const Exercise& exercise = *view.lesson->exercise;
     const auto& starts = exercise.scene.starts;
     const auto start = std::find_if(starts.begin(), starts.end(), [&](const Start& each) {

@@ -355,7 +355,7 @@ void passed_mark(Ui& ui) {
 // True once title and reason may be read. While the prediction can be changed they would move the answers under the
 // pointer.
 bool shows_title(const LabView& view) {
-    const bool can_change = is_asked(view.lesson->exercise->prediction) && is_prediction_open(*view.lesson);
+    const bool can_change = is_asked(view.lesson->exercise->prediction) && view.may.open_prediction;
     return !hides_outcome(view) && (!can_change || view.pages);
 }
 

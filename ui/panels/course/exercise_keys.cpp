@@ -35,7 +35,7 @@ bool reaches_exercise(const LabView& view, const PanelState& state) {
 
 bool is_asked(const LabView& view, const PanelState& state) {
     if (!reaches_exercise(view, state)) return false;
-    return !view.lesson->exercise->prediction.options.empty() && is_prediction_open(*view.lesson);
+    return !view.lesson->exercise->prediction.options.empty() && view.may.open_prediction;
 }
 
 // True if Play waits for the prediction, unless it is skipped.

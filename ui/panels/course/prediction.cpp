@@ -170,7 +170,7 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     ExerciseRows& rows = state.exercise.rows;
     const float top = begin_row(rows);
     subheading(ui, ui.strings("exercise.predict"));
-    const bool can_choose = is_open && is_prediction_open(lesson);
+    const bool can_choose = is_open && view.may.open_prediction;
     if (!can_choose && ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
     if (can_choose) {
         open_prediction(view, state, ui);
