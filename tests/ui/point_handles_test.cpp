@@ -116,7 +116,7 @@ TEST_F(PointHandles, MoveACornerOfAnObstacleAndKeepTheOthersInOneGesture) {
     select(wedge);
     drag("handle.corner.3", {-2, 4});
     const EditObstacle edit = last<EditObstacle>();
-    EXPECT_EQ(edit.obstacle, 0);
+    EXPECT_EQ(edit.index, 0);
     EXPECT_EQ(edit.to.name, "wedge");
     EXPECT_EQ(edit.to.mass, 5);
     ASSERT_EQ(edit.to.corners.size(), 3u);

@@ -125,9 +125,9 @@ TEST_F(SceneInputEdits, FindsAPositionOnlyForAddedObjects) {
     EXPECT_GE(maths::distance(vec2{vehicle.at->x, vehicle.at->y}, vec2{-3, 2}), 2 * reach() - 1e-4f);
     EXPECT_EQ(vehicle.at->heading, 1);
     const auto lamp = std::get<AddSource>(with_room(now, AddSource{{.x = 8, .y = 1}}));
-    EXPECT_LT(lamp.source.x, 5);
+    EXPECT_LT(lamp.object.x, 5);
     const auto box = std::get<AddObstacle>(with_room(now, AddObstacle{{.x = 3.2f, .y = 0.2f}}));
-    EXPECT_GE(maths::distance(vec2{box.obstacle.x, box.obstacle.y}, vec2{3, 0}), 0.99f);
+    EXPECT_GE(maths::distance(vec2{box.object.x, box.object.y}, vec2{3, 0}), 0.99f);
     EXPECT_EQ(with_room(now, Command(AddVehicle{})), Command(AddVehicle{})) << "the world chooses a free position";
     const Command move = MoveVehicle{0, 3, 0, 0};
     EXPECT_EQ(with_room(now, move), move) << "a move keeps the position of the user";
