@@ -207,8 +207,7 @@ void Autosave::forget() {
 void Autosave::forget_work_on(const fs::path& saved) {
     if (folder_.empty()) return;
     for_each_leftover(folder_, [&](const fs::path& file) {
-        std::string nested;
-        const auto keys = read_keys(autosave_text(file), file.string(), nested);
+        const auto keys = read_keys(autosave_text(file), file.string());
         if (!keys || keys->path != absolute_path(saved)) return;
         if (leftover_ && leftover_->file == file) leftover_.reset();
         remove_with_lock(file);
