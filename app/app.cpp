@@ -98,7 +98,7 @@ bool App::turn() {
     if (ends()) return close(), false;
     handle_files();
     lab_.dragging = ui::drags_vehicle(panels_, lab_.view.selection.vehicle);
-    lab_.sheet_open = panels_.sheet != ui::Sheet::none || panels_.blank;
+    lab_.sheet_open = panels_.sheet != ui::Sheet::none || panels_.lecture.blank;
     let_time_pass(passed);
     follow_jobs();
     show_errors_of_start();

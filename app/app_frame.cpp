@@ -174,11 +174,11 @@ void App::frame(float passed) {
     facts_.menu = panels_.menu_bar.open;
     facts_.typed = typed_text(panels_);
     facts_.probes.assign(panels_.canvas.probes.begin(), panels_.canvas.probes.end());
-    facts_.strips = panels_.strips;
+    facts_.strips = panels_.charts.strips;
     window_.bind();
     held_back_ ? ImGui::EndFrame() : window_.end_frame();
     note_press(lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
-    lab_.predictions.what_if = panels_.what_if;
+    lab_.predictions.what_if = panels_.brain.what_if;
     lab_.map.hovered = panels_.map.hovered;
     lab_.robots.hovered = panels_.reality.hovered;
     handle_all(lab_, outbox_);
@@ -187,11 +187,11 @@ void App::frame(float passed) {
 
 void App::make_pictures() {
     makes_pictures_ = false;
-    if (panels_.sheet != ui::Sheet::files || panels_.files.saving) return;
+    if (panels_.sheet != ui::Sheet::files || panels_.sheets.files.saving) return;
     std::vector<std::string> files;
-    if (panels_.files.place == ui::FilesPlace::shipped)
+    if (panels_.sheets.files.place == ui::FilesPlace::shipped)
         files = files_by_turns(catalogue_);
-    else if (panels_.files.place == ui::FilesPlace::recent)
+    else if (panels_.sheets.files.place == ui::FilesPlace::recent)
         for (const RecentFile& file : settings_.state.recent) files.push_back(file.path);
     else
         for (const FileEntry& entry : files_.listing.entries)
