@@ -37,14 +37,14 @@ TEST(Sheets, HaveAnchorsOfTheirOwn) {
     for (const SheetTraits& row : sheets()) EXPECT_TRUE(anchors.insert(row.anchor).second) << row.anchor;
 }
 
-TEST(Sheets, ShowTheTermsBelowInALowWindowByPageDown) {
+TEST(Sheets, LeaveTheFirstTermAboveInALowWindowByPageDown) {
     Desk desk(1024, 420);
     desk.panels.sheet = Sheet::glossary;
     desk.frame(3);
-    ASSERT_FALSE(desk.anchors.find("glossary.weight"));
+    ASSERT_TRUE(desk.anchors.find("glossary.sensor"));
     desk.key({key::page_down});
     desk.frame(3);
-    EXPECT_TRUE(desk.anchors.find("glossary.weight"));
+    EXPECT_FALSE(desk.anchors.find("glossary.sensor"));
 }
 
 }  // namespace braitenlab::tests::sheets_test
