@@ -92,7 +92,7 @@ TEST(LabLesson, HelpInThePastIsDroppedWhenItsUndoRestoresTheFuture) {
             EXPECT_FALSE(by_hand(lab)) << moves << " moves at tick " << at;
             handle(lab, SeekRequest{700});
             for (std::size_t i = 0; i < then.size(); ++i) {
-                const Verdict& now = lesson_view_of(lab).verdicts[i];
+                const Verdict now = lesson_view_of(lab).verdicts[i];
                 EXPECT_EQ(now.done, then[i].done) << moves << " moves at tick " << at << ", step " << i;
                 EXPECT_EQ(now.measures, then[i].measures) << moves << " moves at tick " << at << ", step " << i;
             }

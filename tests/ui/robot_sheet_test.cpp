@@ -109,6 +109,7 @@ TEST_F(RobotSheet, NeedsAVehicleWhoseBrainIsShown) {
     desk.key({key::escape});
     EXPECT_EQ(why_unavailable(desk.view, desk.panels, Action::export_robot), "");
     desk.view.settings.revealed.brain = false;
+    desk.follow_disclosure();
     EXPECT_EQ(why_unavailable(desk.view, desk.panels, Action::export_robot), "wiring.hidden");
     desk.view.settings.selection.vehicle = no_vehicle;
     EXPECT_EQ(why_unavailable(desk.view, desk.panels, Action::export_robot), "unavailable.no_vehicle");
