@@ -234,8 +234,8 @@ void shadow_box(const Ui& ui, ImDrawList& draw, Rect r, Corner corner, Shadow lo
     const float radius = corner_radius(ui, r, corner), lowered = ui.px(2);
     const float reach = ui.px(look.step) * static_cast<float>(look.rings) + lowered + 1;
     // Only the rim is drawn, in four strips: below the box a software renderer would shade hidden pixels.
-    const float left = std::ceil(r.x + radius), right = std::floor(r.x + r.w - radius);
-    const float top = std::ceil(r.y + radius), bottom = std::floor(r.y + r.h - radius);
+    const float left = std::ceil(r.x + radius), right = std::max(left, std::floor(r.x + r.w - radius));
+    const float top = std::ceil(r.y + radius), bottom = std::max(top, std::floor(r.y + r.h - radius));
     const Rect outer{r.x - reach, r.y - reach, r.w + 2 * reach, r.h + 2 * reach};
     const float outer_right = outer.x + outer.w, outer_bottom = outer.y + outer.h;
     const std::array<Rect, 4> strips{{{outer.x, outer.y, outer.w, top - outer.y},
