@@ -95,7 +95,9 @@ TEST(LabProgress, UndoOfStartOverBringsThePassBack) {
 
 TEST(LabProgress, KeepsNothingOfAPageOfALecture) {
     Attempt attempt;
-    attempt.lab.pages.emplace();
+    auto lecture = std::make_shared<Lecture>();
+    lecture->pages.emplace_back();
+    attempt.lab.pages.emplace().lecture = lecture;
     handle(attempt.lab, PredictRequest{1});
     handle(attempt.lab, Action::hint);
     attempt.turn();
