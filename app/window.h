@@ -43,8 +43,8 @@ public:
     Rect area() const;
     // The size of the window in the system's units; in full screen, the size before it.
     std::pair<int, int> windowed_size() const;
-    // The position of its upper left corner on the desktop, in these units; in full screen, before it. nullopt if the system does not
-    // tell it.
+    // The position of its upper left corner on the desktop, in these units; in full screen, before it. nullopt if the
+    // system does not tell it.
     std::optional<std::pair<int, int>> windowed_place() const;
     // x, y, width and height of the free area of each display.
     std::vector<std::array<int, 4>> displays() const;

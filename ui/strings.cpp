@@ -134,7 +134,7 @@ Result<Strings> load_language(const std::filesystem::path& folder, std::string_v
     auto strings = Strings::load(file);
     if (!strings) return strings;
     const auto english = load_english(folder);
-    if (!english) return english;
+    if (!english) return english.error();
     strings->fall_back_on(*english);
     return strings;
 }

@@ -135,7 +135,8 @@ constexpr std::array<const char*, std::variant_size_v<Command::variant>> command
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {
     const bool known =
-        ((name == command_names[I] && (command = json.get<std::variant_alternative_t<I, Command::variant>>(), true)) || ...);
+        ((name == command_names[I] && (command = json.get<std::variant_alternative_t<I, Command::variant>>(), true)) ||
+         ...);
     if (!known) throw Json::other_error::create(501, "unknown command '" + name + "'", &json);
 }
 

@@ -43,8 +43,8 @@ public:
     // Copies the colours of the bound framebuffer into the stored picture.
     void store();
 
-    // Copies the stored picture into the bound framebuffer: colours only. Precondition: a buffer of it has been cleared in
-    // this frame. WebGL erases the canvas at the first clear or draw call of a frame, and a copy is neither.
+    // Copies the stored picture into the bound framebuffer: colours only. Precondition: a buffer of it has been cleared
+    // in this frame. WebGL erases the canvas at the first clear or draw call of a frame, and a copy is neither.
     void copy() const;
 
     // Discards the stored picture, for example after the shaders have changed.
