@@ -22,8 +22,8 @@ struct Known {
     bool character_revealed = true;  // by the lecture
 };
 
-// Each member is true if it may be shown or done now. Without an exercise and a lecture all but the second and the
-// fourth are.
+// Each member is true if it may be shown or done now. Without an exercise and a lecture all but open_prediction and
+// solution_run are.
 struct Disclosure {
     bool outcome = true;           // what the prediction asks for
     bool open_prediction = false;  // the prediction can be made or changed
