@@ -1,11 +1,14 @@
 #include "core/io/csv.h"
 
+#include <charconv>
 #include <cmath>
 #include <iterator>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "core/match.h"
+#include "core/utf8.h"
 
 namespace braitenlab::io {
 
@@ -20,6 +23,32 @@ void add_quoted(std::string& line, std::string_view text) {
     line += '"';
 }
 
+// A sign, digits and at most one point and one exponent: -0.25, +1e-3.
+bool is_plain_number(std::string_view text) {
+    if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+    if (text.empty() || (text[0] != '.' && (text[0] < '0' || text[0] > '9'))) return false;
+    double number = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return problem == std::errc() && end == text.data() + text.size();
+}
+
+// Blanks that a spreadsheet removes from the beginning of a cell.
+bool is_blank(char32_t code) {
+    return code == ' ' || code == 0xA0 || code == 0x1680 || (code >= 0x2000 && code <= 0x200F) || code == 0x2028 ||
+           code == 0x2029 || code == 0x202F || code == 0x205F || code == 0x2060 || code == 0x3000 || code == 0xFEFF;
+}
+
+bool begins_as_formula(std::string_view text) {
+    constexpr std::u32string_view dangerous = U"=+-@\uFF1D\uFF0B\uFF0D\uFF20";
+    while (!text.empty()) {
+        const CodePoint first = first_code_point(text);
+        if (first.code < 0x20 || (first.code >= 0x7F && first.code < 0xA0)) return true;
+        if (!is_blank(first.code)) return dangerous.find(first.code) != std::u32string_view::npos;
+        text.remove_prefix(first.size);
+    }
+    return false;
+}
+
 }  // namespace
 
 void add_csv_cell(std::string& line, const CsvValue& value) {
@@ -28,19 +57,17 @@ void add_csv_cell(std::string& line, const CsvValue& value) {
                      },
                      [&](std::int64_t number) { fmt::format_to(std::back_inserter(line), "{}", number); },
                      [&](std::string_view text) {
-                         if (text.find_first_of(",;\"\n\r") == std::string_view::npos)
-                             line += text;
+                         const std::string inert = spreadsheet_text(text);
+                         if (inert.find_first_of(",;\"\n\r\t") == std::string::npos)
+                             line += inert;
                          else
-                             add_quoted(line, text);
+                             add_quoted(line, inert);
                      }},
                value);
 }
 
 std::string spreadsheet_text(std::string_view text) {
-    constexpr std::string_view dangerous = "=+-@\t\r";
-    const std::size_t first = text.find_first_not_of(' ');
-    const bool is_formula = first != std::string_view::npos && dangerous.find(text[first]) != std::string_view::npos;
-    return (is_formula ? "'" : "") + std::string(text);
+    return (!is_plain_number(text) && begins_as_formula(text) ? "'" : "") + std::string(text);
 }
 
 std::string with_semicolons(std::string_view lines) {

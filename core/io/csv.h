@@ -13,14 +13,16 @@
 
 namespace braitenlab::io {
 
-// The value of a cell: a number (five decimals; NaN: an empty cell), a whole number, or a text, in quotes where it
-// contains a separator. The text is not copied.
+// The value of a cell: a number (five decimals; NaN: an empty cell), a whole number, or a text, which is made inert by
+// spreadsheet_text() and put in quotes where it contains a separator. The text is not copied.
 using CsvValue = std::variant<double, std::int64_t, std::string_view>;
 
 // Appends the text of a cell, without a separator.
 void add_csv_cell(std::string& line, const CsvValue&);
 
-// The text so that a spreadsheet does not take it as a formula: see OWASP, "CSV Injection". For texts that people type.
+// The text so that no spreadsheet takes it as a formula: an apostrophe precedes a text that begins with one of = + - @,
+// also in full width or after blanks, or with a control character. A number is returned as it is, and so is a text that
+// this function has returned. See OWASP, "CSV Injection". add_csv_cell() applies it to each text of a table.
 std::string spreadsheet_text(std::string_view);
 
 // The lines with semicolons between the cells, as a spreadsheet expects them where the decimal mark is a comma.

@@ -199,10 +199,8 @@ const std::vector<io::CsvColumn<ProgressRow>>& progress_columns() {
 std::string progress_csv(const std::vector<StudentProgress>& students) {
     std::string text = io::csv_header(progress_columns());
     for (const StudentProgress& student : students)
-        for (const auto& [id, progress] : student.exercises) {
-            const std::string name = io::spreadsheet_text(student.name), notes = io::spreadsheet_text(progress.notes);
-            io::add_csv_row(text, progress_columns(), ProgressRow{name, id, progress, notes});
-        }
+        for (const auto& [id, progress] : student.exercises)
+            io::add_csv_row(text, progress_columns(), ProgressRow{student.name, id, progress, progress.notes});
     return text;
 }
 

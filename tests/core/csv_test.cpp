@@ -39,6 +39,27 @@ TEST(Csv, SeparatesCellsByCommasAndEndsEachLine) {
     EXPECT_EQ(text, "count,length_m\n1,0.50000\n3,1.50000\n");
 }
 
+TEST(Csv, PutsAnApostropheBeforeATextThatASpreadsheetCalculates) {
+    using namespace std::string_view_literals;
+    for (const std::string_view text :
+         {"=1+1"sv,      "+cmd"sv,    "-1+cmd"sv,  "@SUM(A1)"sv, " =1"sv,      "\t=1"sv,     "\r=1"sv,
+          "\n=1"sv,      "\v=1"sv,    "\0=1"sv,    "\x7F=1"sv,   "\u0085=1"sv, "\u00A0=1"sv, "\uFEFF=1"sv,
+          "\u3000 =1"sv, "\uFF1D1"sv, "\uFF0B1"sv, "\uFF0D1"sv,  "\uFF20A"sv,  "-"sv,        "-1-1"sv}) {
+        SCOPED_TRACE(std::string(text));
+        const std::string inert = io::spreadsheet_text(text);
+        EXPECT_EQ(inert, "'" + std::string(text));
+        EXPECT_EQ(io::spreadsheet_text(inert), inert) << "once is enough";
+    }
+    EXPECT_EQ(cell(std::string_view("=1+1")), "'=1+1");
+    EXPECT_EQ(cell(std::string_view("=A1,B1")), "\"'=A1,B1\"");
+    EXPECT_EQ(cell(std::string_view("a\t=1")), "\"a\t=1\"") << "a tab separates cells, too";
+}
+
+TEST(Csv, LeavesNumbersAndHarmlessTextsAsTheyAre) {
+    for (const std::string_view text : {"", "a=b", "-2", "+0.25", "-1e-3", ".5", "LR-RL", "\u00E4=1", "'=1"})
+        EXPECT_EQ(io::spreadsheet_text(text), text);
+}
+
 TEST(Csv, SemicolonsReplaceTheCommasBetweenCellsOnly) {
     EXPECT_EQ(io::with_semicolons("a,\"b, \"\"c\"\", d\",e\n1,2,3\n"), "a;\"b, \"\"c\"\", d\";e\n1;2;3\n");
     std::string line;

@@ -160,6 +160,12 @@ TEST(StudyTable, ReadsItsOwnLinesAndNoOthers) {
         EXPECT_FALSE(insight::read_study_line(*base, 3, wrong)) << wrong;
 }
 
+TEST(StudyTable, HasNoFormulaAsTheNameOfAColumn) {
+    Study study;
+    study.values = {{"=HYPERLINK(\"x\")", "", {}, {}}};
+    EXPECT_EQ(insight::study_header(study), "run,seed,\"'=HYPERLINK(\"\"x\"\")\"\n");
+}
+
 TEST(StudyTable, HasTimesWithoutTheErrorOfSinglePrecision) {
     const char* bias =
         "name = \"bias\"\npaths = [\"kind.aggressor.brain.LM\", \"kind.aggressor.brain.RM\"]\nlevels = [0.2]\n";
