@@ -157,6 +157,8 @@ std::string soundness_text(const Exercise& exercise, const Soundness& found) {
     std::string text = fmt::format(
         "{}: as shipped {} of {} starts pass (none should), with its solution {} (all should): {}\n", exercise.id,
         found.shipped.count, exercise.starts, found.solution.count, found.sound ? "good" : "wrong");
+    // First: a lamp outside the arena is the cause of what fails below.
+    for (const Error& warning : found.warnings) text += fmt::format("  {}\n", warning_text(warning));
     for (const StartResult& start : found.shipped.starts)
         if (start.passed) text += fmt::format("  start {} passes as shipped\n", start.seed);
     text += failures_text(exercise, found.solution);
@@ -168,7 +170,6 @@ std::string soundness_text(const Exercise& exercise, const Soundness& found) {
         text += fmt::format("  the solution changes '{}', which the exercise does not offer\n", control);
     if (found.too_many_changes) text += fmt::format("  the solution changes more than {} controls\n", exercise.changes);
     if (found.prediction_fault) text += fmt::format("  {}\n", found.prediction_fault->text());
-    for (const Error& warning : found.warnings) text += fmt::format("  {}\n", warning_text(warning));
     return text;
 }
 

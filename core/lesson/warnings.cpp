@@ -187,6 +187,10 @@ void warn_of_prediction(const Exercise& exercise, const WarningPlaces& places, s
             found.push_back(
                 places.at(fmt::format("predict.shows.{}", i + 1),
                           message_of("check_without_option", asked.options[static_cast<std::size_t>(asked.answer)])));
+    for (std::size_t i = 0; i < asked.options.size(); ++i)
+        if (std::find(asked.options.begin(), asked.options.begin() + static_cast<std::ptrdiff_t>(i),
+                      asked.options[i]) != asked.options.begin() + static_cast<std::ptrdiff_t>(i))
+            found.push_back(places.at("predict.options", message_of("offered_twice", in_quotes(asked.options[i]))));
     if (asked.outcome.empty()) found.push_back(places.at("predict", message_of("no_outcome")));
 }
 

@@ -140,6 +140,11 @@ TEST(Warnings, AnAnswerThatNothingTests) {
                    "[[predict.shows]]", "answer =");
 }
 
+TEST(Warnings, TwoOptionsThatAreTheSame) {
+    expect_warning(replaced(sound, "\"To the lamp\"]", "\"To the lamp\", \"To the lamp\"]"),
+                   "'To the lamp' is offered twice", "options =");
+}
+
 TEST(Warnings, MoreThanFortyWordsBeforeTheFirstAction) {
     std::string words;
     for (int i = 0; i < 28; ++i) words += " word";
