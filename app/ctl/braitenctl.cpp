@@ -89,6 +89,14 @@ std::string measure_words() {
 constexpr const char* brain_file_help =
     "a brain, a scene, a saved run, a hand-in, or the name of a shipped scene or preset";
 
+// `also`: what else is in the language.
+void add_table(CLI::App& command, TableOptions& table, const std::string& also = "") {
+    command.add_flag("--excel", table.for_excel,
+                     "write the table as the Excel of --lang opens it: with a byte order mark, and with semicolons and "
+                     "decimal commas for de and es");
+    command.add_option("--lang", table.language, "language of --excel" + also + "; default: en")->type_name("CODE");
+}
+
 CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
     CLI::App* command = app.add_subcommand(
         "robustness", "run robots whose parts differ, and print how many do what the ideal robot does");
@@ -113,6 +121,7 @@ CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--threads", tried.threads, "threads; without it, one per processor")
         ->check(CLI::Range(1, 256));
+    add_table(*command, tried.table);
     command->add_flag("--json", tried.json, "print the robots as one JSON object");
     command->add_option("--csv", tried.csv, "write a row per robot; -: to standard output")->type_name("FILE");
     return command;
@@ -175,6 +184,7 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
         ->add_option("--csv", options.csv,
                      "write a row per run; -: to standard output; after an interruption the same command continues")
         ->type_name("FILE");
+    add_table(*command, options.table);
     command->add_flag("--json", options.json, "print medians, quartiles and paired differences as JSON");
     command->add_option("--threads", options.threads, "threads; without it, one per processor")
         ->check(CLI::Range(1, 256));
@@ -254,6 +264,7 @@ int command_line(int argc, char** argv) {
         ->delimiter(',')
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_table(*run_command, options.table);
     run_command->add_option("--threads", options.threads, "threads for several runs; without it, one per processor")
         ->check(CLI::Range(1, 256));
     run_command->add_flag("--hash", options.hash, "print the hash of the final state");
@@ -287,13 +298,9 @@ int command_line(int argc, char** argv) {
         ->required();
     add_choice(*grade_command, graded.choice);
     grade_command->add_option("--csv", graded.csv, "write the rows there instead of printing them")->type_name("FILE");
-    grade_command->add_flag("--excel", graded.for_excel,
-                            "write the rows as the Excel of --lang opens them: with a byte order mark, and with "
-                            "semicolons for de and es");
     grade_command->add_option("--html", graded.html, "write a page with summary, paths and feedback")
         ->type_name("FILE");
-    grade_command->add_option("--lang", graded.language, "language of the feedback and the page; default: en")
-        ->type_name("CODE");
+    add_table(*grade_command, graded.table, ", the feedback and the page");
     grade_command->add_option("--seed", graded.first_seed, "seed of the first start; default: 1");
 
     MapOptions mapped;
@@ -321,8 +328,7 @@ int command_line(int argc, char** argv) {
     map_command->add_option("--csv", mapped.csv, "write a row per cell; -: to standard output")->type_name("FILE");
     map_command->add_option("--svg", mapped.svg, "write a drawing with axes, legend and title")->type_name("FILE");
     map_command->add_option("--png", mapped.png, "write the cells alone as a picture")->type_name("FILE");
-    map_command->add_option("--lang", mapped.language, "language of the words in the drawing; default: en")
-        ->type_name("CODE");
+    add_table(*map_command, mapped.table, " and of the words in the drawing");
 
     RobustnessOptions tried;
     CLI::App* robustness_command = add_robustness(app, tried);

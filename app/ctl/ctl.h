@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/ctl/brain_of_file.h"
+#include "app/ctl/table_file.h"
 #include "core/result.h"
 #include "core/world/world.h"
 #include "ui/strings.h"
@@ -30,9 +31,6 @@ int interrupted();
 // format only, whatever its name is.
 std::optional<Error> ending_fault(std::string_view option, const std::string& file, std::string_view ending);
 
-// Of UTF-8. By it Excel knows the encoding of a table.
-inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 // The strings of a language of the program.
 Result<Strings> strings_of(const std::string& language);
 
@@ -45,6 +43,7 @@ struct RunOptions {
     std::string csv;                    // file of the table; "-": standard output; empty: none
     std::string save;                   // file; empty: none
     std::vector<std::string> columns;   // words of io::ColumnGroup: further columns of the CSV file
+    TableOptions table;
     bool json = false, hash = false;
 };
 int run(const RunOptions&);
@@ -61,7 +60,7 @@ struct MapOptions {
     int threads = 0;                    // 0: one per processor
     std::vector<std::string> settings;  // PATH=VALUE, for every run
     std::string csv, png, svg;          // files; "-" of the table: standard output; empty: none
-    std::string language = "en";        // of the words in the SVG file
+    TableOptions table;                 // its language is also that of the words in the SVG file
     bool json = false;
 };
 // Runs a map of behaviour and prints it as text or JSON, or writes it as a table or a picture.
@@ -104,7 +103,8 @@ int picture(const PictureOptions&);
 struct StudyOptions {
     std::string file;  // a study: path or bare name
     std::string csv;   // file of the table; "-": standard output; empty: none
-    int threads = 0;   // 0: one per processor
+    TableOptions table;
+    int threads = 0;  // 0: one per processor
     bool json = false;
 };
 // Runs a study and prints medians and quartiles as text or JSON, or the table. Interrupted with a file for the table,
@@ -122,6 +122,7 @@ struct RobustnessOptions {
     int threads = 0;                    // 0: one per processor
     std::vector<std::string> settings;  // PATH=VALUE, for a scene
     std::string csv;                    // file; "-": standard output; empty: none
+    TableOptions table;
     bool json = false;
 };
 // Runs a number of robots whose parts differ, and prints how many do what the ideal robot does.
@@ -164,8 +165,7 @@ struct ClassOptions {
     std::vector<std::string> files;  // hand-ins, brains, scenes, saved runs, and folders of these
     BrainChoice choice;              // of the brain in a scene or a saved run
     std::string csv, html;           // files to write; csv empty or "-": standard output, if there is no page either
-    std::string language = "en";     // of feedback and page
-    bool for_excel = false;          // see table_for_excel()
+    TableOptions table;              // its language is also that of feedback and page
     std::uint64_t first_seed = 1;
 };
 

@@ -1,13 +1,11 @@
 // braitenctl grade: grades brains against an exercise, one row each.
 #include <algorithm>
-#include <iostream>
 
 #include <fmt/format.h>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
 #include "app/ctl/table_file.h"
-#include "app/files/safe_file.h"
 #include "core/brain/recogniser.h"
 #include "core/io/csv.h"
 
@@ -84,11 +82,11 @@ int grade_all(const ClassOptions& options) {
         all_read = false;
         if (!csv.empty()) complain(file.found.error());
     }
-    if (options.for_excel) rows = table_for_excel(rows, options.language);
-    if (csv.empty() || csv == standard_output)
-        std::cout << rows;
-    else if (const auto error = write_whole(csv, rows))
-        return complain(*error);
+    const auto style = style_of(options.table);
+    if (!style) return complain(style.error());
+    TableFile table(csv.empty() ? std::string(standard_output) : csv, *style);
+    table.write(rows);
+    if (const auto error = table.close()) return complain(*error);
     return all_read ? exit_code::done : exit_code::bad_input;
 }
 

@@ -106,11 +106,12 @@ Result<Strings> words_for(const Exercise& exercise, const std::string& language)
 
 std::optional<Error> write_results(const ClassReport& report, const Strings& strings, const ClassOptions& options) {
     if (!options.html.empty())
-        if (auto error = write_whole(options.html, class_page(report, strings, options.language))) return error;
+        if (auto error = write_whole(options.html, class_page(report, strings, options.table.language))) return error;
     if (options.csv.empty() && !options.html.empty()) return std::nullopt;
-    TableFile table(options.csv.empty() ? std::string(standard_output) : options.csv);
-    const std::string rows = class_csv(report, strings);
-    table.write(options.for_excel ? table_for_excel(rows, options.language) : rows);
+    const auto style = style_of(options.table);
+    if (!style) return style.error();
+    TableFile table(options.csv.empty() ? std::string(standard_output) : options.csv, *style);
+    table.write(class_csv(report, strings));
     return table.close();
 }
 
@@ -134,7 +135,7 @@ int grade_class(const ClassOptions& options) {
     const auto exercise = find_exercise(options.exercise);
     if (!exercise) return complain(exercise.error());
     if (const auto error = missing_argument(options.files)) return complain(*error);
-    const auto strings = words_for(**exercise, options.language);
+    const auto strings = words_for(**exercise, options.table.language);
     if (!strings) return complain(strings.error());
     ClassReport report{*exercise, options.first_seed, {}};
     for (const fs::path& file : files_of(options.files))

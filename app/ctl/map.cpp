@@ -209,7 +209,9 @@ std::optional<Error> check_outputs(const MapOptions& options) {
 std::optional<Error> write_map(const MapOptions& options, const insight::MapQuestion& asked, const MapCells& cells,
                                MapMeasure measure, const Strings& strings) {
     if (!options.csv.empty()) {
-        TableFile table(options.csv);
+        const auto style = style_of(options.table);
+        if (!style) return style.error();
+        TableFile table(options.csv, *style);
         table.write(table_text(asked, cells));
         if (auto error = table.close()) return error;
     }
@@ -226,7 +228,7 @@ int map(const MapOptions& options) {
     if (const auto error = check_outputs(options)) return complain(*error);
     const auto measure = measure_named(options.measure);
     if (!measure) return complain(measure.error());
-    const auto strings = strings_of(options.language);
+    const auto strings = strings_of(options.table.language);
     if (!strings) return complain(strings.error());
     auto question = question_of(options);
     if (!question) return complain(question.error());

@@ -147,6 +147,8 @@ int robustness(const RobustnessOptions& options) {
     if (options.csv == standard_output && options.json)
         return complain(
             {"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"});
+    const auto style = style_of(options.table);
+    if (!style) return complain(style.error());
     auto tried = tried_scene(options);
     if (!tried) return complain(tried.error());
     const std::uint64_t seed = options.seed.value_or(tried->exercise ? tried->exercise->seed : 1);
@@ -168,7 +170,7 @@ int robustness(const RobustnessOptions& options) {
     const auto report = *job.take();
     if (!report) return complain(report.error());
     if (!options.csv.empty()) {
-        TableFile table(options.csv);
+        TableFile table(options.csv, *style);
         table.write(table_text(*report));
         if (const auto error = table.close()) return complain(*error);
     }

@@ -124,7 +124,8 @@ void print_state(const RunOptions& options, const Snapshot& now, std::uint64_t h
     if (!options.json && !options.hash) std::cout << report_text(now, hash);
 }
 
-int run_one(const RunOptions& options, const Sweep& single, const std::set<io::ColumnGroup>& groups) {
+int run_one(const RunOptions& options, const Sweep& single, const std::set<io::ColumnGroup>& groups,
+            const io::CsvStyle& style) {
     auto started = start(options, single);
     if (!started) return complain(started.error());
     World& world = started->world;
@@ -134,7 +135,7 @@ int run_one(const RunOptions& options, const Sweep& single, const std::set<io::C
         if (!simulate(world, options.seconds)) return interrupted();
     } else {
         const std::vector<io::VehicleColumn> columns = io::vehicle_columns(now, groups);
-        TableFile table(options.csv);
+        TableFile table(options.csv, style);
         table.write(io::csv_header(columns));
         if (!simulate(world, options.seconds, [&](const Snapshot& at) { table.write(table_rows(columns, at)); }))
             return interrupted();
@@ -166,7 +167,7 @@ Result<World> world_of(const SweepInput& input, std::size_t run) {
 // The cells before those of a vehicle: run, seed, values.
 std::string first_cells(const Sweep& sweep, std::size_t run) {
     std::string cells = fmt::format("{},{},", run + 1, sweep.first_seed + run % sweep.seeds);
-    for (const std::string& value : values_of(sweep, run / sweep.seeds)) {
+    for (const std::string& value : cells_of(sweep, run / sweep.seeds)) {
         io::add_csv_cell(cells, std::string_view(value));
         cells += ',';
     }
@@ -213,11 +214,12 @@ Result<SweepInput> prepare(const RunOptions& options, const Sweep& sweep, const 
 // of a vehicle table. Runs are numbered from 1; the seed varies fastest, then the last --set argument. The table does
 // not depend on RunOptions::threads. Every combination of values is checked before the first run. Returns the exit
 // code.
-int run_sweep(const RunOptions& options, const Sweep& sweep, const std::set<io::ColumnGroup>& groups) {
+int run_sweep(const RunOptions& options, const Sweep& sweep, const std::set<io::ColumnGroup>& groups,
+              const io::CsvStyle& style) {
     auto prepared = prepare(options, sweep, groups);
     if (!prepared) return complain(prepared.error());
     const auto input = std::make_shared<const SweepInput>(std::move(*prepared));
-    TableFile table(options.csv);
+    TableFile table(options.csv, style);
     table.write(header(*input));
     Jobs jobs(threads_for(options.threads));
     // The rows of one batch are in memory at a time.
@@ -246,6 +248,8 @@ int run(const RunOptions& options) {
     if (const auto error = check_options(options, *sweep)) return complain(*error);
     const auto groups = column_groups(options.columns);
     if (!groups) return complain(groups.error());
-    return sweep->is_sweep ? run_sweep(options, *sweep, *groups) : run_one(options, *sweep, *groups);
+    const auto style = style_of(options.table);
+    if (!style) return complain(style.error());
+    return sweep->is_sweep ? run_sweep(options, *sweep, *groups, *style) : run_one(options, *sweep, *groups, *style);
 }
 }  // namespace braitenlab

@@ -139,6 +139,8 @@ int study(const StudyOptions& options) {
     if (prints && options.json)
         return complain(
             {"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"});
+    const auto style = style_of(options.table);
+    if (!style) return complain(style.error());
     StudyTable table(*base, prints ? "" : options.csv);
     if (const auto error = table.begin()) return complain(*error);
     const std::size_t kept = table.rows().size();
@@ -153,9 +155,9 @@ int study(const StudyOptions& options) {
                                  table.rows().size(), (*base)->study().runs(), table.unfinished().string());
         return exit_code::interrupted;
     }
-    if (const auto error = table.finish()) return complain(*error);
+    if (const auto error = table.finish(*style)) return complain(*error);
     if (prints) {
-        TableFile out(options.csv);
+        TableFile out(options.csv, *style);
         out.write(table.text());
         const auto error = out.close();
         return error ? complain(*error) : exit_code::done;

@@ -1,5 +1,6 @@
 #include "app/ctl/sweep.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -206,6 +207,19 @@ std::vector<std::string> values_of(const Sweep& sweep, std::size_t index) {
         index /= all.size();
     }
     return values;
+}
+
+std::vector<std::string> cells_of(const Sweep& sweep, std::size_t index) {
+    const auto is_number = [](const std::string& text) { return number_of(text).has_value(); };
+    const auto has_point = [](const std::string& text) { return text.find_first_of(".eE") != std::string::npos; };
+    std::vector<std::string> cells = values_of(sweep, index);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::vector<std::string>& all = sweep.values[i].values;
+        const bool are_numbers = std::all_of(all.begin(), all.end(), is_number);
+        const bool is_whole = std::none_of(all.begin(), all.end(), has_point);
+        if (are_numbers && !is_whole && !has_point(cells[i])) cells[i] += ".0";
+    }
+    return cells;
 }
 
 std::vector<Setting> combination(const Sweep& sweep, std::size_t index) {

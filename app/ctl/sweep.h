@@ -46,6 +46,9 @@ Result<Sweep> parse_sweep(const std::vector<std::string>& settings, const std::s
 // The values of combination `index` < combinations(), in the order of Sweep::values. The last value varies fastest.
 std::vector<std::string> values_of(const Sweep&, std::size_t index);
 
+// The same as cells of a table: where a value is a list of numbers and one is not whole, each has a point, "0.0".
+std::vector<std::string> cells_of(const Sweep&, std::size_t index);
+
 // The same as settings, one for each path.
 std::vector<Setting> combination(const Sweep&, std::size_t index);
 

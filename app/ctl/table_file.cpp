@@ -4,11 +4,10 @@
 #include <iostream>
 
 #include "app/ctl/ctl.h"
-#include "core/io/csv.h"
 
 namespace braitenlab {
 
-TableFile::TableFile(const std::string& path) : path_(path) {
+TableFile::TableFile(const std::string& path, const io::CsvStyle& style) : path_(path), style_(style) {
     std::error_code none;
     if (path == standard_output)
         stream_ = &std::cout;
@@ -16,9 +15,12 @@ TableFile::TableFile(const std::string& path) : path_(path) {
         stream_ = &device_.emplace(path);
     else
         file_.emplace(path);
+    if (style_.has_byte_order_mark) put(io::byte_order_mark);
 }
 
-void TableFile::write(std::string_view text) {
+void TableFile::write(std::string_view lines) { put(io::in_style(lines, style_)); }
+
+void TableFile::put(std::string_view text) {
     if (file_)
         file_->write(text);
     else
@@ -34,9 +36,12 @@ std::optional<Error> TableFile::close() {
     return Error{"could not be written; check that the folder exists, may be written to and has room", path_};
 }
 
-std::string table_for_excel(std::string_view csv, std::string_view language) {
-    const bool has_decimal_comma = language != "en";
-    return std::string(byte_order_mark) + (has_decimal_comma ? io::with_semicolons(csv) : std::string(csv));
+Result<io::CsvStyle> style_of(const TableOptions& options) {
+    if (!options.for_excel) return io::CsvStyle{};
+    const auto strings = strings_of(options.language);
+    if (!strings) return strings.error();
+    const bool has_comma = decimal_mark(*strings) == ',';
+    return io::CsvStyle{has_comma ? ';' : ',', has_comma ? ',' : '.', true};
 }
 
 }  // namespace braitenlab

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/files/safe_file.h"
+#include "core/io/csv.h"
 #include "core/result.h"
 
 namespace braitenlab {
@@ -19,24 +20,35 @@ inline constexpr std::string_view standard_output = "-";
 // old file stays as it was. A pipe, a device and standard output are written directly.
 class TableFile {
 public:
-    explicit TableFile(const std::string& path);
+    explicit TableFile(const std::string& path, const io::CsvStyle& = {});
     TableFile(const TableFile&) = delete;
     TableFile& operator=(const TableFile&) = delete;
 
-    void write(std::string_view text);
+    // Whole lines as core/io/csv.h writes them.
+    void write(std::string_view lines);
 
     // Call it once, after the last write(). Fails with the first error of all calls.
     std::optional<Error> close();
 
 private:
+    void put(std::string_view text);
+
     std::string path_;
+    io::CsvStyle style_;
     std::optional<FileWriter> file_;
     std::optional<std::ofstream> device_;
     std::ostream* stream_ = nullptr;  // standard output or `device_`; null for a regular file
 };
 
-// The lines of a table so that a double click opens them in the Excel of this language, "de": with a byte order mark,
-// by which it knows UTF-8, and with semicolons where the language writes a decimal comma.
-std::string table_for_excel(std::string_view csv, std::string_view language);
+// The options --excel and --lang of a table.
+struct TableOptions {
+    bool for_excel = false;
+    std::string language = "en";
+};
+
+// The style in which a double click opens a table in the Excel of the language: with a byte order mark, and with
+// semicolons and decimal commas where the language writes these. Without for_excel the plain style. Fails for a
+// language that the program does not speak.
+Result<io::CsvStyle> style_of(const TableOptions&);
 
 }  // namespace braitenlab

@@ -125,10 +125,11 @@ std::optional<Error> StudyTable::add(const std::vector<StudyRow>& rows) {
     return std::nullopt;
 }
 
-std::optional<Error> StudyTable::finish() {
+std::optional<Error> StudyTable::finish(const io::CsvStyle& style) {
     if (path_.empty()) return std::nullopt;
     file_.close();
-    if (auto error = write_whole(path_, text())) return error;
+    const std::string mark(style.has_byte_order_mark ? io::byte_order_mark : "");
+    if (auto error = write_whole(path_, mark + io::in_style(text(), style))) return error;
     std::error_code none;
     fs::remove(unfinished(), none);
     lock_.reset();

@@ -11,6 +11,7 @@
 
 #include "app/platform/platform.h"
 #include "core/insight/study.h"
+#include "core/io/csv.h"
 #include "core/result.h"
 
 namespace braitenlab {
@@ -53,8 +54,8 @@ public:
     // The next runs in order. They are in the file when it returns.
     std::optional<Error> add(const std::vector<insight::StudyRow>&);
 
-    // Precondition: all runs are there. Writes the table to the path and removes the unfinished one.
-    std::optional<Error> finish();
+    // Precondition: all runs are there. Writes the table in the style to the path and removes the unfinished one.
+    std::optional<Error> finish(const io::CsvStyle& = {});
 
     bool is_begun() const { return file_.is_open(); }
     const std::filesystem::path& path() const { return path_; }

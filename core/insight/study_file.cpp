@@ -69,9 +69,10 @@ void note_lines(const TomlTable& top, Study& study) {
 
 // The names of all columns differ.
 void check_names(TomlTable& top, const Study& study) {
-    std::set<std::string_view> names{"run", "seed"};
-    for (const std::string& word : study.measure_words)
-        if (!names.insert(word).second) top.fail("measures", message_of("column_twice", in_quotes(word)));
+    std::set<std::string> names{"run", "seed"};
+    for (const StudyMeasure measure : study.measures)
+        if (!names.insert(column_name(row_of(measure))).second)
+            top.fail("measures", message_of("column_twice", in_quotes(word(measure))));
     for (const StudyValue& value : study.values)
         if (!names.insert(value.name).second) top.fail("value", message_of("column_twice", in_quotes(value.name)));
 }

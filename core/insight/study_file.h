@@ -53,6 +53,9 @@ inline constexpr auto study_measure_table = std::to_array<StudyMeasureTraits>({
     {StudyMeasure::survival, "survival", "s", true, "time until the vehicle leaves the world"},
 });
 static_assert(is_complete_table<study_measure_table>());
+inline std::string column_name(const StudyMeasureTraits& row) {
+    return std::string(row.word) + (row.unit.empty() ? "" : "_") + std::string(row.unit);
+}
 constexpr const auto& table_of(StudyMeasure) { return study_measure_table; }
 
 // True if a run can have no number of it: the vehicle never touches, or the scene has no object.

@@ -1,5 +1,6 @@
 #include "core/insight/study_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -13,10 +14,7 @@ namespace braitenlab::insight {
 std::string study_header(const Study& study) {
     std::string line = "run,seed";
     for (const StudyValue& value : study.values) line += ',', io::add_csv_cell(line, std::string_view(value.name));
-    for (const StudyMeasure measure : study.measures) {
-        const StudyMeasureTraits& row = row_of(measure);
-        line += fmt::format(",{}{}{}", row.word, row.unit.empty() ? "" : "_", row.unit);
-    }
+    for (const StudyMeasure measure : study.measures) line += "," + column_name(row_of(measure));
     return line + '\n';
 }
 
@@ -25,8 +23,12 @@ namespace {
 std::string first_cells(const StudyBase& base, std::size_t run) {
     std::string line = fmt::format("{},{}", run + 1, base.seed_of(run));
     const std::vector<std::size_t> levels = levels_of(base.study(), base.combination_of(run));
-    for (std::size_t i = 0; i < levels.size(); ++i)
-        line += fmt::format(",{:.10g}", base.study().values[i].levels[levels[i]]);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const std::vector<double>& all = base.study().values[i].levels;
+        const bool are_whole =
+            std::all_of(all.begin(), all.end(), [](double level) { return level == std::floor(level); });
+        line += ',' + (are_whole ? fmt::format("{:.0f}", all[levels[i]]) : io::real_text(all[levels[i]], 10));
+    }
     return line;
 }
 
@@ -34,7 +36,10 @@ std::string first_cells(const StudyBase& base, std::size_t run) {
 
 std::string study_line(const StudyBase& base, std::size_t run, const StudyRow& row) {
     std::string line = first_cells(base, run);
-    for (const double number : row) line += std::isfinite(number) ? fmt::format(",{:.9g}", number) : ",";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const bool is_count = row_of(base.study().measures[i]).unit.empty();
+        line += ',' + (is_count && std::isfinite(row[i]) ? fmt::format("{:.0f}", row[i]) : io::real_text(row[i]));
+    }
     return line + '\n';
 }
 

@@ -25,8 +25,31 @@ void add_csv_cell(std::string& line, const CsvValue&);
 // this function has returned. See OWASP, "CSV Injection". add_csv_cell() applies it to each text of a table.
 std::string spreadsheet_text(std::string_view);
 
-// The lines with semicolons between the cells, as a spreadsheet expects them where the decimal mark is a comma.
-std::string with_semicolons(std::string_view lines);
+// Text of a real number with at most so many digits. It has a point or an exponent, so that a program that guesses the
+// type of a column by its first lines does not take it for a whole number: DuckDB reads 0, 0.1, 0.2 as whole numbers if
+// it has seen enough zeros. Empty if not finite.
+std::string real_text(double, int digits = 9);
+
+// How a program wants a table.
+struct CsvStyle {
+    char separator = ',', decimal_mark = '.';
+    bool has_byte_order_mark = false;  // of UTF-8; by it Excel knows the encoding
+};
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+// Whole lines of a table in another style; without the mark, which precedes the first line.
+std::string in_style(std::string_view lines, const CsvStyle&);
+
+// A table that another program has written. The first line tells the separator: comma, semicolon or tab. A byte order
+// mark and empty lines are left out. Every row has as many cells as the first one.
+struct CsvTable {
+    char separator = ',';
+    std::vector<std::vector<std::string>> rows;
+};
+CsvTable parse_csv(std::string_view);
+
+// Appends the text of a cell of such a table as that program reads it back, formulas included.
+void add_csv_copy(std::string& line, std::string_view cell, char separator);
 
 template <class Row>
 struct CsvColumn {

@@ -103,7 +103,11 @@ const std::vector<VehicleColumn>& vehicle_columns() {
         {"seconds", [](const Row& row) -> CsvValue { return row.now.seconds; }},
         {"id", [](const Row& row) -> CsvValue { return std::int64_t{row.vehicle.id}; }},
         {"kind", [](const Row& row) -> CsvValue { return std::string_view(kind_of(row.now, row.vehicle).name); }},
-        {"role", [](const Row& row) -> CsvValue { return word(row.vehicle.role); }},
+        // csvkit reads "none" as a missing value.
+        {"role",
+         [](const Row& row) -> CsvValue {
+             return row.vehicle.role == Role::none ? std::string_view("other") : word(row.vehicle.role);
+         }},
         {"x_m", [](const Row& row) -> CsvValue { return row.vehicle.x; }},
         {"y_m", [](const Row& row) -> CsvValue { return row.vehicle.y; }},
         {"heading_rad", [](const Row& row) -> CsvValue { return row.vehicle.heading; }},

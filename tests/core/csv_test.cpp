@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -60,11 +62,50 @@ TEST(Csv, LeavesNumbersAndHarmlessTextsAsTheyAre) {
         EXPECT_EQ(io::spreadsheet_text(text), text);
 }
 
-TEST(Csv, SemicolonsReplaceTheCommasBetweenCellsOnly) {
-    EXPECT_EQ(io::with_semicolons("a,\"b, \"\"c\"\", d\",e\n1,2,3\n"), "a;\"b, \"\"c\"\", d\";e\n1;2;3\n");
-    std::string line;
-    io::add_csv_cell(line, std::string_view("LR; RL"));
-    EXPECT_EQ(line, "\"LR; RL\"");
+TEST(Csv, ATextWithASemicolonIsInQuotes) {
+    EXPECT_EQ(cell(std::string_view("LR; RL")), "\"LR; RL\"") << "a semicolon separates cells in other styles";
+}
+
+TEST(Csv, AnotherStyleChangesSeparatorsAndNumbersOnly) {
+    const io::CsvStyle german{';', ','};
+    EXPECT_EQ(io::in_style("a,\"b, \"\"c\"\", d\",e\n1,2.50,-1e-3\n", german),
+              "a;\"b, \"\"c\"\", d\";e\n1;2,50;-1e-3\n");
+    EXPECT_EQ(io::in_style("1.5,1.5.2,v1.5,\"1.5, 2\",,\n", german), "1,5;1.5.2;v1.5;\"1.5, 2\";;\n");
+    EXPECT_EQ(io::in_style("a,1.5\n", {}), "a,1.5\n");
+}
+
+TEST(Csv, ARealNumberHasAPointAlsoWhereItIsWhole) {
+    EXPECT_EQ(io::real_text(12), "12.0");
+    EXPECT_EQ(io::real_text(0), "0.0");
+    EXPECT_EQ(io::real_text(-0.25), "-0.25");
+    EXPECT_EQ(io::real_text(1e20), "1e+20");
+    EXPECT_EQ(io::real_text(1.0 / 3, 3), "0.333");
+    EXPECT_EQ(io::real_text(std::nan("")), "");
+    EXPECT_EQ(io::real_text(INFINITY), "");
+}
+
+TEST(Csv, ReadsTablesOfOtherPrograms) {
+    const io::CsvTable table = io::parse_csv("\xEF\xBB\xBFID;Name;Mark\r\n\r\nP 1;\"Lee; \"\"Kim\"\"\nx\";\r\nP 2");
+    EXPECT_EQ(table.separator, ';');
+    ASSERT_EQ(table.rows.size(), 3u);
+    EXPECT_EQ(table.rows[0], (std::vector<std::string>{"ID", "Name", "Mark"}));
+    EXPECT_EQ(table.rows[1], (std::vector<std::string>{"P 1", "Lee; \"Kim\"\nx", ""}));
+    EXPECT_EQ(table.rows[2], (std::vector<std::string>{"P 2", "", ""})) << "as wide as the first one";
+    EXPECT_TRUE(io::parse_csv("").rows.empty());
+    EXPECT_EQ(io::parse_csv("a\tb,c\td\n").rows[0][1], "b,c");
+}
+
+TEST(Csv, WritesACellOfAnotherProgramAsItWas) {
+    const auto copy = [](std::string_view text, char separator) {
+        std::string line;
+        io::add_csv_copy(line, text, separator);
+        return line;
+    };
+    EXPECT_EQ(copy("-", ','), "-");
+    EXPECT_EQ(copy("=1", ','), "=1");
+    EXPECT_EQ(copy("a,b", ';'), "a,b");
+    EXPECT_EQ(copy("a,b", ','), "\"a,b\"");
+    EXPECT_EQ(copy("a \"b\"", ','), "\"a \"\"b\"\"\"");
 }
 
 }  // namespace

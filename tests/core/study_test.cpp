@@ -160,6 +160,28 @@ TEST(StudyTable, ReadsItsOwnLinesAndNoOthers) {
         EXPECT_FALSE(insight::read_study_line(*base, 3, wrong)) << wrong;
 }
 
+TEST(StudyTable, AColumnOfRealNumbersHasAPointInEachCell) {
+    const auto base = base_of(
+        file_text(
+            "seeds = 1\nmeasures = [\"contacts\", \"final\"]",
+            "name = \"w\"\npaths = [\"kind.aggressor.brain.LR\"]\nlevels = [0, 0.5]\n[[value]]\nname = \"v\"\npaths = "
+            "[\"kind.aggressor.brain.RL\"]\nlevels = [0, 1]\n"),
+        shipped_scene("2b-aggressor"));
+    EXPECT_EQ(insight::study_line(*base, 0, {3, 2}), "1,1,0.0,0,3,2.0\n");
+    EXPECT_EQ(insight::study_line(*base, 3, {12345678, never}), "4,1,0.5,1,12345678,\n");
+    EXPECT_TRUE(insight::read_study_line(*base, 0, "1,1,0.0,0,3,2.0\n"));
+}
+
+TEST(StudyFile, ANameThatIsAColumnOfAMeasureIsRefused) {
+    for (const char* name : {"final_m", "contacts", "run", "seed"}) {
+        const std::string value = std::string("name = \"") + name + "\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";
+        const auto study = insight::parse_study(file_text("measures = [\"contacts\", \"final\"]", value), "s.toml");
+        ASSERT_FALSE(study) << name;
+        EXPECT_NE(study.error().text().find(std::string("two columns '") + name + "'"), std::string::npos)
+            << study.error().text();
+    }
+}
+
 TEST(StudyTable, HasNoFormulaAsTheNameOfAColumn) {
     Study study;
     study.values = {{"=HYPERLINK(\"x\")", "", {}, {}}};

@@ -23,9 +23,10 @@ TEST(CtlSweep, WritesOneTableOfAllCombinationsAndSeeds) {
     EXPECT_TRUE(line.starts_with("run,seed,kind.coward.brain.LL,source.lamp.x,seconds,id,kind,role,x_m,")) << line;
     while (std::getline(lines, line))
         if (line.find(",0.10000,0,coward,") != std::string::npos) runs += line.substr(0, line.find(",0.10000,")) + " ";
-    EXPECT_EQ(runs,
-              "1,4,0,3 2,5,0,3 3,4,0,-3 4,5,0,-3 5,4,0.5,3 6,5,0.5,3 7,4,0.5,-3 8,5,0.5,-3 9,4,1,3 10,5,1,3 "
-              "11,4,1,-3 12,5,1,-3 ");
+    EXPECT_EQ(
+        runs,
+        "1,4,0.0,3 2,5,0.0,3 3,4,0.0,-3 4,5,0.0,-3 5,4,0.5,3 6,5,0.5,3 7,4,0.5,-3 8,5,0.5,-3 9,4,1.0,3 10,5,1.0,3 "
+        "11,4,1.0,-3 12,5,1.0,-3 ");
 }
 
 TEST(CtlSweep, ARunOfASweepHasTheRowsOfTheSingleRun) {

@@ -215,7 +215,7 @@ TEST(ChartData, NamesEveryVehicleAndQuotesSpecialCharacters) {
     scene->kinds[0].name = "a \"shy\", slow one";
     desk.now.scene = scene;
     desk.now.vehicles[0].energy = 0.5f;
-    EXPECT_EQ(energies_csv(desk.now), "id,kind,role,energy\n0,\"a \"\"shy\"\", slow one\",none,0.50000\n");
+    EXPECT_EQ(energies_csv(desk.now), "id,kind,role,energy\n0,\"a \"\"shy\"\", slow one\",other,0.50000\n");
 }
 
 }  // namespace braitenlab::tests::history_test
