@@ -97,6 +97,12 @@ void add_table(CLI::App& command, TableOptions& table, const std::string& also =
     command.add_option("--lang", table.language, "language of --excel" + also + "; default: en")->type_name("CODE");
 }
 
+void add_labels(CLI::App& command, FigureLabels& labels) {
+    command.add_option("--title", labels.title, "title of the drawing")->type_name("TEXT");
+    command.add_option("--x-label", labels.x, "words at the horizontal axis, with the unit")->type_name("TEXT");
+    command.add_option("--y-label", labels.y, "words at the vertical axis, with the unit")->type_name("TEXT");
+}
+
 CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
     CLI::App* command = app.add_subcommand(
         "robustness", "run robots whose parts differ, and print how many do what the ideal robot does");
@@ -184,7 +190,10 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
         ->add_option("--csv", options.csv,
                      "write a row per run; -: to standard output; after an interruption the same command continues")
         ->type_name("FILE");
-    add_table(*command, options.table);
+    command->add_option("--svg", options.svg, "write a drawing: medians and quartiles over the value with most levels")
+        ->type_name("FILE");
+    add_labels(*command, options.labels);
+    add_table(*command, options.table, " and of the words in the drawing");
     command->add_flag("--json", options.json, "print medians, quartiles and paired differences as JSON");
     command->add_option("--threads", options.threads, "threads; without it, one per processor")
         ->check(CLI::Range(1, 256));
@@ -294,7 +303,8 @@ int command_line(int argc, char** argv) {
     grade_command->add_option("EXERCISE", graded.exercise, "a path, or the bare name of a shipped exercise")
         ->required();
     grade_command
-        ->add_option("FILE", graded.files, "a folder of hand-in files; or hand-ins, brains, scenes or saved runs")
+        ->add_option("FILE", graded.files,
+                     "a folder of hand-in files; or hand-ins, brains, scenes or saved runs")
         ->required();
     add_choice(*grade_command, graded.choice);
     grade_command->add_option("--csv", graded.csv, "write the rows there instead of printing them")->type_name("FILE");
@@ -328,6 +338,7 @@ int command_line(int argc, char** argv) {
     map_command->add_option("--csv", mapped.csv, "write a row per cell; -: to standard output")->type_name("FILE");
     map_command->add_option("--svg", mapped.svg, "write a drawing with axes, legend and title")->type_name("FILE");
     map_command->add_option("--png", mapped.png, "write the cells alone as a picture")->type_name("FILE");
+    add_labels(*map_command, mapped.labels);
     add_table(*map_command, mapped.table, " and of the words in the drawing");
 
     RobustnessOptions tried;

@@ -10,6 +10,7 @@
 
 #include "app/ctl/brain_of_file.h"
 #include "app/ctl/table_file.h"
+#include "app/reports/map_file.h"
 #include "core/result.h"
 #include "core/world/world.h"
 #include "ui/strings.h"
@@ -60,6 +61,7 @@ struct MapOptions {
     int threads = 0;                    // 0: one per processor
     std::vector<std::string> settings;  // PATH=VALUE, for every run
     std::string csv, png, svg;          // files; "-" of the table: standard output; empty: none
+    FigureLabels labels;                // of the SVG file
     TableOptions table;                 // its language is also that of the words in the SVG file
     bool json = false;
 };
@@ -103,6 +105,8 @@ int picture(const PictureOptions&);
 struct StudyOptions {
     std::string file;  // a study: path or bare name
     std::string csv;   // file of the table; "-": standard output; empty: none
+    std::string svg;   // file of the drawing; empty: none
+    FigureLabels labels;
     TableOptions table;
     int threads = 0;  // 0: one per processor
     bool json = false;

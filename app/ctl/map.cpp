@@ -218,8 +218,7 @@ std::optional<Error> write_map(const MapOptions& options, const insight::MapQues
     if (!options.png.empty())
         if (auto error = write_whole(options.png, picture(cells, measure))) return error;
     if (options.svg.empty()) return std::nullopt;
-    const std::string& title = asked.scene.title.empty() ? asked.scene.name : asked.scene.title;
-    return write_whole(options.svg, map_file(asked, cells, measure, title, strings));
+    return write_whole(options.svg, map_file(asked, cells, measure, options.labels, strings));
 }
 
 }  // namespace

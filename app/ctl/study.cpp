@@ -17,6 +17,7 @@
 #include "app/files/study_files.h"
 #include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
+#include "app/reports/study_drawing.h"
 #include "core/insight/study_table.h"
 
 namespace braitenlab {
@@ -141,6 +142,9 @@ int study(const StudyOptions& options) {
             {"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"});
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());
+    if (const auto error = ending_fault("--svg", options.svg, ".svg")) return complain(*error);
+    const auto strings = strings_of(options.table.language);
+    if (!strings) return complain(strings.error());
     StudyTable table(*base, prints ? "" : options.csv);
     if (const auto error = table.begin()) return complain(*error);
     const std::size_t kept = table.rows().size();
@@ -156,13 +160,16 @@ int study(const StudyOptions& options) {
         return exit_code::interrupted;
     }
     if (const auto error = table.finish(*style)) return complain(*error);
+    const Study& done = (*base)->study();
+    if (!options.svg.empty())
+        if (const auto error = write_whole(options.svg, study_drawing(done, table.rows(), options.labels, *strings)))
+            return complain(*error);
     if (prints) {
         TableFile out(options.csv, *style);
         out.write(table.text());
         const auto error = out.close();
         return error ? complain(*error) : exit_code::done;
     }
-    const Study& done = (*base)->study();
     std::cout << (options.json ? summary_json(done, table.rows()) : summary_text(done, table.rows()));
     return exit_code::done;
 }

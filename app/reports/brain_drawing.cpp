@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/reports/axes.h"
 #include "app/reports/html.h"
 #include "app/reports/svg_file.h"
 #include "ui/number_text.h"
@@ -86,8 +87,12 @@ public:
         std::string out;
         for (const Wire& wire : brain_.wires)
             if (is_drawn(wire)) out += wire_svg(wire);
+        std::vector<LabelBox> taken;
+        for (const auto& [id, place] : places_)
+            taken.push_back(
+                {place.x - node_radius, place.x + node_radius, place.y - node_radius, place.y + node_radius});
         for (const Wire& wire : brain_.wires)
-            if (is_drawn(wire) && drawn_ <= most_weights) out += weight_svg(wire);
+            if (is_drawn(wire) && drawn_ <= most_weights) out += weight_svg(wire, taken);
         for (const Node& node : brain_.nodes)
             if (places_.count(node.id)) out += node_svg(node);
         return out +
@@ -105,6 +110,12 @@ private:
             return {a * from.x + b * bend_1.x + c * bend_2.x + d * to.x,
                     a * from.y + b * bend_1.y + c * bend_2.y + d * to.y};
         }
+    };
+
+    struct Label {
+        maths::vec2 at;
+        std::string_view anchor;
+        LabelBox box;
     };
 
     // Sensors by their place on the body, others by name, so that ML is left of MR.
@@ -163,11 +174,11 @@ private:
                    p.to.x, p.to.y, along, colour);
     }
 
-    // The weight stands near the wire's start, on the side to which the wire goes, or outside.
-    std::string weight_svg(const Wire& wire) const {
+    // The weight stands near the wire's start, on the side to which the wire goes, or outside; where another label is,
+    // further along the wire. Adds its room to `taken`.
+    std::string weight_svg(const Wire& wire, std::vector<LabelBox>& taken) const {
         if (!places_.count(wire.from) || !places_.count(wire.to)) return "";
         const Path p = path_of(wire);
-        const maths::vec2 at = p.at(0.2f);
         const float towards = p.to.x - p.from.x;
         const bool is_slanted = std::fabs(towards) > 24;  // then it bends below the number: put that higher
         const bool is_right = is_slanted ? towards > 0 : p.from.x > wide_ / 2;
@@ -175,10 +186,19 @@ private:
         std::string text = number(wire.weight);
         if (wire.threshold > 0) text += " θ " + number(wire.threshold);
         if (learns(wire)) text += " + h";
-        return fmt::format(
-            "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"#1c1c1a\" stroke=\"#fff\" stroke-width=\"3\" "
-            "paint-order=\"stroke\">{}</text>",
-            at.x + (is_right ? beside : -beside), at.y + below, is_right ? "start" : "end", xml_text(text));
+        const auto label = [&](float along, bool right) {
+            const maths::vec2 at = p.at(along) + maths::vec2{right ? beside : -beside, below};
+            return Label{at, right ? "start" : "end", label_box(at.x, at.y, right ? "start" : "end", text)};
+        };
+        Label chosen = label(0.2f, is_right);  // also where all places are taken
+        for (int place = 12; place >= 0; --place)
+            for (const bool right : {!is_right, is_right}) {
+                const Label tried = label(0.2f + 0.05f * static_cast<float>(place), right);
+                const bool fits = tried.box.left >= 0 && tried.box.right <= wide_;
+                if (fits && is_free(tried.box, taken)) chosen = tried;
+            }
+        taken.push_back(chosen.box);
+        return outlined_text(chosen.at.x, chosen.at.y, chosen.anchor, axis_ink, text);
     }
 
     std::string node_svg(const Node& node) const {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/reports/axes.h"
 #include "app/reports/html.h"
 #include "app/reports/svg_file.h"
 #include "ui/map_look.h"
@@ -27,16 +28,10 @@ using insight::MapQuestion;
 constexpr float map_side = 560, map_left = 92, map_top = 56, map_bottom = 86,
                 map_right = 220;               // px, the map and what is around it
 constexpr float legend_row = 24, swatch = 16;  // of the legend
-constexpr const char* ink = "#1c1c1a";
 
 std::string colour_text(const ui::MapColour& colour) {
     const auto part = [](float share) { return static_cast<int>(std::lround(share * 255)); };
     return fmt::format("#{:02x}{:02x}{:02x}", part(colour.r), part(colour.g), part(colour.b));
-}
-
-std::string words_at(float x, float y, std::string_view words, std::string_view more = "") {
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\" fill=\"{}\"{}>{}</text>\n", x, y, ink, more,
-                       xml_text(words));
 }
 
 std::string square(float x, float y, float size) {
@@ -78,48 +73,48 @@ std::string cells_svg(const MapCells& cells, MapMeasure measure, const ui::MapSc
     return out + marks_path(marks) + "</g>\n";
 }
 
-// The step between ticks: 1, 2 or 5 times a power of ten, so that there are at most seven.
-float tick_step(float range) {
-    const float wanted = range / 6, power = std::pow(10.0f, std::floor(std::log10(wanted))), share = wanted / power;
-    return power * (share > 5 ? 10.0f : share > 2 ? 5.0f : share > 1 ? 2.0f : 1.0f);
-}
-
-int decimals_of(float step) { return std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-4f)), 0, 6); }
-
-std::vector<float> axis_ticks(float a, float b, float step) {
-    const float low = std::min(a, b), high = std::max(a, b);
-    std::vector<float> ticks;
-    for (float k = std::ceil(low / step - 1e-3f); k * step <= high + step * 1e-3f; k += 1) ticks.push_back(k * step);
-    return ticks;
-}
-
 // A cell stands for the value at its middle.
 float place_on(const MapAxis& axis, float value, int size) {
     const float cell = map_side / static_cast<float>(size);
     return cell / 2 + (value - axis.from) / (axis.to - axis.from) * (map_side - cell);
 }
 
-std::string axes_svg(const MapQuestion& question, int size, const Strings& strings) {
-    std::string out = fmt::format("<rect width=\"{0}\" height=\"{0}\" fill=\"none\" stroke=\"{1}\"/>\n", map_side, ink);
-    std::string lines;
-    const auto text_of = [&](float value, float step) {
-        return ui::fixed(value == 0 ? 0 : value, decimals_of(step), decimal_mark(strings));
+// The path without what both axes share: "kind.lover.sensor.SL.angle" is "sensor.SL.angle".
+std::string short_path(const std::string& path, const std::string& other) {
+    const auto kind_of = [](const std::string& text) {
+        const std::size_t end = text.starts_with("kind.") ? text.find('.', 5) : std::string::npos;
+        return end == std::string::npos ? std::string() : text.substr(0, end + 1);
     };
+    const std::string kind = kind_of(path), others = kind_of(other);
+    if (kind.empty() || (!others.empty() && others != kind)) return path;
+    std::string text = path;
+    for (std::size_t at = 0; (at = text.find(kind, at)) != std::string::npos;) text.erase(at, kind.size());
+    for (std::size_t at = 0; (at = text.find("=-", at)) != std::string::npos;) text.replace(at, 2, " = −");
+    return text;
+}
+
+std::string axes_svg(const MapQuestion& question, int size, const FigureLabels& labels, const Strings& strings) {
+    std::string out =
+        fmt::format("<rect width=\"{0}\" height=\"{0}\" fill=\"none\" stroke=\"{1}\"/>\n", map_side, axis_ink);
+    std::string lines;
     const float x_step = tick_step(std::fabs(question.x.to - question.x.from)),
                 y_step = tick_step(std::fabs(question.y.to - question.y.from));
     for (const float value : axis_ticks(question.x.from, question.x.to, x_step)) {
         const float x = place_on(question.x, value, size);
         lines += fmt::format("M{:.1f} {:.1f}v6", x, map_side);
-        out += words_at(x, map_side + 22, text_of(value, x_step), " text-anchor=\"middle\"");
+        out += words_at(x, map_side + 22, tick_text(value, x_step, strings), " text-anchor=\"middle\"");
     }
     for (const float value : axis_ticks(question.y.from, question.y.to, y_step)) {
         const float y = map_side - place_on(question.y, value, size);
         lines += fmt::format("M0 {:.1f}h-6", y);
-        out += words_at(-11, y + 5, text_of(value, y_step), " text-anchor=\"end\"");
+        out += words_at(-11, y + 5, tick_text(value, y_step, strings), " text-anchor=\"end\"");
     }
-    out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", lines, ink);
-    out += words_at(map_side / 2, map_side + 46, question.x.path, " text-anchor=\"middle\" font-weight=\"bold\"");
-    return out + words_at(-map_side / 2, -62, question.y.path,
+    out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", lines, axis_ink);
+    out += words_at(map_side / 2, map_side + 46,
+                    labels.x.empty() ? short_path(question.x.path, question.y.path) : labels.x,
+                    " text-anchor=\"middle\" font-weight=\"bold\"");
+    return out + words_at(-map_side / 2, -62,
+                          labels.y.empty() ? short_path(question.y.path, question.x.path) : labels.y,
                           " transform=\"rotate(-90)\" text-anchor=\"middle\" font-weight=\"bold\"");
 }
 
@@ -153,15 +148,15 @@ std::string scale_legend(const MapCells& cells, MapMeasure measure, const ui::Ma
     const float step = tick_step(scale.high - scale.low);
     for (const float value : axis_ticks(scale.low, scale.high, step)) {
         const float y = legend_row + height * (1 - scale.share(value));
-        out += fmt::format("<path d=\"M{} {:.1f}h6\" stroke=\"{}\"/>\n", swatch, y, ink) +
-               words_at(swatch + 12, y + 5, ui::fixed(value, decimals_of(step), decimal_mark(strings)));
+        out += fmt::format("<path d=\"M{} {:.1f}h6\" stroke=\"{}\"/>\n", swatch, y, axis_ink) +
+               words_at(swatch + 12, y + 5, tick_text(value, step, strings));
     }
     const bool has_none = std::any_of(cells.cells.begin(), cells.cells.end(), [&](const auto& cell) {
         return !std::isfinite(insight::number_of(cell->outcome, measure));
     });
     if (!has_none) return out;
     const float y = legend_row + height + legend_row;
-    return out + fmt::format("<path d=\"{}\" fill=\"#ffffff\" stroke=\"{}\"/>\n", square(0, y, swatch), ink) +
+    return out + fmt::format("<path d=\"{}\" fill=\"#ffffff\" stroke=\"{}\"/>\n", square(0, y, swatch), axis_ink) +
            words_at(swatch + 10, y + 13,
                     strings(measure == MapMeasure::time_to_touch ? "map.never" : "report.map_none"));
 }
@@ -177,8 +172,11 @@ std::string runs_text(const MapQuestion& question, const Strings& strings) {
 
 }  // namespace
 
-std::string map_file(const MapQuestion& question, const MapCells& cells, MapMeasure measure, std::string_view title,
+std::string map_file(const MapQuestion& question, const MapCells& cells, MapMeasure measure, const FigureLabels& labels,
                      const Strings& strings) {
+    const std::string& title = !labels.title.empty()          ? labels.title
+                               : question.scene.title.empty() ? question.scene.name
+                                                              : question.scene.title;
     const bool is_of_kinds = measure == MapMeasure::behaviour;
     const ui::MapScale scale = ui::scale_of(cells.cells, measure);
     const std::string_view unit = row_of(measure).unit;
@@ -187,7 +185,7 @@ std::string map_file(const MapQuestion& question, const MapCells& cells, MapMeas
     const std::string legend =
         words_at(0, 12, heading, " font-weight=\"bold\"") +
         (is_of_kinds ? kinds_legend(cells, strings) : scale_legend(cells, measure, scale, strings));
-    const std::string drawn = cells_svg(cells, measure, scale) + axes_svg(question, cells.size, strings) +
+    const std::string drawn = cells_svg(cells, measure, scale) + axes_svg(question, cells.size, labels, strings) +
                               fmt::format("<g transform=\"translate({} 0)\">\n{}</g>\n", map_side + 28, legend) +
                               words_at(0, map_side + 72, runs_text(question, strings));
     return svg_file(title, map_left + map_side + map_right, map_top + map_side + map_bottom,

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/reports/axes.h"
 #include "app/reports/floor_drawing.h"
 #include "app/reports/html.h"
 #include "app/reports/svg_file.h"
@@ -58,7 +59,7 @@ std::string edge_svg(const Arena& arena, const FloorMap& map) {
 }
 
 std::string path_svg(const RecordedPath& path, const Arena& arena, const FloorMap& map, const char* colour,
-                     std::string_view name) {
+                     std::string_view name, std::vector<LabelBox>& taken) {
     const maths::vec2 first = path.places.front();
     const float x = map.x(path.last.x), y = map.y(path.last.y);
     std::string out = fmt::format(
@@ -69,10 +70,15 @@ std::string path_svg(const RecordedPath& path, const Arena& arena, const FloorMa
         -maths::degrees(path.last.heading), colour);
     if (name.empty()) return out;
     const bool is_right = x > map.width / 2;
-    return out + fmt::format(
-                     "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"{}\" fill=\"{}\" "
-                     "stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>\n",
-                     x + (is_right ? -13.0f : 13.0f), y + 17, is_right ? "end" : "start", colour, xml_text(name));
+    const std::string_view anchor = is_right ? "end" : "start";
+    const float beside = x + (is_right ? -13.0f : 13.0f);
+    float at = y + 17;
+    for (const float below : {17.0f, -9.0f, 31.0f, -23.0f, 45.0f, -37.0f, 59.0f, -51.0f}) {
+        at = y + below;
+        if (is_free(label_box(beside, at, anchor, name), taken)) break;
+    }
+    taken.push_back(label_box(beside, at, anchor, name));
+    return out + outlined_text(beside, at, anchor, colour, name);
 }
 
 // A length of 1, 2 or 5 times a power of ten, m, of about a fifth of the picture.
@@ -114,13 +120,14 @@ std::string paths_file(const Recording& recording, std::uint64_t from, std::uint
     const bool is_named = paths.size() <= most_named;
     std::string drawn = edge_svg(scene.arena, map) + floor_svg(scene, map) + sources_svg(scene, map, true);
     std::vector<LegendRow> legend;
+    std::vector<LabelBox> taken;  // by names
     std::map<int, std::size_t> of_kind;
     for (const auto& [id, path] : paths) {
         const auto kind = static_cast<std::size_t>(path.last.kind);
         const std::size_t number = is_named ? legend.size() : kind;
         const char* colour = colours[number % colours.size()];
         const std::string name = is_named ? name_of(scene, path.last) : std::string();
-        drawn += path_svg(path, scene.arena, map, colour, name);
+        drawn += path_svg(path, scene.arena, map, colour, name, taken);
         if (is_named)
             legend.push_back({name, colour});
         else

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/data.h"
+#include "app/reports/axes.h"
 #include "app/reports/brain_drawing.h"
 #include "app/reports/paths_file.h"
 #include "core/scene/scene_file.h"
@@ -34,7 +35,7 @@ TEST(PathsFile, HasAPathANameAndALegendRowForEachOfAFewVehicles) {
     EXPECT_NE(svg.find("Moths &amp; &lt;hunter&gt;"), std::string::npos);
     const std::size_t vehicles = session.snapshot().vehicles.size();
     EXPECT_EQ(count(svg, "stroke-linejoin"), vehicles);
-    EXPECT_EQ(count(svg, ">hunter</text>"), 2U) << "at its path and in the legend";
+    EXPECT_EQ(count(svg, ">hunter</text>"), 3U) << "at its path, below that its outline, and in the legend";
     EXPECT_NE(svg.find("0.0 s to 10.0 s"), std::string::npos);
     EXPECT_NE(svg.find("2 m</text>"), std::string::npos) << "the scale bar";
     EXPECT_NE(svg.find(">lantern</text>"), std::string::npos);
@@ -96,6 +97,67 @@ TEST(BrainFile, IsWideEnoughForManySensors) {
     EXPECT_FLOAT_EQ(width(brain_drawing(moth.brain, moth.sensors, speaking("en"))), 360)
         << "on the page of a lab record";
     EXPECT_GT(width(brain_file(moth.brain, moth.sensors, "", speaking("en"))), 1.5f * 8 * 90);
+}
+
+TEST(BrainFile, AnOutlineIsATextOfItsOwnBelowItsText) {
+    const Session session = shipped("2b-aggressor");
+    const Kind& kind = session.scene().kinds.front();
+    const std::string svg = brain_file(kind.brain, kind.sensors, "", speaking("en"));
+    EXPECT_EQ(svg.find("paint-order"), svg.npos) << "LibreOffice and CairoSVG ignore it";
+    const std::size_t outline = svg.find("stroke=\"#fff\" stroke-width=\"3\" aria-hidden=\"true\">1.50</text>");
+    ASSERT_NE(outline, svg.npos) << svg;
+    EXPECT_NE(svg.find("fill=\"#1c1c1a\">1.50</text>", outline), svg.npos);
+}
+
+namespace {
+
+// The rooms of the texts that have an outline.
+std::vector<LabelBox> outlined_boxes(const std::string& svg) {
+    std::vector<LabelBox> boxes;
+    for (std::size_t at = 0; (at = svg.find("aria-hidden", at)) != svg.npos; ++at) {
+        const std::string text = svg.substr(svg.rfind("<text", at), svg.find("</text>", at) - svg.rfind("<text", at));
+        const auto value = [&](const std::string& key) {
+            const std::size_t from = text.find(" " + key + "=\"") + key.size() + 3;
+            return text.substr(from, text.find('"', from) - from);
+        };
+        boxes.push_back(label_box(std::stof(value("x")), std::stof(value("y")), value("text-anchor"),
+                                  text.substr(text.rfind('>') + 1)));
+    }
+    return boxes;
+}
+
+}  // namespace
+
+TEST(BrainFile, WeightsDoNotOverlap) {
+    std::size_t labels = 0;
+    for (const auto& path : shipped_scenes()) {
+        const auto scene = load_scene(path.string());
+        ASSERT_TRUE(scene) << path;
+        for (const Kind& kind : scene->kinds) {
+            const auto boxes = outlined_boxes(brain_file(kind.brain, kind.sensors, "", speaking("en")));
+            labels += boxes.size();
+            for (std::size_t i = 0; i < boxes.size(); ++i)
+                EXPECT_TRUE(is_free(boxes[i], {boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(i)}))
+                    << path << " " << kind.name << " " << i;
+        }
+    }
+    EXPECT_GT(labels, 50U);
+}
+
+TEST(PathsFile, NamesDoNotOverlap) {
+    const Session session = shipped("3a-love");
+    auto scene = session.scene();
+    scene.starts.resize(6, scene.starts.front());
+    for (std::size_t i = 0; i < scene.starts.size(); ++i) {
+        scene.starts[i].name = "vehicle_" + std::to_string(i + 1);
+        scene.starts[i].y = 0.3f * static_cast<float>(i);
+    }
+    const auto near = Session::open(scene, 1);
+    ASSERT_TRUE(near) << near.error().text();
+    const auto boxes = outlined_boxes(paths_file(near->recording(), 0, 6, "", speaking("en")));
+    ASSERT_EQ(boxes.size(), 6U);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        EXPECT_TRUE(is_free(boxes[i], {boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(i)})) << i;
 }
 
 // What a browser and Inkscape draw is tried with librsvg where it is installed.

@@ -78,6 +78,22 @@ TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
         EXPECT_NE(text.find(part), std::string::npos) << part;
     EXPECT_NE(text.find("2 Läufe von 5 s mit den Startwerten 1 bis 2"), std::string::npos);
     EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
+    ASSERT_EQ(
+        ctl("map 2b-aggressor --size 8 --seconds 5 --title 'Two eyes' --x-label 'angle (°)' --y-label 'mass (kg)' "
+            "--svg " +
+            svg)
+            .code,
+        0);
+    text = shell("cat " + svg).out;
+    for (const char* label : {">Two eyes</text>", ">angle (°)</text>", ">mass (kg)</text>"})
+        EXPECT_NE(text.find(label), std::string::npos) << label << text;
+    EXPECT_EQ(text.find("LL=RR"), std::string::npos) << text;
+    ASSERT_EQ(ctl("map 2b-aggressor --size 2 --seconds 1 --x "
+                  "kind.aggressor.sensor.SL.angle=-kind.aggressor.sensor.SR.angle=0:90 --svg " +
+                  svg)
+                  .code,
+              0);
+    EXPECT_NE(shell("cat " + svg).out.find(">sensor.SL.angle = −sensor.SR.angle</text>"), std::string::npos);
     ASSERT_EQ(ctl("map 2b-aggressor --size 8 --seconds 5 --measure touch --svg " + svg).code, 0);
     text = shell("cat " + svg).out;
     EXPECT_NE(text.find(">time to touch (s)</text>"), std::string::npos);

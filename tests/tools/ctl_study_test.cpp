@@ -41,6 +41,33 @@ TEST(CtlStudy, PrintsMediansAndATableThatDoesNotDependOnThreads) {
     std::filesystem::remove(file), std::filesystem::remove(csv);
 }
 
+TEST(CtlStudy, DrawsMediansAndQuartilesWithNamedAxes) {
+    const std::string file = scratch("drawn-study.toml"), svg = scratch("study.svg");
+    std::ofstream(file) << "format = 1\ntitle = \"Weight & eyes\"\nscene = \"2b-aggressor\"\nseconds = 5\nseeds = 4\n"
+                           "measures = [\"final\", \"contacts\"]\n[[value]]\nname = \"weight\"\n"
+                           "paths = [\"kind.aggressor.brain.LR\"]\nlevels = [0, 0.5, 1]\n[[value]]\nname = \"speed\"\n"
+                           "unit = \"m/s\"\npaths = [\"kind.aggressor.body.top_speed\"]\nlevels = [1, 2]\n";
+    const std::string command = "study " + file + " --svg " + svg;
+    const Ran ran = ctl(command);
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    std::string text = shell("cat " + svg).out;
+    for (const char* part :
+         {">Weight &amp; eyes</text>", ">weight</text>", ">final distance (m)</text>", ">contacts</text>",
+          ">speed 1 m/s</text>", ">speed 2 m/s</text>", "medians of 4 runs", ">0.5</text>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    std::size_t dots = 0;
+    for (std::size_t at = 0; (at = text.find("<circle", at)) != std::string::npos; ++at) ++dots;
+    EXPECT_EQ(dots, 12U) << "two measures of six combinations";
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
+    ASSERT_EQ(ctl(command + " --lang de --title Mine --x-label 'w (1)' --y-label 'd (m)'").code, 0);
+    text = shell("cat " + svg).out;
+    for (const char* part : {">Mine</text>", ">w (1)</text>", ">d (m)</text>", "Mediane aus 4", ">0,5</text>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    expect_refused("study " + file + " --svg a.png", ".svg");
+    std::filesystem::remove(file), std::filesystem::remove(svg);
+}
+
 TEST(CtlStudy, NamesTheNearestStudyAndTheLineOfAnError) {
     EXPECT_NE(ctl("study prey-eye").out.find("'prey-eyes'"), std::string::npos);
     const std::string file = scratch("bad-study.toml");

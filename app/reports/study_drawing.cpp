@@ -1,0 +1,179 @@
+#include "app/reports/study_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "app/reports/axes.h"
+#include "app/reports/svg_file.h"
+
+namespace braitenlab {
+
+namespace {
+
+using insight::Study;
+
+constexpr float panel_width = 520, panel_height = 260, panel_step = 350, panel_left = 92, panel_top = 60,
+                panel_legend = 260;  // px
+// Of M. Okabe and K. Ito's colours, those that are dark enough on white, and more of other lightness.
+constexpr std::array<const char*, 8> series_colours{"#0072b2", "#d55e00", "#007a5a", "#a3477f",
+                                                    "#4a4a46", "#8a6d00", "#5b3fa0", "#2f9ccc"};
+
+std::string with_unit(std::string_view name, std::string_view unit) {
+    return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
+}
+
+struct SeriesPoint {
+    double x = 0;
+    maths::Spread spread;
+};
+
+class StudyPanels {
+public:
+    StudyPanels(const Study& study, const std::vector<insight::StudyRow>& rows, const Strings& strings)
+        : study_(study), rows_(rows), strings_(strings) {
+        for (std::size_t i = 1; i < study.values.size(); ++i)
+            if (study.values[i].levels.size() > study.values[across_].levels.size()) across_ = i;
+        for (std::size_t i = 0; i < study.combinations(); ++i)
+            if (const std::string name = series_of(i); std::find(names_.begin(), names_.end(), name) == names_.end())
+                names_.push_back(name);
+        const auto [low, high] = std::minmax_element(levels().begin(), levels().end());
+        const double room = *high > *low ? (*high - *low) * 0.05 : 0.5;
+        from_ = *low - room, to_ = *high + room;
+    }
+
+    const insight::StudyValue& value() const { return study_.values[across_]; }
+
+    std::string panel(std::size_t measure, const std::string& x_label, const std::string& y_label) const {
+        std::vector<std::vector<SeriesPoint>> series(names_.size());
+        double low = INFINITY, high = -INFINITY;
+        for (std::size_t i = 0; i < study_.combinations(); ++i) {
+            const maths::Spread spread = insight::summary_of(study_, rows_, i, measure).spread;
+            if (spread.count == 0 || !std::isfinite(spread.median)) continue;
+            const auto name = std::find(names_.begin(), names_.end(), series_of(i)) - names_.begin();
+            series[static_cast<std::size_t>(name)].push_back({levels()[levels_of(study_, i)[across_]], spread});
+            for (const double number : {spread.lower, spread.median, spread.upper})
+                if (std::isfinite(number)) low = std::min(low, number), high = std::max(high, number);
+        }
+        if (low > high) low = 0, high = 1;
+        const double room = high > low ? (high - low) * 0.08 : 0.5;
+        const bool is_positive = low >= 0;
+        low -= room, high += room;
+        if (is_positive) low = std::max(low, 0.0);
+        std::string out = axes(low, high, x_label, y_label);
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            std::sort(series[i].begin(), series[i].end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+            out += line(series[i], i, low, high);
+        }
+        return out;
+    }
+
+    std::string legend() const {
+        std::string out;
+        for (std::size_t i = 0; i < names_.size() && !names_.front().empty(); ++i) {
+            const float y = 8 + 22 * static_cast<float>(i);
+            out += fmt::format("<path d=\"M0 {:.1f}h22\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", y, colour(i),
+                               dashes(i)) +
+                   words_at(30, y + 5, names_[i]);
+        }
+        return out;
+    }
+
+private:
+    const std::vector<double>& levels() const { return study_.values[across_].levels; }
+
+    // The other values of a combination, "speed 1.3 m/s"; empty for a study of one value.
+    std::string series_of(std::size_t combination) const {
+        const std::vector<std::size_t> levels = levels_of(study_, combination);
+        std::string text;
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            if (i != across_)
+                text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(i),
+                                    level_text(study_.values[i], levels[i]));
+        return text;
+    }
+
+    std::string name_of(std::size_t value) const { return study_.values[value].name; }
+    static const char* colour(std::size_t i) { return series_colours[i % series_colours.size()]; }
+    static const char* dashes(std::size_t i) { return i < series_colours.size() ? "" : " stroke-dasharray=\"6 4\""; }
+    float x_of(double x) const { return panel_width * static_cast<float>((x - from_) / (to_ - from_)); }
+    static float y_of(double y, double low, double high) {
+        if (!std::isfinite(y)) return y > 0 ? 0 : panel_height;
+        return panel_height * static_cast<float>((high - y) / (high - low));
+    }
+
+    std::string axes(double low, double high, const std::string& x_label, const std::string& y_label) const {
+        std::string out = fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", panel_width,
+                                      panel_height, axis_ink);
+        std::string marks;
+        const auto from = static_cast<float>(from_), to = static_cast<float>(to_), bottom = static_cast<float>(low),
+                   top = static_cast<float>(high);
+        for (const float value : axis_ticks(from, to, tick_step(to - from))) {
+            marks += fmt::format("M{:.1f} {}v6", x_of(value), panel_height);
+            out += words_at(x_of(value), panel_height + 22, tick_text(value, tick_step(to - from), strings_),
+                            " text-anchor=\"middle\"");
+        }
+        for (const float value : axis_ticks(bottom, top, tick_step(top - bottom))) {
+            marks += fmt::format("M0 {:.1f}h-6", y_of(value, low, high));
+            out += words_at(-11, y_of(value, low, high) + 5, tick_text(value, tick_step(top - bottom), strings_),
+                            " text-anchor=\"end\"");
+        }
+        out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", marks, axis_ink);
+        out += words_at(panel_width / 2, panel_height + 46, x_label, " text-anchor=\"middle\" font-weight=\"bold\"");
+        return out + words_at(-panel_height / 2, -62, y_label,
+                              " transform=\"rotate(-90)\" text-anchor=\"middle\" font-weight=\"bold\"");
+    }
+
+    std::string line(const std::vector<SeriesPoint>& points, std::size_t index, double low, double high) const {
+        // Bars of several series stand side by side.
+        const float aside = 5 * (static_cast<float>(index) - static_cast<float>(names_.size() - 1) / 2);
+        std::string path, bars, dots;
+        for (const SeriesPoint& point : points) {
+            const float x = x_of(point.x) + aside, y = y_of(point.spread.median, low, high);
+            path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x, y);
+            bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, y_of(point.spread.lower, low, high),
+                                y_of(point.spread.upper, low, high));
+            dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", x, y);
+        }
+        if (points.empty()) return "";
+        return fmt::format(
+            "<g stroke=\"{0}\" fill=\"{0}\"><path d=\"{1}\" fill=\"none\" stroke-width=\"2\"{2}/>\n"
+            "<path d=\"{3}\" fill=\"none\" stroke-width=\"1.5\"/>\n{4}</g>\n",
+            colour(index), path, dashes(index), bars, dots);
+    }
+
+    const Study& study_;
+    const std::vector<insight::StudyRow>& rows_;
+    const Strings& strings_;
+    std::size_t across_ = 0;          // the value along the horizontal axis
+    std::vector<std::string> names_;  // of the series
+    double from_ = 0, to_ = 1;        // of the horizontal axis
+};
+
+}  // namespace
+
+std::string study_drawing(const Study& study, const std::vector<insight::StudyRow>& rows, const FigureLabels& labels,
+                          const Strings& strings) {
+    const StudyPanels panels(study, rows, strings);
+    const std::string x_label = labels.x.empty() ? with_unit(panels.value().name, panels.value().unit) : labels.x;
+    std::string drawn;
+    for (std::size_t i = 0; i < study.measures.size(); ++i) {
+        const insight::StudyMeasureTraits& traits = row_of(study.measures[i]);
+        const bool is_labelled = i == 0 && !labels.y.empty();
+        const std::string y_label =
+            is_labelled ? labels.y : with_unit(strings("study.measure." + std::string(traits.word)), traits.unit);
+        drawn += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", panel_left,
+                             panel_top + panel_step * static_cast<float>(i), panels.panel(i, x_label, y_label));
+    }
+    drawn += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", panel_left + panel_width + 24, panel_top,
+                         panels.legend());
+    const float below = panel_top + panel_step * static_cast<float>(study.measures.size());
+    drawn += words_at(panel_left, below - 18, fill(strings("report.study_bars"), {std::to_string(study.seeds)}));
+    return svg_file(labels.title.empty() ? strings.find("study." + study.id + ".title", study.title) : labels.title,
+                    panel_left + panel_width + panel_legend, below + 10, drawn);
+}
+
+}  // namespace braitenlab
