@@ -107,29 +107,33 @@ Result<BrainOfFile> load_run_brain(const std::filesystem::path& path, const Brai
 
 }  // namespace
 
+Result<BrainOfFile> brain_of_text(const std::string& text, const std::string& file, const BrainChoice& choice) {
+    if (holds_hand_in(file, text)) {
+        auto hand_in = parse_hand_in(text, file);
+        if (!hand_in) return hand_in.error();
+        return BrainOfFile{std::move(hand_in->submission.brain), "hand-in of " + hand_in->student,
+                           std::move(hand_in->submission.sensors)};
+    }
+    const FileKind kind = detect_kind(file, text);
+    if (kind == FileKind::exercise)
+        return Error{"this is an exercise; give a brain, a scene, a saved run or a hand-in", file};
+    if (kind == FileKind::brain) {
+        auto brain = parse_brain(text, file);
+        if (!brain) return brain.error();
+        return BrainOfFile{std::move(*brain), "", {}};
+    }
+    const auto scene = parse_scene(text, file);
+    if (!scene) return scene.error();
+    return brain_of_scene(*scene, choice, file);
+}
+
 Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice& choice) {
     const auto path = find_shipped(file);
     if (!path) return path.error();
     if (detect_kind(*path, "") == FileKind::run) return load_run_brain(*path, choice);
     const auto text = read_text(*path);
     if (!text) return text.error();
-    if (holds_hand_in(path->string(), *text)) {
-        auto hand_in = parse_hand_in(*text, path->string());
-        if (!hand_in) return hand_in.error();
-        return BrainOfFile{std::move(hand_in->submission.brain), "hand-in of " + hand_in->student,
-                           std::move(hand_in->submission.sensors)};
-    }
-    const FileKind kind = detect_kind(*path, *text);
-    if (kind == FileKind::exercise)
-        return Error{"this is an exercise; give a brain, a scene, a saved run or a hand-in", path->string()};
-    if (kind == FileKind::brain) {
-        auto brain = parse_brain(*text, path->string());
-        if (!brain) return brain.error();
-        return BrainOfFile{std::move(*brain), "", {}};
-    }
-    const auto scene = parse_scene(*text, path->string());
-    if (!scene) return scene.error();
-    return brain_of_scene(*scene, choice, path->string());
+    return brain_of_text(*text, path->string(), choice);
 }
 
 }  // namespace braitenlab

@@ -29,4 +29,7 @@ struct BrainOfFile {
 // hidden brain, and an unknown choice, with the nearest name.
 Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice&);
 
+// The same for the text of a file that is no saved run. `file`: its name in errors.
+Result<BrainOfFile> brain_of_text(const std::string& text, const std::string& file, const BrainChoice&);
+
 }  // namespace braitenlab

@@ -304,7 +304,7 @@ int command_line(int argc, char** argv) {
         ->required();
     grade_command
         ->add_option("FILE", graded.files,
-                     "a folder of hand-in files; or hand-ins, brains, scenes or saved runs")
+                     "a folder or a ZIP archive of hand-in files; or hand-ins, brains, scenes or saved runs")
         ->required();
     add_choice(*grade_command, graded.choice);
     grade_command->add_option("--csv", graded.csv, "write the rows there instead of printing them")->type_name("FILE");

@@ -1,9 +1,13 @@
 // braitenctl grade with a folder or hand-in files: a row a student, as CSV and as a page.
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <optional>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "app/ctl/class_files.h"
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
 #include "app/ctl/table_file.h"
@@ -12,7 +16,6 @@
 #include "app/reports/class_report.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
-#include "core/scene/folder_entries.h"
 
 namespace braitenlab {
 
@@ -20,58 +23,65 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// True for a file of a class: not hidden, and no result of an earlier grading.
-bool is_to_be_graded(const fs::path& path) {
-    const std::string name = path.filename().string();
-    return !name.starts_with(".") && path.extension() != ".csv" && path.extension() != ".html";
-}
-
-// The files, with those of each folder in place of it, sorted by name.
-std::vector<fs::path> files_of(const std::vector<std::string>& arguments) {
-    std::vector<fs::path> files;
-    for (const std::string& argument : arguments) {
-        std::error_code none;
-        if (!fs::is_directory(argument, none)) {
-            files.emplace_back(argument);
-            continue;
-        }
-        std::vector<fs::path> inside;
-        for_each_entry(argument, [&](const fs::directory_entry& entry) {
-            if (entry.is_regular_file(none) && is_to_be_graded(entry.path())) inside.push_back(entry.path());
-        });
-        std::sort(inside.begin(), inside.end());
-        files.insert(files.end(), inside.begin(), inside.end());
-    }
-    return files;
-}
-
-ClassRow row_of_brain(const Exercise& exercise, const fs::path& path, const BrainChoice& choice) {
-    ClassRow row{.file = path.filename().string(), .student = path.stem().string()};
-    if (auto brain = brain_of_file(path.string(), choice))
+ClassRow with_brain_of(const Exercise& exercise, ClassRow row, Result<BrainOfFile> brain) {
+    if (brain)
         row.submission = with_brain(exercise, std::move(brain->brain));
     else
         row.problem = RowProblem{{}, {}, brain.error()};
     return row;
 }
 
-// True for the content of a picture, an archive or a document: it has a zero byte and is not UTF-16, of which the
-// reader says what to do.
+// True for content that is no text: it has a zero byte and is not UTF-16, of which the reader says what to do.
 bool is_no_text(std::string_view content) {
     const bool is_utf16 = content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
     return !is_utf16 && content.find('\0') != std::string_view::npos;
 }
 
+// The key of the words for a file of another program, by its content or its ending; empty for none that is known.
+std::string_view foreign_key(const fs::path& file, std::string_view content) {
+    const auto begins = [&](std::string_view text) { return content.starts_with(text); };
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    if (begins("%PDF") || ending == ".pdf") return "report.is_pdf";
+    if (ending == ".zip" || (is_zip(content) && ending == ".toml")) return "report.is_archive";
+    if (begins("\x89PNG") || begins("\xFF\xD8\xFF") || ending == ".png" || ending == ".jpg" || ending == ".jpeg")
+        return "report.is_picture";
+    if (begins("<!DOCTYPE") || begins("<html")) return "report.is_page";
+    return is_zip(content) || is_no_text(content) ? "report.no_hand_in" : "";
+}
+
 // A file is a hand-in by its name, or by its content if it was renamed.
-ClassRow row_of_file(const Exercise& exercise, const fs::path& path, const BrainChoice& choice) {
-    const std::string name = path.filename().string();
-    if (path.extension() == ".run") return row_of_brain(exercise, path, choice);
-    const auto text = read_text(path);
-    const bool is_binary = text && is_no_text(*text);
-    if (holds_hand_in(name, text ? *text : std::string()) || (text && is_blank(*text)))
-        return row_of_hand_in(exercise, name, text);
+ClassRow row_of_file(const Exercise& exercise, const ClassFile& file, const BrainChoice& choice) {
+    const fs::path name = file.file;
     // A shipped scene is named without an ending, and does not exist at the path.
-    const bool may_have_brain = path.extension() == ".toml" || !text;
-    return may_have_brain && !is_binary ? row_of_brain(exercise, path, choice) : row_of_other_file(name);
+    std::error_code none;
+    const bool is_shipped = !file.archive && !fs::exists(file.path, none);
+    ClassRow row = row_of_other_file(file.file, file.submitter);
+    row.problem.reset();
+    if (is_shipped || (!file.archive && name.extension() == ".run"))
+        return with_brain_of(exercise, std::move(row), brain_of_file(file.path.string(), choice));
+    const auto text = text_of(file);
+    const std::string_view content = text ? std::string_view(*text) : std::string_view();
+    std::string_view key = foreign_key(name, content);
+    if (key.empty() && file.archive && !text) key = "report.not_unpacked";
+    if (key.empty() && file.archive && name.extension() == ".run") key = "report.run_in_archive";
+    if (!key.empty()) {
+        row.problem = RowProblem{key, "", {}};
+        return row;
+    }
+    if (holds_hand_in(file.file, content) || !text || is_blank(content))
+        return row_of_hand_in(exercise, file.file, text, file.submitter);
+    if (name.extension() != ".toml") return row_of_other_file(file.file, file.submitter);
+    row.fingerprint = content;
+    return with_brain_of(exercise, std::move(row), brain_of_text(*text, file.file, choice));
+}
+
+ClassRow row_of_empty_folder(const ClassFile& folder) {
+    const std::string& name = folder.submitter.folder;
+    ClassRow row = row_of_other_file(name.empty() ? folder.file : name, folder.submitter);
+    row.problem = RowProblem{"report.empty_folder", "", {}};
+    return row;
 }
 
 // Grades the rows that have a submission, and the shipped brain and the wrong answers for comparison.
@@ -120,7 +130,7 @@ std::optional<Error> write_results(const ClassReport& report, const Strings& str
 bool is_class(const std::vector<std::string>& files) {
     return std::any_of(files.begin(), files.end(), [](const std::string& file) {
         std::error_code none;
-        return fs::is_directory(file, none) || is_hand_in(file);
+        return fs::is_directory(file, none) || is_hand_in(file) || is_zip_file(file);
     });
 }
 
@@ -137,18 +147,22 @@ int grade_class(const ClassOptions& options) {
     if (const auto error = missing_argument(options.files)) return complain(*error);
     const auto strings = words_for(**exercise, options.table.language);
     if (!strings) return complain(strings.error());
+    const auto files = class_files(options.files);
+    if (!files) return complain(files.error());
     ClassReport report{*exercise, options.first_seed, {}};
-    for (const fs::path& file : files_of(options.files))
-        report.rows.push_back(row_of_file(**exercise, file, options.choice));
+    for (const ClassFile& file : files->files) report.rows.push_back(row_of_file(**exercise, file, options.choice));
+    for (const ClassFile& folder : files->empty) report.rows.push_back(row_of_empty_folder(folder));
     if (report.rows.empty()) return complain({"there is no file to grade; give a folder with hand-in files"});
+    if (!files->left_out.empty()) std::cerr << fmt::format("left out: {}\n", fmt::join(files->left_out, ", "));
     mark_replaced(report.rows);
+    mark_same(report.rows);
     if (const auto error = grade_rows(*exercise, options.first_seed, report.rows)) return complain(*error);
     sort_by_student(report.rows);
     if (const auto error = write_results(report, *strings, options)) return complain(*error);
     bool all_read = true;
     for (const ClassRow& row : report.rows)
         if (!row.submission)
-            all_read = false, complain({problem_text(row, *strings), row.problem->error ? "" : row.file});
+            all_read = false, complain({text_of(*row.problem, *strings), row.problem->error ? "" : row.file});
     return all_read ? exit_code::done : exit_code::bad_input;
 }
 

@@ -145,6 +145,10 @@ struct Page {
                 out += "<tr>" + html::element("td", translated(exercise.wrong[i].name)) +
                        html::element("td", translated(exercise.wrong[i].text)) +
                        html::element("td", std::to_string(summary.resembling[i]), "n") + "</tr>\n";
+        if (summary.refused > 0)
+            out += "<tr>" + html::element("td", words("report.refused_mistake")) +
+                   html::element("td", words("report.refused_how")) +
+                   html::element("td", std::to_string(summary.refused), "n") + "</tr>\n";
         if (summary.unchanged > 0)
             out += "<tr>" + html::element("td", words("report.as_shipped")) +
                    html::element("td", words("report.as_shipped_how")) +
@@ -175,15 +179,16 @@ struct Page {
     }
 
     std::string remark(const Row& row) const {
-        if (row.problem) return problem_text(row, strings);
         std::string text;
-        if (row.hand_in && row.hand_in->solution_shown && !row.passed) text = words("report.solution_shown");
-        const std::string like = row.unchanged ? words("report.as_shipped")
-                                 : row.resembles
-                                     ? fill(strings("report.like"), {translated(exercise.wrong[*row.resembles].name)})
-                                     : "";
-        if (!like.empty()) text += (text.empty() ? "" : "; ") + like;
-        if (states_another_result(report, row)) text += (text.empty() ? "" : "; ") + own_result(row);
+        const auto add = [&](const std::string& more) { text += (text.empty() || more.empty() ? "" : "; ") + more; };
+        add(problem_text(row, strings));
+        if (!row.same_as.empty()) add(fill(strings("report.same_as"), {row.same_as}));
+        if (row.problem) return text;
+        if (row.refusal) add(text_of(*row.refusal, strings));
+        if (row.hand_in && row.hand_in->solution_shown && !row.passed) add(words("report.solution_shown"));
+        if (row.unchanged) add(words("report.as_shipped"));
+        if (row.resembles) add(fill(strings("report.like"), {translated(exercise.wrong[*row.resembles].name)}));
+        if (states_another_result(report, row)) add(own_result(row));
         return text;
     }
 
@@ -211,7 +216,8 @@ struct Page {
         out += html::element("td", h && h->prediction > 0 ? words(is_right ? "report.right" : "report.wrong") : "");
         out += number_cell(h ? std::optional(h->hints) : std::nullopt);
         out += number_cell(h ? std::optional(h->runs) : std::nullopt);
-        const bool is_bad = (row.problem && !is_superseded(row)) || states_another_result(report, row);
+        const bool is_bad = (row.problem && !is_superseded(row)) || row.refusal || !row.same_as.empty() ||
+                            states_another_result(report, row);
         return out + html::element("td", remark(row), is_bad ? "bad" : "") + "</tr>\n";
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -18,7 +19,9 @@ namespace braitenlab {
 
 namespace {
 
-std::string stem_of(const std::string& file) {
+// Without folders and ending.
+std::string stem_of(std::string file) {
+    file.erase(0, file.rfind('/') + 1);
     return is_hand_in(file) ? file.substr(0, file.size() - hand_in_ending.size()) : file.substr(0, file.rfind('.'));
 }
 
@@ -81,12 +84,17 @@ std::string failed_step_text(const ClassReport& report, const Grade& grade, cons
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
-ClassRow row_of_other_file(const std::string& file) {
-    return {.file = file, .student = stem_of(file), .problem = RowProblem{"report.no_hand_in", "", {}}};
+ClassRow row_of_other_file(const std::string& file, const Submitter& submitter) {
+    return {.file = file,
+            .student = submitter.name.empty() ? stem_of(file) : submitter.name,
+            .submitter = submitter,
+            .problem = RowProblem{"report.no_hand_in", "", {}}};
 }
 
-ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const Result<std::string>& text) {
-    ClassRow row{.file = file, .student = stem_of(file)};
+ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const Result<std::string>& text,
+                        const Submitter& submitter) {
+    ClassRow row = row_of_other_file(file, submitter);
+    row.problem.reset();
     if (text && is_blank(*text)) {
         row.problem = RowProblem{"report.empty", "", {}};
         return row;
@@ -98,11 +106,31 @@ ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const
     }
     row.student = hand_in->student;
     row.hand_in = std::move(*hand_in);
+    HandIn nameless = *row.hand_in;
+    if (!nameless.written.empty()) nameless.student.clear();  // two students do not write in the same second
+    row.fingerprint = write_hand_in(std::move(nameless));
     if (!is_for_exercise(row.hand_in->exercise, exercise.id))
         row.problem = RowProblem{"report.other_exercise", row.hand_in->exercise, {}};
     else
         row.submission = row.hand_in->submission;
     return row;
+}
+
+bool is_same_person(const ClassRow& a, const ClassRow& b) {
+    if (!a.submitter.person.empty() || !b.submitter.person.empty()) return a.submitter.person == b.submitter.person;
+    return a.submitter.folder == b.submitter.folder && is_same_student(a.student, b.student);
+}
+
+void mark_same(std::vector<ClassRow>& rows) {
+    std::map<std::string_view, std::vector<ClassRow*>> by_fingerprint;
+    for (ClassRow& row : rows)
+        if (!row.fingerprint.empty()) by_fingerprint[row.fingerprint].push_back(&row);
+    for (const auto& [fingerprint, same] : by_fingerprint)
+        for (ClassRow* row : same) {
+            const auto other = std::find_if(same.begin(), same.end(),
+                                            [&](const ClassRow* each) { return !is_same_person(*each, *row); });
+            if (other != same.end()) row->same_as = (*other)->file;
+        }
 }
 
 void mark_replaced(std::vector<ClassRow>& rows) {
@@ -113,7 +141,7 @@ void mark_replaced(std::vector<ClassRow>& rows) {
         if (!row.hand_in || row.problem) continue;
         for (const ClassRow& other : rows) {
             const bool is_alternative = other.hand_in && other.submission && &other != &row &&
-                                        is_same_student(other.student, row.student) && is_later(other, row);
+                                        is_same_person(other, row) && is_later(other, row);
             if (is_alternative) row.problem = RowProblem{"report.replaced", other.file, {}};
         }
     }
@@ -121,7 +149,8 @@ void mark_replaced(std::vector<ClassRow>& rows) {
 
 void sort_by_student(std::vector<ClassRow>& rows) {
     std::stable_sort(rows.begin(), rows.end(), [](const ClassRow& a, const ClassRow& b) {
-        return std::tuple(for_comparison(a.student), a.file) < std::tuple(for_comparison(b.student), b.file);
+        return std::tuple(for_comparison(a.student), a.submitter.folder, a.file) <
+               std::tuple(for_comparison(b.student), b.submitter.folder, b.file);
     });
 }
 
@@ -139,8 +168,8 @@ bool states_another_result(const ClassReport& report, const ClassRow& row) {
 
 void judge(const Exercise& exercise, ClassRow& row, Grade grade, const Grade& shipped,
            const std::vector<Grade>& wrong) {
-    if (!row.problem) row.problem = submission_problem(exercise, row);
-    row.passed = grade.good && !row.problem;
+    row.refusal = submission_problem(exercise, row);
+    row.passed = grade.good && !row.problem && !row.refusal;
     row.edited = is_edited(exercise, *row.submission);
     if (!grade.good) row.resembles = same_wrong_answer(exercise, *row.submission);
     if (!grade.good && !row.resembles) {
@@ -169,9 +198,12 @@ ClassSummary summary_of(const ClassReport& report) {
         ++summary.counted;
         summary.passed += row.passed;
         summary.passed_shown += passed_with_solution_shown(row);
-        summary.unchanged += row.unchanged;
-        if (row.resembles) ++summary.resembling[*row.resembles];
-        summary.other += !row.passed && !row.unchanged && !row.resembles;
+        if (row.refusal)
+            ++summary.refused;
+        else if (row.resembles)
+            ++summary.resembling[*row.resembles];
+        else if (!row.passed)
+            ++(row.unchanged ? summary.unchanged : summary.other);
         counts.push_back(row.grade->count);
         for (const StartResult& start : row.grade->starts)
             if (const std::size_t step = failed_step(start); step < summary.failed.size() && !start.passed)
@@ -184,15 +216,18 @@ ClassSummary summary_of(const ClassReport& report) {
     return summary;
 }
 
+std::string text_of(const RowProblem& problem, const Strings& strings) {
+    return problem.error ? text_of(*problem.error, strings) : fill(strings(problem.key), {problem.value});
+}
+
 std::string problem_text(const ClassRow& row, const Strings& strings) {
-    if (!row.problem) return "";
-    if (row.problem->error) return text_of(*row.problem->error, strings);
-    return fill(strings(row.problem->key), {row.problem->value});
+    return row.problem ? text_of(*row.problem, strings) : "";
 }
 
 std::string feedback(const ClassReport& report, const ClassRow& row, const Strings& strings) {
     if (row.problem) return problem_text(row, strings);
     if (!row.grade) return "";
+    if (row.refusal) return fill(strings("report.refused"), {text_of(*row.refusal, strings)});
     const Grade& grade = *row.grade;
     const std::string count = std::to_string(grade.count), of = std::to_string(grade.starts.size());
     if (row.passed) return fill(strings("report.passed_from"), {count, of});
@@ -232,16 +267,16 @@ private:
 
 std::string class_csv(const ClassReport& report, const Strings& strings) {
     const Exercise& exercise = *report.exercise;
-    std::string out = "student,file,passed,starts_passed,starts,needed";
+    std::string out = "student,folder,id,file,passed,starts_passed,starts,needed";
     for (std::size_t step = 1; step <= exercise.steps.size(); ++step) out += fmt::format(",step_{}", step);
     for (int start = 1; start <= exercise.starts; ++start) out += fmt::format(",start_{}", start);
     out +=
-        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,feedback,"
-        "error\n";
+        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,same_as,"
+        "feedback,error\n";
     for (const ClassRow& row : report.rows) {
         CsvLine line(out);
         const auto& grade = row.grade;
-        line.text(row.student), line.text(row.file);
+        line.text(row.student), line.text(row.submitter.folder), line.text(row.submitter.id), line.text(row.file);
         line.yes_or_no(grade && !is_superseded(row) ? std::optional(row.passed) : std::nullopt);
         line.number(grade ? std::optional(grade->count) : std::nullopt);
         line.number(exercise.starts), line.number(exercise.needed);
@@ -260,6 +295,7 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
         line.text(std::string(row.unchanged   ? strings("report.as_shipped")
                               : row.resembles ? translated(strings, exercise.wrong[*row.resembles].name)
                                               : ""));
+        line.text(row.same_as);
         line.text(row.problem ? "" : feedback(report, row, strings));
         line.text(problem_text(row, strings));
         line.end();

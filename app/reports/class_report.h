@@ -9,12 +9,13 @@
 
 #include "core/lesson/grade.h"
 #include "core/lesson/hand_in.h"
+#include "core/lesson/submitter.h"
 #include "core/maths/spread.h"
 #include "ui/strings.h"
 
 namespace braitenlab {
 
-// Why a row does not count: an error of a file, or a text of the strings with its value.
+// Why a row does not count or does not pass: an error of a file, or a text of the strings with its value.
 struct RowProblem {
     std::string_view key;  // "report.replaced"; empty: `error`
     std::string value;     // of its {}
@@ -23,11 +24,15 @@ struct RowProblem {
 
 // One file of the class.
 struct ClassRow {
-    std::string file;     // its name
-    std::string student;  // of the hand-in; of another file its name without the ending
+    std::string file;         // its name, with folders
+    std::string student;      // of the hand-in; of another file the submitter's name, or the file's without the ending
+    Submitter submitter{};    // by the names of the file and its folders
+    std::string fingerprint;  // the same text for files that differ at most by the student's name
     std::optional<HandIn> hand_in;
     std::optional<Submission> submission;  // nullopt: the file is broken or of another exercise
     std::optional<RowProblem> problem;     // nullopt: the row counts
+    std::optional<RowProblem> refusal;     // why the submission does not pass, whatever its grade is
+    std::string same_as;                   // the first file of another person with the same content
     std::optional<Grade> grade;            // of the submission
     bool passed = false;                   // the grade is good and the submission is allowed
     bool unchanged = false;                // the behaviour is that of the shipped brain
@@ -42,18 +47,26 @@ struct ClassReport {
 };
 
 // The row of a file that holds no hand-in and no brain: "essay.docx".
-ClassRow row_of_other_file(const std::string& file);
+ClassRow row_of_other_file(const std::string& file, const Submitter& = {});
 
 // True if the text has no characters but spaces and line ends.
 bool is_blank(std::string_view text);
 
 // The row of a hand-in file, not graded. `file`: its name; `text`: its content or the error of reading it. A hand-in
 // for another exercise is a row with a problem.
-ClassRow row_of_hand_in(const Exercise&, const std::string& file, const Result<std::string>& text);
+ClassRow row_of_hand_in(const Exercise&, const std::string& file, const Result<std::string>& text,
+                        const Submitter& = {});
 
-// Of several hand-ins of one student (is_same_student), the one written last counts, of equal times the last by file
-// name; the others get a problem that names it.
+// True for rows of one person: the platform's names say so or, where they do not tell, both are in one folder and their
+// students are the same (is_same_student).
+bool is_same_person(const ClassRow&, const ClassRow&);
+
+// Of several hand-ins of one person, the one written last counts, of equal times the last by file name; the others get
+// a problem that names it.
 void mark_replaced(std::vector<ClassRow>&);
+
+// Sets same_as.
+void mark_same(std::vector<ClassRow>&);
 
 // True for a row that mark_replaced() has given a problem: it is no failure.
 bool is_superseded(const ClassRow&);
@@ -68,7 +81,7 @@ bool states_another_result(const ClassReport&, const ClassRow&);
 // By student as is_same_student() compares names, so that the hand-ins of one student are together; then by file.
 void sort_by_student(std::vector<ClassRow>&);
 
-// Sets grade, passed, unchanged, edited, resembles and the problem of controls that are not offered. `shipped` and
+// Sets grade, passed, unchanged, edited, resembles and the refusal of controls that are not offered. `shipped` and
 // `wrong` are the grades of the shipped brain and of the wrong answers from the same seeds.
 void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::vector<Grade>& wrong);
 
@@ -81,13 +94,15 @@ struct ClassSummary {
     maths::Spread starts;                   // passed, in the rows that count
     std::vector<int> failed;                // of each step: starts that it made fail, see failed_step()
     std::optional<std::size_t> worst_step;  // the one that made most starts fail
+    int refused = 0;                        // students with a refusal; they are in none of the next three
     std::vector<int> resembling;            // of each wrong answer: students
     int unchanged = 0;                      // students whose behaviour is that of the shipped brain
     int other = 0;                          // students who fail in another way
 };
 ClassSummary summary_of(const ClassReport&);
 
-// The problem of a row, in the language of the strings; empty if there is none.
+// In the language of the strings. problem_text(): empty if the row has no problem.
+std::string text_of(const RowProblem&, const Strings&);
 std::string problem_text(const ClassRow&, const Strings&);
 
 // What to tell the student, in the language of the strings.
