@@ -14,6 +14,7 @@
 #include "app/files/data.h"
 #include "app/platform/memory.h"
 #include "app/platform/platform.h"
+#include "app/reports/gradebook.h"
 #include "core/export/export.h"
 #include "core/insight/behaviour.h"
 #include "core/io/vehicle_table.h"
@@ -243,6 +244,24 @@ CLI::App* add_link(CLI::App& app, LinkOptions& options) {
     return command;
 }
 
+void add_marks(CLI::App& command, ClassOptions& options) {
+    std::string words;
+    for (const auto& row : platform_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
+    command.add_option("--gradebook", options.platform, "write the marks as this platform imports them: " + words)
+        ->type_name("PLATFORM");
+    command.add_option("--marks", options.marks, "the file of the marks; -: to standard output")->type_name("FILE");
+    command.add_option("--list", options.list, "the list of students that the platform has exported, as CSV")
+        ->type_name("FILE");
+    command
+        .add_option("--column", options.column,
+                    "heading of the column of the marks; default: the platform's, in canvas the exercise's title")
+        ->type_name("NAME");
+    command
+        .add_option("--points", options.points,
+                    "the mark where all starts pass; default: that of the list, or the starts")
+        ->check(CLI::Range(0.01, 10000.0));
+}
+
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
     app.allow_windows_style_options(false);  // "/" begins a path, on every system
@@ -311,6 +330,7 @@ int command_line(int argc, char** argv) {
     grade_command->add_option("--html", graded.html, "write a page with summary, paths and feedback")
         ->type_name("FILE");
     add_table(*grade_command, graded.table, ", the feedback and the page");
+    add_marks(*grade_command, graded);
     grade_command->add_option("--seed", graded.first_seed, "seed of the first start; default: 1");
 
     MapOptions mapped;
@@ -392,7 +412,8 @@ int command_line(int argc, char** argv) {
     if (*map_command) return map(mapped);
     if (*robustness_command) return robustness(tried);
     if (*picture_command) return picture(drawn);
-    if (*grade_command && (!graded.html.empty() || is_class(graded.files))) return grade_class(graded);
+    if (*grade_command && (!graded.html.empty() || !graded.platform.empty() || is_class(graded.files)))
+        return grade_class(graded);
     if (*grade_command) return grade_all(graded);
     if (*show_command) return show(shown);
     if (*hashes_command) return print_hashes(hashed);

@@ -170,6 +170,10 @@ struct ClassOptions {
     BrainChoice choice;              // of the brain in a scene or a saved run
     std::string csv, html;           // files to write; csv empty or "-": standard output, if there is no page either
     TableOptions table;              // its language is also that of feedback and page
+    std::string platform;            // word of Platform, for the marks; empty: no marks are written
+    std::string marks;               // file of the marks; "-": standard output
+    std::string list, column;        // the platform's list of students, a file; the column for the marks
+    double points = 0;               // the best mark; 0: see GradebookOptions
     std::uint64_t first_seed = 1;
 };
 

@@ -14,8 +14,10 @@
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "app/reports/class_report.h"
+#include "app/reports/gradebook.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
+#include "core/scene/nearest.h"
 
 namespace braitenlab {
 
@@ -120,9 +122,55 @@ std::optional<Error> write_results(const ClassReport& report, const Strings& str
     if (options.csv.empty() && !options.html.empty()) return std::nullopt;
     const auto style = style_of(options.table);
     if (!style) return style.error();
+    if (options.csv.empty() && !options.marks.empty()) return std::nullopt;
     TableFile table(options.csv.empty() ? std::string(standard_output) : options.csv, *style);
     table.write(class_csv(report, strings));
     return table.close();
+}
+
+std::optional<Error> check_marks(const ClassOptions& options) {
+    if (options.platform.empty())
+        return options.marks.empty() && options.list.empty() && options.column.empty() && options.points == 0
+                   ? std::nullopt
+                   : std::optional(Error{"--marks, --list, --column and --points belong to --gradebook PLATFORM"});
+    if (options.marks.empty()) return Error{"give the file of the marks with --marks FILE", "--gradebook"};
+    std::vector<std::string_view> known;
+    for (const auto& row : platform_table) known.push_back(row.word);
+    if (std::find(known.begin(), known.end(), options.platform) != known.end()) return std::nullopt;
+    return Error{"there is no platform " + in_quotes(options.platform) + name_nearest(options.platform, known),
+                 "--gradebook"};
+}
+
+std::string names_of(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 20;
+    const std::vector<std::string> first(names.begin(),
+                                         names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
+    return fmt::format("{}{}", fmt::join(first, "; "), names.size() > most ? "; …" : "");
+}
+
+// Writes the marks. Returns exit_code::bad_input where one has no place in the list.
+int write_marks(const ClassReport& report, const Strings& strings, const ClassOptions& options) {
+    GradebookOptions wanted{.list_name = options.list, .column = options.column, .points = options.points};
+    for (const auto& row : platform_table)
+        if (row.word == options.platform) wanted.platform = row.value;
+    if (!options.list.empty()) {
+        auto list = read_text(options.list);
+        if (!list) return complain(list.error());
+        wanted.list = std::move(*list);
+    }
+    const auto book = gradebook(report, strings, wanted);
+    if (!book) return complain(book.error());
+    if (options.marks == standard_output)
+        std::cout << book->table;
+    else if (const auto error = write_whole(options.marks, book->table))
+        return complain(*error);
+    std::cerr << fmt::format("marks: {}\n", book->marked);
+    if (!book->unmarked.empty())
+        std::cerr << fmt::format("in the list without a graded hand-in: {}: {}\n", book->unmarked.size(),
+                                 names_of(book->unmarked));
+    if (book->not_in_list.empty()) return exit_code::done;
+    return complain({fmt::format("graded without a place in the list: {}: {}", book->not_in_list.size(),
+                                 names_of(book->not_in_list))});
 }
 
 }  // namespace
@@ -142,6 +190,7 @@ std::optional<Error> missing_argument(const std::vector<std::string>& arguments)
 }
 
 int grade_class(const ClassOptions& options) {
+    if (const auto error = check_marks(options)) return complain(*error);
     const auto exercise = find_exercise(options.exercise);
     if (!exercise) return complain(exercise.error());
     if (const auto error = missing_argument(options.files)) return complain(*error);
@@ -159,6 +208,8 @@ int grade_class(const ClassOptions& options) {
     if (const auto error = grade_rows(*exercise, options.first_seed, report.rows)) return complain(*error);
     sort_by_student(report.rows);
     if (const auto error = write_results(report, *strings, options)) return complain(*error);
+    const int marks = options.platform.empty() ? exit_code::done : write_marks(report, *strings, options);
+    if (marks != exit_code::done) return marks;
     bool all_read = true;
     for (const ClassRow& row : report.rows)
         if (!row.submission)

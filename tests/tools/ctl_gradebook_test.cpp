@@ -1,0 +1,178 @@
+// braitenctl grade --gradebook: marks as the import of a learning platform reads them.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/files/data.h"
+#include "core/lesson/hand_in.h"
+#include "core/lesson/submission.h"
+#include "tests/folder.h"
+#include "tests/shell.h"
+#include "tests/zip.h"
+
+namespace braitenlab::tests::ctl_gradebook_test {
+namespace {
+
+Ran grade_in(const Folder& folder, const std::string& arguments) {
+    return shell("cd " + folder.path.string() + " && " BRAITENLAB_BINARY "/braitenctl grade 05-aggressor " + arguments);
+}
+
+enum class Work { solved, as_given, not_offered };
+
+std::string handed_in(const std::string& student, Work work) {
+    const auto exercise = load_exercise(*find_shipped("05-aggressor"));
+    HandIn made{.student = student, .exercise = "05-aggressor"};
+    made.submission = work == Work::as_given ? as_shipped(*exercise) : with_solution(*exercise);
+    if (work == Work::not_offered) made.submission.sensors[0].range = 30;
+    return write_hand_in(made);
+}
+
+// Anna 101 passes, Jan 102 fails, Olu 103 changes what is not offered, Kim 109 is not in the lists below.
+void put_class(const Folder& folder) {
+    const auto file = [](const std::string& person, Work work) {
+        return Zipped{person + "_assignsubmission_file_/a.toml", handed_in(person, work), true};
+    };
+    put_text(folder / "class.zip", zip_of({file("Müller Anna_101", Work::solved), file("Nowak Jan_102", Work::as_given),
+                                           file("Ode Olu_103", Work::not_offered)}));
+}
+
+TEST(CtlGradebook, FillsTheGradingWorksheetOfMoodle) {
+    const Folder folder;
+    put_class(folder);
+    const std::string header =
+        "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Maximum Grade\",\"Grade can be changed\","
+        "\"Last modified (submission)\",\"Last modified (grade)\",\"Feedback comments\"\n";
+    put_text(folder / "list.csv",
+             "\xEF\xBB\xBF" + header +
+                 "\"Participant 101\",\"Anna Müller\",a@x,Submitted,,100.00,Yes,\"Monday, 5 October\",-,\n"
+                 "\"Participant 102\",\"Jan Nowak\",j@x,Submitted,,100.00,Yes,-,-,\n"
+                 "\"Participant 103\",\"=Olu Ode\",o@x,Submitted,,100.00,Yes,-,-,\n"
+                 "\"Participant 104\",\"Zoe Zola\",z@x,\"No submission\",,100.00,Yes,-,-,\n");
+    const Ran ran = grade_in(folder, "class.zip --gradebook moodle --list list.csv --marks marks.csv");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    const std::string marks = text_of(folder / "marks.csv");
+    const std::string plain =
+        "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,"
+        "Last modified (submission),Last modified (grade),Feedback comments\n";
+    EXPECT_TRUE(marks.starts_with(plain)) << marks;
+    EXPECT_NE(
+        marks.find("\nParticipant 101,Anna Müller,a@x,Submitted,100,100.00,Yes,\"Monday, 5 October\",-,Passed: 10 "
+                   "of 10 starts.\n"),
+        std::string::npos)
+        << marks << "\nthe time of the last grade must stay, or Moodle leaves the row out";
+    EXPECT_NE(marks.find("\nParticipant 102,Jan Nowak,j@x,Submitted,0,100.00,Yes,-,-,\"0 of 10 starts passed"),
+              std::string::npos)
+        << marks;
+    EXPECT_NE(marks.find("\nParticipant 103,=Olu Ode,o@x,Submitted,0,100.00,Yes,-,-,Not passed: "), std::string::npos)
+        << marks;
+    EXPECT_NE(marks.find("\nParticipant 104,Zoe Zola,z@x,No submission,,100.00,Yes,-,-,\n"), std::string::npos)
+        << marks;
+    EXPECT_NE(ran.out.find("marks: 3\nin the list without a graded hand-in: 1: Zoe Zola\n"), std::string::npos)
+        << ran.out;
+}
+
+TEST(CtlGradebook, ReadsTheWorksheetInSpanishWithDecimalCommas) {
+    const Folder folder;
+    put_class(folder);
+    put_text(folder / "list.csv",
+             "Identificador;Nombre completo;Calificación;Calificación máxima;Comentarios de retroalimentación\n"
+             "Participante 101;Anna;;7,50;\nParticipante 102;Jan;;7,50;\nParticipante 103;Olu;;7,50;\n");
+    const Ran ran = grade_in(folder, "class.zip --gradebook moodle --list list.csv --marks - --lang es");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_NE(ran.out.find("\nParticipante 101;Anna;7,5;7,50;"), std::string::npos) << ran.out;
+}
+
+TEST(CtlGradebook, AMarkWithoutAPlaceInTheListIsAnError) {
+    const Folder folder;
+    put_class(folder);
+    put_text(folder / "list.csv", "Identifier,Full name,Grade\nParticipant 101,Anna,\n");
+    const Ran ran = grade_in(folder, "class.zip --gradebook moodle --list list.csv --marks marks.csv");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("graded without a place in the list: 2: Nowak Jan_102"), std::string::npos) << ran.out;
+    EXPECT_NE(text_of(folder / "marks.csv").find("Participant 101,Anna,10\n"), std::string::npos);
+}
+
+TEST(CtlGradebook, WritesOneColumnForCanvas) {
+    const Folder folder;
+    put_text(folder / "c" / "muelleranna_101_99001_a.toml", handed_in("Anna", Work::solved));
+    put_text(folder / "c" / "nowakjan_LATE_102_99002_a-1.toml", handed_in("Jan", Work::as_given));
+    put_text(folder / "list.csv",
+             "Student,ID,SIS User ID,SIS Login ID,Section,Essay (7),Aggressor (8),Final Score\n"
+             "    Points Possible,,,,,10,20,(read only)\n"
+             "\"Müller, Anna\",101,,am,G1,4,,40\n\"Nowak, Jan\",102,,jn,G1,5,3,50\n\"Zola, Zoe\",103,,zz,G1,6,,60\n");
+    const std::string list = " --list list.csv --marks -";
+    const Ran ran = grade_in(folder, "c --gradebook canvas --column Aggressor" + list);
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    const std::string person = "Student,ID,SIS User ID,SIS Login ID,Section,";
+    EXPECT_TRUE(ran.out.starts_with(person +
+                                    "Aggressor (8)\n    Points Possible,,,,,20\n\"Müller, Anna\",101,,am,G1,20\n"
+                                    "\"Nowak, Jan\",102,,jn,G1,0\n\"Zola, Zoe\",103,,zz,G1,\n"))
+        << ran.out;
+    const Ran fresh = grade_in(folder, "c --gradebook canvas --column New --points 5" + list);
+    EXPECT_TRUE(fresh.out.starts_with(person + "New\n    Points Possible,,,,,5\n\"Müller, Anna\",101,,am,G1,5\n"))
+        << fresh.out;
+}
+
+TEST(CtlGradebook, WritesTheStatusFileOfIlias) {
+    const Folder folder;
+    put_text(folder / "s" / "Mueller_Anna_am_101" / "a.toml", handed_in("Anna", Work::solved));
+    put_text(folder / "s" / "Nowak_Jan_jn_102" / "a.toml", handed_in("Jan", Work::as_given));
+    const std::string header =
+        "update,usr_id,login,lastname,firstname,status,mark,notice,comment,plagiarism,plag_comment\n";
+    const Ran ran = grade_in(folder, "s --gradebook ilias --marks -");
+    EXPECT_TRUE(ran.out.starts_with(header + "1,101,,Mueller Anna,,passed,10,,Passed: 10 of 10 starts.,,\n1,102,,"))
+        << ran.out;
+    put_text(folder / "status.csv", header +
+                                        "0,101,am,Mueller,Anna,notgraded,,,,,\n0,103,zz,Zola,Zoe,notgraded,,,,,\n"
+                                        "0,102,jn,Nowak,Jan,notgraded,,late,,,\n");
+    const Ran filled = grade_in(folder, "s --gradebook ilias --list status.csv --marks -");
+    EXPECT_NE(filled.out.find("\n0,103,zz,Zola,Zoe,notgraded,,,,,\n1,102,jn,Nowak,Jan,failed,0,late,"),
+              std::string::npos)
+        << filled.out;
+}
+
+TEST(CtlGradebook, FindsPeopleByNameWhereTheFilesHaveNoNumber) {
+    const Folder folder;
+    put_text(folder / "c" / "1.toml", handed_in("Anna Mueller", Work::solved));
+    put_text(folder / "c" / "2.toml", handed_in("Jan Nowak", Work::solved));
+    put_text(folder / "list.csv",
+             "Identifier,Full name,Grade\nParticipant 1,\"Müller, Anna\",\nParticipant 2,Jan Nowak,\n"
+             "Participant 3,Jan Nowak,\n");
+    const Ran ran = grade_in(folder, "c --gradebook moodle --list list.csv --marks marks.csv");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("graded without a place in the list: 1: 2.toml"), std::string::npos)
+        << "two people have this name: " << ran.out;
+    EXPECT_NE(text_of(folder / "marks.csv").find("Participant 1,\"Müller, Anna\",10\n"), std::string::npos) << ran.out;
+}
+
+TEST(CtlGradebook, SaysWhatIsMissing) {
+    const Folder folder;
+    put_class(folder);
+    put_text(folder / "list.csv", "a,b\n1,2\n");
+    const auto says = [&](const std::string& arguments, const std::string& words) {
+        const Ran ran = grade_in(folder, "class.zip " + arguments);
+        EXPECT_EQ(ran.code, 2) << arguments;
+        EXPECT_NE(ran.out.find(words), std::string::npos) << ran.out;
+    };
+    says("--gradebook moodle --marks m.csv", "export it and give it with --list");
+    says("--gradebook moodle", "--marks FILE");
+    says("--gradebook modle --marks m.csv", "there is no platform 'modle'; the nearest is 'moodle'");
+    says("--gradebook canvas --list list.csv --marks m.csv", "list.csv: this is not the list");
+    says("--marks m.csv", "belong to --gradebook");
+    EXPECT_FALSE(fs::exists(folder / "m.csv"));
+}
+
+TEST(CtlGradebook, APlainTableNeedsNoList) {
+    const Folder folder;
+    put_class(folder);
+    const Ran ran = grade_in(folder, "class.zip --gradebook csv --points 100 --marks -");
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_TRUE(
+        ran.out.starts_with("student,id,folder,mark,points,passed,feedback\nMüller Anna_101,101,Müller "
+                            "Anna_101_assignsubmission_file_,100,100,yes,Passed: 10 of 10 starts.\n"))
+        << ran.out;
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::ctl_gradebook_test
