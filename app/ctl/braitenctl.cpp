@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "app/ctl/ctl.h"
+#include "app/ctl/outputs.h"
 #include "app/files/data.h"
 #include "app/platform/memory.h"
 #include "app/platform/platform.h"
@@ -408,6 +409,8 @@ int command_line(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? exit_code::done : exit_code::bad_input;
     }
+    for (const CLI::App* command : app.get_subcommands())
+        if (const auto error = output_over_input(*command)) return complain(*error);
     if (*run_command) return run(options);
     if (*map_command) return map(mapped);
     if (*robustness_command) return robustness(tried);
@@ -435,5 +438,6 @@ int command_line(int argc, char** argv) {
 int main(int argc, char** argv) {
     braitenlab::keep_freed_memory();
     braitenlab::use_utf8(argc, argv);
-    return braitenlab::command_line(argc, argv);
+    braitenlab::end_at_closed_pipe();
+    return braitenlab::end_with(braitenlab::command_line(argc, argv));
 }

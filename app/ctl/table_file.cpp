@@ -29,10 +29,9 @@ void TableFile::put(std::string_view text) {
 
 std::optional<Error> TableFile::close() {
     if (file_) return file_->commit();
+    if (path_ == standard_output) return std::nullopt;  // end_with() looks at it
     stream_->flush();
     if (*stream_) return std::nullopt;
-    if (path_ == standard_output)
-        return Error{"standard output could not be written; check that it has room", "--csv -"};
     return Error{"could not be written; check that the folder exists, may be written to and has room", path_};
 }
 

@@ -27,7 +27,8 @@ public:
     // Whole lines as core/io/csv.h writes them.
     void write(std::string_view lines);
 
-    // Call it once, after the last write(). Fails with the first error of all calls.
+    // Call it once, after the last write(). Fails with the first error of all calls; for standard output, end_with()
+    // in app/ctl/outputs.h fails in its place.
     std::optional<Error> close();
 
 private:

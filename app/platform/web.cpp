@@ -39,6 +39,8 @@ std::optional<FileLock> lock_file(const std::filesystem::path&) { return FileLoc
 
 bool is_told_to_end() { return false; }
 
+void end_at_closed_pipe() {}
+
 bool has_threads() { return false; }
 
 std::filesystem::path find_program(const std::string&) { return {}; }

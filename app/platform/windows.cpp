@@ -138,6 +138,8 @@ bool is_told_to_end() {
     return installed && told_to_end;
 }
 
+void end_at_closed_pipe() {}
+
 bool has_threads() { return true; }
 
 std::filesystem::path find_program(const std::string& name) {

@@ -94,13 +94,6 @@ TEST(CtlRun, WritesTheTableAloneToStandardOutput) {
     std::filesystem::remove(file);
 }
 
-TEST(CtlRun, FailsIfStandardOutputCannotBeWritten) {
-    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
-    const Ran ran = ctl("run 2a-coward --seconds 1 --csv - > /dev/full");
-    EXPECT_EQ(ran.code, 2);
-    EXPECT_NE(ran.out.find("--csv -: standard output could not be written"), std::string::npos) << ran.out;
-}
-
 // The program is interrupted once it has written the beginning of its temporary file.
 TEST(CtlRun, LeavesNoFileIfItIsInterrupted) {
     const std::filesystem::path folder = scratch("interrupted");
