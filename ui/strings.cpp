@@ -1,13 +1,13 @@
 #include "ui/strings.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
-
-#include <toml++/toml.h>
+#include <utility>
+#include <variant>
 
 #include "core/messages.h"
+#include "core/scene/file_kind.h"
+#include "core/scene/toml_tree.h"
 
 namespace braitenlab {
 
@@ -15,16 +15,15 @@ namespace {
 
 using Words = std::map<std::string, std::string, std::less<>>;
 
-std::optional<Error> flatten(const toml::table& table, const std::string& prefix, const std::string& file,
-                             Words& words) {
-    for (const auto& [key, node] : table) {
-        const std::string path = prefix.empty() ? std::string(key.str()) : prefix + "." + std::string(key.str());
-        if (const toml::table* inner = node.as_table()) {
+std::optional<Error> flatten(TomlNode::Table& table, const std::string& prefix, const std::string& file, Words& words) {
+    for (TomlMember& member : table) {
+        const std::string path = prefix.empty() ? member.key : prefix + "." + member.key;
+        if (auto* inner = std::get_if<TomlNode::Table>(&member.value.content)) {
             if (auto error = flatten(*inner, path, file, words)) return error;
-        } else if (const auto text = node.value_exact<std::string>()) {
-            words[path] = *text;
+        } else if (auto* text = std::get_if<std::string>(&member.value.content)) {
+            words.insert_or_assign(path, std::move(*text));
         } else if (path != "format") {
-            return Error{"'" + path + "' must be text in quotes", file, static_cast<int>(node.source().begin.line)};
+            return Error{"'" + path + "' must be text in quotes", file, static_cast<int>(member.value.place.line)};
         }
     }
     return std::nullopt;
@@ -33,22 +32,21 @@ std::optional<Error> flatten(const toml::table& table, const std::string& prefix
 }  // namespace
 
 Result<Strings> Strings::load(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return Error{"cannot be read; check that the file exists and may be opened", path.string()};
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    return parse(text, path.string());
+    const auto text = read_text(path);
+    if (!text) return text.error();
+    return parse(*text, path.string());
 }
 
 Result<Strings> Strings::parse(std::string_view text, std::string file_name) {
-    try {
-        const toml::table table = toml::parse(text, file_name);
-        if (table["format"].value_or(0) != 1) return Error{"must begin with format = 1", file_name, 1};
-        Strings strings;
-        if (auto error = flatten(table, "", file_name, strings.words_)) return *error;
-        return strings;
-    } catch (const toml::parse_error& error) {
-        return Error{std::string(error.description()), file_name, static_cast<int>(error.source().begin.line)};
-    }
+    auto file = parse_toml(text, std::move(file_name));
+    if (!file) return file.error();
+    const TomlNode* format = file->root.get("format");
+    if (!format || !format->as_whole() || *format->as_whole() != 1)
+        return Error{"must begin with format = 1", file->name, 1};
+    Strings strings;
+    auto& top = std::get<TomlNode::Table>(file->root.content);
+    if (auto error = flatten(top, "", file->name, strings.words_)) return *error;
+    return strings;
 }
 
 std::string_view Strings::operator()(std::string_view key) const { return find(key, key); }
@@ -129,7 +127,10 @@ Result<Strings> load_language(const std::filesystem::path& folder, std::string_v
     // A code that contains a folder is not a language. A broken file is loaded to report its error with the line.
     const bool plain = file.parent_path() == folder && !code.empty();
     if (!there && !(plain && std::filesystem::exists(file, none)))
-        return Error{"language '" + std::string(code) + "' is not available; choose one of " + known};
+        return known.empty() ? Error{"holds no language, not even en.toml; install the lab once more, or set "
+                                     "BRAITENLAB_DATA to the folder of its data",
+                                     folder.string()}
+                             : Error{"language '" + std::string(code) + "' is not available; choose one of " + known};
     if (code == "en") return load_english(folder);
     auto strings = Strings::load(file);
     if (!strings) return strings;

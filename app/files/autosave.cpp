@@ -25,6 +25,7 @@ namespace {
 
 constexpr const char* autosave_extension = ".autosave";
 constexpr const char* broken_extension = ".broken";
+constexpr int deepest_nesting = 32;  // of arrays and objects
 
 std::string local_time() {
     const std::time_t now = std::time(nullptr);
@@ -48,7 +49,12 @@ struct AutosaveKeys {
 
 Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_name) {
     try {
-        const auto json = nlohmann::json::parse(text).at("autosave");
+        bool is_too_deep = false;  // nlohmann's dump() recurses
+        const auto file = nlohmann::json::parse(text, [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+            return !(is_too_deep = is_too_deep || depth > deepest_nesting);
+        });
+        if (is_too_deep) return error_of(message_of("not_an_autosave"), file_name);
+        const auto& json = file.at("autosave");
         AutosaveKeys keys;
         json.at("when").get_to(keys.when);
         json.at("name").get_to(keys.name);

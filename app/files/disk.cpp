@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <sstream>
 
-#include <toml++/toml.h>
-
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/insight/study_file.h"
@@ -13,6 +11,7 @@
 #include "core/messages.h"
 #include "core/scene/comments.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/toml_tree.h"
 
 namespace braitenlab {
 
@@ -43,14 +42,7 @@ bool parses(const FileText& file) {
 }
 
 // True for well-formed TOML, of any program.
-bool is_toml(const FileText& file) {
-    try {
-        static_cast<void>(toml::parse(file.text, file.path.string()));
-        return true;
-    } catch (const toml::parse_error&) {
-        return false;
-    }
-}
+bool is_toml(const FileText& file) { return static_cast<bool>(parse_toml(file.text, file.path.string())); }
 
 bool any_line(const std::string& text, const auto& holds) {
     std::istringstream lines(text);

@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
-#include <toml++/toml.h>
+#include <fmt/format.h>
 
 #include "app/files/safe_file.h"
 #include "app/playback.h"
 #include "core/messages.h"
+#include "core/scene/file_kind.h"
+#include "core/scene/toml_tree.h"
+#include "core/scene/toml_writer.h"
+#include "core/utf8.h"
 #include "ui/panels/chart_data.h"
 
 namespace braitenlab {
@@ -22,38 +24,80 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A table being read, and the first value of the wrong type in it. `what`: the message of the type.
+// A file being read, and the first value of the wrong type in it. `what`: the message of the type.
 struct SettingsReader {
-    toml::table table;
-    std::string file;
-    std::optional<Error> error;
+    TomlFile file;
+    std::optional<Error> error{};
 
+    void read(const char* key, std::string& value, MessageId<0> what) {
+        take(key, value, what, [](const TomlNode& node) { return optional_of(node.as_text()); });
+    }
+    void read(const char* key, bool& value, MessageId<0> what) {
+        take(key, value, what, [](const TomlNode& node) { return optional_of(node.as_flag()); });
+    }
+    void read(const char* key, int& value, MessageId<0> what) {
+        take(key, value, what, [](const TomlNode& node) {
+            const std::int64_t* whole = node.as_whole();
+            return optional_of(whole && std::in_range<int>(*whole) ? whole : nullptr);
+        });
+    }
+    void read(const char* key, float& value, MessageId<0> what) {
+        take(key, value, what, [](const TomlNode& node) { return node.as_number(); });
+    }
+    // The texts of a list; other elements are left out. nullopt without a list.
+    std::optional<std::vector<std::string>> texts(const char* key) const {
+        const TomlNode* node = file.root.get(key);
+        const TomlNode::List* list = node ? node->as_list() : nullptr;
+        if (!list) return std::nullopt;
+        std::vector<std::string> found;
+        for (const TomlNode& element : *list)
+            if (const std::string* text = element.as_text()) found.push_back(*text);
+        return found;
+    }
+
+private:
     template <class T>
-    void read(const char* key, T& value, MessageId<0> what) {
-        const toml::node* node = table.get(key);
+    static std::optional<T> optional_of(const T* value) {
+        return value ? std::optional<T>(*value) : std::nullopt;
+    }
+    template <class T, class Convert>
+    void take(const char* key, T& value, MessageId<0> what, const Convert& convert) {
+        const TomlNode* node = file.root.get(key);
         if (!node) return;
-        if (const auto found = node->value<T>())
-            value = *found;
+        if (const auto found = convert(*node))
+            value = static_cast<T>(*found);
         else if (!error)
-            error = error_of(message_of("type_wanted", key) + message_of(what), file,
-                             static_cast<int>(node->source().begin.line));
+            error = error_of(message_of("type_wanted", key) + message_of(what), file.name,
+                             static_cast<int>(node->place.line));
     }
 };
 
 Result<SettingsReader> read_settings_table(std::string_view text, std::string file_name) {
-    try {
-        return SettingsReader{toml::parse(text, file_name), file_name, std::nullopt};
-    } catch (const toml::parse_error& error) {
-        return error_of(message_of("not_toml", error.description()), file_name,
-                        static_cast<int>(error.source().begin.line));
-    }
+    auto file = parse_toml(text, std::move(file_name));
+    if (!file) return file.error();
+    return SettingsReader{std::move(*file)};
 }
 
-std::string toml_text(const toml::table& table, const char* about) {
-    std::ostringstream out;
-    out << "# " << about << "\n" << table << "\n";
-    return out.str();
-}
+// The lines of a file, one a key.
+struct SettingsText {
+    std::string lines;
+
+    explicit SettingsText(const char* about) : lines(fmt::format("# {}\nformat = 1\n", about)) {}
+
+    void add(const char* key, bool value) { line(key, value ? "true" : "false"); }
+    void add(const char* key, int value) { line(key, fmt::format("{}", value)); }
+    void add(const char* key, float value) { line(key, toml_text::number(value)); }
+    void add(const char* key, std::string_view value) { line(key, text_value(value)); }
+    void add(const char* key, const std::vector<std::string>& values) {
+        std::string list;
+        for (const std::string& value : values) list += (list.empty() ? "" : ", ") + text_value(value);
+        line(key, "[" + list + "]");
+    }
+    void line(const char* key, const std::string& value) { lines += fmt::format("{} = {}\n", key, value); }
+
+    // A file that is no UTF-8 could not be read again: a name that is none is left out.
+    static std::string text_value(std::string_view value) { return toml_text::quote(is_utf8(value) ? value : ""); }
+};
 
 }  // namespace
 
@@ -79,27 +123,27 @@ Result<Preferences> parse_preferences(std::string_view toml, std::string file_na
 }
 
 std::string write_preferences(const Preferences& p) {
-    toml::table table{{"format", 1},
-                      {"theme", word(p.theme)},
-                      {"language", p.language},
-                      {"type_size", p.type_size},
-                      {"reduce_motion", p.reduce_motion},
-                      {"quality", p.quality ? word(*p.quality) : "auto"}};
-    if (!p.link_base.empty()) table.insert("link_base", p.link_base);
-    return toml_text(table, "Preferences of Braitenlab.");
+    SettingsText text("Preferences of Braitenlab.");
+    text.add("theme", word(p.theme));
+    text.add("language", p.language);
+    text.add("type_size", p.type_size);
+    text.add("reduce_motion", p.reduce_motion);
+    text.add("quality", p.quality ? word(*p.quality) : "auto");
+    if (!p.link_base.empty()) text.add("link_base", p.link_base);
+    return text.lines;
 }
 
 namespace {
 
-std::optional<RecentFile> recent_file(const toml::node& node) {
-    const toml::table* table = node.as_table();
-    if (!table || !(*table)["path"].is_string()) return std::nullopt;
-    return RecentFile{(*table)["path"].value_or(std::string()), (*table)["title"].value_or(std::string())};
+std::optional<RecentFile> recent_file(const TomlNode& node) {
+    const auto text = [&](const char* key) {
+        const TomlNode* value = node.get(key);
+        return value ? value->as_text() : nullptr;
+    };
+    const std::string *path = text("path"), *title = text("title");
+    if (!path) return std::nullopt;
+    return RecentFile{*path, title ? *title : std::string()};
 }
-
-}  // namespace
-
-namespace {
 
 // Reads or writes the values of a stored view that are true or false: visit(key, value).
 template <class View, class Visit>
@@ -141,15 +185,11 @@ void read_view(SettingsReader& reader, StoredView& view) {
     view.settings.canvas_share =
         clamped(view.settings.canvas_share, least_canvas_share, largest_canvas_share, ViewSettings{}.canvas_share);
     view.time_scale = clamped(view.time_scale, least_time_scale, largest_time_scale, 1);
-    if (const toml::array* strips = reader.table["strips"].as_array())
-        for (const toml::node& node : *strips)
-            if (const auto name = node.value<std::string>(); name && view.strips.size() < ui::most_strips)
-                view.strips.push_back(*name);
-    const toml::array* folded = reader.table["folded"].as_array();
-    if (!folded) return;
-    view.folded.emplace();
-    for (const toml::node& node : *folded)
-        if (const auto anchor = node.value<std::string>()) view.folded->push_back(*anchor);
+    if (auto strips = reader.texts("strips")) {
+        view.strips = std::move(*strips);
+        view.strips.resize(std::min(view.strips.size(), ui::most_strips));
+    }
+    view.folded = reader.texts("folded");
 }
 
 void read_place(SettingsReader& reader, std::optional<WindowPlace>& place) {
@@ -157,7 +197,7 @@ void read_place(SettingsReader& reader, std::optional<WindowPlace>& place) {
     WindowPlace read;
     reader.read("x", read.x, "a_whole_number");
     reader.read("y", read.y, "a_whole_number");
-    if (!reader.table.contains("x") || !reader.table.contains("y")) return;
+    if (!reader.file.root.contains("x") || !reader.file.root.contains("y")) return;
     if (std::abs(read.x) < farthest && std::abs(read.y) < farthest) place = read;
 }
 
@@ -176,8 +216,9 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     read_view(*reader, r.view);
     read_place(*reader, r.place);
     if (reader->error) return *reader->error;
-    if (const toml::array* recent = reader->table["recent"].as_array())
-        for (const toml::node& node : *recent)
+    const TomlNode* recent = reader->file.root.get("recent");
+    if (recent && recent->as_list())
+        for (const TomlNode& node : *recent->as_list())
             if (const auto file = recent_file(node); file && r.recent.size() < most_recent) r.recent.push_back(*file);
     constexpr int largest = 16384;  // as for --size
     if (r.width < 640 || r.height < 480 || r.width > largest || r.height > largest) r.width = r.height = 0;
@@ -185,34 +226,28 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
 }
 
 std::string write_state(const StoredState& r) {
-    toml::array recent;
-    for (const RecentFile& file : r.recent) recent.push_back(toml::table{{"path", file.path}, {"title", file.title}});
-    toml::table table{{"format", 1},
-                      {"width", r.width},
-                      {"height", r.height},
-                      {"last_opened", r.last_opened},
-                      {"folder", r.folder},
-                      {"recent", recent},
-                      {"camera", camera_mode_words[static_cast<std::size_t>(r.view.settings.camera.mode)]},
-                      {"diagram_share", r.view.settings.canvas_share},
-                      {"speed", r.view.time_scale},
-                      {"prediction", r.view.settings.overlays.prediction},
-                      {"trail_colour", word(r.view.settings.overlays.trail_colour.value)}};
-    visit_flags(r.view, [&](const char* key, bool value) { table.insert(key, value); });
-    if (!r.student.empty()) table.insert("student", r.student);
-    if (!r.study.empty()) table.insert("study", r.study);
-    if (r.place) table.insert("x", r.place->x), table.insert("y", r.place->y);
-    if (!r.view.strips.empty()) {
-        toml::array strips;
-        for (const std::string& name : r.view.strips) strips.push_back(name);
-        table.insert("strips", strips);
-    }
-    if (r.view.folded) {
-        toml::array folded;
-        for (const std::string& anchor : *r.view.folded) folded.push_back(anchor);
-        table.insert("folded", folded);
-    }
-    return toml_text(table, "Stored by Braitenlab.");
+    SettingsText text("Stored by Braitenlab.");
+    text.add("width", r.width);
+    text.add("height", r.height);
+    text.add("last_opened", r.last_opened);
+    text.add("folder", r.folder);
+    std::string recent;
+    for (const RecentFile& file : r.recent)
+        recent += fmt::format("{}{{ path = {}, title = {} }}", recent.empty() ? "" : ", ",
+                              SettingsText::text_value(file.path), SettingsText::text_value(file.title));
+    text.line("recent", "[" + recent + "]");
+    text.add("camera", camera_mode_words[static_cast<std::size_t>(r.view.settings.camera.mode)]);
+    text.add("diagram_share", r.view.settings.canvas_share);
+    text.add("speed", r.view.time_scale);
+    text.add("prediction", r.view.settings.overlays.prediction);
+    text.add("trail_colour", word(r.view.settings.overlays.trail_colour.value));
+    visit_flags(r.view, [&](const char* key, bool value) { text.add(key, value); });
+    if (!r.student.empty()) text.add("student", r.student);
+    if (!r.study.empty()) text.add("study", r.study);
+    if (r.place) text.add("x", r.place->x), text.add("y", r.place->y);
+    if (!r.view.strips.empty()) text.add("strips", r.view.strips);
+    if (r.view.folded) text.add("folded", *r.view.folded);
+    return text.lines;
 }
 
 void add_recent(StoredState& r, const fs::path& file, std::string title) {
@@ -226,12 +261,6 @@ void add_recent(StoredState& r, const fs::path& file, std::string title) {
 }
 
 namespace {
-
-std::optional<std::string> settings_text(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (path.empty() || !file) return std::nullopt;
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-}
 
 // Renames the file, so that it is reported once and its text is kept.
 Error set_aside_settings(const fs::path& path, const Error& error) {
@@ -253,8 +282,10 @@ SettingsFiles::SettingsFiles(fs::path config, fs::path state)
 std::vector<Error> SettingsFiles::read(Preferences& preferences, StoredState& state) {
     std::vector<Error> errors;
     const auto read_one = [&](const fs::path& path, std::string& text, auto parse, auto& value) {
-        const auto found = settings_text(path);
-        if (!found) return;
+        std::error_code none;
+        if (path.empty() || !fs::exists(path, none)) return;
+        const auto found = read_text(path);
+        if (!found) return errors.push_back(set_aside_settings(path, found.error()));
         auto parsed = parse(*found, path.string());
         if (!parsed) return errors.push_back(set_aside_settings(path, parsed.error()));
         text = *found;

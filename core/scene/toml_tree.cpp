@@ -15,7 +15,8 @@ namespace braitenlab {
 
 namespace {
 
-constexpr int deepest_key = 8;  // dots in one key; ours need four
+constexpr int deepest_key = 8;            // dots in one key; ours need four
+constexpr std::size_t most_faults = 200;  // of one file; a person reads less, and each is compared with all before it
 
 // The position after the quoted text that begins at `at`; the end of the text when the quote is not closed.
 std::size_t skip_quoted(std::string_view text, std::size_t at) {
@@ -26,7 +27,10 @@ std::size_t skip_quoted(std::string_view text, std::size_t at) {
         if (closing.size() == 1 && text[at] == '\n') return at;  // a syntax error; the parser reports it
         at += quote == '"' && text[at] == '\\' ? 2 : 1;
     }
-    return std::min(at + closing.size(), text.size());
+    at += closing.size();
+    // Up to two quotes before the closing three belong to the text.
+    for (int more = 0; closing.size() == 3 && more < 2 && at < text.size() && text[at] == quote; ++more) ++at;
+    return std::min(at, text.size());
 }
 
 // The line of the first key with more than deepest_key dots, or 0. toml++ 3.3 limits the nesting of values but not of
@@ -166,6 +170,7 @@ void TomlFile::fail(const std::string& path, const TomlNode* node, Message what)
 }
 
 void TomlFile::add(const std::string& path, Error error) {
+    if (faults.size() >= most_faults) return;
     const auto is_here = [&](const TomlFault& fault) { return fault.path == path; };
     if (std::none_of(faults.begin(), faults.end(), is_here)) faults.push_back({path, std::move(error)});
 }

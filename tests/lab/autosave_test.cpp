@@ -375,6 +375,17 @@ TEST_F(AutosaveTest, RenamesABrokenFileAndReportsIt) {
     }
 }
 
+TEST_F(AutosaveTest, RefusesAFileThatIsTooDeep) {
+    const std::string deep = std::string(1000000, '[') + std::string(1000000, ']');
+    const auto opened =
+        open_autosave(R"({"autosave": {"when": "", "name": "", "path": "", "ended": false, "exercise": )"
+                      R"({"prediction": 0, "hints_shown": 0, "has_run": false, "referee": )" +
+                          deep + "}}}",
+                      "x.autosave");
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().phrases.front().id, "not_an_autosave");
+}
+
 TEST_F(AutosaveTest, ReportsOnceThatItCannotWriteAndTriesAgain) {
     put_text(folder / "taken", "a file where the folder should be");
     Autosave autosave(folder / "taken" / "here", complaints);

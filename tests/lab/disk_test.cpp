@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/folder.h"
+
 namespace braitenlab::tests::disk_test {
 namespace {
 
@@ -17,6 +19,18 @@ TEST(Disk, AppendsTheExtensionOfTheKind) {
     EXPECT_EQ(with_extension("/a", FileKind::scene), "/a.toml");
     EXPECT_EQ(with_extension("/a.toml", FileKind::brain), "/a.toml");
     EXPECT_EQ(with_extension("/a.b", FileKind::run), "/a.b.run");
+}
+
+TEST(Disk, ListsAFolderWithAFileThatOverflowsTheParser) {
+    const Folder folder;
+    std::string dots = "a";
+    for (int i = 0; i < 400000; ++i) dots += ".a";
+    put_text(folder / "deep.toml", dots + " = 1\n");
+    put_text(folder / "scene.toml", "format = 1\n");
+    const FolderListing listing = list_folder(folder.path);
+    ASSERT_EQ(listing.entries.size(), 2u);
+    EXPECT_TRUE(listing.entries[0].broken);
+    EXPECT_FALSE(listing.entries[1].broken);
 }
 
 }  // namespace

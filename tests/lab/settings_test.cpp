@@ -122,6 +122,33 @@ TEST_F(SettingsOnDisk, RenameABrokenFileAndReportItOnce) {
     EXPECT_TRUE(next.read(preferences, state).empty()) << "reported once";
 }
 
+// The parser alone overflows the stack at the first of these texts, and the second takes its time.
+TEST_F(SettingsOnDisk, AreSetAsideWhenTheyAreTooDeepOrTooLarge) {
+    std::string dots = "a";
+    for (int i = 0; i < 1000000; ++i) dots += ".a";
+    const fs::path stored = folder / "state" / "state.toml";
+    for (const std::string& text : {dots + " = 1\n", std::string(5u << 20u, '#')})
+        for (const fs::path& file : {settings, stored}) {
+            put_text(file, text);
+            const auto complaints = files.read(preferences, state);
+            ASSERT_EQ(complaints.size(), 1u);
+            EXPECT_EQ(complaints[0].file, file.string());
+            EXPECT_EQ(complaints[0].phrases.back().id, "settings_kept_aside");
+            EXPECT_FALSE(fs::exists(file));
+            EXPECT_EQ(fs::file_size(file.string() + ".broken"), text.size());
+        }
+    EXPECT_EQ(preferences, Preferences{});
+    EXPECT_EQ(state, StoredState{});
+}
+
+TEST(Settings, AreReadableAlsoWithTheNameOfAFileThatIsNoUtf8) {
+    StoredState state{.last_opened = "/odd\xFF.toml", .recent = {{"/odd\xFF.toml", "Odd"}}, .folder = "/here"};
+    const auto read = parse_state(write_state(state), "s");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->folder, "/here");
+    EXPECT_EQ(read->last_opened, "");
+}
+
 TEST_F(SettingsOnDisk, ReportAWriteErrorOnce) {
     put_text(folder / "config", "a file where the folder should be");
     files.read(preferences, state);

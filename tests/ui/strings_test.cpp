@@ -106,6 +106,22 @@ TEST(Strings, ListTheLanguagesForAnUnknownOne) {
     EXPECT_FALSE(load_language(folder(), "../strings/en")) << "a language is a name, not a path";
 }
 
+TEST(Strings, SayThatAFolderHasNoLanguage) {
+    const Folder empty;
+    const auto loaded = load_language(empty.path, "en");
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().file, empty.path.string());
+    EXPECT_TRUE(loaded.error().what.starts_with("holds no language")) << loaded.error().text();
+}
+
+TEST(Strings, RefuseAFileThatOverflowsTheParser) {
+    std::string dots = "a";
+    for (int i = 0; i < 1000000; ++i) dots += ".a";
+    const auto parsed = Strings::parse("format = 1\n" + dots + " = \"x\"\n", "en.toml");
+    ASSERT_FALSE(parsed);
+    EXPECT_EQ(parsed.error().line, 2);
+}
+
 TEST(Strings, UseEnglishForMissingWords) {
     const Folder own;
     const fs::path& place = own.path;
