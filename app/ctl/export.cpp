@@ -102,11 +102,11 @@ int export_to_robot(const ExportOptions& options) {
         return complain(error);
     }
     if (const auto error = folder_fault(options.folder); error && !options.force) return complain(*error);
-    for (const robots::ExportedFile& file : *files) {
-        const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
-        if (const auto error = write_whole(path, file.text)) return complain(*error);
-        std::cout << path.string() << "\n";
-    }
+    std::vector<NewFile> written;
+    for (const robots::ExportedFile& file : *files)
+        written.push_back({std::filesystem::path(options.folder) / file.name, file.text});
+    if (const auto error = write_all(written)) return complain(*error);
+    for (const NewFile& file : written) std::cout << file.path.string() << "\n";
     return exit_code::done;
 }
 

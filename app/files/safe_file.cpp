@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -54,20 +55,19 @@ FileWriter::FileWriter(const fs::path& path, bool flush) : wanted_(path), path_(
     if (!file_) fail(errno);
 }
 
-FileWriter::~FileWriter() {
-    if (!file_) return;
+FileWriter::~FileWriter() { remove_beside(); }
+
+void FileWriter::remove_beside() {
+    if (beside_.empty()) return;
     file_.reset();
     std::error_code none;
-    fs::remove(beside_, none);
+    fs::remove(std::exchange(beside_, {}), none);
 }
 
 // Aborts: removes the temporary file and stores the first error.
 void FileWriter::fail(int reason) {
     error_ = not_saved(wanted_, reason ? reason : EIO);
-    if (!file_) return;
-    file_.reset();
-    std::error_code none;
-    fs::remove(beside_, none);
+    remove_beside();
 }
 
 void FileWriter::write(std::string_view text) {
@@ -76,25 +76,65 @@ void FileWriter::write(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail(errno);
 }
 
-std::optional<Error> FileWriter::commit() {
+std::optional<Error> FileWriter::complete() {
     if (!file_) return error_;
     errno = 0;
     const bool written = std::fflush(file_.get()) == 0 && (!flush_ || flush_to_disk(file_.get()));
     const int reason = errno;
-    const bool closed = std::fclose(file_.release()) == 0;
+    if (std::fclose(file_.release()) != 0 || !written) fail(reason);
+    return error_;
+}
+
+std::optional<Error> FileWriter::commit() {
+    if (auto error = complete()) return error;
     std::error_code problem, none;
-    if (written && closed) {
-        if (const auto old = fs::status(path_, none); fs::exists(old))
-            fs::permissions(beside_, old.permissions(), none);
-        fs::rename(beside_, path_, problem);
+    if (const auto old = fs::status(path_, none); fs::exists(old)) fs::permissions(beside_, old.permissions(), none);
+    fs::rename(beside_, path_, problem);
+    if (problem) {
+        fail(errno_of(problem));
+        return error_;
     }
-    if (!written || !closed || problem) {
-        fs::remove(beside_, none);
-        const int code = problem ? errno_of(problem) : reason;
-        return not_saved(wanted_, code ? code : EIO);
-    }
+    beside_.clear();
     if (flush_) flush_folder_to_disk(path_.parent_path());
     return std::nullopt;
+}
+
+namespace {
+
+// The folders above a path that do not exist, the highest last.
+std::vector<fs::path> missing_folders(fs::path folder) {
+    std::vector<fs::path> missing;
+    std::error_code none;
+    for (; !folder.empty() && !fs::exists(folder, none); folder = folder.parent_path()) missing.push_back(folder);
+    return missing;
+}
+
+std::optional<Error> commit_all(const std::vector<NewFile>& files) {
+    std::vector<FileWriter> writers;
+    writers.reserve(files.size());
+    for (const NewFile& file : files) {
+        std::error_code problem;
+        fs::create_directories(behind_links(file.path).parent_path(), problem);
+        if (problem) return not_saved(file.path, errno_of(problem));
+        writers.emplace_back(file.path).write(file.text);
+        if (auto error = writers.back().complete()) return error;
+    }
+    for (FileWriter& writer : writers)
+        if (auto error = writer.commit()) return error;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> write_all(const std::vector<NewFile>& files) {
+    std::vector<fs::path> made;
+    for (const NewFile& file : files)
+        for (const fs::path& folder : missing_folders(file.path.parent_path())) made.push_back(folder);
+    auto error = commit_all(files);
+    std::error_code none;
+    for (const fs::path& folder : made)
+        if (error) fs::remove(folder, none);  // only one that is empty
+    return error;
 }
 
 std::optional<Error> write_whole(const fs::path& path, std::string_view text) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 
@@ -26,6 +27,9 @@ public:
     // The first error so far.
     const std::optional<Error>& problem() const { return error_; }
 
+    // Writes everything to the temporary file, which commit() only renames then. Fails as commit() does.
+    std::optional<Error> complete();
+
     // Fails with the first error of all calls: no permission, no room on the disk, no such folder, not a regular file.
     std::optional<Error> commit();
 
@@ -35,7 +39,9 @@ private:
     };
     void fail(int reason);
 
-    std::filesystem::path wanted_, path_, beside_;
+    void remove_beside();
+
+    std::filesystem::path wanted_, path_, beside_;  // beside_: empty once there is no temporary file
     std::unique_ptr<std::FILE, Close> file_;
     std::optional<Error> error_;
     bool flush_;
@@ -43,5 +49,12 @@ private:
 
 // Writes a file at once, as FileWriter does. Creates missing folders.
 std::optional<Error> write_whole(const std::filesystem::path&, std::string_view text);
+
+// Several files: all are written, or none is changed and no folder made. Creates missing folders.
+struct NewFile {
+    std::filesystem::path path;
+    std::string_view text;
+};
+std::optional<Error> write_all(const std::vector<NewFile>&);
 
 }  // namespace braitenlab

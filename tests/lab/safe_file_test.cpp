@@ -53,6 +53,27 @@ TEST(SafeFile, KeepsTheOldFileIfTheDiskIsFull) {
     EXPECT_EQ(names_in(folder.path), std::set<std::string>{"scene.toml"});
 }
 
+TEST(SafeFile, WritesAllOfSeveralFilesOrNone) {
+    if (!can_limit_files) GTEST_SKIP() << "this system has no limit on the size of files";
+    const Folder folder;
+    const std::string small = "new", large(100000, 'x');
+    ASSERT_FALSE(write_whole(folder / "a.ino", "old"));
+    const std::vector<NewFile> wanted{
+        {folder / "a.ino", small}, {folder / "robot" / "deep" / "b.md", small}, {folder / "c.csv", large}};
+    const auto error = [&] {
+        const FullDisk full_disk;
+        return write_all(wanted);
+    }();
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->file, (folder / "c.csv").string());
+    EXPECT_EQ(text_of(folder / "a.ino"), "old");
+    EXPECT_EQ(names_in(folder.path), std::set<std::string>{"a.ino"}) << "no folder is left";
+    ASSERT_FALSE(write_all(wanted));
+    EXPECT_EQ(text_of(folder / "a.ino"), small);
+    EXPECT_EQ(text_of(folder / "robot" / "deep" / "b.md"), small);
+    EXPECT_EQ(text_of(folder / "c.csv"), large);
+}
+
 TEST(SafeFile, FollowsALinkAndKeepsPermissions) {
     const Folder folder;
     const auto file = folder / "real.toml", link = folder / "link.toml";
