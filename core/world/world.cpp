@@ -136,6 +136,8 @@ void World::step() {
 
 std::uint64_t World::tick() const { return data_->tick; }
 
+const EventCounts& World::events() const { return data_->events; }
+
 std::optional<Error> World::apply(const Command& command) {
     if (auto error = execute(*data_, command)) return error;
     data_->readings_are_stale = true;

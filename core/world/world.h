@@ -63,6 +63,7 @@ public:
     void step();
 
     std::uint64_t tick() const;
+    const EventCounts& events() const;  // since the start of the run
 
     // Fills a snapshot and reuses its memory. After a command and before the next tick, readings, neurons and wheel
     // commands are those that the next tick will compute.
