@@ -1,5 +1,6 @@
 // Conversion of scenes, brains and commands to and from JSON, for run files (scene files are TOML). Structs that
-// core/scene/schema.h describes need no code here. Inside core/io and core/lesson only.
+// core/scene/schema.h describes need no code here. Inside core/io, core/lesson
+// and core/evolve only.
 //
 // Reading throws Json::exception for missing values and wrong types. The caller checks ranges.
 #pragma once

@@ -28,6 +28,7 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"core/session", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
     {"core/insight", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
     {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
+    {"core/evolve", {"core/maths", "core/brain", "core/scene", "core/world", "core/io", "core"}},
     {"core/export", {"core/maths", "core/brain", "core/scene", "core/io", "core"}},
     {"core", {}},
     {"render/view", {"core"}},
@@ -64,7 +65,7 @@ const std::map<std::string, std::vector<std::string>> internal_headers{
     {"core/world/free_space.h", {"core/world/"}},
     {"core/world/edits.h", {"core/world/"}},
     {"core/world/cosmetic_edits.h", {"core/world/", "core/session/"}},
-    {"core/io/json.h", {"core/io/", "core/lesson/"}},
+    {"core/io/json.h", {"core/io/", "core/lesson/", "core/evolve/"}},
     {"core/io/state_json.h", {"core/io/"}},
     {"core/session/undo.h", {"core/session/"}},
 };

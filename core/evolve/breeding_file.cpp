@@ -1,0 +1,127 @@
+#include "core/evolve/breeding_file.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "core/messages.h"
+#include "core/scene/format_table.h"
+#include "core/scene/toml_reader.h"
+#include "core/scene/toml_writer.h"
+
+namespace braitenlab {
+
+using evolve::Breed;
+using evolve::Breeding;
+using evolve::Gene;
+
+template <class Visitor>
+void describe(Visitor& v, Of<Gene>) {
+    v.text("name", &Gene::name, limits::name_length, "of the gene; must be given");
+    v.texts("paths", &Gene::paths, evolve::limits::paths, limits::text_length,
+            "of the values of the kind that get the number, like `brain.LL`; a path that begins with `-` gets the "
+            "negative number");
+    v.number("low", &Gene::low, "", {-1000, 1000}, "smallest number");
+    v.number("high", &Gene::high, "", {-1000, 1000}, "largest number; a mutation beyond a limit is reflected at it");
+    v.number("mutation", &Gene::mutation, "", {0, 1000}, "standard deviation of the change of a child");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Breed>) {
+    v.text("kind", &Breed::kind, limits::name_length, "a kind of the scene with the role predator or prey");
+    v.list("gene", &Breed::genes, evolve::limits::genes, "a number that is inherited; at least one");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Breeding>) {
+    using namespace evolve::limits;
+    v.text("title", &Breeding::title, limits::title_length, "must be given");
+    v.text("story", &Breeding::story, limits::text_length, "what the breeding asks, in a sentence or two");
+    v.text("scene", &Breeding::scene, limits::text_length,
+           "a path relative to this file, or the name of a shipped scene; must be given");
+    v.number("seconds", &Breeding::seconds, "s", {1, 600}, "of a trial at most; it ends when the prey is eaten");
+    v.number("generations", &Breeding::generations, "", {1, generations}, "after the first one, which is random");
+    v.number("population", &Breeding::population, "", {2, population}, "individuals of each side");
+    v.number("parents", &Breeding::parents, "", {1, population}, "the best individuals, which have children");
+    v.number("elite", &Breeding::elite, "", {0, population},
+             "parents that stay in the population unchanged; all of them make a (μ + λ) strategy");
+    v.number("trials", &Breeding::trials, "", {1, trials}, "of each individual in each generation");
+    v.word("opponents", &Breeding::opponents, "whom an individual meets in its trials");
+    v.number("remembered", &Breeding::remembered, "", {1, generations}, "generations, for `best_of_last`");
+    v.number("seed", &Breeding::seed, "", {0, 1e15}, "of the whole breeding");
+    v.number("panel", &Breeding::panel, "", {0, panel},
+             "opponents of each side that are bred apart and never decide who has children; 0: none");
+    v.number("panel_generations", &Breeding::panel_generations, "", {1, generations}, "of the breeding of the panel");
+    v.list("breed", &Breeding::breeds, 2, "a kind that evolves; the other side, if any, stays as in the scene");
+}
+
+namespace evolve {
+
+namespace {
+
+void check_genes(TomlTable& table, Breed& breed) {
+    if (breed.kind.empty()) table.fail_missing("kind", message_of("missing_in_breed", "kind"));
+    if (breed.genes.empty()) return table.fail_missing("gene", message_of("missing_in_breed", "gene"));
+    const TomlNode::List& tables = *table.content().get("gene")->as_list();
+    for (std::size_t i = 0; i < breed.genes.size(); ++i) {
+        Gene& gene = breed.genes[i];
+        TomlTable inner(table.file(), tables[i], fmt::format("{}.{}", table.path("gene"), i + 1));
+        for (const char* needed : {"name", "paths"})
+            if (!inner.has(needed)) inner.fail_missing(needed, message_of("missing_in_gene", needed));
+        if (gene.low >= gene.high) inner.fail("high", message_of("gene_without_range", in_quotes(gene.name)));
+        if (const TomlNode* paths = tables[i].get("paths"); paths && paths->as_list())
+            for (const TomlNode& path : *paths->as_list()) gene.lines.push_back(static_cast<int>(path.place.line));
+    }
+}
+
+void check_breeding(TomlTable& top, Breeding& breeding) {
+    for (const char* needed : {"title", "scene", "breed"})
+        if (!top.has(needed)) top.fail_missing(needed, message_of("missing_in_breeding", needed));
+    if (top.file().failed()) return;
+    if (breeding.parents > breeding.population)
+        top.fail("parents", message_of("exceeds", "parents", breeding.parents, "population", breeding.population));
+    if (breeding.elite > breeding.parents)
+        top.fail("elite", message_of("exceeds", "elite", breeding.elite, "parents", breeding.parents));
+    const TomlNode::List& tables = *top.content().get("breed")->as_list();
+    for (std::size_t i = 0; i < breeding.breeds.size(); ++i) {
+        TomlTable table(top.file(), tables[i], fmt::format("breed.{}", i + 1));
+        check_genes(table, breeding.breeds[i]);
+    }
+}
+
+}  // namespace
+
+Result<Breeding> parse_breeding(std::string_view toml, const std::string& file_name) {
+    auto file = parse_toml(toml, file_name);
+    if (!file) return file.error();
+    check_format(*file);
+    Breeding breeding;
+    breeding.id = std::filesystem::path(file_name).stem().string();
+    breeding.file = file_name;
+    TomlTable top(*file, file->root, "");
+    top.find("format");
+    TomlReader<Breeding> reader(top, breeding);
+    describe(reader, Of<Breeding>{});
+    top.done();
+    if (!file->failed()) check_breeding(top, breeding);
+    if (file->failed()) return file->error();
+    return breeding;
+}
+
+std::string write_breeding(const Breeding& breeding) {
+    TomlWriter<Breeding> writer(breeding, "");
+    describe(writer, Of<Breeding>{});
+    return "format = 1\n" + writer.text("", true);
+}
+
+std::string describe_breeding_format() {
+    FormatTable<Breeding> table("", "The top of the file", "");
+    describe(table, Of<Breeding>{});
+    std::string text = table.text() + "\n## Opponents\n\n| `opponents` | An individual meets |\n|---|---|\n";
+    for (const OpponentsTraits& row : opponents_table) text += fmt::format("| `{}` | {} |\n", row.word, row.meaning);
+    return text;
+}
+
+}  // namespace evolve
+
+}  // namespace braitenlab

@@ -1,0 +1,41 @@
+// Champions of many generations against each other: whether a breeding goes forward or round in circles. The score of a
+// champion in its own generation does not show it, because its opponents change, too. Definitions: D. Cliff, G. F.
+// Miller, "Tracking the Red Queen" (1995), current individual against ancestral opponents (CIAO); D. Floreano, S.
+// Nolfi, "God Save the Red Queen" (1997), master tournament.
+#pragma once
+
+#include <vector>
+
+#include "core/evolve/breeding.h"
+
+namespace braitenlab::evolve {
+
+// The master tournament: every champion of one side against every one of the other.
+struct Tournament {
+    std::vector<int> generations;  // ascending; the first and the last complete one are among them
+    std::vector<float> scores;     // of the predator, by its generation, then by that of the prey
+
+    std::size_t size() const { return generations.size(); }
+    // Of a side's champion against one of the other side; indices in `generations`.
+    float score(Side side, std::size_t own, std::size_t opponent) const {
+        return side == Side::predator ? scores[own * size() + opponent] : 1 - scores[opponent * size() + own];
+    }
+    // Mean against all opponents.
+    float master_score(Side side, std::size_t own) const;
+};
+
+inline constexpr int tournament_trials = 4;  // of each pair
+
+// At most this many generations of each side, at equal distances. Precondition: a generation is complete.
+std::vector<Trial> trials_of_tournament(const BreedingBase&, const BreedingState&, int most);
+// `seconds`: run_of() each of these trials in their order.
+Tournament tournament_of(const BreedingBase&, const BreedingState&, int most, const std::vector<float>& seconds);
+
+// How a series of scores changes with the generation.
+struct Trend {
+    float first = 0, last = 0;  // mean of the first and of the last quarter
+    float correlation = 0;      // of score and generation, −1..1 (Pearson); 0 for a constant series
+};
+Trend trend_of(const std::vector<float>& scores);
+
+}  // namespace braitenlab::evolve

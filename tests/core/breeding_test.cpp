@@ -1,0 +1,303 @@
+// Breeding: files, trials, generations, states, tournaments.
+#include "core/evolve/breeding.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/evolve/breeding_json.h"
+#include "core/evolve/tournament.h"
+#include "core/maths/fnv.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab::tests::breeding_test {
+namespace {
+
+using namespace evolve;
+using evolve::Trial;  // not the one of core/lesson
+
+const std::string scene_text =
+    "format = 1\ntitle = \"T\"\n[arena]\nwidth = 6\nheight = 6\n[ecology]\nbite = 1\n"
+    "[kind.hunter]\nrole = \"predator\"\n[kind.hunter.sensor.SL]\nchannel = \"prey\"\ny = 0.2\nrange = 6\n"
+    "[kind.hunter.sensor.SR]\nchannel = \"prey\"\ny = -0.2\nrange = 6\n[kind.hunter.brain]\nLM = 0.3\nRM = 0.3\n"
+    "[kind.hare]\nrole = \"prey\"\n[kind.hare.sensor.SL]\nchannel = \"predator\"\ny = 0.2\nrange = 6\n"
+    "[kind.hare.sensor.SR]\nchannel = \"predator\"\ny = -0.2\nrange = 6\n[kind.hare.brain]\nLM = 0.3\nRM = 0.3\n"
+    "[vehicle.hunter]\nkind = \"hunter\"\nx = -1.5\nheading_spread = 180\n"
+    "[vehicle.hare]\nkind = \"hare\"\nx = 1.5\nheading_spread = 180\n";
+
+std::string gene(const std::string& name, const std::string& paths, double low = -1, double high = 1) {
+    return "[[breed.gene]]\nname = \"" + name + "\"\npaths = [" + paths + "]\nlow = " + std::to_string(low) +
+           "\nhigh = " + std::to_string(high) + "\nmutation = 0.2\n";
+}
+const std::string genes = gene("straight", "\"brain.LL\", \"brain.RR\"") +
+                          gene("crossed", "\"brain.LR\", \"brain.RL\"") +
+                          gene("eyes", "\"sensor.SL.angle\", \"-sensor.SR.angle\"", 0, 90);
+const std::string top =
+    "format = 1\ntitle = \"T\"\nscene = \"s\"\nseconds = 4\ngenerations = 3\npopulation = 6\nparents = 2\ntrials = 3\n";
+const std::string alone = "panel = 0\n", panel = "panel = 2\npanel_generations = 2\n";
+const std::string both = "[[breed]]\nkind = \"hunter\"\n" + genes + "[[breed]]\nkind = \"hare\"\n" + genes;
+
+std::shared_ptr<const BreedingBase> base_of(const std::string& text) {
+    auto breeding = parse_breeding(text, "b.toml");
+    EXPECT_TRUE(breeding) << breeding.error().text();
+    auto base = BreedingBase::create(std::move(*breeding), scene_text, "s.toml");
+    EXPECT_TRUE(base) << base.error().text();
+    return *base;
+}
+std::string fault_of(const std::string& text, const std::string& scene = scene_text) {
+    auto breeding = parse_breeding(text, "b.toml");
+    if (!breeding) return breeding.error().text();
+    const auto base = BreedingBase::create(std::move(*breeding), scene, "s.toml");
+    return base ? "" : base.error().text();
+}
+
+std::vector<float> results_of(const BreedingBase& base, const std::vector<Trial>& trials) {
+    std::vector<float> seconds(trials.size());
+    for (std::size_t i = trials.size(); i-- > 0;) seconds[i] = run_of(base, trials[i]);  // any order
+    return seconds;
+}
+BreedingState bred(const BreedingBase& base, int generations, BreedingState state) {
+    for (auto trials = next_trials(base, state, generations); !trials.empty();
+         trials = next_trials(base, state, generations))
+        advance(base, state, results_of(base, trials));
+    return state;
+}
+BreedingState bred(const BreedingBase& base, int generations) { return bred(base, generations, begin_breeding(base)); }
+
+TEST(Breeding, AFileReadsBackAsItIsWritten) {
+    const auto breeding = parse_breeding(top + panel + "opponents = \"archive\"\n" + both, "b.toml");
+    ASSERT_TRUE(breeding) << breeding.error().text();
+    const std::string text = write_breeding(*breeding);
+    const auto again = parse_breeding(text, "b.toml");
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(write_breeding(*again), text);
+    EXPECT_EQ(again->opponents, Opponents::archive);
+    ASSERT_EQ(again->breeds.size(), 2u);
+    EXPECT_EQ(again->breeds[1].genes[2].paths, (std::vector<std::string>{"sensor.SL.angle", "-sensor.SR.angle"}));
+}
+
+TEST(Breeding, AnErrorHasItsLine) {
+    EXPECT_TRUE(fault_of(top + "elite = 3\n" + both).starts_with("b.toml:9: elite is 3, more than parents"));
+    EXPECT_TRUE(fault_of("format = 1\ntitle = \"T\"\nscene = \"s\"\n").find("'breed' is missing") != std::string::npos);
+    const std::string path = "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"brain.LX\"");
+    EXPECT_TRUE(fault_of(top + path).starts_with("b.toml:13: ")) << fault_of(top + path);
+    EXPECT_NE(fault_of(top + "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"brain.LL\"", 1, 1)).find("has no range"),
+              std::string::npos);
+    EXPECT_NE(fault_of(top + "[[breed]]\nkind = \"fox\"\n" + genes).find("'fox'"), std::string::npos);
+    EXPECT_NE(fault_of(top + "[[breed]]\nkind = \"hare\"\n" + genes + "[[breed]]\nkind = \"hare\"\n" + genes)
+                  .find("two [[breed]] tables"),
+              std::string::npos);
+    const std::string alone = scene_text.substr(0, scene_text.find("[vehicle.hare]"));
+    EXPECT_TRUE(fault_of(top + both, alone).starts_with("s.toml: a breeding needs")) << fault_of(top + both, alone);
+}
+
+TEST(Breeding, AnInterruptedOneContinuesToTheSameState) {
+    const auto base = base_of(top + panel + both);
+    const BreedingState whole = bred(*base, 3);
+    EXPECT_EQ(complete_generations(*base, whole), 4);
+    BreedingState state = begin_breeding(*base);
+    for (auto trials = next_trials(*base, state, 3); !trials.empty(); trials = next_trials(*base, state, 3)) {
+        auto kept = read_state(*base, write_state(*base, state), "state.json");
+        ASSERT_TRUE(kept) << kept.error().text();
+        EXPECT_EQ(*kept, state);
+        state = std::move(*kept);
+        advance(*base, state, results_of(*base, trials));
+    }
+    EXPECT_EQ(state, whole);
+    EXPECT_EQ(bred(*base, 3, bred(*base, 1)), whole) << "more generations later";
+}
+
+TEST(Breeding, AStateOfAnotherBreedingIsRefused) {
+    const auto base = base_of(top + alone + both), other = base_of(top + alone + "seed = 2\n" + both);
+    const std::string text = write_state(*base, begin_breeding(*base));
+    EXPECT_TRUE(read_state(*base, text, "f"));
+    EXPECT_NE(read_state(*other, text, "f").error().text().find("another breeding"), std::string::npos);
+    EXPECT_NE(read_state(*base, text.substr(0, text.size() / 2), "f").error().text().find("damaged"),
+              std::string::npos);
+    BreedingState state = begin_breeding(*base);
+    at(state.main.population, Side::prey)[0].genome[2] = 91;
+    EXPECT_FALSE(read_state(*base, write_state(*base, state), "f")) << "outside the range of its gene";
+}
+
+TEST(Breeding, EveryGenomeStaysInTheRangesOfItsGenes) {
+    const auto base = base_of(top + alone + both);
+    const BreedingState state = bred(*base, 3);
+    for (const Side side : {Side::predator, Side::prey}) {
+        std::set<Genome> different;
+        for (const Individual& each : at(state.main.population, side)) {
+            different.insert(each.genome);
+            for (std::size_t i = 0; i < each.genome.size(); ++i) {
+                EXPECT_GE(each.genome[i], base->breed(side)->genes[i].low);
+                EXPECT_LE(each.genome[i], base->breed(side)->genes[i].high);
+            }
+        }
+        EXPECT_GE(different.size(), 5u);
+    }
+}
+
+TEST(Breeding, TheElitePassesUnchangedAndChildrenComeFromTheParents) {
+    const auto base = base_of(top + alone + "elite = 2\n" + both);
+    const BreedingState before = bred(*base, 1), after = bred(*base, 2);
+    const auto& earlier = at(before.main.population, Side::predator);
+    const auto& population = at(after.main.population, Side::predator);
+    const Generation& record = at(after.main.generations, Side::predator)[2];
+    EXPECT_EQ(population[0].genome, record.champion);
+    EXPECT_EQ(population[0].genome, earlier[static_cast<std::size_t>(record.index)].genome);
+    EXPECT_EQ(population[1].genome, earlier[static_cast<std::size_t>(population[1].parent)].genome);
+    std::set<int> parents;
+    for (const Individual& each : population) parents.insert(each.parent);
+    EXPECT_EQ(parents.size(), 2u);
+    for (std::size_t i = 2; i < population.size(); ++i)
+        EXPECT_NE(population[i].genome, earlier[static_cast<std::size_t>(population[i].parent)].genome);
+}
+
+TEST(Breeding, ThePanelDecidesNothing) {
+    const auto with = base_of(top + panel + both), without = base_of(top + alone + both);
+    BreedingState watched = bred(*with, 2);
+    const BreedingState unwatched = bred(*without, 2);
+    EXPECT_EQ(watched.main.population, unwatched.main.population);
+    EXPECT_GE(at(watched.main.generations, Side::prey)[0].panel, 0);
+    EXPECT_EQ(at(unwatched.main.generations, Side::prey)[0].panel, -1);
+    EXPECT_NE(at(watched.panel.generations, Side::prey)[0].champion,
+              at(watched.main.generations, Side::prey)[0].champion);
+}
+
+TEST(Breeding, EachSchemeChoosesItsOpponents) {
+    for (const OpponentsTraits& row : opponents_table) {
+        const auto base =
+            base_of(top + alone + "remembered = 2\nopponents = \"" + std::string(row.word) + "\"\n" + both);
+        const BreedingState state = bred(*base, 2);
+        const auto& champions = at(state.main.generations, Side::prey);
+        const auto& present = at(state.main.population, Side::prey);
+        const auto trials = next_trials(*base, state, 3);
+        std::set<const Kind*> met;
+        for (std::size_t i = 0; i < 18; ++i) met.insert(at(trials[i].kinds, Side::prey).get());
+        const auto is_champion = [&](const Kind& kind, std::size_t generation) {
+            return kind == base->kind_of(Side::prey, champions[generation].champion);
+        };
+        const auto is_present = [&](const Kind& kind) {
+            return std::any_of(present.begin(), present.end(),
+                               [&](const Individual& each) { return kind == base->kind_of(Side::prey, each.genome); });
+        };
+        for (const Kind* kind : met) {
+            const bool is_right = row.value == Opponents::random ? is_present(*kind)
+                                  : row.value == Opponents::last ? is_champion(*kind, 2)
+                                  : row.value == Opponents::best_of_last
+                                      ? is_champion(*kind, 2) || is_champion(*kind, 1)
+                                      : is_champion(*kind, 2) || is_champion(*kind, 1) || is_champion(*kind, 0);
+            EXPECT_TRUE(is_right) << row.word;
+        }
+    }
+}
+
+TEST(Breeding, OneSideAloneEvolvesAgainstTheSceneAsItIs) {
+    const auto base = base_of(top + panel + "[[breed]]\nkind = \"hare\"\n" + genes);
+    const BreedingState state = bred(*base, 2);
+    EXPECT_EQ(base->breed(Side::predator), nullptr);
+    EXPECT_EQ(at(state.main.population, Side::predator).size(), 1u);
+    EXPECT_EQ(*at(next_trials(*base, state, 3).front().kinds, Side::predator), base->scene().kinds[0]);
+    EXPECT_GE(at(state.main.generations, Side::prey)[2].panel, 0);
+    const auto again = read_state(*base, write_state(*base, state), "f");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again, state);
+}
+
+TEST(Breeding, AChampionDrivesInASavedSceneAsItWasBred) {
+    const auto base = base_of(top + alone + both);
+    const BreedingState state = bred(*base, 1);
+    for (const Trial& trial : next_trials(*base, state, 3)) {
+        const auto scene = parse_scene(write_scene(scene_of(*base, trial)), "s.toml");
+        ASSERT_TRUE(scene) << scene.error().text();
+        auto bred_world = World::create(scene_of(*base, trial), trial.seed), opened = World::create(*scene, trial.seed);
+        for (int i = 0; i < 60; ++i) bred_world->step(), opened->step();
+        ASSERT_EQ(bred_world->hash(), opened->hash());
+    }
+}
+
+TEST(Breeding, TheScoresOfBothSidesAddUpToOne) {
+    const auto base = base_of(top + alone + both);
+    for (const float seconds : {0.0F, 1.0F, 4.0F})
+        EXPECT_EQ(score_of(base->breeding(), Side::predator, seconds) + score_of(base->breeding(), Side::prey, seconds),
+                  1);
+    EXPECT_EQ(score_of(base->breeding(), Side::prey, 4), 1) << "not eaten";
+    const auto trials = next_trials(*base, begin_breeding(*base), 3);
+    std::set<float> different;
+    for (const Trial& trial : trials) different.insert(run_of(*base, trial));
+    EXPECT_GT(different.size(), 3u);
+    EXPECT_TRUE(different.contains(4.0F));
+    EXPECT_LT(*different.begin(), 4.0F);
+}
+
+// The documented tables are those of the code. BRAITENLAB_WRITE_DOCS=1 writes them.
+TEST(Breeding, TheFormatIsDocumented) {
+    const std::filesystem::path path = std::filesystem::path(BRAITENLAB_SOURCE) / "docs" / "breeding.md";
+    std::ifstream in(path);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (std::getenv("BRAITENLAB_WRITE_DOCS")) {
+        text = text.substr(0, text.find("\n## The top of the file")) + describe_breeding_format();
+        std::ofstream(path) << text;
+    }
+    EXPECT_NE(text.find(describe_breeding_format()), std::string::npos);
+}
+
+// Every shipped breeding can be bred, and five generations of the first are the same on every platform.
+TEST(Breeding, TheShippedOnesAreBredToTheSameBits) {
+    const std::filesystem::path folder = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "breeding";
+    const auto content = [](const std::filesystem::path& path) {
+        std::ifstream in(path);
+        return std::string{std::istreambuf_iterator<char>(in), {}};
+    };
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".toml") continue;
+        auto breeding = parse_breeding(content(entry.path()), entry.path().string());
+        ASSERT_TRUE(breeding) << breeding.error().text();
+        ++count;
+        breeding->seconds = 5, breeding->trials = 2, breeding->panel = 0;
+        const std::filesystem::path scene = folder / breeding->scene;
+        const auto base = BreedingBase::create(std::move(*breeding), content(scene), scene.string());
+        ASSERT_TRUE(base) << base.error().text();
+        if (entry.path().stem() != "chase") continue;
+        EXPECT_EQ(fmt::format("{:016x}", maths::fnv(write_state(**base, bred(**base, 4)))), "GOLDEN");
+    }
+    EXPECT_EQ(count, 4);
+}
+
+TEST(Tournament, EveryChampionMeetsEveryOne) {
+    const auto base = base_of(top + alone + both);
+    const BreedingState state = bred(*base, 3);
+    const auto trials = trials_of_tournament(*base, state, 3);
+    EXPECT_EQ(trials.size(), 3u * 3u * tournament_trials);
+    const Tournament t = tournament_of(*base, state, 3, results_of(*base, trials));
+    EXPECT_EQ(t.generations, (std::vector<int>{0, 1, 3}));
+    float sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_EQ(t.score(Side::predator, i, k) + t.score(Side::prey, k, i), 1);
+            sum += t.score(Side::predator, i, k);
+        }
+    EXPECT_GT(sum, 0);
+    EXPECT_NEAR(
+        t.master_score(Side::predator, 0) + t.master_score(Side::predator, 1) + t.master_score(Side::predator, 2),
+        sum / 3, 1e-5F);
+}
+
+TEST(Tournament, ATrendIsThatOfItsQuartersAndItsCorrelation) {
+    const Trend up = trend_of({0, 1, 2, 3, 4, 5, 6, 7});
+    EXPECT_FLOAT_EQ(up.first, 0.5F);
+    EXPECT_FLOAT_EQ(up.last, 6.5F);
+    EXPECT_FLOAT_EQ(up.correlation, 1);
+    EXPECT_FLOAT_EQ(trend_of({3, 2, 1}).correlation, -1);
+    EXPECT_EQ(trend_of({2, 2, 2}).correlation, 0);
+    EXPECT_EQ(trend_of({2}).last, 2);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::breeding_test
