@@ -16,6 +16,7 @@
 #include "app/platform/memory.h"
 #include "app/platform/platform.h"
 #include "app/reports/gradebook.h"
+#include "core/evolve/breeding_file.h"
 #include "core/export/export.h"
 #include "core/insight/behaviour.h"
 #include "core/io/vehicle_table.h"
@@ -199,6 +200,32 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     command->add_flag("--json", options.json, "print medians, quartiles and paired differences as JSON");
     command->add_option("--threads", options.threads, "threads; without it, one per processor")
         ->check(CLI::Range(1, 256));
+    return command;
+}
+
+CLI::App* add_breed(CLI::App& app, BreedOptions& options) {
+    CLI::App* command = app.add_subcommand("breed", "let predators and prey evolve against each other");
+    command
+        ->add_option("BREEDING", options.file,
+                     "a path, the bare name of a shipped breeding, or the folder of its results")
+        ->required();
+    command->add_option("--out", options.out, "folder of the results; with --champion or --match, the file to write")
+        ->type_name("PATH");
+    command->add_option("--generations", options.generations, "after the first one; default: those of the file")
+        ->check(CLI::Range(1, evolve::limits::generations));
+    command->add_option("--threads", options.threads, "threads; without it, one per processor")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--continue", options.goes_on, "go on with the results in the folder");
+    command->add_flag("--json", options.json, "print the last generation as one JSON object");
+    command->add_option("--matrix", options.matrix,
+                        "of a folder: champions of all generations against each other (master), or each against its "
+                        "ancestors' opponents (ciao)");
+    command->add_option("--csv", options.csv, "write a row per pair of the matrix; -: to standard output")
+        ->type_name("FILE");
+    add_table(*command, options.table);
+    command->add_option("--champion", options.champion, "of a folder: write the brain of a champion, like predator:30");
+    command->add_option("--match", options.match,
+                        "of a folder: write the scene of two champions, PREDATOR:PREY, like 30:12");
     return command;
 }
 
@@ -397,10 +424,13 @@ int command_line(int argc, char** argv) {
     StudyOptions studied;
     CLI::App* study_command = add_study(app, studied);
 
+    BreedOptions bred;
+    CLI::App* breed_command = add_breed(app, bred);
+
     std::vector<std::string_view> commands;
-    for (const CLI::App* command :
-         {run_command, map_command, robustness_command, picture_command, check_command, grade_command, show_command,
-          hashes_command, export_command, think_command, study_command, link_command, compare_command, mystery_command})
+    for (const CLI::App* command : {run_command, map_command, robustness_command, picture_command, check_command,
+                                    grade_command, show_command, hashes_command, export_command, think_command,
+                                    study_command, link_command, compare_command, mystery_command, breed_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -422,6 +452,7 @@ int command_line(int argc, char** argv) {
     if (*hashes_command) return print_hashes(hashed);
     if (*export_command) return export_to_robot(exported);
     if (*study_command) return study(studied);
+    if (*breed_command) return breed(bred);
     if (*think_command) return think_vectors(thought);
     if (*link_command) return link(linked);
     if (*compare_command) return compare(compared);

@@ -115,6 +115,23 @@ struct StudyOptions {
 // it continues the next time.
 int study(const StudyOptions&);
 
+struct BreedOptions {
+    std::string file;      // a breeding: path or bare name, or the folder of its results
+    std::string out;       // folder of the results; with `champion` or `match` the file to write
+    int generations = 0;   // 0: those of the file
+    int threads = 0;       // 0: one per processor
+    bool goes_on = false;  // with the results in the folder
+    bool json = false;
+    std::string matrix;    // ciao or master; empty: none
+    std::string csv;       // file of the matrix; "-": standard output; empty: none
+    TableOptions table;
+    std::string champion;  // predator:GENERATION or prey:GENERATION; empty: none
+    std::string match;     // PREDATOR:PREY, two generations; empty: none
+};
+// Breeds predators and prey into a folder, which holds the state after each generation. Or prints the matrix of a
+// folder, or writes the brain of a champion, or the scene of a match.
+int breed(const BreedOptions&);
+
 struct RobustnessOptions {
     std::string file;     // a scene or an exercise
     std::string brain;    // file; of an exercise, in place of its solution

@@ -62,7 +62,16 @@ Result<fs::path> data_folder() {
 namespace {
 
 bool is_of(Shipped wanted, std::string_view folder) {
-    return wanted == Shipped::any || folder == (wanted == Shipped::exercise ? "guided" : "studies");
+    switch (wanted) {
+        case Shipped::exercise:
+            return folder == "guided";
+        case Shipped::study:
+            return folder == "studies";
+        case Shipped::breeding:
+            return folder == "breeding";
+        default:
+            return true;
+    }
 }
 
 Message no_shipped(Shipped wanted, const std::string& name) {
@@ -71,6 +80,8 @@ Message no_shipped(Shipped wanted, const std::string& name) {
             return message_of("no_shipped_exercise", name);
         case Shipped::study:
             return message_of("no_shipped_study", name);
+        case Shipped::breeding:
+            return message_of("no_shipped_breeding", name);
         default:
             return message_of("no_shipped", name);
     }
@@ -83,7 +94,7 @@ Result<fs::path> find_shipped(const std::string& path_or_name, Shipped wanted) {
     const auto data = data_folder();
     if (!data) return data.error();
     std::vector<std::string> names;
-    for (const char* folder : {"scenes", "guided", "lectures", "studies"})
+    for (const char* folder : {"scenes", "guided", "lectures", "studies", "breeding"})
         for (const fs::path& file : toml_files(*data / "exercises" / folder)) {
             if (file.stem() == path_or_name) return file;
             if (is_of(wanted, folder)) names.push_back(file.stem().string());

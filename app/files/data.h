@@ -20,9 +20,10 @@ const char* version_text();
 Result<std::filesystem::path> data_folder();
 
 // What a person looks for among the shipped files; it decides which names an error lists.
-enum class Shipped { any, exercise, study };
+enum class Shipped { any, exercise, study, breeding };
 
-// A path of a file, or the name of a shipped scene ("2a-coward"), exercise ("05-aggressor"), lecture or study. Fails
+// A path of a file, or the name of a shipped scene ("2a-coward"), exercise ("05-aggressor"), lecture, study or
+// breeding. Fails
 // with the nearest shipped name of what is wanted.
 Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Shipped wanted = Shipped::any);
 

@@ -1,0 +1,277 @@
+// braitenctl breed: predators and prey that evolve against each other.
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/ctl/ctl.h"
+#include "app/ctl/progress.h"
+#include "app/ctl/table_file.h"
+#include "app/files/breeding_files.h"
+#include "app/files/data.h"
+#include "app/files/safe_file.h"
+#include "app/files/study_files.h"
+#include "app/jobs/jobs.h"
+#include "app/platform/platform.h"
+#include "core/evolve/breeding.h"
+#include "core/evolve/tournament.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+namespace {
+
+namespace fs = std::filesystem;
+using evolve::BreedingBase;
+using evolve::BreedingState;
+using evolve::Generation;
+using evolve::Side;
+using evolve::Trial;
+using Base = std::shared_ptr<const BreedingBase>;
+
+constexpr auto sides = std::to_array({Side::predator, Side::prey});
+constexpr int matrix_generations = 40;  // at most, of each side
+
+// Seconds of the trials in their order; empty when the user has interrupted the program.
+Result<std::vector<float>> run_trials(Jobs& jobs, const Base& base, const std::vector<Trial>& trials) {
+    auto job = jobs.submit(trials.size(), [&base, &trials](std::size_t part) {
+        return is_told_to_end() ? 0.0F : evolve::run_of(*base, trials[part]);
+    });
+    jobs.finish();
+    const auto results = job.take();
+    if (!*results) return results->error();
+    return is_told_to_end() ? std::vector<float>{} : **results;
+}
+
+struct Bred {
+    BreedingState state;
+    std::size_t trials = 0;  // by this command
+    bool is_complete = false;
+};
+
+// Breeds on, and writes the state after each generation.
+Result<Bred> breed_on(const Base& base, BreedingState state, int generations, int threads, const fs::path& folder) {
+    Jobs jobs(threads_for(threads));
+    const auto done = [&](const BreedingState& s) {
+        return static_cast<std::size_t>(complete_generations(*base, s)) + s.panel.generations.front().size();
+    };
+    const int of_panel = base->breeding().panel > 0 ? base->breeding().panel_generations + 1 : 0;
+    Progress progress("generations, those of the panel included", static_cast<std::size_t>(generations + 1 + of_panel),
+                      done(state), std::cerr);
+    Bred bred{.state = std::move(state)};
+    for (;;) {
+        const std::vector<Trial> trials = next_trials(*base, bred.state, generations);
+        if (trials.empty()) break;
+        const auto seconds = run_trials(jobs, base, trials);
+        if (!seconds) return seconds.error();
+        if (seconds->empty()) return bred;
+        advance(*base, bred.state, *seconds);
+        bred.trials += trials.size();
+        if (const auto error = write_breeding_state(*base, bred.state, folder)) return *error;
+        progress.at(done(bred.state));
+    }
+    bred.is_complete = true;
+    return bred;
+}
+
+std::vector<float> panel_scores(const BreedingState& state, Side side) {
+    std::vector<float> scores;
+    for (const Generation& each : at(state.main.generations, side)) scores.push_back(each.panel);
+    return scores;
+}
+
+std::string summary_text(const BreedingBase& base, const BreedingState& state) {
+    std::string text = fmt::format("{:>10}", "generation");
+    for (const Side side : sides)
+        if (base.breed(side))
+            for (const char* column : {"best", "median", "diversity", "panel"})
+                text += fmt::format("  {:>18}", fmt::format("{} {}", word(side), column));
+    text += '\n';
+    const int count = complete_generations(base, state), rows = std::min(count, 11);
+    for (int row = 0; row < rows; ++row) {
+        const auto generation = static_cast<std::size_t>(rows == 1 ? 0 : row * (count - 1) / (rows - 1));
+        text += fmt::format("{:>10}", generation);
+        for (const Side side : sides) {
+            if (!base.breed(side)) continue;
+            const Generation& g = at(state.main.generations, side)[generation];
+            for (const float number : {g.best, g.median, g.diversity, g.panel})
+                text += fmt::format("  {:>18}", number < 0 ? "–" : fmt::format("{:.3f}", number));
+        }
+        text += '\n';
+    }
+    text +=
+        "\nbest and median: scores against the opponents of the generation, which change, too; a rise there is no "
+        "progress by itself.\n";
+    if (base.breeding().panel == 0) return text;
+    text += "panel: score of the best against opponents that were bred apart and never decided who had children.\n";
+    for (const Side side : sides) {
+        if (!base.breed(side)) continue;
+        const evolve::Trend trend = evolve::trend_of(panel_scores(state, side));
+        text += fmt::format(
+            "{} against the panel: {:.3f} in the first quarter of the generations, {:.3f} in the last; "
+            "correlation with the generation {:+.2f}\n",
+            word(side), trend.first, trend.last, trend.correlation);
+    }
+    return text;
+}
+
+std::string summary_json(const BreedingBase& base, const Bred& bred, double seconds) {
+    const int generation = complete_generations(base, bred.state) - 1;
+    nlohmann::ordered_json json;
+    json["generation"] = generation;
+    for (const Side side : sides) {
+        if (!base.breed(side)) continue;
+        const Generation& last = at(bred.state.main.generations, side)[static_cast<std::size_t>(generation)];
+        const std::string name(word(side));
+        json["best"][name] = last.best;
+        json["panel"][name] = last.panel < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(last.panel);
+    }
+    json["trials"] = bred.trials, json["seconds"] = seconds;
+    return json.dump() + "\n";
+}
+
+int breed_into(const BreedOptions& options, const Base& base, const fs::path& folder) {
+    const bool has_state = holds_breeding(folder);
+    if (has_state && !options.goes_on)
+        return complain({"holds a breeding; add --continue to go on with it, or give another folder", folder.string()});
+    if (!has_state)
+        if (const auto error = write_breeding_files(*base, folder)) return complain(*error);
+    const fs::path lock = folder / "state.json.lock";
+    auto held = lock_file(lock);
+    if (!held) return complain({"another breeding writes into this folder; wait for its end", folder.string()});
+    const HeldLock lock_of_folder(lock, std::move(*held));
+    auto state = has_state ? read_breeding_state(*base, folder) : begin_breeding(*base);
+    if (!state) return complain(state.error());
+
+    const auto began = std::chrono::steady_clock::now();
+    const int generations = options.generations > 0 ? options.generations : base->breeding().generations;
+    const auto bred = breed_on(base, std::move(*state), generations, options.threads, folder);
+    if (!bred) return complain(bred.error());
+    if (!bred->is_complete) {
+        std::cerr << fmt::format("braitenctl: interrupted after {} generations; --continue goes on with {}\n",
+                                 complete_generations(*base, bred->state), folder.string());
+        return exit_code::interrupted;
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+    std::cout << (options.json ? summary_json(*base, *bred, passed.count()) : summary_text(*base, bred->state));
+    return exit_code::done;
+}
+
+// One line a pair. Against ancestors only (`is_ciao`): of each side the pairs with opponents that are not younger.
+std::string matrix_csv(const evolve::Tournament& tournament, bool is_ciao) {
+    std::string text = "side,generation,opponent_generation,score\n";
+    for (const Side side : sides)
+        for (std::size_t own = 0; own < tournament.size(); ++own)
+            for (std::size_t opponent = 0; opponent < (is_ciao ? own + 1 : tournament.size()); ++opponent)
+                text += fmt::format("{},{},{},{:.4f}\n", word(side), tournament.generations[own],
+                                    tournament.generations[opponent], tournament.score(side, own, opponent));
+    return text;
+}
+
+std::string matrix_text(const evolve::Tournament& tournament) {
+    std::string text;
+    for (const Side side : sides) {
+        std::vector<float> scores;
+        for (std::size_t own = 0; own < tournament.size(); ++own) scores.push_back(tournament.master_score(side, own));
+        const evolve::Trend trend = evolve::trend_of(scores);
+        text += fmt::format(
+            "{} against all generations: {:.3f} in the first quarter, {:.3f} in the last; correlation "
+            "with the generation {:+.2f}\n",
+            word(side), trend.first, trend.last, trend.correlation);
+    }
+    return text;
+}
+
+int print_matrix(const BreedOptions& options, const Base& base, const BreedingState& state) {
+    if (options.matrix != "ciao" && options.matrix != "master")
+        return complain({"--matrix is ciao (against ancestors) or master (against all)"});
+    const auto style = style_of(options.table);
+    if (!style) return complain(style.error());
+    Jobs jobs(threads_for(options.threads));
+    const auto seconds = run_trials(jobs, base, trials_of_tournament(*base, state, matrix_generations));
+    if (!seconds) return complain(seconds.error());
+    if (seconds->empty()) return interrupted();
+    const evolve::Tournament tournament = tournament_of(*base, state, matrix_generations, *seconds);
+    if (!options.csv.empty()) {
+        TableFile out(options.csv, *style);
+        out.write(matrix_csv(tournament, options.matrix == "ciao"));
+        if (const auto error = out.close()) return complain(*error);
+    }
+    if (options.csv != standard_output) std::cout << matrix_text(tournament);
+    return exit_code::done;
+}
+
+// The generation at the end of the text, of those that are complete.
+Result<std::size_t> generation_of(const std::string& option, std::string_view text, int complete) {
+    int generation = -1;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), generation);
+    if (problem != std::errc() || end != text.data() + text.size() || generation < 0 || generation >= complete)
+        return Error{fmt::format("'{}' is no generation; give one of 0 to {}", text, complete - 1), option};
+    return static_cast<std::size_t>(generation);
+}
+
+int write_champion(const BreedOptions& options, const BreedingBase& base, const BreedingState& state) {
+    const std::string option = "--champion";
+    const std::size_t colon = options.champion.find(':');
+    const std::string name = options.champion.substr(0, colon);
+    const auto side = std::find_if(sides.begin(), sides.end(), [&](Side s) { return word(s) == name; });
+    if (side == sides.end() || colon == std::string::npos)
+        return complain({"write predator:GENERATION or prey:GENERATION", option});
+    const auto generation =
+        generation_of(option, std::string_view(options.champion).substr(colon + 1), complete_generations(base, state));
+    if (!generation) return complain(generation.error());
+    const Kind kind = base.kind_of(*side, at(state.main.generations, *side)[*generation].champion);
+    if (const auto error = write_whole(options.out, write_brain(kind.brain))) return complain(*error);
+    return exit_code::done;
+}
+
+// PREDATOR:PREY, two generations: the scene with both champions.
+int write_match(const BreedOptions& options, const BreedingBase& base, const BreedingState& state) {
+    const std::string option = "--match";
+    const std::size_t colon = options.match.find(':');
+    if (colon == std::string::npos) return complain({"write two generations, PREDATOR:PREY", option});
+    Trial trial;
+    for (const Side side : sides) {
+        const std::string_view text = options.match;
+        const auto generation =
+            generation_of(option, side == Side::predator ? text.substr(0, colon) : text.substr(colon + 1),
+                          complete_generations(base, state));
+        if (!generation) return complain(generation.error());
+        at(trial.kinds, side) =
+            std::make_shared<const Kind>(base.kind_of(side, at(state.main.generations, side)[*generation].champion));
+    }
+    if (const auto error = write_whole(options.out, write_scene(scene_of(base, trial)))) return complain(*error);
+    return exit_code::done;
+}
+
+}  // namespace
+
+int breed(const BreedOptions& options) {
+    std::error_code none;
+    const bool is_folder = fs::is_directory(options.file, none);
+    const auto path = is_folder ? breeding_in(options.file) : find_shipped(options.file, Shipped::breeding);
+    if (!path) return complain(path.error());
+    const auto base = load_breeding(*path);
+    if (!base) return complain(base.error());
+
+    const bool asks = !options.matrix.empty() || !options.champion.empty() || !options.match.empty();
+    if (!asks) {
+        const std::string folder = options.out.empty() && is_folder ? options.file : options.out;
+        if (folder.empty()) return complain({"breed needs --out FOLDER for its results"});
+        return breed_into(options, *base, folder);
+    }
+    if (!is_folder)
+        return complain({"give the folder of a breeding, which breed FILE --out FOLDER has made", options.file});
+    const auto state = read_breeding_state(**base, options.file);
+    if (!state) return complain(state.error());
+    if (complete_generations(**base, *state) == 0)
+        return complain({"no generation is complete yet; breed on with --continue", options.file});
+    if (!options.matrix.empty()) return print_matrix(options, *base, *state);
+    if (options.out.empty()) return complain({"give the file to write with --out FILE"});
+    return options.match.empty() ? write_champion(options, **base, *state) : write_match(options, **base, *state);
+}
+
+}  // namespace braitenlab

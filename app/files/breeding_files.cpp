@@ -1,0 +1,69 @@
+#include "app/files/breeding_files.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "app/files/data.h"
+#include "app/files/safe_file.h"
+#include "core/evolve/breeding_json.h"
+#include "core/messages.h"
+#include "core/scene/file_kind.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+using evolve::Breeding;
+using evolve::BreedingBase;
+
+namespace {
+
+fs::path state_in(const fs::path& folder) { return folder / "state.json"; }
+
+}  // namespace
+
+fs::path breeding_in(const fs::path& folder) { return folder / "breeding.toml"; }
+
+bool holds_breeding(const fs::path& folder) {
+    std::error_code none;
+    return fs::exists(state_in(folder), none);
+}
+
+Result<std::shared_ptr<const BreedingBase>> load_breeding(const fs::path& path) {
+    const auto text = read_text(path);
+    if (!text) return text.error();
+    auto breeding = evolve::parse_breeding(*text, path.string());
+    if (!breeding) return breeding.error();
+    std::error_code none;
+    const fs::path beside = path.parent_path() / breeding->scene;
+    const Result<fs::path> scene = fs::is_regular_file(beside, none) ? beside : find_shipped(breeding->scene);
+    if (!scene) return scene.error();
+    const auto scene_text = read_text(*scene);
+    if (!scene_text) return scene_text.error();
+    return BreedingBase::create(std::move(*breeding), *scene_text, scene->string());
+}
+
+std::optional<Error> write_breeding_files(const BreedingBase& base, const fs::path& folder) {
+    Breeding breeding = base.breeding();
+    breeding.scene = "scene.toml";
+    if (auto error = write_whole(folder / breeding.scene, write_scene(base.scene()))) return error;
+    return write_whole(breeding_in(folder), evolve::write_breeding(breeding));
+}
+
+std::optional<Error> write_breeding_state(const BreedingBase& base, const evolve::BreedingState& state,
+                                          const fs::path& folder) {
+    FileWriter file(state_in(folder), false);
+    file.write(evolve::write_state(base, state));
+    return file.commit();
+}
+
+Result<evolve::BreedingState> read_breeding_state(const BreedingBase& base, const fs::path& folder) {
+    const fs::path path = state_in(folder);
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) return error_of(message_of("unreadable"), path.string());
+    return evolve::read_state(base, text.str(), path.string());
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,31 @@
+// Files of breedings: the breeding with its scene, and the folder of its results, which can be interrupted and
+// continued.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/evolve/breeding.h"
+#include "core/result.h"
+
+namespace braitenlab {
+
+// The breeding and its scene: a path relative to the breeding's file, or the name of a shipped scene.
+Result<std::shared_ptr<const evolve::BreedingBase>> load_breeding(const std::filesystem::path&);
+
+// The file of the breeding in a folder of results, which also holds scene.toml and state.json.
+std::filesystem::path breeding_in(const std::filesystem::path& folder);
+
+// True if the folder holds the state of a breeding.
+bool holds_breeding(const std::filesystem::path& folder);
+
+// Writes breeding and scene into the folder, which is made if it does not exist.
+std::optional<Error> write_breeding_files(const evolve::BreedingBase&, const std::filesystem::path& folder);
+
+// The state is replaced as a whole: a program that ends while it writes leaves the state before.
+std::optional<Error> write_breeding_state(const evolve::BreedingBase&, const evolve::BreedingState&,
+                                          const std::filesystem::path& folder);
+Result<evolve::BreedingState> read_breeding_state(const evolve::BreedingBase&, const std::filesystem::path& folder);
+
+}  // namespace braitenlab

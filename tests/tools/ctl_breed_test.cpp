@@ -1,0 +1,102 @@
+// braitenctl breed: folders, interruption, matrices, champions, messages.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/ctl.h"
+
+namespace braitenlab::tests::ctl_breed_test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace ctl_runs;
+
+std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The shipped breeding, small.
+std::string small_breeding() {
+    const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises" / "breeding";
+    const std::string file = scratch("breeding.toml");
+    std::string text = content(shipped / "chase.toml");
+    text.replace(text.find("scenes/"), 0, shipped.generic_string() + "/");
+    const std::string small =
+        "seconds = 4\ngenerations = 2\npopulation = 4\nparents = 2\ntrials = 2\npanel = 2\npanel_generations = 2\n";
+    text.insert(text.find("[[breed]]"), small);
+    std::ofstream(file) << text;
+    return file;
+}
+
+struct Folder {
+    explicit Folder(const char* name) : path(scratch(name)) { fs::remove_all(path); }
+    ~Folder() { fs::remove_all(path); }
+    std::string path;
+};
+
+TEST(CtlBreed, AFolderDependsNeitherOnThreadsNorOnAPause) {
+    const std::string file = small_breeding();
+    const Folder one("breed-one"), three("breed-three"), paused("breed-paused");
+    const Ran first = ctl("breed " + file + " --threads 1 --json --out " + one.path);
+    ASSERT_EQ(first.code, 0) << first.out;
+    EXPECT_EQ(ctl("breed " + file + " --threads 3 --out " + three.path).code, 0);
+    EXPECT_EQ(ctl("breed " + file + " --generations 1 --out " + paused.path).code, 0);
+    EXPECT_NE(content(fs::path(paused.path) / "state.json"), content(fs::path(one.path) / "state.json"));
+    EXPECT_EQ(ctl("breed " + paused.path + " --continue").code, 0);
+    for (const char* name : {"state.json", "breeding.toml", "scene.toml"}) {
+        const std::string wanted = content(fs::path(one.path) / name);
+        EXPECT_FALSE(wanted.empty()) << name;
+        EXPECT_EQ(content(fs::path(three.path) / name), wanted) << name;
+        EXPECT_EQ(content(fs::path(paused.path) / name), wanted) << name;
+    }
+    const Json last = Json::parse(first.out);
+    EXPECT_EQ(last["generation"], 2);
+    EXPECT_EQ(last["trials"], 2 * 3 * 4 * 2 + 2 * 3 * 4 * 2 + 3 * 2 * 2 * 4);  // panel, generations, scores
+    for (const char* side : {"predator", "prey"}) {
+        EXPECT_GE(last["panel"][side].get<double>(), 0) << side;
+        EXPECT_LE(last["best"][side].get<double>(), 1) << side;
+    }
+    fs::remove(file);
+}
+
+TEST(CtlBreed, AFolderGivesItsMatrixItsChampionsAndTheirMatches) {
+    const std::string file = small_breeding();
+    const Folder folder("breed-asked");
+    ASSERT_EQ(ctl("breed " + file + " --out " + folder.path).code, 0);
+    const std::string master = ctl("breed " + folder.path + " --matrix master --csv -").out;
+    EXPECT_EQ(std::count(master.begin(), master.end(), '\n'), 1 + 2 * 3 * 3) << master;
+    const std::string ciao = ctl("breed " + folder.path + " --matrix ciao --csv -").out;
+    EXPECT_EQ(std::count(ciao.begin(), ciao.end(), '\n'), 1 + 2 * (1 + 2 + 3)) << ciao;
+    const std::string brain = scratch("champion.toml"), scene = scratch("match.toml");
+    EXPECT_EQ(ctl("breed " + folder.path + " --champion prey:2 --out " + brain).code, 0);
+    EXPECT_EQ(ctl("show " + brain).code, 0);
+    EXPECT_EQ(ctl("breed " + folder.path + " --match 2:0 --out " + scene).code, 0);
+    EXPECT_EQ(ctl("run " + scene + " --seconds 2").code, 0);
+    for (const char* wrong : {"--champion prey:3", "--champion hare:1", "--match 1", "--match 1:x", "--matrix all"}) {
+        const Ran ran = ctl("breed " + folder.path + " " + wrong + " --out " + brain);
+        EXPECT_EQ(ran.code, 2) << wrong << ran.out;
+    }
+    fs::remove(file), fs::remove(brain), fs::remove(scene);
+}
+
+TEST(CtlBreed, AFolderThatIsThereIsNotReplaced) {
+    const std::string file = small_breeding();
+    const Folder folder("breed-kept");
+    EXPECT_EQ(ctl("breed " + file).code, 2);
+    ASSERT_EQ(ctl("breed " + file + " --out " + folder.path).code, 0);
+    const Ran again = ctl("breed " + file + " --out " + folder.path);
+    EXPECT_EQ(again.code, 2);
+    EXPECT_NE(again.out.find("--continue"), std::string::npos) << again.out;
+    std::ofstream(file, std::ios::app) << "mutation = 0.25\n";  // of the last gene
+    const Ran other = ctl("breed " + file + " --continue --out " + folder.path);
+    EXPECT_EQ(other.code, 2) << other.out;
+    EXPECT_NE(ctl("breed chas --out x").out.find("'chase'"), std::string::npos);
+    fs::remove(file);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::ctl_breed_test
