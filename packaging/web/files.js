@@ -116,6 +116,8 @@ const files = {
             Module.ccall("braitenlab_paste", null, [], []);
         });
         addEventListener("contextmenu", (event) => event.preventDefault());
+        // Ctrl and the wheel zoom the scene, not the page.
+        addEventListener("wheel", (event) => event.ctrlKey && event.preventDefault(), { passive: false });
     },
 };
 

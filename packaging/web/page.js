@@ -69,35 +69,42 @@ function whatIsMissing() {
 
 const received = {};
 
-function showProgress() {
+function count(name, bytes) {
+    received[name] = (received[name] ?? 0) + bytes;
     const sum = (values) => Object.values(values).reduce((a, b) => a + b, 0);
-    element("bar").value = sum(received) / sum(built.sizes);
+    element("bar").value = Math.min(1, sum(received) / sum(built.sizes));
 }
 
-// The bytes of a file of the program: from this page if it contains them, else from the server.
-async function load(name) {
+// The compressed bytes of a file of the program: from this page if it contains them, else from the server.
+async function bytesOf(name) {
     const inside = element(name);
     if (inside) {
         const packed = Uint8Array.from(atob(inside.textContent.trim()), (c) => c.charCodeAt(0));
         inside.remove();
-        const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-        const bytes = await new Response(unpacked).arrayBuffer();
-        received[name] = bytes.byteLength;
-        showProgress();
-        return bytes;
+        return new Blob([packed]).stream();
     }
-    const answer = await fetch(`${name}?${built.version}`);
+    const answer = await fetch(`${name}.gz?${built.version}`);
     if (!answer.ok) throw new Error(`${name} (${answer.status})`);
-    const bytes = new Uint8Array(built.sizes[name]);
-    let at = 0;
-    for (const reader = answer.body.getReader(); ;) {
-        const { done, value } = await reader.read();
-        if (done) break;
-        bytes.set(value, at);
-        received[name] = at += value.length;
-        showProgress();
-    }
-    return bytes.buffer;
+    return answer.body;
+}
+
+// The bytes of a file of the program, unpacked. A server may declare the compression; then the browser has undone it.
+async function load(name, type) {
+    const reader = (await bytesOf(name)).getReader();
+    const first = await reader.read();
+    const isPacked = first.value?.[0] === 0x1f;
+    let next = first;
+    const bytes = new ReadableStream({
+        async pull(controller) {
+            const { done, value } = next ?? await reader.read();
+            next = null;
+            if (done) return controller.close();
+            count(name, value.length);
+            controller.enqueue(value);
+        },
+    });
+    const unpacked = isPacked ? bytes.pipeThrough(new DecompressionStream("gzip")) : bytes;
+    return new Response(unpacked, { headers: { "Content-Type": type } });
 }
 
 // ── The program ──
@@ -156,16 +163,25 @@ window.braitenlab = {
     },
 };
 
+// The program is compiled while it arrives.
 async function start() {
-    const loading = Promise.all(["braitenlab.wasm", "braitenlab.data", "braitenlab.js"].map(load));
+    const compiling = load("braitenlab.wasm", "application/wasm").then(WebAssembly.compileStreaming);
+    const loading = Promise.all([
+        load("braitenlab.data", "application/octet-stream").then((answer) => answer.arrayBuffer()),
+        load("braitenlab.js", "text/javascript").then((answer) => answer.text()),
+        compiling,
+    ]);
     const missing = whatIsMissing();
     if (missing) return loading.catch(() => {}), show(missing, false);
     try {
-        const [program, data, script] = await loading;
-        Module.wasmBinary = new Uint8Array(program);
+        const [data, script, program] = await loading;
+        Module.instantiateWasm = (imports, use) => {
+            WebAssembly.instantiate(program, imports).then((instance) => use(instance, program));
+            return {};
+        };
         Module.getPreloadedPackage = () => data;
         const tag = document.createElement("script");
-        tag.textContent = new TextDecoder().decode(script);
+        tag.textContent = script;
         document.body.append(tag);
     } catch (problem) {
         show(location.protocol === "file:" ? words.server : words.missing + problem.message, true);

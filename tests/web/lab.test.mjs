@@ -1,37 +1,16 @@
 // The lab in headless Chromium, with a real mouse and keyboard: node --test, by ./dev web.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { mkdtemp, readFile, writeFile } from "node:fs/promises";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { Lab, differing, openBrowser, root, serve, squaresOf } from "./page.mjs";
+import { Lab, differing, openBrowser, root, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
-let server, browser;
-
-before(async () => {
-    server = await serve(path.join(root, "build/dist/web"));
-    browser = await openBrowser();
-});
-
-after(async () => {
-    await browser?.close();
-    server?.close();
-});
-
-// A page of the lab for one test; fails on errors of the page.
-async function withLab(query, use, options) {
-    const lab = await Lab.open(browser, server.address + query, options);
-    try {
-        await use(lab);
-        assert.deepEqual(lab.errors, []);
-    } finally {
-        await lab.page.context().close();
-    }
-}
+const labs = useLabs();
+const { withLab, pictureOfWindow, pictureOfPage } = labs;
 
 test("The first picture comes within three seconds", limit, async () => {
     const times = [];
@@ -66,20 +45,11 @@ test("Exercise 1 is solved by its slider", limit, () =>
         await lab.until((state) => state.exercise.passed, null, "exercise passed");
     }));
 
-// The picture that the window of the desktop writes, without settings of the user.
-async function pictureOfWindow(...options) {
-    const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
-    const file = path.join(folder, "window.png");
-    execFileSync("xvfb-run", ["-a", path.join(root, "build/release/braitenlab"), ...options,
-        "--size", "1280x800", "--screenshot", file], { env: { ...process.env, HOME: folder, XDG_STATE_HOME: "", XDG_CONFIG_HOME: "" } });
-    return squaresOf(browser, await readFile(file), 20);
-}
-
 test("A paused scene stays as in the window", limit, async () => {
     const inWindow = await pictureOfWindow("2a-coward", "--after", "3");
     await withLab("?open=2a-coward", async (lab) => {
         await lab.frames(24);  // at rest the scene is copied
-        const onPage = await squaresOf(browser, await lab.page.screenshot({ path: path.join(root, "build/web-tests/paused.png") }), 20);
+        const onPage = await pictureOfPage(lab, "paused");
         assert.ok(differing(onPage, inWindow, 24) < 0.03, `${differing(onPage, inWindow, 24)} of the picture differs`);
     });
 });
@@ -89,7 +59,7 @@ test("A playing scene is as in the window", limit, async () => {
     await withLab("?open=2a-coward", async (lab) => {
         await lab.page.keyboard.press("Space");
         await lab.until((state) => state.tick >= 110);
-        const onPage = await squaresOf(browser, await lab.page.screenshot({ path: path.join(root, "build/web-tests/playing.png") }), 20);
+        const onPage = await pictureOfPage(lab, "playing");
         assert.ok(differing(onPage, inWindow, 24) < 0.08, `${differing(onPage, inWindow, 24)} of the picture differs`);
     });
 });
@@ -198,8 +168,8 @@ test("A copied link opens the edited scene in another browser", limit, async () 
         edited = await turnSlider(lab, "slider.LL");
         link = await copiedLink(lab);
     });
-    assert.ok(link.startsWith(server.address + "#b1."), link);
-    await withLab(link.slice(server.address.length), async (lab) => {
+    assert.ok(link.startsWith(labs.server.address + "#b1."), link);
+    await withLab(link.slice(labs.server.address.length), async (lab) => {
         assert.deepEqual((await lab.state()).weights, edited);
         assert.equal((await lab.state()).exercise, null);
     });
@@ -208,7 +178,7 @@ test("A copied link opens the edited scene in another browser", limit, async () 
 test("A link to an exercise opens it", limit, () =>
     withLab("#e1.05-aggressor", async (lab) => {
         await lab.until((state) => state.exercise?.id === "05-aggressor");
-        assert.equal(await copiedLink(lab), server.address + "#e1.05-aggressor");
+        assert.equal(await copiedLink(lab), labs.server.address + "#e1.05-aggressor");
     }));
 
 test("A new link in the address asks about unsaved work first", limit, () =>
@@ -422,7 +392,7 @@ test("The page answers while a map of behaviour is computed", limit, () =>
     }));
 
 test("The single file runs without a server", limit, async () => {
-    const lab = await Lab.open(browser, pathToFileURL(path.join(root, "build/dist/braitenlab-web.html")) + "?open=2a-coward");
+    const lab = await Lab.open(labs.browser, pathToFileURL(path.join(root, "build/dist/braitenlab-web.html")) + "?open=2a-coward");
     await lab.until((state) => state.opened === "2a-coward");
     assert.deepEqual(lab.errors, []);
     await lab.page.context().close();
@@ -432,7 +402,7 @@ test("Without WebGL 2 the page says what is missing", limit, async () => {
     const other = await openBrowser(["--disable-webgl2", "--disable-3d-apis"]);
     try {
         const page = await other.newPage();
-        await page.goto(server.address);
+        await page.goto(labs.server.address);
         await page.waitForFunction(() => /WebGL 2/.test(document.getElementById("message").textContent));
         assert.equal(await page.isVisible("#cover"), true);
     } finally {

@@ -1,8 +1,12 @@
 // A page of the lab in headless Chromium, with a web server of its own.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtemp, readFile } from "node:fs/promises";
 import { createServer } from "node:http";
-import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
+import os from "node:os";
 import path from "node:path";
+import { after, before } from "node:test";
 
 // playwright-core is in build/web-tests, where ./dev web installs it.
 export const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), "../..");
@@ -10,20 +14,22 @@ const { chromium } = createRequire(path.join(root, "build/web-tests/"))("playwri
 
 const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
 
-// Serves a folder at a free port; returns the address.
+// Serves a folder at a free port, without compression; returns the address and the bytes sent so far.
 export async function serve(folder) {
+    let sent = 0;
     const server = createServer(async (request, response) => {
         const name = new URL(request.url, "http://localhost").pathname.replace(/\/$/, "/index.html");
         try {
             const content = await readFile(path.join(folder, path.normalize(name)));
             response.writeHead(200, { "Content-Type": types[path.extname(name)] ?? "application/octet-stream" });
             response.end(content);
+            sent += content.length;
         } catch {
             response.writeHead(404).end();
         }
     });
     await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-    return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+    return { address: `http://127.0.0.1:${server.address().port}/`, sent: () => sent, close: () => server.close() };
 }
 
 // WebGL by SwiftShader, a software renderer. `extra`: further switches.
@@ -32,6 +38,44 @@ export function openBrowser(extra = []) {
         executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
         args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...extra],
     });
+}
+
+// For the tests of one file: a server and a browser of their own, and withLab(query, use, options), which opens a page of
+// the lab and fails on errors of the page. `options`: of the browser's context; `init` runs in the page before the lab.
+export function useLabs() {
+    const shared = {
+        async withLab(query, use, { init, ...options } = {}) {
+            const lab = await Lab.open(shared.browser, shared.server.address + query, options, init);
+            try {
+                await use(lab);
+                assert.deepEqual(lab.errors, []);
+            } finally {
+                await lab.page.context().close();
+            }
+        },
+        // The squares of 20 pixels of the picture that the window of the desktop writes, without settings of the user.
+        async pictureOfWindow(...options) {
+            const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
+            const file = path.join(folder, "window.png");
+            execFileSync("xvfb-run", ["-a", path.join(root, "build/release/braitenlab"), ...options,
+                "--size", "1280x800", "--screenshot", file],
+                { env: { ...process.env, HOME: folder, XDG_STATE_HOME: "", XDG_CONFIG_HOME: "" } });
+            return squaresOf(shared.browser, await readFile(file), 20);
+        },
+        // The same of a page; the picture is kept in build/web-tests.
+        async pictureOfPage(lab, name) {
+            return squaresOf(shared.browser, await lab.page.screenshot({ path: path.join(root, `build/web-tests/${name}.png`) }), 20);
+        },
+    };
+    before(async () => {
+        shared.server = await serve(path.join(root, "build/dist/web"));
+        shared.browser = await openBrowser();
+    });
+    after(async () => {
+        await shared.browser?.close();
+        shared.server?.close();
+    });
+    return shared;
 }
 
 // Mean colours of the squares of `side` pixels of a PNG picture, row by row: [[red, green, blue], …], 0 to 255.
@@ -66,8 +110,14 @@ export class Lab {
         });
     }
 
-    static async open(browser, address, options = {}) {
+    static async open(browser, address, options = {}, init) {
         const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-US", ...options });
+        if (init) await context.addInitScript(init);
+        return Lab.openIn(context, address);
+    }
+
+    // Another page of the same user.
+    static async openIn(context, address) {
         const lab = new Lab(await context.newPage());
         await lab.go(address);
         return lab;

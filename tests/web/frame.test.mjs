@@ -1,0 +1,44 @@
+// What is around the lab on its page: loading and zooming.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { useLabs } from "./page.mjs";
+
+const limit = { timeout: 120000 };
+const labs = useLabs();
+const { withLab } = labs;
+
+test("A server that does not compress sends less than 4 MB", limit, async () => {
+    const before = labs.server.sent();
+    await withLab("?open=2a-coward", () => {});
+    const sent = labs.server.sent() - before;
+    assert.ok(sent > 1e6 && sent < 4e6, `${sent} bytes`);
+});
+
+test("A server may declare the compression of the files", limit, async () => {
+    const gz = (route) => route.fetch().then((answer) =>
+        route.fulfill({ response: answer, headers: { ...answer.headers(), "content-encoding": "gzip" } }));
+    const context = await labs.browser.newContext();
+    await context.route("**/*.gz?*", gz);
+    const page = await context.newPage();
+    await page.goto(labs.server.address + "?open=2a-coward");
+    await page.waitForFunction(() => window.braitenlab?.ready, null, { timeout: 60000 });
+    await context.close();
+});
+
+test("Without scripts the page says what it needs", limit, async () => {
+    const context = await labs.browser.newContext({ javaScriptEnabled: false });
+    const page = await context.newPage();
+    await page.goto(labs.server.address);
+    assert.match(await page.innerText("noscript"), /JavaScript/);
+    await context.close();
+});
+
+test("The page can be enlarged by fingers, and Ctrl with the wheel is the scene's", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const viewport = await lab.page.getAttribute("meta[name=viewport]", "content");
+        assert.doesNotMatch(viewport, /maximum-scale|user-scalable/);
+        const taken = await lab.page.evaluate(() => ["canvas", "cover"].map((id) => !document.getElementById(id).dispatchEvent(
+            new WheelEvent("wheel", { deltaY: 100, ctrlKey: true, bubbles: true, cancelable: true }))));
+        assert.deepEqual(taken, [true, true]);
+    }));
