@@ -1,27 +1,34 @@
 "use strict";
 // Files of the lab in a browser. The program writes to a file system in memory; this keeps the home folder in the
-// browser's storage and downloads what the user saves. Used by page.js, before the program starts.
+// browser's storage (storage.js) and downloads what the user saves. Used by page.js, before the program starts.
 
 const home = "/home/web_user";
-const keyOf = (path) => "braitenlab:" + path;
 const files = {
-    known: new Map(),  // path → time of the last change that is stored or downloaded
+    known: new Map(),      // path → stamp of the content that is stored or downloaded
+    unstored: new Set(),   // paths whose content the browser has no room for
     isOwn: (path) => path.startsWith(home + "/config/") || path.startsWith(home + "/state/"),
 
     // Copies the stored files into the file system.
     restore(FS) {
         files.FS = FS;
-        for (let i = 0; i < localStorage.length; ++i) {
-            const key = localStorage.key(i);
-            if (!key.startsWith(keyOf(home + "/"))) continue;
-            const path = key.slice(keyOf("").length);
-            FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
-            FS.writeFile(path, localStorage.getItem(key));
-            files.known.set(path, files.changed(path));
-        }
+        for (const path of storage.paths())
+            if (path.startsWith(home + "/")) files.fetch(path);
     },
 
-    changed: (path) => files.FS.stat(path).mtime.getTime(),
+    // Copies a stored file into the file system.
+    fetch(path) {
+        const text = storage.read(path);
+        if (text === null) return;  // another page has just removed it
+        files.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
+        files.FS.writeFile(path, text);
+        files.known.set(path, files.stamp(path));
+    },
+
+    // Differs after each change: a file is replaced by another one, which may be written in the same millisecond.
+    stamp(path) {
+        const { ino, mtime } = files.FS.stat(path);
+        return `${ino} ${mtime.getTime()}`;
+    },
 
     list(folder = home, found = []) {
         for (const name of files.FS.readdir(folder)) {
@@ -33,22 +40,35 @@ const files = {
         return found;
     },
 
-    // Stores text files; others, such as pictures, are downloaded only.
+    // Stores text files; others, such as pictures, are downloaded only. What is not stored stays as it was stored last,
+    // and the page says so.
     store(path, bytes) {
+        if (!storage.shelf) return;
+        let text;
         try {
-            localStorage.setItem(keyOf(path), new TextDecoder("utf-8", { fatal: true }).decode(bytes));
-        } catch (problem) {
-            localStorage.removeItem(keyOf(path));
-            if (!(problem instanceof TypeError)) console.warn(`${path} is not kept by the browser: ${problem.message}`);
+            text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+        } catch {
+            return storage.remove(path);
+        }
+        if (storage.write(path, text)) {
+            if (files.unstored.delete(path) && !files.unstored.size) notice.close("full");
+        } else {
+            files.unstored.add(path);
+            notice.open("full", words.full, words.download, files.downloadUnstored);
         }
     },
 
     download(path, bytes) {
         const link = document.createElement("a");
         link.href = URL.createObjectURL(new Blob([bytes]));
-        link.download = path.slice(path.lastIndexOf("/") + 1);
+        link.download = path.slice(path.lastIndexOf("/") + 1).replace(/\.autosave$/, ".run");
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    },
+
+    downloadUnstored() {
+        for (const path of files.unstored)
+            if (files.known.has(path)) files.download(path, files.FS.readFile(path));
     },
 
     // Stores and downloads what has changed since the last call; forgets what has been removed. Files of another page
@@ -58,12 +78,13 @@ const files = {
         for (const path of files.known.keys()) {
             if (there.has(path)) continue;
             files.known.delete(path);
-            localStorage.removeItem(keyOf(path));
+            files.unstored.delete(path);
+            storage.remove(path);
         }
         for (const path of there) {
-            const changed = files.changed(path);
-            if (files.known.get(path) === changed) continue;
-            files.known.set(path, changed);
+            const stamp = files.stamp(path);
+            if (files.known.get(path) === stamp) continue;
+            files.known.set(path, stamp);
             const bytes = files.FS.readFile(path);
             files.store(path, bytes);
             if (!files.isOwn(path)) files.download(path, bytes);
@@ -78,7 +99,7 @@ const files = {
         files.FS.mkdirTree(folder);
         files.FS.writeFile(path, bytes);
         files.store(path, bytes);
-        files.known.set(path, files.changed(path));
+        files.known.set(path, files.stamp(path));
         Module.ccall("braitenlab_open", null, ["string"], [path]);
     },
 
@@ -94,6 +115,7 @@ const files = {
 
     // From the start of the program on.
     follow() {
+        if (!storage.shelf) notice.open("unkept", words.unkept);
         setInterval(files.keep, 500);
         // The browser may end the page without another event: the lab saves its work now.
         const leave = () => {

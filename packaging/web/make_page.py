@@ -19,7 +19,7 @@ packed = {name: gzip.compress((built / name).read_bytes(), 9, mtime=0) for name 
 version = hashlib.sha256(b"".join(packed.values())).hexdigest()[:16]
 icon = base64.b64encode((here.parent / "icons" / "braitenlab.svg").read_bytes()).decode()
 facts = {"version": version, "sizes": {name: len(content) for name, content in packed.items()}}
-sources = ["files.js", "typing.js", "graphics.js", "page.js"]
+sources = ["storage.js", "files.js", "typing.js", "graphics.js", "page.js"]
 scripts = [(here / name).read_text(encoding="utf-8") for name in sources]
 script = "\n".join([f"const built = {json.dumps(facts)};", *scripts])
 

@@ -11,6 +11,9 @@ const texts = {
         server: "This page needs a web server. Without one, open braitenlab-web.html, which is a single file.",
         stopped: "The lab has stopped. Your work up to the last seconds is kept and offered at the next start. ",
         ended: "The lab is closed.",
+        unkept: "This browser lets the page keep nothing: your work ends with the page. Ctrl+S downloads it.",
+        full: "The browser’s storage is full: your newest work is not kept in this browser.",
+        download: "Download it", close: "Close",
     },
     de: {
         loads: "Wird geladen …", again: "Neu starten",
@@ -21,6 +24,9 @@ const texts = {
         server: "Diese Seite braucht einen Webserver. Ohne Webserver öffnen Sie braitenlab-web.html, eine einzelne Datei.",
         stopped: "Das Labor wurde angehalten. Ihre Arbeit bis auf die letzten Sekunden ist gespeichert und wird beim nächsten Start angeboten. ",
         ended: "Das Labor ist geschlossen.",
+        unkept: "Dieser Browser lässt die Seite nichts aufbewahren: Ihre Arbeit endet mit der Seite. Strg+S lädt sie herunter.",
+        full: "Der Speicher des Browsers ist voll: Ihre neueste Arbeit wird in diesem Browser nicht aufbewahrt.",
+        download: "Herunterladen", close: "Schließen",
     },
     es: {
         loads: "Cargando…", again: "Iniciar de nuevo",
@@ -31,6 +37,9 @@ const texts = {
         server: "Esta página necesita un servidor web. Sin servidor, abra braitenlab-web.html, que es un solo archivo.",
         stopped: "El laboratorio se ha detenido. Su trabajo, salvo los últimos segundos, está guardado y se ofrecerá al iniciar de nuevo. ",
         ended: "El laboratorio está cerrado.",
+        unkept: "Este navegador no permite a la página guardar nada: su trabajo termina con la página. Ctrl+S lo descarga.",
+        full: "El almacenamiento del navegador está lleno: su trabajo más reciente no se guarda en este navegador.",
+        download: "Descargarlo", close: "Cerrar",
     },
 };
 const query = new URLSearchParams(location.search);
@@ -64,6 +73,36 @@ function whatIsMissing() {
     if (inSoftware && !query.has("quality")) Module.arguments.push("--quality=auto-low");
     return "";
 }
+
+// ── Notices over the lab ──
+
+const notice = {
+    shown: "",  // name of the last notice; the user may have hidden it
+
+    // With the words of a button and what it does, or without.
+    open(name, message, button, act) {
+        if (notice.shown === name) return;
+        notice.shown = name;
+        element("notice-text").textContent = message;
+        element("notice-act").hidden = !button;
+        element("notice-act").textContent = button ?? "";
+        element("notice-act").onclick = act;
+        element("notice").hidden = false;
+    },
+
+    close(name) {
+        if (notice.shown !== name) return;
+        notice.hide();
+        notice.shown = "";
+    },
+
+    hide() {
+        element("notice").hidden = true;
+        element("canvas").focus();
+    },
+};
+element("notice-close").setAttribute("aria-label", words.close);
+element("notice-close").onclick = notice.hide;
 
 // ── Loading ──
 
