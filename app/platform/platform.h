@@ -40,7 +40,9 @@ bool flush_to_disk(std::FILE*);
 // Returns once the names in the folder are on the disk, on file systems that support it.
 void flush_folder_to_disk(const std::filesystem::path&);
 
-// A lock on a file, from construction to destruction. The system releases it if the program crashes.
+// A lock on a file, from construction to destruction. The system releases it if the program crashes. In a browser it
+// keeps pages of the lab apart: a lock brings what they have written to the file's folder, and its end shows them this
+// page's files.
 class FileLock {
 public:
     explicit FileLock(int handle) : handle_(handle) {}
@@ -98,7 +100,7 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-// The number of this process, unique among all running processes.
+// The number of this process, unique among all running processes; in a browser among the pages of the lab.
 long process_number();
 
 // The system's language by its two letters ("de" of LANG=de_AT.UTF-8); empty if none is set.

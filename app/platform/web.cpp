@@ -1,6 +1,8 @@
 // A browser or node: one process, no other program, and a file system in memory or on the disk of node.
 #include <cstdlib>
 
+#include <emscripten/emscripten.h>
+
 #include "app/platform/memory.h"
 #include "app/platform/platform.h"
 
@@ -9,6 +11,13 @@ namespace braitenlab {
 namespace {
 
 constexpr const char* home = "/home/web_user";  // emscripten's home folder
+
+// Functions of the page (packaging/web/files.js); node has none of them.
+// clang-format off
+EM_JS(void, take_over_on_page, (const char* folder), { if (Module.takeOver) Module.takeOver(UTF8ToString(folder)); });
+EM_JS(void, keep_on_page, (), { if (Module.keepFiles) Module.keepFiles(); });
+EM_JS(int, number_of_page, (), { return Module.pageNumber || 1; });
+// clang-format on
 
 }  // namespace
 
@@ -33,9 +42,17 @@ bool flush_to_disk(std::FILE*) { return true; }
 
 void flush_folder_to_disk(const std::filesystem::path&) {}
 
-FileLock::~FileLock() = default;
+// Pages of the lab share the browser's storage: what others have stored in the folder is read when the lock is taken,
+// and what this page has written is stored when the lock is released. Nothing else runs in this page meanwhile, but a
+// browser may run another page in these milliseconds.
+std::optional<FileLock> lock_file(const std::filesystem::path& path) {
+    take_over_on_page(path.parent_path().c_str());
+    return FileLock(0);
+}
 
-std::optional<FileLock> lock_file(const std::filesystem::path&) { return FileLock(0); }  // there is no other process
+FileLock::~FileLock() {
+    if (handle_ >= 0) keep_on_page();
+}
 
 bool is_told_to_end() { return false; }
 
@@ -56,7 +73,7 @@ std::optional<ProgramPipe> ProgramPipe::start(const std::filesystem::path&, cons
 bool ProgramPipe::write(std::string_view) { return false; }
 std::optional<std::string> ProgramPipe::finish() { return std::string{}; }
 
-long process_number() { return 1; }
+long process_number() { return number_of_page(); }
 
 std::string system_language() {
     const char* value = std::getenv("LANG");  // from the language of the browser

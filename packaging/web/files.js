@@ -12,7 +12,7 @@ const files = {
     restore(FS) {
         files.FS = FS;
         for (const path of storage.paths())
-            if (path.startsWith(home + "/")) files.fetch(path);
+            if (path.startsWith(home + "/") && !pages.owns(path)) files.fetch(path);
     },
 
     // Copies a stored file into the file system.
@@ -22,6 +22,12 @@ const files = {
         files.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
         files.FS.writeFile(path, text);
         files.known.set(path, files.stamp(path));
+    },
+
+    // Copies what other pages of the lab have stored in the folder since. A file of unsaved work has one page only.
+    takeOver(folder) {
+        for (const path of storage.paths())
+            if (path.startsWith(folder + "/") && !path.endsWith(".autosave") && storage.isNewer(path)) files.fetch(path);
     },
 
     // Differs after each change: a file is replaced by another one, which may be written in the same millisecond.

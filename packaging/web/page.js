@@ -168,7 +168,10 @@ var Module = {
     arguments: programArguments(),
     print: (text) => console.log(text),
     printErr: (text) => console.warn(text),
+    pageNumber: pages.number,
     preRun: [() => files.restore(FS)],
+    takeOver: files.takeOver,
+    keepFiles: files.keep,
     copyText,
     chooseFiles: files.choose,
     typing,
@@ -204,11 +207,12 @@ window.braitenlab = {
 
 // The program is compiled while it arrives.
 async function start() {
+    const finding = pages.find();
     const compiling = load("braitenlab.wasm", "application/wasm").then(WebAssembly.compileStreaming);
     const loading = Promise.all([
         load("braitenlab.data", "application/octet-stream").then((answer) => answer.arrayBuffer()),
         load("braitenlab.js", "text/javascript").then((answer) => answer.text()),
-        compiling,
+        compiling, finding,
     ]);
     const missing = whatIsMissing();
     if (missing) return loading.catch(() => {}), show(missing, false);

@@ -11,6 +11,7 @@ const storage = {
             return null;
         }
     })(),
+    seen: new Map(),  // path → text that was read or written last
     prefix: "braitenlab:",
 
     paths() {
@@ -23,7 +24,11 @@ const storage = {
     },
 
     // null if there is none.
-    read: (path) => storage.shelf.getItem(storage.prefix + path),
+    read(path) {
+        const text = storage.shelf.getItem(storage.prefix + path);
+        storage.seen.set(path, text);
+        return text;
+    },
 
     // False if the browser has no room for it: the earlier text stays.
     write(path, text) {
@@ -32,8 +37,37 @@ const storage = {
         } catch {
             return false;
         }
+        storage.seen.set(path, text);
         return true;
     },
 
-    remove: (path) => storage.shelf?.removeItem(storage.prefix + path),
+    remove(path) {
+        storage.seen.delete(path);
+        storage.shelf?.removeItem(storage.prefix + path);
+    },
+
+    // True if another page of the lab has written the text since.
+    isNewer: (path) => storage.seen.get(path) !== storage.shelf.getItem(storage.prefix + path),
+};
+
+// The open pages of the lab in this browser: each has a number and holds a lock with this number until it ends.
+// Without a secure connection the browser has no locks, and only this page is known.
+const pages = {
+    number: crypto.getRandomValues(new Uint32Array(1))[0] >>> 1,
+    others: new Set(),
+
+    async find() {
+        const name = "braitenlab page ";
+        try {
+            navigator.locks.request(name + pages.number, () => new Promise(() => {})).catch(() => {});
+            for (const lock of (await navigator.locks.query()).held)
+                if (lock.name.startsWith(name)) pages.others.add(Number(lock.name.slice(name.length)));
+            pages.others.delete(pages.number);
+        } catch {
+            // The browser refuses them, as it refuses the storage.
+        }
+    },
+
+    // True for the file of unsaved work of another page, which is open.
+    owns: (path) => pages.others.has(Number(/-(\d+)\.autosave$/.exec(path)?.[1])),
 };

@@ -1,9 +1,9 @@
-// What the page keeps: in the browser's storage.
+// What the page keeps: in the browser's storage, beside other pages of the lab.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 
-import { useLabs } from "./page.mjs";
+import { Lab, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
@@ -74,4 +74,36 @@ test("A full storage keeps what it has, and the page offers the rest as a downlo
         await eventually(lab, () => downloads.some((file) => file.suggestedFilename() === "this-computer.json"), "a download");
         const file = downloads.find((each) => each.suggestedFilename() === "this-computer.json");
         assert.equal(Object.keys(JSON.parse(await readFile(await file.path(), "utf8")).exercises).length, 2);
+    }));
+
+test("Two pages of the lab keep the progress of both", limit, () =>
+    withLab("?open=01-drive", async (one) => {
+        const two = await Lab.openIn(one.page.context(), labs.server.address + "?open=05-aggressor");
+        await one.page.bringToFront();
+        await predict(one);
+        await eventually(one, async () => (await keptExercises(one)).length === 1, "progress of the first page");
+        await two.page.bringToFront();
+        await predict(two);
+        await eventually(two, async () => (await keptExercises(two)).length === 2, "progress of both pages");
+        await one.page.bringToFront();
+        await one.click("exercise.predict.1");
+        await one.until((state) => state.exercise.predicted === 0);
+        await one.page.waitForTimeout(2500);
+        assert.equal((await keptExercises(one)).length, 2);
+        assert.deepEqual(two.errors, []);
+    }));
+
+test("Work of a page that is open is not offered to another one", limit, () =>
+    withLab("?open=2a-coward", async (one) => {
+        const [x, y, w, h] = await one.rectangle("slider.LL");
+        await one.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+        const isWork = (key) => key.endsWith(".autosave");
+        await eventually(one, () => one.page.evaluate(() => Object.keys(localStorage).some((key) => key.endsWith(".autosave"))),
+            "the work is stored");
+        const two = await Lab.openIn(one.page.context(), labs.server.address + "?open=2a-coward");
+        await two.frames(6);
+        assert.equal((await two.anchors())["recovery.take"], undefined);
+        await two.page.close();
+        const keys = await one.page.evaluate(() => Object.keys(localStorage));
+        assert.equal(keys.filter(isWork).length, 1, "it is kept all the same");
     }));
