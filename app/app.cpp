@@ -12,15 +12,15 @@
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
 #include "app/course/notes_page.h"
+#include "app/course/reference_runs.h"
 #include "app/files/file_commands.h"
 #include "app/files/reports.h"
 #include "app/files/study_files.h"
 #include "app/frame_pacing.h"
-#include "app/insight/explanation.h"
-#include "app/insight/predictions.h"
 #include "app/lab_requests.h"
 #include "app/platform/page.h"
 #include "app/platform/platform.h"
+#include "app/playback.h"
 #include "app/remembered.h"
 #include "app/title.h"
 #include "render/view/trails.h"
@@ -111,7 +111,7 @@ bool App::turn() {
         if (const auto error = write_clip(options_)) exit_code_ = complain(*error);
         return false;
     }
-    if (lab_.screenshot) take_screenshot();
+    if (lab_.window.screenshot) take_screenshot();
     follow_take_away();
     facts_.frame_ms = seconds_since(turn_began) * 1000;
     if (!repeatable() && !held_back_) window_.show();
@@ -119,9 +119,9 @@ bool App::turn() {
     follow_notes_page(lab_, words_.strings, words_.language, is_on_page() ? std::filesystem::path() : folders_.state);
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
-    if (!lab_.to_copy.empty()) ImGui::SetClipboardText(std::exchange(lab_.to_copy, {}).c_str());
-    if (std::exchange(lab_.uploads, false)) choose_files();
-    if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
+    if (!lab_.window.to_copy.empty()) ImGui::SetClipboardText(std::exchange(lab_.window.to_copy, {}).c_str());
+    if (std::exchange(lab_.window.uploads, false)) choose_files();
+    if (lab_.window.full_screen) lab_.window.full_screen = false, window_.toggle_full_screen();
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();
     window_.rest(pause_after_swap(seconds_since(turn_began), rate, options_.frame_rate));
@@ -143,9 +143,9 @@ void App::close() {
 
 bool App::ends() {
     if (is_told_to_end()) return true;
-    if (!lab_.exit && !window_.close_requested()) return false;
+    if (!lab_.window.exit && !window_.close_requested()) return false;
     if (may_leave(lab_, files_)) return true;
-    lab_.exit = false;
+    lab_.window.exit = false;
     window_.refuse_close();
     return false;
 }
@@ -172,8 +172,7 @@ void App::follow_jobs() {
         update_exercise_check(lab_, jobs_);
         update_reference_runs(lab_, jobs_);
         update_children(lab_, jobs_);
-        update_predictions(lab_, jobs_);
-        update_slots(lab_, jobs_);
+        update_features(lab_, jobs_);
     };
     constexpr std::chrono::milliseconds budget{4};  // of a frame, without threads
     if (repeatable())
@@ -181,22 +180,17 @@ void App::follow_jobs() {
     else
         jobs_.deliver(budget);
     update();
-    update_mystery(lab_, jobs_);
-    update_explanation(lab_);
-    update_map(lab_, jobs_);
-    update_study(lab_.study, jobs_);
-    update_robots(lab_, jobs_);
     follow_progress(lab_);
 }
 
 void App::handle_files() {
-    for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path, true});
-    for (const Request& request : lab_.files)
+    for (const std::string& path : window_.take_dropped_files()) lab_.window.files.push_back(OpenRequest{path, true});
+    for (const Request& request : lab_.window.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) handle_recovery(recover->take);
-    if (!lab_.files.empty()) execute_file_requests(lab_, files_, settings_.state, folders_);
-    if (!lab_.reports.empty())
+    if (!lab_.window.files.empty()) execute_file_requests(lab_, files_, settings_.state, folders_);
+    if (!lab_.window.reports.empty())
         write_student_files(lab_, words_.strings, folders_.documents, std::chrono::system_clock::now());
-    for (const auto& file : std::exchange(lab_.saved, {})) autosave_.forget_work_on(file);
+    for (const auto& file : std::exchange(lab_.window.saved, {})) autosave_.forget_work_on(file);
     if (options_.only_draws() || seconds_since(file_checked_) < 0.3) return;
     file_checked_ = Clock::now();
     follow_file(lab_, files_);
@@ -242,7 +236,7 @@ bool App::moves() const {
     const bool predicts = is_computing(lab_.predictions);
     return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.robots) ||
            is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ || clip_ ||
-           (lesson && lesson->grading) || !lab_.files.empty();
+           (lesson && lesson->grading) || !lab_.window.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

@@ -9,9 +9,8 @@
 #include "app/applied_theme.h"
 #include "app/course/lab_lecture.h"
 #include "app/files/data.h"
-#include "app/insight/predictions.h"
+#include "app/lab_edits.h"
 #include "app/lab_requests.h"
-#include "app/lab_selection.h"
 #include "app/platform/page.h"
 #include "app/platform/platform.h"
 #include "app/title.h"
@@ -160,7 +159,7 @@ void App::frame(float passed) {
     if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     window_.bind();
     // The heights of cards are those of the frame before. Where a card is too low for its words, the last frame stays.
-    held_back_ = panels_.cards_are_cut && !held_back_ && !options_.only_draws() && !lab_.screenshot;
+    held_back_ = panels_.cards_are_cut && !held_back_ && !options_.only_draws() && !lab_.window.screenshot;
     if (held_back_ || !draws_scene())
         renderer_.remember(shown_snapshot(shown_lab()));
     else
@@ -177,12 +176,12 @@ void App::frame(float passed) {
     facts_.strips = panels_.charts.strips;
     window_.bind();
     held_back_ ? ImGui::EndFrame() : window_.end_frame();
-    note_press(lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
+    note_press(lab_.predictions, lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
     lab_.predictions.what_if = panels_.brain.what_if;
     lab_.map.hovered = panels_.map.hovered;
     lab_.robots.hovered = panels_.reality.hovered;
     handle_all(lab_, outbox_);
-    if (std::exchange(lab_.begins, false)) begin();
+    if (std::exchange(lab_.window.begins, false)) begin();
 }
 
 void App::make_pictures() {

@@ -49,7 +49,7 @@ std::optional<Error> App::write_picture(const std::filesystem::path& path) {
 }
 
 void App::take_screenshot() {
-    lab_.screenshot = false;
+    lab_.window.screenshot = false;
     std::error_code none;  // write_picture() reports it
     const auto& folder = folders_.pictures;
     std::filesystem::create_directories(folder, none);
@@ -68,8 +68,8 @@ SceneLook App::scene_look(int width, int height) const {
 
 void App::follow_take_away() {
     constexpr std::chrono::milliseconds part_of_a_frame{60};
-    if (std::exchange(lab_.cancels_clip, false)) clip_.reset();
-    if (const auto wanted = std::exchange(lab_.take_away, std::nullopt)) {
+    if (std::exchange(lab_.window.cancels_clip, false)) clip_.reset();
+    if (const auto wanted = std::exchange(lab_.window.take_away, std::nullopt)) {
         std::error_code none;  // writing reports it
         std::filesystem::create_directories(folders_.pictures, none);
         const auto path = next_screenshot_name(folders_.pictures, row_of(wanted->kind).extension);

@@ -1,6 +1,7 @@
 #include "app/document.h"
 
-#include "app/files/disk.h"
+#include "app/files/data.h"
+#include "app/files/safe_file.h"
 #include "core/io/run_file.h"
 
 namespace braitenlab {

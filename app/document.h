@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/course/reference_runs.h"
 #include "app/jobs/jobs.h"
+#include "app/jobs/reference_path.h"
 #include "core/lesson/attempt.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
@@ -85,7 +85,7 @@ struct Lesson {
     std::optional<Submission> done_with{};  // when every step of this run was done; nullopt: they are not
     bool was_shown = false;                 // the solution, since the exercise was opened; it may come back by undo
     std::uint64_t selections = 0;           // begun since the exercise was opened
-    ReferenceRuns runs{};
+    BackgroundPath solution_path{}, shipped_path{};  // of the first vehicle with the solution, of the one in question
     // One per path_ticks from the start of the run, by ascending tick: the session records only the last minute. Valid
     // before Session::earliest(); an edit in the past leaves later ones until the next tick.
     std::vector<RunPlace> path{};

@@ -1,18 +1,17 @@
 #include "app/lab.h"
 
-#include <algorithm>
+#include <array>
 #include <utility>
 
-#include "app/course/lab_lecture.h"
-#include "app/course/lab_lesson.h"
 #include "app/course/lesson_view.h"
+#include "app/course/reference_runs.h"
 #include "app/lab_selection.h"
 #include "ui/scene_input/clipboard.h"
 
 namespace braitenlab {
 
 Lab make_lab(Document document) {
-    Lab lab{.document = std::move(document)};
+    Lab lab{{.document = std::move(document)}};
     watch(lab);
     keep_selection(lab);
     return lab;
@@ -42,36 +41,27 @@ void replace_document(Lab& lab, Document next) {
     keep_selection(lab);
 }
 
-const Snapshot& shown_snapshot(const Lab& lab) {
-    return lab.together ? lab.together->shown : lab.document.session.snapshot();
+void update_features(Lab& lab, Jobs& jobs) {
+    update_predictions(lab.predictions, lab, jobs);
+    update_slots(lab.slots, lab, jobs);
+    update_mystery(lab.mystery, lab, jobs);
+    update_explanation(lab.explanation, lab);
+    update_map(lab.map, lab, jobs);
+    update_study(lab.study, jobs);
+    update_robots(lab.robots, lab, jobs);
 }
 
-Preferences own_preferences(const Lab& lab) {
-    Preferences p = lab.preferences;
-    if (lab.before_lecture) p.theme = lab.before_lecture->theme, p.type_size = lab.before_lecture->type_size;
-    return p;
+namespace {
+
+Camera camera_of(const LecturePage& page) {
+    constexpr std::array<CameraMode, page_camera_table.size()> modes{CameraMode::overview, CameraMode::follow,
+                                                                     CameraMode::driver, CameraMode::birds_eye};
+    return {modes[static_cast<std::size_t>(page.camera)], page.azimuth, page.elevation, page.zoom, {page.x, page.y}};
 }
 
-void say(Lab& lab, Notice notice, double least_seconds) {
-    constexpr double letters_a_second = 15;  // reading speed, with time to notice the message
-    const double least = notice.kind == NoticeKind::failure  ? 10
-                         : lab.before_lecture                ? 5  // it takes the place of the title
-                         : notice.kind == NoticeKind::notice ? 6
-                                                             : 5;
-    const double seconds =
-        std::max({least_seconds, least, static_cast<double>(notice.words.size()) / letters_a_second});
-    std::string& words = notice.words;
-    if (notice.key.empty() && !words.empty() && words[0] >= 'a' && words[0] <= 'z')
-        words[0] = static_cast<char>(words[0] - 'a' + 'A');
-    lab.notice = std::move(notice);
-    lab.notice_until = lab.wall_seconds + seconds;
-}
+}  // namespace
 
-void say(Lab& lab, const Error& error) {
-    Notice notice{NoticeKind::failure, "", error.text()};
-    notice.error = error;
-    say(lab, std::move(notice));
-}
+Camera home_camera(const Workspace& space) { return space.pages ? camera_of(space.pages->current()) : Camera{}; }
 
 LabView view_of(const Lab& lab) {
     const Document& document = lab.document;
@@ -87,22 +77,23 @@ LabView view_of(const Lab& lab) {
     view.pace = playback.pace.reached;
     view.settings = lab.view;
     view.copied_objects = ui::object_count(lab.clipboard);
-    view.undo_depth = document.session.undo_depth() + can_undo_return(lab);
-    view.redo_depth = document.session.redo_depth() + can_redo_return(lab);
+    view.undo_depth = document.session.undo_depth() + can_undo_return(lab.last_run, lab);
+    view.redo_depth = document.session.redo_depth() + can_redo_return(lab.last_run, lab);
     if (document.lesson) view.lesson = std::make_shared<const LessonView>(lesson_view_of(lab));
     view.may = disclosure_of(lab);
     if (view.may.solution_run) view.ghost = ghost_of(lab);
     view.pages = lab.pages ? &*lab.pages : nullptr;
-    if (view.may.future) view.last_run = last_run_of(lab), view.prediction = prediction_of(lab);
-    view.path = path_of_selected(lab);
-    view.why = explanation_of(lab);
-    view.has_left_run = has_left_run(lab);
-    view.mystery = mystery_of(lab);
-    view.slots = slots_of(lab);
+    if (view.may.future)
+        view.last_run = last_run_of(lab.last_run, lab), view.prediction = prediction_of(lab.predictions, lab);
+    view.path = path_of_selected(lab.last_run, lab);
+    view.why = explanation_of(lab.explanation, lab);
+    view.has_left_run = has_left_run(lab.last_run, lab);
+    view.mystery = mystery_of(lab.mystery, lab);
+    view.slots = slots_of(lab.slots, lab);
     if (view.slots.b) view.last_run.reset(), view.prediction.reset();
-    view.map = map_of(lab);
+    view.map = map_of(lab.map, lab);
     view.study = study_of(lab.study);
-    view.robots = robots_of(lab);
+    view.robots = robots_of(lab.robots, lab);
     view.students = &lab.students;
     view.student = lab.students.student().name;
     view.opened = document.name;
@@ -113,7 +104,7 @@ LabView view_of(const Lab& lab) {
     view.theme = lab.preferences.theme;
     view.lecture = lab.before_lecture.has_value();
     view.has_moved_camera = !lab.view.orbits && !(lab.view.camera == home_camera(lab));
-    view.left_pages = lab.left_pages ? &*lab.left_pages : nullptr;
+    view.left_pages = lab.lectures.left ? &*lab.lectures.left : nullptr;
     view.reduce_motion = lab.preferences.reduce_motion;
     view.wall_seconds = lab.wall_seconds;
     return view;

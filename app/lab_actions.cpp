@@ -7,8 +7,10 @@
 #include "app/course/lab_lesson.h"
 #include "app/files/links.h"
 #include "app/lab_edits.h"
+#include "app/lab_reset.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
+#include "app/seeking.h"
 
 namespace braitenlab {
 
@@ -59,8 +61,8 @@ void hide_or_reveal(Lab& lab, bool& part) {
 // Shows or hides the cause of the selected vehicle's turn.
 void ask_why(Lab& lab) {
     lab.explanation.on = !lab.explanation.on;
-    update_explanation(lab);
-    if (lab.explanation.on && !explanation_of(lab)) {
+    update_explanation(lab.explanation, lab);
+    if (lab.explanation.on && !explanation_of(lab.explanation, lab)) {
         lab.explanation.on = false;
         say(lab, {NoticeKind::failure, selected_vehicle(lab) ? "unavailable.why" : "unavailable.no_vehicle"});
     }
@@ -71,7 +73,7 @@ void show_reality(Lab& lab) {
     lab.view.reality = !lab.view.reality;
     if (!lab.view.reality) return;
     lab.view.map = false;
-    if (robots_of(lab)) return;
+    if (robots_of(lab.robots, lab)) return;
     lab.view.reality = false;
     say(lab, {NoticeKind::failure, selected_vehicle(lab) ? "unavailable.reality" : "unavailable.no_vehicle"});
 }
@@ -125,9 +127,9 @@ constexpr LabAction lab_actions[]{
     {Action::reset,
      [](Lab& lab) {
          if (lab.together && lab.together->robot)
-             restart_replay(lab);
+             restart_replay(lab.robots, lab);
          else if (lab.together)
-             begin_together(lab);
+             show_starts_together(lab);
          else
              set_mode(lab, Mode::paused), reset(lab);
      }},
@@ -149,8 +151,12 @@ constexpr LabAction lab_actions[]{
     {Action::next_field, [](Lab& lab) { show_next_field(lab); }},
     {Action::why, [](Lab& lab) { ask_why(lab); }},
     {Action::map, [](Lab& lab) { show_map(lab); }},
-    {Action::slot, [](Lab& lab) { store_or_swap(lab); }, own_run},
-    {Action::compare, [](Lab& lab) { compare_slots(lab); }, own_run},
+    {Action::slot, [](Lab& lab) { store_or_swap(lab.slots, lab); }, own_run},
+    {Action::compare,
+     [](Lab& lab) {
+         if (can_compare_slots(lab.slots, lab)) reset(lab), compare_slots(lab.slots, lab);
+     },
+     own_run},
     {Action::reality, [](Lab& lab) { show_reality(lab); }},
     {Action::watch,
      [](Lab& lab) {
@@ -170,16 +176,16 @@ constexpr LabAction lab_actions[]{
              end_lecture(lab);
      },
      own_run},
-    {Action::return_run, [](Lab& lab) { return_to_last_run(lab); }, own_run},
+    {Action::return_run, [](Lab& lab) { return_to_last_run(lab.last_run, lab); }, own_run},
     {Action::undo,
      [](Lab& lab) {
-         if (can_undo_return(lab)) return undo_return(lab);
+         if (can_undo_return(lab.last_run, lab)) return undo_return(lab.last_run, lab);
          undo(lab);
      },
      own_run},
     {Action::redo,
      [](Lab& lab) {
-         if (can_redo_return(lab)) return redo_return(lab);
+         if (can_redo_return(lab.last_run, lab)) return redo_return(lab.last_run, lab);
          redo(lab);
      },
      own_run},
@@ -192,7 +198,7 @@ constexpr LabAction lab_actions[]{
     {Action::previous_object, [](Lab& lab) { select_next_object(lab, -1); }},
     {Action::hint, [](Lab& lab) { show_hint(lab); }},
     {Action::exercise_reset, [](Lab& lab) { start_over(lab); }, own_run},
-    {Action::exit, [](Lab& lab) { lab.exit = true; }},
+    {Action::exit, [](Lab& lab) { lab.window.exit = true; }},
     {Action::erase, [](Lab& lab) { act_on_objects(lab, Action::erase); }, own_run},
     {Action::duplicate, [](Lab& lab) { act_on_objects(lab, Action::duplicate); }, own_run},
     {Action::copy, [](Lab& lab) { act_on_objects(lab, Action::copy); }},
@@ -200,11 +206,11 @@ constexpr LabAction lab_actions[]{
     {Action::select_all, [](Lab& lab) { act_on_objects(lab, Action::select_all); }},
     {Action::save,
      [](Lab& lab) {
-         lab.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});
+         lab.window.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});
      }},
     {Action::copy_link, [](Lab& lab) { copy_link(lab); }},
-    {Action::screenshot, [](Lab& lab) { lab.screenshot = true; }},
-    {Action::full_screen, [](Lab& lab) { lab.full_screen = true; }},
+    {Action::screenshot, [](Lab& lab) { lab.window.screenshot = true; }},
+    {Action::full_screen, [](Lab& lab) { lab.window.full_screen = true; }},
     {Action::theme,
      [](Lab& lab) { lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark; }},
     {Action::lecture,
@@ -212,7 +218,7 @@ constexpr LabAction lab_actions[]{
          if (lab.before_lecture) {
              if (lab.notice.key == "notice.projector_view") lab.notice = {};
              end_lecture(lab);
-         } else if (lab.left_pages && lab.left_run == lab.document.run_id) {
+         } else if (lab.lectures.left && lab.lectures.left_run == lab.document.run_id) {
              request_left_lecture(lab, true);
          } else {
              begin_lecture(lab);
@@ -226,7 +232,7 @@ constexpr LabAction lab_actions[]{
      [](Lab& lab) {
          if (lab.pages) lab.pages->notes = !lab.pages->notes;
      }},
-    {Action::notes_page, [](Lab& lab) { lab.opens_notes = lab.pages.has_value(); }},
+    {Action::notes_page, [](Lab& lab) { lab.window.opens_notes = lab.pages.has_value(); }},
     {Action::larger, [](Lab& lab) { change_type_size(lab, +type_step); }},
     {Action::smaller, [](Lab& lab) { change_type_size(lab, -type_step); }},
 #define LAB_ACTION(id, ...)

@@ -5,36 +5,36 @@
 
 #include <fmt/format.h>
 
-#include "app/course/lab_lesson.h"
+#include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
-#include "app/playback.h"
 #include "ui/scene_input/clipboard.h"
 #include "ui/scene_input/edits.h"
 
 namespace braitenlab {
 
-void report_time_change(Lab& lab, std::uint64_t latest_before) {
+void report_time_change(Workspace& space, std::uint64_t latest_before) {
     constexpr std::uint64_t reported = 30;  // ticks
-    const std::uint64_t now = lab.document.session.snapshot().tick, latest = lab.document.session.latest();
-    const std::string seconds = fmt::format("{:.1f}", lab.document.session.snapshot().seconds);
+    const std::uint64_t now = space.document.session.snapshot().tick, latest = space.document.session.latest();
+    const std::string seconds = fmt::format("{:.1f}", space.document.session.snapshot().seconds);
     if (latest > latest_before && latest > now + reported)
-        say(lab, {NoticeKind::done, "notice.time_back", seconds, "", true});
+        say(space, {NoticeKind::done, "notice.time_back", seconds, "", true});
     if (latest_before <= latest + reported) return;
-    const bool can_come_back = lab.document.session.undo_brings_time_back();
-    say(lab, {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds, "", true});
+    const bool can_come_back = space.document.session.undo_brings_time_back();
+    say(space,
+        {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds, "", true});
 }
 
-bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
-    const std::uint64_t latest = lab.document.session.latest();
-    const auto error = lab.document.session.apply(command, gesture);
+bool apply(Workspace& space, const Command& command, std::uint64_t gesture) {
+    const std::uint64_t latest = space.document.session.latest();
+    const auto error = space.document.session.apply(command, gesture);
     if (error) {
-        say(lab, *error);
+        say(space, *error);
     } else {
-        ++lab.document.edits;
-        watch(lab);
-        report_time_change(lab, latest);
+        ++space.document.edits;
+        watch(space);
+        report_time_change(space, latest);
     }
-    keep_selection(lab);
+    keep_selection(space);
     return !error;
 }
 
@@ -42,95 +42,122 @@ namespace {
 
 // Undo or redo.
 template <class Change>
-void change(Lab& lab, const Change& make) {
-    const std::uint64_t latest = lab.document.session.latest();
+void change(Workspace& space, const Change& make) {
+    const std::uint64_t latest = space.document.session.latest();
     const UndoResult made = make();
-    lab.document.edits += made.done;
-    keep_selection(lab);
-    watch(lab);
-    report_time_change(lab, latest);
-    if (made.error) say(lab, *made.error);
+    space.document.edits += made.done;
+    keep_selection(space);
+    watch(space);
+    report_time_change(space, latest);
+    if (made.error) say(space, *made.error);
 }
 
 // Applies an edit and selects what it has added.
-void apply_and_select(Lab& lab, const Command& command, std::uint64_t gesture) {
-    if (!apply(lab, command, gesture)) return;
-    if (const SceneObject added = ui::added_by(lab.document.session.snapshot(), command)) select(lab, added);
+void apply_and_select(Workspace& space, const Command& command, std::uint64_t gesture) {
+    if (!apply(space, command, gesture)) return;
+    if (const SceneObject added = ui::added_by(space.document.session.snapshot(), command)) select(space, added);
 }
 
 }  // namespace
 
-void undo(Lab& lab) {
-    change(lab, [&] { return lab.document.session.undo(); });
+void undo(Workspace& space) {
+    change(space, [&] { return space.document.session.undo(); });
 }
 
-void redo(Lab& lab) {
-    change(lab, [&] { return lab.document.session.redo(); });
+void redo(Workspace& space) {
+    change(space, [&] { return space.document.session.redo(); });
 }
 
-void edit(Lab& lab, const EditRequest& r) {
+void edit(Workspace& space, const EditRequest& r) {
     const bool from_diagram = r.gesture >= gestures::canvas && r.gesture < gestures::viewport;
-    if (from_diagram && lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
-    apply_and_select(lab, r.command, r.gesture);
+    if (from_diagram && space.playback.mode == Mode::playing) set_mode(space, Mode::paused);
+    apply_and_select(space, r.command, r.gesture);
 }
 
-void paste(Lab& lab, const Scene& copy, std::optional<maths::vec2> at) {
-    const std::uint64_t gesture = gestures::lab + ++lab.gesture;
+void paste(Workspace& space, const Scene& copy, std::optional<maths::vec2> at) {
+    const std::uint64_t gesture = new_gesture(space);
     std::vector<SceneObject> added;
-    for (const Command& command : ui::pasted(lab.document.session.snapshot(), copy, at)) {
-        const Command with_room = ui::with_room(lab.document.session.snapshot(), command);
-        if (!apply(lab, with_room, gesture)) break;  // the notice says why
-        if (const SceneObject one = ui::added_by(lab.document.session.snapshot(), with_room)) added.push_back(one);
+    for (const Command& command : ui::pasted(space.document.session.snapshot(), copy, at)) {
+        const Command with_room = ui::with_room(space.document.session.snapshot(), command);
+        if (!apply(space, with_room, gesture)) break;  // the notice says why
+        if (const SceneObject one = ui::added_by(space.document.session.snapshot(), with_room)) added.push_back(one);
     }
-    select_objects(lab, added);
+    select_objects(space, added);
 }
 
 namespace {
 
-void erase(Lab& lab) {
-    const std::uint64_t gesture = gestures::lab + ++lab.gesture;
+void erase(Workspace& space) {
+    const std::uint64_t gesture = new_gesture(space);
     for (const Command& command :
-         ui::removals_of(lab.document.session.snapshot(), selected_objects(lab.view.selection)))
-        apply(lab, command, gesture);
+         ui::removals_of(space.document.session.snapshot(), selected_objects(space.view.selection)))
+        apply(space, command, gesture);
 }
 
 // Duplicates the selected objects. Edits of a single copied vehicle apply to it alone.
-void duplicate(Lab& lab) {
-    const Snapshot& now = lab.document.session.snapshot();
-    const std::vector<SceneObject> objects = selected_objects(lab.view.selection);
-    if (objects.size() > 1) return paste(lab, ui::copied(now, objects), std::nullopt);
-    const auto copy = ui::copy_of(now, chosen_object(lab.view.selection));
-    if (!copy || !apply(lab, *copy)) return;
-    if (const SceneObject added = ui::added_by(lab.document.session.snapshot(), *copy)) select(lab, added);
-    if (std::holds_alternative<AddVehicle>(*copy)) lab.view.selection.whole_kind = false;
+void duplicate(Workspace& space) {
+    const Snapshot& now = space.document.session.snapshot();
+    const std::vector<SceneObject> objects = selected_objects(space.view.selection);
+    if (objects.size() > 1) return paste(space, ui::copied(now, objects), std::nullopt);
+    const auto copy = ui::copy_of(now, chosen_object(space.view.selection));
+    if (!copy || !apply(space, *copy)) return;
+    if (const SceneObject added = ui::added_by(space.document.session.snapshot(), *copy)) select(space, added);
+    if (std::holds_alternative<AddVehicle>(*copy)) space.view.selection.whole_kind = false;
 }
 
-void copy(Lab& lab) {
-    Scene copy = ui::copied(lab.document.session.snapshot(), selected_objects(lab.view.selection));
-    if (ui::object_count(copy) > 0) lab.clipboard = std::move(copy);
+void copy(Workspace& space) {
+    Scene copy = ui::copied(space.document.session.snapshot(), selected_objects(space.view.selection));
+    if (ui::object_count(copy) > 0) space.clipboard = std::move(copy);
 }
 
-void select_all(Lab& lab) {
-    const Snapshot& now = lab.document.session.snapshot();
+void select_all(Workspace& space) {
+    const Snapshot& now = space.document.session.snapshot();
     std::vector<SceneObject> all = objects_beside_vehicles(*now.scene);
     for (const VehicleView& v : now.vehicles) all.push_back(vehicle_object(v.id));
-    select_objects(lab, all);
+    select_objects(space, all);
 }
 
 }  // namespace
 
-void act_on_objects(Lab& lab, Action action) {
-    if (lab.playback.mode == Mode::wiring) return;
+void act_on_objects(Workspace& space, Action action) {
+    if (space.playback.mode == Mode::wiring) return;
     if (action == Action::erase || action == Action::cut) {
-        if (action == Action::cut) copy(lab);
-        erase(lab);
+        if (action == Action::cut) copy(space);
+        erase(space);
     } else if (action == Action::duplicate) {
-        duplicate(lab);
+        duplicate(space);
     } else if (action == Action::copy) {
-        copy(lab);
+        copy(space);
     } else if (action == Action::select_all) {
-        select_all(lab);
+        select_all(space);
     }
+}
+
+void drive(Workspace& space) {
+    const VehicleView* vehicle = selected_vehicle(space);
+    if (!vehicle) return;
+    const Snapshot& now = space.document.session.snapshot();
+    const Driver of_kind = now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].driver;
+    const Driver otherwise = of_kind == Driver::manual ? Driver::brain : of_kind;
+    apply(space, ChooseDriver{vehicle->id, vehicle->driver == Driver::manual ? otherwise : Driver::manual});
+}
+
+bool steer_by_keys(Workspace& space, float right, float ahead) {
+    Session& session = space.document.session;
+    const VehicleView* vehicle = selected_vehicle(space);
+    const bool drives = vehicle && vehicle->driver == Driver::manual;
+    // Stop the vehicle driven before, if it is no longer selected or no longer driven manually.
+    if (space.steered.vehicle != no_vehicle && (!drives || vehicle->id != space.steered.vehicle)) {
+        (void)session.apply(steer(space.steered.vehicle, 0, 0));
+        space.steered = {};
+    }
+    if (!drives) return false;
+    const Steer wanted = steer(vehicle->id, right, ahead);
+    const bool idle = right == 0 && ahead == 0;
+    if (idle && space.steered.vehicle == no_vehicle) return true;  // the on-screen stick may be driving
+    if (wanted != space.steered) (void)session.apply(wanted);
+    space.steered = idle ? Steer{} : wanted;
+    return true;
 }
 
 }  // namespace braitenlab

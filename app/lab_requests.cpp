@@ -9,8 +9,9 @@
 #include "app/files/pages.h"
 #include "app/lab_actions.h"
 #include "app/lab_edits.h"
+#include "app/lab_reset.h"
 #include "app/lab_selection.h"
-#include "app/playback.h"
+#include "app/seeking.h"
 #include "core/match.h"
 #include "core/utf8.h"
 
@@ -62,20 +63,23 @@ void handle(Lab& lab, const Request& request) {
                      [&](const PairRequest& r) { lab.view.selection.pair = r.name; },
                      [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
                      [&](const SeedRequest& r) { reset(lab, r.seed); },
-                     [&](const MapRequest& r) { choose_map(lab, r); },
-                     [&](const StudyRequest& r) { handle_study(lab, r); },
-                     [&](const RobotsRequest& r) { handle_robots(lab, r); },
+                     [&](const MapRequest& r) { choose_map(lab.map, lab, r); },
+                     [&](const StudyRequest& r) {
+                         if (r.edit == StudyEdit::save) return lab.window.files.push_back(r);
+                         handle_study(lab.study, lab, r);
+                     },
+                     [&](const RobotsRequest& r) { handle_robots(lab.robots, lab, r); },
                      [&](const SeekRequest& r) { seek(lab, r); },
-                     [&](const WhyRequest& r) { explain_at(lab, r.tick); },
+                     [&](const WhyRequest& r) { explain_at(lab.explanation, lab, r.tick); },
                      [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
-                     [&](const OpenRequest& r) { lab.files.push_back(r); },
-                     [&](const BrowseRequest& r) { lab.files.push_back(r); },
-                     [&](const SaveRequest& r) { lab.files.push_back(r); },
-                     [&](const SaveExerciseRequest& r) { lab.files.push_back(r); },
-                     [&](const RecoverRequest& r) { lab.files.push_back(r); },
-                     [&](const BeginRequest&) { lab.begins = true; },
-                     [&](const UploadRequest&) { lab.uploads = true; },
-                     [&](const LeaveRequest& r) { lab.files.push_back(r); },
+                     [&](const OpenRequest& r) { lab.window.files.push_back(r); },
+                     [&](const BrowseRequest& r) { lab.window.files.push_back(r); },
+                     [&](const SaveRequest& r) { lab.window.files.push_back(r); },
+                     [&](const SaveExerciseRequest& r) { lab.window.files.push_back(r); },
+                     [&](const RecoverRequest& r) { lab.window.files.push_back(r); },
+                     [&](const BeginRequest&) { lab.window.begins = true; },
+                     [&](const UploadRequest&) { lab.window.uploads = true; },
+                     [&](const LeaveRequest& r) { lab.window.files.push_back(r); },
                      [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
                      [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },
                      [&](const PredictRequest& r) { predict(lab, r); },
@@ -88,25 +92,25 @@ void handle(Lab& lab, const Request& request) {
                      [&](const ChooseChildRequest& r) { choose_child(lab, r.child); },
                      [&](const EarlierGenerationRequest&) { take_choice_back(lab); },
                      [&](const KeptRequest&) { take_kept_submission(lab); },
-                     [&](const TogetherRequest& r) { r.on ? begin_together(lab) : end_together(lab); },
+                     [&](const TogetherRequest& r) { r.on ? show_starts_together(lab) : end_together(lab); },
                      [&](const NotesRequest& r) {
                          if (lab.document.lesson) lab.document.lesson->attempt.notes = utf8_cut(r.text, longest_notes);
                      },
                      [&](const StudentRequest& r) {
-                         if (r.edit == StudentEdit::save) return lab.files.push_back(r);
+                         if (r.edit == StudentEdit::save) return lab.window.files.push_back(r);
                          edit_students(lab, r);
                      },
                      [&](const HandsRequest& r) { count_hands(lab, r); },
-                     [&](const SlotRequest& r) { handle_slot(lab, r); },
-                     [&](const MysteryRequest& r) { handle_mystery(lab, r); },
-                     [&](const ExportRequest& r) { lab.files.push_back(r); },
-                     [&](const WriteFilesRequest& r) { lab.files.push_back(r); },
-                     [&](const HandInRequest& r) { lab.reports.push_back(r); },
-                     [&](const LabRecordRequest& r) { lab.reports.push_back(r); },
-                     [&](const TakeAwayRequest& r) { lab.take_away = r.what; },
+                     [&](const SlotRequest& r) { handle_slot(lab.slots, lab, r); },
+                     [&](const MysteryRequest& r) { handle_mystery(lab.mystery, lab, r); },
+                     [&](const ExportRequest& r) { lab.window.files.push_back(r); },
+                     [&](const WriteFilesRequest& r) { lab.window.files.push_back(r); },
+                     [&](const HandInRequest& r) { lab.window.reports.push_back(r); },
+                     [&](const LabRecordRequest& r) { lab.window.reports.push_back(r); },
+                     [&](const TakeAwayRequest& r) { lab.window.take_away = r.what; },
                      [&](const PageRequest& r) { open_page(lab, r.page); },
                      [&](const HideFindingsRequest&) { lab.findings.clear(); },
-                     [&](const CancelClipRequest&) { lab.cancels_clip = true; },
+                     [&](const CancelClipRequest&) { lab.window.cancels_clip = true; },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, least_time_scale, largest_time_scale);
                      }},

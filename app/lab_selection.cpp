@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "app/course/lesson_view.h"
-#include "app/lab_edits.h"
 #include "ui/request.h"
 
 namespace braitenlab {
@@ -14,21 +13,22 @@ namespace braitenlab {
 namespace {
 
 // Adding or removing objects changes the indices of sources, obstacles and zones, but not their names.
-void keep_object(Lab& lab) {
-    const Snapshot& now = lab.document.session.snapshot();
-    Selection& selection = lab.view.selection;
-    selection.object = object_named(*now.scene, selection.object.kind, lab.object_name);
+void keep_object(Workspace& space) {
+    const Snapshot& now = space.document.session.snapshot();
+    Selection& selection = space.view.selection;
+    selection.object = object_named(*now.scene, selection.object.kind, space.object_name);
     std::vector<SceneObject> kept;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < selection.more.size(); ++i) {
         SceneObject object = selection.more[i];
-        if (object.kind != SceneObjectKind::vehicle) object = object_named(*now.scene, object.kind, lab.more_names[i]);
+        if (object.kind != SceneObjectKind::vehicle)
+            object = object_named(*now.scene, object.kind, space.more_names[i]);
         if (!place_of(now, object) || object == chosen_object(selection)) continue;
         kept.push_back(object);
-        names.push_back(lab.more_names[i]);
+        names.push_back(space.more_names[i]);
     }
     selection.more = std::move(kept);
-    lab.more_names = std::move(names);
+    space.more_names = std::move(names);
 }
 
 // Notice keys for a death: where another vehicle is selected now, and where none is.
@@ -59,97 +59,97 @@ const VehicleView* nearest_of_kind(const Snapshot& now, const VehicleView& dead)
 
 }  // namespace
 
-const VehicleView* selected_vehicle(const Lab& lab) {
-    return find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle);
+const VehicleView* selected_vehicle(const Workspace& space) {
+    return find_vehicle(space.document.session.snapshot(), space.view.selection.vehicle);
 }
 
-void select_object(Lab& lab, const SceneObject& object) {
-    lab.view.selection.object = {};
-    lab.view.selection.more.clear();
-    lab.more_names.clear();
-    const Snapshot& now = lab.document.session.snapshot();
+void select_object(Workspace& space, const SceneObject& object) {
+    space.view.selection.object = {};
+    space.view.selection.more.clear();
+    space.more_names.clear();
+    const Snapshot& now = space.document.session.snapshot();
     if (!place_of(now, object) || object.kind == SceneObjectKind::vehicle) return;
-    lab.view.selection.object = object;
-    lab.object_name = name_of(*now.scene, object);
+    space.view.selection.object = object;
+    space.object_name = name_of(*now.scene, object);
 }
 
-void select_none(Lab& lab) {
-    select_object(lab, {});
-    lab.view.selection.vehicle = no_vehicle;
-    lab.deselected = true;
+void select_none(Workspace& space) {
+    select_object(space, {});
+    space.view.selection.vehicle = no_vehicle;
+    space.deselected = true;
 }
 
-void select(Lab& lab, const SceneObject& object) {
-    select_object(lab, object);
-    if (object.kind == SceneObjectKind::vehicle) lab.view.selection.vehicle = object.index;
+void select(Workspace& space, const SceneObject& object) {
+    select_object(space, object);
+    if (object.kind == SceneObjectKind::vehicle) space.view.selection.vehicle = object.index;
 }
 
-void select_objects(Lab& lab, const std::vector<SceneObject>& objects) {
+void select_objects(Workspace& space, const std::vector<SceneObject>& objects) {
     const auto is_vehicle = [](const SceneObject& object) { return object.kind == SceneObjectKind::vehicle; };
     const auto other = std::find_if_not(objects.begin(), objects.end(), is_vehicle);
     const SceneObject first = other != objects.end() ? *other : objects.empty() ? SceneObject{} : objects.front();
-    select(lab, first);
-    const Snapshot& now = lab.document.session.snapshot();
+    select(space, first);
+    const Snapshot& now = space.document.session.snapshot();
     for (const SceneObject& object : objects) {
         if (object == first || !place_of(now, object)) continue;
-        lab.view.selection.more.push_back(object);
-        lab.more_names.push_back(name_of(*now.scene, object));
+        space.view.selection.more.push_back(object);
+        space.more_names.push_back(name_of(*now.scene, object));
     }
 }
 
-void select_neighbour(Lab& lab, int step) {
-    const VehicleId selected = lab.view.selection.vehicle;
+void select_neighbour(Workspace& space, int step) {
+    const VehicleId selected = space.view.selection.vehicle;
     std::vector<VehicleId> order;
-    for (const VehicleView& vehicle : lab.document.session.snapshot().vehicles)
-        if (vehicle.id == selected || !lab.document.lesson || !is_secret(lab, vehicle.kind))
+    for (const VehicleView& vehicle : space.document.session.snapshot().vehicles)
+        if (vehicle.id == selected || !space.document.lesson || !is_secret(space, vehicle.kind))
             order.push_back(vehicle.id);
     if (order.empty()) return;
     const auto here = std::find(order.begin(), order.end(), selected);
     const auto count = static_cast<int>(order.size());
     const int index = here == order.end() ? 0 : static_cast<int>(here - order.begin()) + step + count;
-    select(lab, vehicle_object(order[static_cast<std::size_t>(index % count)]));
+    select(space, vehicle_object(order[static_cast<std::size_t>(index % count)]));
 }
 
-void select_next_object(Lab& lab, int step) {
-    const std::vector<SceneObject> all = objects_beside_vehicles(*lab.document.session.snapshot().scene);
+void select_next_object(Workspace& space, int step) {
+    const std::vector<SceneObject> all = objects_beside_vehicles(*space.document.session.snapshot().scene);
     if (all.empty()) return;
-    const auto here = std::find(all.begin(), all.end(), lab.view.selection.object);
+    const auto here = std::find(all.begin(), all.end(), space.view.selection.object);
     const auto count = static_cast<int>(all.size());
     const int index = here == all.end() ? (step > 0 ? 0 : count - 1) : static_cast<int>(here - all.begin()) + step;
-    select_object(lab, all[static_cast<std::size_t>((index + count) % count)]);
+    select_object(space, all[static_cast<std::size_t>((index + count) % count)]);
 }
 
-void keep_selection(Lab& lab) {
-    const auto& vehicles = lab.document.session.snapshot().vehicles;
-    if (selected_vehicle(lab) || vehicles.empty()) lab.deselected = false;
-    if (!selected_vehicle(lab))
-        lab.view.selection.vehicle = vehicles.empty() || lab.deselected ? no_vehicle : vehicles.front().id;
-    keep_object(lab);  // last: the chosen vehicle is in no other place of the selection
+void keep_selection(Workspace& space) {
+    const auto& vehicles = space.document.session.snapshot().vehicles;
+    if (selected_vehicle(space) || vehicles.empty()) space.deselected = false;
+    if (!selected_vehicle(space))
+        space.view.selection.vehicle = vehicles.empty() || space.deselected ? no_vehicle : vehicles.front().id;
+    keep_object(space);  // last: the chosen vehicle is in no other place of the selection
 }
 
-void reselect_after_death(Lab& lab, const VehicleView& selected) {
-    const Snapshot& now = lab.document.session.snapshot();
+void reselect_after_death(Workspace& space, const VehicleView& selected) {
+    const Snapshot& now = space.document.session.snapshot();
     if (now.vehicles.empty() || find_vehicle(now, selected.id)) return;
-    const VehicleView* next = lab.dragging ? nullptr : nearest_of_kind(now, selected);
-    lab.deselected = !next;
-    lab.view.selection.vehicle = next ? next->id : no_vehicle;
-    keep_object(lab);
-    if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
+    const VehicleView* next = space.dragging ? nullptr : nearest_of_kind(now, selected);
+    space.deselected = !next;
+    space.view.selection.vehicle = next ? next->id : no_vehicle;
+    keep_object(space);
+    if (space.notice.kind == NoticeKind::failure && !space.notice.empty()) return;  // more important
     const DeathKeys keys = cause_of_death(*now.scene, selected);
-    say(lab, {NoticeKind::notice, std::string(next ? keys.selected : keys.alone), std::to_string(selected.id + 1),
-              next ? std::to_string(next->id + 1) : ""});
+    say(space, {NoticeKind::notice, std::string(next ? keys.selected : keys.alone), std::to_string(selected.id + 1),
+                next ? std::to_string(next->id + 1) : ""});
 }
 
-void tell_fall(Lab& lab, VehicleId selected) {
-    const std::vector<VehicleId>& fallen = lab.document.session.snapshot().fallen;
+void tell_fall(Workspace& space, VehicleId selected) {
+    const std::vector<VehicleId>& fallen = space.document.session.snapshot().fallen;
     if (!std::binary_search(fallen.begin(), fallen.end(), selected)) return;
-    if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
-    say(lab, {NoticeKind::notice, "notice.fell", std::to_string(selected + 1)});
+    if (space.notice.kind == NoticeKind::failure && !space.notice.empty()) return;  // more important
+    say(space, {NoticeKind::notice, "notice.fell", std::to_string(selected + 1)});
 }
 
-void forget_vehicle_notice(Lab& lab) {
-    const std::string& key = lab.notice.key;
-    if (key.starts_with("notice.starved") || key.starts_with("notice.eaten") || key == "notice.fell") lab.notice = {};
+void forget_vehicle_notice(Workspace& space) {
+    const std::string& key = space.notice.key;
+    if (key.starts_with("notice.starved") || key.starts_with("notice.eaten") || key == "notice.fell") space.notice = {};
 }
 
 VehicleId id_at_start(const Scene& scene, std::uint64_t seed, const Snapshot& now, const VehicleView& vehicle) {
@@ -163,33 +163,6 @@ VehicleId id_at_start(const Scene& scene, std::uint64_t seed, const Snapshot& no
         if (vehicle.start >= 0 || number_in_population(start, each.id) == number) return each.id;
     }
     return no_vehicle;
-}
-
-void drive(Lab& lab) {
-    const VehicleView* vehicle = selected_vehicle(lab);
-    if (!vehicle) return;
-    const Snapshot& now = lab.document.session.snapshot();
-    const Driver of_kind = now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].driver;
-    const Driver otherwise = of_kind == Driver::manual ? Driver::brain : of_kind;
-    apply(lab, ChooseDriver{vehicle->id, vehicle->driver == Driver::manual ? otherwise : Driver::manual});
-}
-
-bool steer_by_keys(Lab& lab, float right, float ahead) {
-    Session& session = lab.document.session;
-    const VehicleView* vehicle = selected_vehicle(lab);
-    const bool drives = vehicle && vehicle->driver == Driver::manual;
-    // Stop the vehicle driven before, if it is no longer selected or no longer driven manually.
-    if (lab.steered.vehicle != no_vehicle && (!drives || vehicle->id != lab.steered.vehicle)) {
-        (void)session.apply(steer(lab.steered.vehicle, 0, 0));
-        lab.steered = {};
-    }
-    if (!drives) return false;
-    const Steer wanted = steer(vehicle->id, right, ahead);
-    const bool idle = right == 0 && ahead == 0;
-    if (idle && lab.steered.vehicle == no_vehicle) return true;  // the on-screen stick may be driving
-    if (wanted != lab.steered) (void)session.apply(wanted);
-    lab.steered = idle ? Steer{} : wanted;
-    return true;
 }
 
 void renumber_selection(Selection& selection, const std::map<VehicleId, VehicleId>& new_ids) {

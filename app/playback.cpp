@@ -4,21 +4,15 @@
 #include <chrono>
 #include <cmath>
 #include <string>
-#include <string_view>
 
-#include <fmt/format.h>
-
-#include "app/course/lab_lesson.h"
-#include "app/lab.h"
+#include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
 
 namespace braitenlab {
 
 namespace {
 
-constexpr double tick_length = 1.0 / 60;   // s, as in core/brain/brain.h
 constexpr double stepping_budget = 0.012;  // s of wall time per frame
-constexpr std::string_view page_pauses = "notice.page_pauses";
 
 // Measures once per second. A shortfall of less than 5 % is not reported, because it is not visible.
 void measure_pace(Playback& playback, double wall_seconds, double simulated) {
@@ -57,16 +51,6 @@ bool pauses_here(const Lab& lab) {
 
 }  // namespace
 
-void set_mode(Lab& lab, Mode mode) {
-    Playback& playback = lab.playback;
-    const bool was_playing = playback.mode == Mode::playing, plays = mode == Mode::playing;
-    if (was_playing != plays) ++playback.toggles;
-    if (plays) playback.debt = 0;
-    if (plays && lab.notice.key == page_pauses) lab.notice = {};
-    playback.pace = {};
-    playback.mode = mode;
-}
-
 void tick(Lab& lab) {
     if (lab.together) {
         lab.playback.previous = lab.together->shown.vehicles;
@@ -77,7 +61,7 @@ void tick(Lab& lab) {
     const VehicleView* selected = selected_vehicle(lab);
     const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
     add_to_path(lab.document);
-    record_paths(lab);
+    record_paths(lab.last_run, lab);
     session.step();
     if (before) reselect_after_death(lab, *before), tell_fall(lab, before->id);
     keep_selection(lab);
@@ -87,13 +71,13 @@ void tick(Lab& lab) {
         lesson->attempt.work.runs += begins;
         if (begins) lesson->attempt.answers.hint_ready = true;  // each run makes one hint available
     }
-    record_moment(lab);
+    record_moment(lab.explanation, lab);
     watch(lab);
 }
 
 void advance(Lab& lab, double wall_seconds, const std::function<void(const Snapshot&)>& seen) {
     lab.wall_seconds += wall_seconds;
-    if (lab.pages) lab.pages->seconds = lab.wall_seconds - lab.lecture_began;
+    if (lab.pages) lab.pages->seconds = lab.wall_seconds - lab.lectures.began;
     if (lab.wall_seconds >= lab.notice_until) lab.notice = {};
     if (lab.document.lesson) follow_hint(*lab.document.lesson, lab.wall_seconds);
     Playback& playback = lab.playback;
@@ -111,82 +95,11 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
         if (!pauses_here(lab)) continue;
         set_mode(lab, Mode::paused);
         if (lab.notice.kind != NoticeKind::failure || lab.notice.empty())
-            say(lab, {NoticeKind::notice, std::string(page_pauses)});
+            say(lab, {NoticeKind::notice, "notice.page_pauses"});
         return;
     }
     measure_pace(playback, wall_seconds, shown_snapshot(lab).seconds - before);
     if (playback.debt >= tick_length) playback.debt = 0;
-}
-
-float between_ticks(const Lab& lab) {
-    if (lab.playback.mode != Mode::playing || lab.playback.held) return 1;
-    return std::clamp(static_cast<float>(lab.playback.debt / tick_length), 0.0f, 1.0f);
-}
-
-namespace {
-
-constexpr std::size_t most_bookmarks = 20;
-constexpr std::size_t most_for_exact_drag = 300;  // vehicles; above, a dragged playhead moves between keyframes
-
-// Clears `previous`, because an interpolation from it would show a jump.
-void arrive(Lab& lab) {
-    lab.playback.previous.clear();
-    lab.playback.debt = 0;
-    forget_vehicle_notice(lab);
-    keep_selection(lab);
-    watch(lab);
-}
-
-void go_to_tick(Lab& lab, std::uint64_t tick) {
-    lab.document.session.seek(tick);
-    arrive(lab);
-}
-
-}  // namespace
-
-void seek(Lab& lab, const SeekRequest& request) {
-    lab.playback.held = request.held;
-    const bool roughly =
-        request.held && lab.document.session.snapshot().vehicles.size() > most_for_exact_drag && !lab.document.lesson;
-    if (roughly) {
-        lab.document.session.seek_roughly(request.tick);
-        arrive(lab);
-    } else {
-        go_to_tick(lab, request.tick);
-    }
-}
-
-void seek_by(Lab& lab, std::int64_t ticks) {
-    const auto now = static_cast<std::int64_t>(lab.document.session.snapshot().tick);
-    go_to_tick(lab, static_cast<std::uint64_t>(std::max<std::int64_t>(0, now + ticks)));
-}
-
-void set_bookmark(Lab& lab) {
-    auto& bookmarks = lab.playback.bookmarks;
-    const std::uint64_t now = lab.document.session.snapshot().tick;
-    std::erase_if(bookmarks, [now](const TimeMark& mark) { return mark.moment.tick() == now; });
-    if (bookmarks.size() >= most_bookmarks) bookmarks.erase(bookmarks.begin());
-    bookmarks.push_back({lab.document.session.bookmark(), {}});
-    if (lab.document.lesson) bookmarks.back().path = lab.document.lesson->path;
-}
-
-void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
-    auto& bookmarks = lab.playback.bookmarks;
-    if (request.index < 0 || static_cast<std::size_t>(request.index) >= bookmarks.size()) return;
-    const auto mark = bookmarks.begin() + request.index;
-    if (request.remove) {
-        say(lab, {NoticeKind::done, "notice.mark_removed",
-                  fmt::format("{:.1f}", static_cast<double>(mark->moment.tick()) / 60), "", true});
-        bookmarks.erase(mark);
-        return;
-    }
-    lab.document.session.go_to(mark->moment);
-    if (lab.document.lesson) lab.document.lesson->path = mark->path;
-    arrive(lab);
-}
-
-void go_to_last_bookmark(Lab& lab) {
-    handle_bookmark(lab, {static_cast<int>(lab.playback.bookmarks.size()) - 1, false});
 }
 
 }  // namespace braitenlab

@@ -8,7 +8,6 @@
 #include <imgui.h>
 
 #include "app/course/lab_lecture.h"
-#include "app/insight/predictions.h"
 #include "render/view/label_space.h"
 #include "ui/lab_view.h"
 
@@ -51,7 +50,7 @@ bool jumped(const ViewportState& state, const Lab& lab) {
 // In the wiring editor, whose scene is small: the paths with and without the edit or the change under the pointer.
 std::optional<FloorBox> paths_of_change(const Lab& lab) {
     if (lab.playback.mode != Mode::wiring) return std::nullopt;
-    const auto prediction = prediction_of(lab);
+    const auto prediction = prediction_of(lab.predictions, lab);
     if (!prediction) return std::nullopt;
     const float around = scale_of(shown_snapshot(lab).scene->arena) * around_paths;
     FloorBox box{{1e9f, 1e9f}, {-1e9f, -1e9f}};

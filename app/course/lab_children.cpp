@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/course/lab_lesson.h"
 #include "app/lab_edits.h"
+#include "app/lab_reset.h"
 
 namespace braitenlab {
 
@@ -70,8 +70,7 @@ void give_brain(Lab& lab, const BrainGraph& brain) {
     const int kind = subject_kind(lab.document.lesson->exercise->scene);
     const auto index = static_cast<std::size_t>(kind);
     if (index >= lab.document.session.snapshot().scene->kinds.size()) return;  // it was removed
-    if (!same_wiring(present_brain(lab), brain))
-        apply(lab, SetBrain{{.kind = kind}, brain}, gestures::lab + ++lab.gesture);
+    if (!same_wiring(present_brain(lab), brain)) apply(lab, SetBrain{{.kind = kind}, brain}, new_gesture(lab));
     reset(lab);
 }
 

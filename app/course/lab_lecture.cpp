@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "app/course/lab_lesson.h"
 #include "app/files/data.h"
+#include "app/lab_reset.h"
 #include "app/lab_selection.h"
 #include "core/world/snapshot.h"
 
@@ -18,20 +18,14 @@ namespace {
 constexpr int most_hands = 999;
 constexpr std::string_view lecture_left = "notice.lecture_left";
 
-Camera camera_of(const LecturePage& page) {
-    constexpr std::array<CameraMode, page_camera_table.size()> modes{CameraMode::overview, CameraMode::follow,
-                                                                     CameraMode::driver, CameraMode::birds_eye};
-    return {modes[static_cast<std::size_t>(page.camera)], page.azimuth, page.elevation, page.zoom, {page.x, page.y}};
-}
-
 // An open lecture without hands, and lecture mode.
 void begin_pages(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     if (!lab.before_lecture) begin_lecture(lab);
-    if (!lab.pages) lab.slots_before_pages = std::exchange(lab.slots, {});
+    if (!lab.pages) lab.lectures.slots_before = std::exchange(lab.slots, {});
     std::vector<std::vector<int>> hands;
     for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
     lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
-    lab.left_pages.reset();
+    lab.lectures.left.reset();
     if (lab.notice.key == lecture_left) lab.notice = {};
 }
 
@@ -96,7 +90,7 @@ void look_at_page(Lab& lab, int page, int steps) {
     lab.view.map = lab.view.reality = false;
     lab.pages->page = page;
     lab.pages->step = std::clamp(steps, 0, static_cast<int>(next.reveal.size()));
-    lab.view.camera = camera_of(next);
+    lab.view.camera = home_camera(lab);
     select_vehicle(lab, next);
     for (const PagePartTraits& part : page_part_table) show_part(lab, part.value, lab.pages->shows(part.value));
 }
@@ -120,30 +114,28 @@ float lecture_growth(Rect window, float display_scale) {
     return std::max(1.0f, std::floor(growth * steps) / steps);
 }
 
-Camera home_camera(const Lab& lab) { return lab.pages ? camera_of(lab.pages->current()) : Camera{}; }
-
 void begin_lecture(Lab& lab) {
     lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
-    lab.preferences.theme = lab.lecture_theme;
+    lab.preferences.theme = lab.lectures.theme;
     lab.preferences.type_size *= lecture_type;
 }
 
 void leave_pages(Lab& lab) {
     if (!lab.pages) return;
-    lab.left_pages = std::exchange(lab.pages, std::nullopt);
-    lab.slots = std::exchange(lab.slots_before_pages, {});
-    lab.left_run = 0;
+    lab.lectures.left = std::exchange(lab.pages, std::nullopt);
+    lab.slots = std::exchange(lab.lectures.slots_before, {});
+    lab.lectures.left_run = 0;
 }
 
 void end_lecture(Lab& lab) {
     if (lab.pages) {
         leave_pages(lab);
-        lab.left_run = lab.document.run_id;
-        say(lab, {NoticeKind::notice, std::string(lecture_left), std::to_string(lab.left_pages->page + 1)});
+        lab.lectures.left_run = lab.document.run_id;
+        say(lab, {NoticeKind::notice, std::string(lecture_left), std::to_string(lab.lectures.left->page + 1)});
         lab.document.saved_edits = lab.document.edits;
         lab.document.saved_tick = lab.document.session.snapshot().tick;
     }
-    lab.lecture_theme = lab.preferences.theme;
+    lab.lectures.theme = lab.preferences.theme;
     lab.preferences = own_preferences(lab);
     const Selection selection = lab.view.selection;
     lab.view = lab.before_lecture->view;
@@ -161,13 +153,13 @@ Result<Lecture> read_whole_lecture(const std::filesystem::path& path) {
 
 void open_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     begin_pages(lab, std::move(lecture));
-    lab.lecture_began = lab.wall_seconds;
+    lab.lectures.began = lab.wall_seconds;
     show_page(lab, 0);
 }
 
 void resume_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
-    const LectureView left = *lab.left_pages;
-    const bool is_open = lab.left_run == lab.document.run_id && lab.document.edits == lab.document.saved_edits;
+    const LectureView left = *lab.lectures.left;
+    const bool is_open = lab.lectures.left_run == lab.document.run_id && lab.document.edits == lab.document.saved_edits;
     begin_pages(lab, std::move(lecture));
     lab.pages->notes = left.notes;
     const auto is_as_long = [](const std::vector<int>& a, const std::vector<int>& b) { return a.size() == b.size(); };
@@ -182,8 +174,8 @@ void resume_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
 }
 
 void request_left_lecture(Lab& lab, bool resume) {
-    if (!lab.left_pages) return say(lab, {NoticeKind::notice, "unavailable.no_lecture"});
-    lab.files.push_back(OpenRequest{.path = lab.left_pages->lecture->path.string(), .resume = resume});
+    if (!lab.lectures.left) return say(lab, {NoticeKind::notice, "unavailable.no_lecture"});
+    lab.window.files.push_back(OpenRequest{.path = lab.lectures.left->lecture->path.string(), .resume = resume});
 }
 
 void show_page(Lab& lab, int page, int steps) {

@@ -23,18 +23,15 @@ Result<Lecture> read_whole_lecture(const std::filesystem::path&);
 // Begins lecture mode if it is off, and shows the first page.
 void open_lecture(Lab&, std::shared_ptr<const Lecture>);
 
-// Closes the lecture file and keeps its page, its time and the counted hands in Lab::left_pages. Lecture mode stays.
-// Does nothing without an open lecture.
+// Closes the lecture file and keeps its page, its time and the counted hands in LectureMemory::left. Lecture mode
+// stays. Does nothing without an open lecture.
 void leave_pages(Lab&);
 
-// Shows the page of Lab::left_pages. Its scene goes on with its run and the edits made in the lecture; it is opened
+// Shows the page of LectureMemory::left. Its scene goes on with its run and the edits made in the lecture; it is opened
 // anew if another file has been opened, if the scene has been edited since, or if the page has another scene now. The
 // lecture is the file as it is now: if the author has changed its questions, the counted hands are lost. Precondition:
-// Lab::left_pages.
+// LectureMemory::left.
 void resume_lecture(Lab&, std::shared_ptr<const Lecture>);
-
-// The camera that Home restores: that of the lecture's page, else the default.
-Camera home_camera(const Lab&);
 
 // Requests that the lecture that was left is opened: at the page where it was left, or at the first one. Without one,
 // shows a notice.

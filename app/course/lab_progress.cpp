@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/course/lab_lesson.h"
+#include "app/lab_reset.h"
 #include "core/lesson/submission.h"
 
 namespace braitenlab {

@@ -3,71 +3,90 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/course/lab_lesson.h"
+#include "core/lesson/selection.h"
 
 namespace braitenlab {
 
 namespace {
 
-const Exercise* open_exercise(const Lab& lab) {
-    return lab.document.lesson ? lab.document.lesson->exercise.get() : nullptr;
+const Exercise* open_exercise(const Workspace& space) {
+    return space.document.lesson ? space.document.lesson->exercise.get() : nullptr;
 }
 
-bool is_at_start(const Lab& lab) {
-    const auto& selecting = lab.document.lesson->selecting;
-    return lab.document.session.snapshot().tick == 0 && !(selecting && selecting->parents.size() > 1);
+bool is_at_start(const Workspace& space) {
+    const auto& selecting = space.document.lesson->selecting;
+    return space.document.session.snapshot().tick == 0 && !(selecting && selecting->parents.size() > 1);
 }
 
 // Seconds until the next hint may be shown without a run; 0 if it may be shown now.
-int seconds_to_hint(const Lab& lab) {
-    const Lesson& lesson = *lab.document.lesson;
+int seconds_to_hint(const Workspace& space) {
+    const Lesson& lesson = *space.document.lesson;
     if (lesson.attempt.answers.hint_ready) return 0;
-    return static_cast<int>(std::ceil(seconds_between_hints - (lab.wall_seconds - lesson.last_hint_at)));
+    return static_cast<int>(std::ceil(seconds_between_hints - (space.wall_seconds - lesson.last_hint_at)));
+}
+
+// True if this moment of a run shows what the prediction asks for: what the scene does as given, with every brain,
+// sensor and body of the file and with nothing moved. A run with the student's changes does not show it, also where the
+// question is about another vehicle, because its options may compare both.
+bool shows_outcome(const Exercise& exercise, const Snapshot& now, const Referee& referee) {
+    return now.tick > 0 && now.seconds >= static_cast<double>(exercise.prediction.after) && !referee.by_hand() &&
+           referee.as_given();
 }
 
 }  // namespace
 
-Disclosure disclosure_of(const Lab& lab) {
+void watch(Workspace& space) {
+    if (!space.document.lesson) return;
+    Lesson& lesson = *space.document.lesson;
+    bool& known = lesson.attempt.work.outcome_known;
+    // A prediction about a selection is about its end, not about the first run.
+    if (!known && !offers_selection(*lesson.exercise))
+        known = shows_outcome(*lesson.exercise, space.document.session.snapshot(), referee_of(space.document));
+}
+
+Disclosure disclosure_of(const Workspace& space) {
     Known known;
-    if (const auto& lesson = lab.document.lesson) {
+    if (const auto& lesson = space.document.lesson) {
         const Attempt::Work& work = lesson->attempt.work;
         known.predicted = has_predicted(lesson->attempt.answers);
         known.outcome = work.outcome_known, known.has_run = work.has_run, known.free_play = work.free_play;
         known.passed = has_passed(*lesson);
-        known.at_start = is_at_start(lab);
-        known.as_given = referee_of(lab.document).as_given();
-        known.together = lab.together.has_value();
+        known.at_start = is_at_start(space);
+        known.as_given = referee_of(space.document).as_given();
+        known.together = space.together.has_value();
     }
-    if (lab.pages) {
-        known.page_asks = !lab.pages->current().question.options.empty();
-        known.page_answers = lab.pages->shows(PagePart::answer);
+    if (space.pages) {
+        known.page_asks = !space.pages->current().question.options.empty();
+        known.page_answers = space.pages->shows(PagePart::answer);
     }
-    known.brain_revealed = lab.view.revealed.brain;
-    known.character_revealed = lab.view.revealed.character;
-    return disclosure_of(open_exercise(lab), known);
+    known.brain_revealed = space.view.revealed.brain;
+    known.character_revealed = space.view.revealed.character;
+    return disclosure_of(open_exercise(space), known);
 }
 
-bool is_secret(const Lab& lab, int kind) { return is_secret(open_exercise(lab), *shown_snapshot(lab).scene, kind); }
-
-bool shows_driving_brain(const Lab& lab, const Disclosure& may, const VehicleView& vehicle) {
-    return vehicle.driver == Driver::brain && may.brains && !is_secret(lab, vehicle.kind);
+bool is_secret(const Workspace& space, int kind) {
+    return is_secret(open_exercise(space), *shown_snapshot(space).scene, kind);
 }
 
-LessonView lesson_view_of(const Lab& lab) {
-    const Lesson& lesson = *lab.document.lesson;
+bool shows_driving_brain(const Workspace& space, const Disclosure& may, const VehicleView& vehicle) {
+    return vehicle.driver == Driver::brain && may.brains && !is_secret(space, vehicle.kind);
+}
+
+LessonView lesson_view_of(const Workspace& space) {
+    const Lesson& lesson = *space.document.lesson;
     const Attempt::Answers& answers = lesson.attempt.answers;
     const Attempt::Work& work = lesson.attempt.work;
     const Standing& standing = lesson.standing;
-    const Referee& referee = referee_of(lab.document);
+    const Referee& referee = referee_of(space.document);
     LessonView view{.exercise = lesson.exercise.get(), .key = lesson.key};
     view.verdicts = referee.verdicts();
     view.by_hand = referee.by_hand();
     view.as_given = referee.as_given();
-    view.at_start = is_at_start(lab);
-    view.together = lab.together.has_value();
+    view.at_start = is_at_start(space);
+    view.together = space.together.has_value();
     view.prediction = answers.prediction, view.drawn_path = answers.drawn_path;
     view.hints_shown = answers.hints_shown, view.hint_ready = answers.hint_ready;
-    view.hint_in = seconds_to_hint(lab);
+    view.hint_in = seconds_to_hint(space);
     view.has_run = work.has_run, view.runs = work.runs, view.outcome_known = work.outcome_known;
     view.free_play = work.free_play, view.solution_shown = work.solution_shown, view.compares = work.compares;
     view.written = work.written;

@@ -42,21 +42,21 @@ std::string notes_page(const LectureView& at, const Strings& strings, const std:
 
 void follow_notes_page(Lab& lab, const Strings& strings, const std::string& language,
                        const std::filesystem::path& folder, bool (*open)(const std::filesystem::path&)) {
-    const bool opens = std::exchange(lab.opens_notes, false);
+    const bool opens = std::exchange(lab.window.opens_notes, false);
     if (opens && folder.empty()) return say(lab, {NoticeKind::notice, "unavailable.in_browser"});
-    if (!lab.pages || (!opens && lab.notes_written.empty())) return;
+    if (!lab.pages || (!opens && lab.lectures.notes_written.empty())) return;
     const std::string page = notes_page(*lab.pages, strings, language);
-    if (!opens && page == lab.notes_written) return;
+    if (!opens && page == lab.lectures.notes_written) return;
     const std::filesystem::path file = folder / "notes.html";
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);  // writing reports it
     FileWriter writer(file, false);
     writer.write(page);
-    lab.notes_written = page;
+    lab.lectures.notes_written = page;
     if (const auto error = writer.commit()) return say(lab, *error);
     if (!opens) return;
     if (open(file)) return say(lab, {NoticeKind::done, "notice.notes_page"});
-    lab.to_copy = file.string();
+    lab.window.to_copy = file.string();
     say(lab, {NoticeKind::notice, "notice.notes_page_at", file.string()});
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/lab.h"
-
 namespace braitenlab {
 
 namespace {
@@ -40,12 +38,6 @@ void add_vehicles(Snapshot& all, const Snapshot& more) {
     all.predators += more.predators, all.prey += more.prey;
 }
 
-Snapshot shown_of(const std::vector<World>& worlds) {
-    std::vector<Snapshot> parts(worlds.size());
-    for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i].capture(parts[i]);
-    return merged(parts);
-}
-
 }  // namespace
 
 Snapshot merged(const std::vector<Snapshot>& parts) {
@@ -61,36 +53,19 @@ Together begin_together(const Exercise& exercise, const Submission& submission, 
         if (together.worlds.size() == most_together) break;
         if (auto world = World::create(scene, start.seed)) together.worlds.push_back(std::move(*world));
     }
-    if (!together.worlds.empty()) together.shown = shown_of(together.worlds);
+    if (!together.worlds.empty()) show(together);
     return together;
+}
+
+void show(Together& together) {
+    std::vector<Snapshot> parts(together.worlds.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) together.worlds[i].capture(parts[i]);
+    together.shown = merged(parts);
 }
 
 void step(Together& together) {
     for (World& world : together.worlds) world.step();
-    together.shown = shown_of(together.worlds);
-}
-
-void begin_together(Lab& lab) {
-    const auto& lesson = lab.document.lesson;
-    if (!lesson || !has_passed(*lesson)) return;
-    Together together = begin_together(*lesson->exercise, lesson->graded->submission, lesson->graded->grade);
-    if (!together.worlds.empty()) begin_together(lab, std::move(together));
-}
-
-void begin_together(Lab& lab, Together together) {
-    together.shown = shown_of(together.worlds);
-    lab.together = std::move(together);
-    lab.playback.previous.clear();
-    lab.playback.debt = 0;
-    set_mode(lab, Mode::playing);
-}
-
-void end_together(Lab& lab) {
-    if (!lab.together) return;
-    lab.together.reset();
-    lab.playback.previous.clear();
-    lab.playback.debt = 0;
-    set_mode(lab, Mode::paused);
+    show(together);
 }
 
 }  // namespace braitenlab

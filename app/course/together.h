@@ -13,14 +13,12 @@
 
 namespace braitenlab {
 
-struct Lab;
-
 inline constexpr std::size_t most_together = 10;  // starts
 
 struct Together {
     std::vector<World> worlds;   // at the same tick
     Snapshot shown{};            // all of them; see merged()
-    std::optional<int> robot{};  // a replay of robots (app/insight/robot_trial.h): RobotsView::replayed
+    std::optional<int> robot{};  // a replay of robots (app/features/robot_trial.h): RobotsView::replayed
 };
 
 // One snapshot of the same moment in several worlds of one scene. The vehicles of the first keep their ids; those of
@@ -30,12 +28,10 @@ Snapshot merged(const std::vector<Snapshot>&);
 // The first starts of the grade, at most most_together, at tick 0. Starts whose world cannot begin are left out.
 Together begin_together(const Exercise&, const Submission&, const Grade&);
 
-// Runs one tick in each world.
-void step(Together&);
+// Makes the snapshot of its worlds. Precondition: there is one.
+void show(Together&);
 
-// ── In the lab. Without a passed exercise the first begin_together() does nothing. ──
-void begin_together(Lab&);            // paused time plays
-void begin_together(Lab&, Together);  // these worlds, whose snapshot is made
-void end_together(Lab&);              // the exercise's own run is shown again, paused, as it was left
+// Runs one tick in each world and shows them.
+void step(Together&);
 
 }  // namespace braitenlab

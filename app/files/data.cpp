@@ -125,6 +125,14 @@ std::vector<fs::path> shipped_studies() {
     return data ? toml_files(*data / "exercises" / "studies") : std::vector<fs::path>{};
 }
 
+bool ships(const fs::path& path) {
+    const auto data = data_folder();
+    if (!data) return false;
+    std::error_code problem;
+    const fs::path inside = fs::relative(path, *data / "exercises", problem);
+    return !problem && !inside.empty() && *inside.begin() != "..";
+}
+
 Result<Lecture> read_lecture(const fs::path& path) {
     const auto data = data_folder();
     if (!data) return data.error();

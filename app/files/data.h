@@ -33,6 +33,9 @@ std::vector<std::filesystem::path> shipped_scenes();
 std::vector<std::filesystem::path> shipped_lectures();
 std::vector<std::filesystem::path> shipped_studies();
 
+// True for a file that ships with the program.
+bool ships(const std::filesystem::path&);
+
 // load_lecture() with the shipped scenes and exercises.
 Result<Lecture> read_lecture(const std::filesystem::path&);
 

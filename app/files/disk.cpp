@@ -113,14 +113,6 @@ FolderListing list_folder(const fs::path& wanted) {
     return listing;
 }
 
-bool ships(const fs::path& path) {
-    const auto data = data_folder();
-    if (!data) return false;
-    std::error_code problem;
-    const fs::path inside = fs::relative(path, *data / "exercises", problem);
-    return !problem && !inside.empty() && *inside.begin() != "..";
-}
-
 fs::path resolved(const std::string& typed, const fs::path& folder, const fs::path& home) {
     if (typed == "~" || typed.starts_with("~/"))
         return (home / typed.substr(typed.size() > 1 ? 2 : 1)).lexically_normal();
@@ -154,31 +146,31 @@ std::string with_comments_of(const Document& document, std::string text, const f
 
 }  // namespace
 
-std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
+std::optional<Error> save_as(const Workspace& space, const fs::path& path, FileKind kind) {
     if (kind == FileKind::scene) {
-        Scene scene = scene_to_keep(lab.document);
+        Scene scene = scene_to_keep(space.document);
         if (auto error = check_scene(scene)) return error;  // a file that cannot be opened is not written
-        if (lab.document.is_scene_named_by_file) scene.name.clear();
-        return write_whole(path, with_comments_of(lab.document, write_scene(scene), path));
+        if (space.document.is_scene_named_by_file) scene.name.clear();
+        return write_whole(path, with_comments_of(space.document, write_scene(scene), path));
     }
-    if (kind == FileKind::run) return write_whole(path, io::write_run(run_to_keep(lab.document)));
+    if (kind == FileKind::run) return write_whole(path, io::write_run(run_to_keep(space.document)));
     if (kind != FileKind::brain) return error_of(message_of("not_savable"), path.string());
-    const Snapshot& now = lab.document.session.snapshot();
-    const VehicleView* vehicle = find_vehicle(now, lab.view.selection.vehicle);
+    const Snapshot& now = space.document.session.snapshot();
+    const VehicleView* vehicle = find_vehicle(now, space.view.selection.vehicle);
     if (!vehicle) return error_of(message_of("no_brain_to_save"));
     return write_whole(path, write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
 }
 
-std::optional<Error> take_brain(Lab& lab, const FileText& file) {
-    Session& session = lab.document.session;
-    const VehicleView* vehicle = find_vehicle(session.snapshot(), lab.view.selection.vehicle);
+std::optional<Error> take_brain(Workspace& space, const FileText& file) {
+    Session& session = space.document.session;
+    const VehicleView* vehicle = find_vehicle(session.snapshot(), space.view.selection.vehicle);
     if (!vehicle) return error_of(message_of("no_vehicle_for_brain"), file.path.string());
     auto brain = parse_brain(file.text, file.path.string());
     if (!brain) return brain.error();
     const Target target =
-        lab.view.selection.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
+        space.view.selection.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
     auto error = session.apply(SetBrain{target, std::move(*brain)});
-    if (!error) ++lab.document.edits;
+    if (!error) ++space.document.edits;
     return error;
 }
 

@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/lab.h"
+#include "app/files/data.h"
+#include "app/workspace.h"
 #include "core/result.h"
 #include "ui/files.h"
 
@@ -14,9 +15,6 @@ namespace braitenlab {
 // The subfolders and files of a folder that the program can open, at most 2000. Files that cannot be read, malformed
 // TOML included, are marked as broken. Hidden files and TOML files of other programs are left out.
 FolderListing list_folder(const std::filesystem::path&);
-
-// True for a file that ships with the program.
-bool ships(const std::filesystem::path&);
 
 // A path as the user has typed it, made absolute: "~" is the home folder, a relative path starts at `folder`.
 std::filesystem::path resolved(const std::string& typed, const std::filesystem::path& folder,
@@ -30,9 +28,9 @@ std::filesystem::path own_file(const Document&);
 
 // Writes the scene, the run at its current tick, or the brain of the selected vehicle. A scene keeps the comments of
 // the file that it was opened from, see core/scene/comments.h.
-std::optional<Error> save_as(const Lab&, const std::filesystem::path&, FileKind);
+std::optional<Error> save_as(const Workspace&, const std::filesystem::path&, FileKind);
 
 // Gives the brain in the file to the selected vehicle, or to its whole kind. One step of undo.
-std::optional<Error> take_brain(Lab&, const FileText&);
+std::optional<Error> take_brain(Workspace&, const FileText&);
 
 }  // namespace braitenlab

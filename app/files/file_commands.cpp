@@ -129,7 +129,7 @@ struct FileCommands {
             return view.refused.reset();
         }
         auto shared = std::make_shared<const Lecture>(std::move(*lecture));
-        const bool goes_on = resume && lab.left_pages && lab.left_pages->lecture->id == shared->id;
+        const bool goes_on = resume && lab.lectures.left && lab.lectures.left->lecture->id == shared->id;
         goes_on ? resume_lecture(lab, std::move(shared)) : open_lecture(lab, std::move(shared));
         done(path, {});
     }
@@ -143,7 +143,7 @@ struct FileCommands {
         const Leaving left = *std::exchange(view.leaving, std::nullopt);
         if (!left.next.empty()) return open(left.next, true, false, left.resume);
         lab.document.saved_edits = lab.document.edits;
-        lab.exit = true;
+        lab.window.exit = true;
     }
 
     // Writes a new file. The notice shows the whole path, because the user has not chosen it.
@@ -231,7 +231,7 @@ struct FileCommands {
                 lab.document.file = std::make_shared<const Scene>(lab.document.session.edited_scene());
                 lab.document.on_disk = mark_of(path);
                 lab.document.broken.reset();
-                lab.saved.push_back(path);
+                lab.window.saved.push_back(path);
             }
         }
         if (wanted.kind != FileKind::brain || lab.document.lesson) lab.document.saved_edits = lab.document.edits;
@@ -251,7 +251,7 @@ void add_recent_file(StoredState& state, const fs::path& file, const Document& d
 
 void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const UserFolders& folders) {
     const FileCommands commands{lab, view, state, folders};
-    for (const Request& request : std::exchange(lab.files, {})) {
+    for (const Request& request : std::exchange(lab.window.files, {})) {
         if (const auto* open = std::get_if<OpenRequest>(&request))
             commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped, open->resume);
         if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);

@@ -32,9 +32,9 @@ std::string name_of_title(const std::string& title) {
 void copy_link(Lab& lab) {
     const Document& document = lab.document;
     const bool is_exercise = document.lesson && ships(document.path);
-    lab.to_copy = lab.link_base + (is_exercise ? io::encode_exercise_link(document.path.stem().string())
-                                               : io::encode_link(scene_to_keep(document)));
-    const std::size_t length = lab.to_copy.size();
+    lab.window.to_copy = lab.link_base + (is_exercise ? io::encode_exercise_link(document.path.stem().string())
+                                                      : io::encode_link(scene_to_keep(document)));
+    const std::size_t length = lab.window.to_copy.size();
     const std::string characters = std::to_string(length);
     if (is_exercise)
         say(lab, {NoticeKind::done, "notice.link_exercise", characters});

@@ -17,8 +17,8 @@ void open_page(Lab& lab, const std::string& page) {
     std::error_code problem;
     const bool exists = std::filesystem::is_regular_file(file, problem);
     if (exists && open_with_system(file)) return say(lab, {NoticeKind::done, "notice.page_opened", page});
-    lab.to_copy = exists ? file.string() : page;
-    say(lab, {NoticeKind::notice, "notice.page_copied", lab.to_copy});
+    lab.window.to_copy = exists ? file.string() : page;
+    say(lab, {NoticeKind::notice, "notice.page_copied", lab.window.to_copy});
 }
 
 }  // namespace braitenlab

@@ -115,7 +115,7 @@ fs::path reports_folder(const fs::path& documents) { return documents / "Braiten
 
 void write_student_files(Lab& lab, const Strings& strings, const fs::path& documents, WrittenAt at) {
     const fs::path folder = reports_folder(documents);
-    for (const Request& request : std::exchange(lab.reports, {})) {
+    for (const Request& request : std::exchange(lab.window.reports, {})) {
         if (!lab.document.lesson) continue;
         std::optional<Error> error;
         if (const auto* hand_in = std::get_if<HandInRequest>(&request))

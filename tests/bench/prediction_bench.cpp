@@ -7,7 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "app/insight/predictions.h"
+#include "app/features/predictions.h"
 #include "app/lab_requests.h"
 #include "app/playback.h"
 #include "core/insight/predict.h"
@@ -50,20 +50,21 @@ void BM_FirstPath(benchmark::State& state) {
     for (auto _ : state) {
         value = value > 0.5f ? 0.1f : value + 0.05f;
         ++drag;
-        note_press(*lab, true);
+        note_press(lab->predictions, *lab, true);
         handle(*lab, EditRequest{TurnDial{{.vehicle = vehicle}, Dial::LM, value}, drag});
         const Clock::time_point edited = Clock::now();
         bool is_shown = false;
         while (!is_shown) {
             const Clock::time_point frame = Clock::now();
             jobs.deliver(std::chrono::milliseconds(4));
-            update_predictions(*lab, jobs);
-            is_shown = prediction_of(*lab) && prediction_of(*lab)->tick == lab->document.session.snapshot().tick;
+            update_predictions(lab->predictions, *lab, jobs);
+            is_shown = prediction_of(lab->predictions, *lab) &&
+                       prediction_of(lab->predictions, *lab)->tick == lab->document.session.snapshot().tick;
             window_ms = std::max(window_ms, milliseconds_since(frame));
             if (!is_shown) std::this_thread::sleep_until(frame + std::chrono::microseconds(16667));
         }
         state.SetIterationTime(milliseconds_since(edited) / 1000);
-        note_press(*lab, false);
+        note_press(lab->predictions, *lab, false);
         lab->predictions = {};
     }
     state.counters["window_ms"] = window_ms;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -128,18 +129,86 @@ std::size_t count_violations(const std::string& file, const std::string& include
     return violations(file, text).size();
 }
 
-TEST(Architecture, IncludesGoOnlyToLowerLayers) {
-    int files = 0;
-    for (const char* top : {"core", "render", "ui", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(BRAITENLAB_SOURCE) / top)) {
+// Calls each(file, text) for every header and source of the product.
+template <class Each>
+void for_each_source(const std::vector<std::string>& folders, const Each& each) {
+    for (const std::string& folder : folders)
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(BRAITENLAB_SOURCE) / folder)) {
             if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
             std::ifstream text(entry.path());
-            ++files;
-            for (const auto& violation :
-                 violations(fs::relative(entry.path(), BRAITENLAB_SOURCE).generic_string(), text))
-                ADD_FAILURE() << violation;
+            each(fs::relative(entry.path(), BRAITENLAB_SOURCE).generic_string(), text);
         }
+}
+
+TEST(Architecture, IncludesGoOnlyToLowerLayers) {
+    int files = 0;
+    for_each_source({"core", "render", "ui", "app"}, [&](const std::string& file, std::istream& text) {
+        ++files;
+        for (const auto& violation : violations(file, text)) ADD_FAILURE() << violation;
+    });
     EXPECT_GT(files, 50);
+}
+
+// A header and its source are one unit, named without extension.
+std::string unit_of(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+using Units = std::map<std::string, std::set<std::string>>;  // a unit, and those that it includes
+
+void add_includes(Units& units, const std::string& file, std::istream& text) {
+    static const std::regex own{R"(^\s*#include "([^"]+)\")"};
+    auto& included = units[unit_of(file)];
+    std::smatch match;
+    for (std::string line; std::getline(text, line);)
+        if (std::regex_search(line, match, own)) included.insert(unit_of(match[1]));
+}
+
+std::set<std::string> reached_from(const Units& units, const std::string& start) {
+    std::set<std::string> reached;
+    std::vector<std::string> open{start};
+    while (!open.empty()) {
+        const auto unit = units.find(open.back());
+        open.pop_back();
+        if (unit == units.end()) continue;
+        for (const std::string& next : unit->second)
+            if (reached.insert(next).second) open.push_back(next);
+    }
+    return reached;
+}
+
+// The largest set of units that all include each other, directly or not.
+std::set<std::string> largest_cycle(const Units& units) {
+    std::map<std::string, std::set<std::string>> reached;
+    for (const auto& [unit, included] : units) reached[unit] = reached_from(units, unit);
+    std::set<std::string> largest;
+    for (const auto& [unit, others] : reached) {
+        std::set<std::string> cycle;
+        for (const std::string& other : others)
+            if (reached[other].contains(unit)) cycle.insert(other);
+        if (cycle.size() > largest.size()) largest = cycle;
+    }
+    return largest;
+}
+
+TEST(Architecture, NoMoreThanThreeUnitsOfTheLabIncludeEachOther) {
+    Units units;
+    for_each_source({"app"}, [&](const std::string& file, std::istream& text) { add_includes(units, file, text); });
+    const std::set<std::string> cycle = largest_cycle(units);
+    EXPECT_LE(cycle.size(), 3u) << testing::PrintToString(cycle);
+    const Units round{{"a", {"b"}}, {"b", {"c"}}, {"c", {"d"}}, {"d", {"a", "e"}}, {"e", {}}};
+    EXPECT_EQ(largest_cycle(round).size(), 4u);
+}
+
+TEST(Architecture, AFeatureIncludesNoOtherFeatureAndNotTheLab) {
+    int features = 0;
+    for_each_source({"app/features"}, [&](const std::string& file, std::istream& text) {
+        Units units;
+        add_includes(units, file, text);
+        ++features;
+        for (const std::string& included : units[unit_of(file)])
+            EXPECT_TRUE(included == unit_of(file) || !(included.starts_with("app/features/") || included == "app/lab"))
+                << file << " includes " << included;
+    });
+    EXPECT_GT(features, 10);
 }
 
 // True for a source that is compiled differently on a platform.

@@ -1,5 +1,5 @@
 // The map of behaviour in the lab: computed in the background, kept while the dot is dragged, begun anew otherwise.
-#include "app/insight/behaviour_map.h"
+#include "app/features/behaviour_map.h"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ struct LabMap : testing::Test {
     Jobs jobs{0};
     Lab lab = opened_lab("2b-aggressor");
 
-    void turn() { update_map(lab, jobs), jobs.finish(), update_map(lab, jobs); }
+    void turn() { update_map(lab.map, lab, jobs), jobs.finish(), update_map(lab.map, lab, jobs); }
     void finish() {
         for (int i = 0; i < 40 && (!shown() || shown()->progress < 1); ++i) turn();
     }
@@ -38,7 +38,7 @@ TEST_F(LabMap, IsShownFromCoarseToFineWhileItIsWanted) {
     turn();
     EXPECT_FALSE(shown());
     handle(lab, Action::map);
-    update_map(lab, jobs);
+    update_map(lab.map, lab, jobs);
     ASSERT_TRUE(shown());
     EXPECT_EQ(shown()->progress, 0);
     turn();
@@ -50,7 +50,7 @@ TEST_F(LabMap, IsShownFromCoarseToFineWhileItIsWanted) {
     EXPECT_EQ(shown()->cells->at({16, 27})->outcome.behaviour, Behaviour::touches);
     EXPECT_EQ(shown()->cells->at({27, 4})->outcome.behaviour, Behaviour::flees);
     handle(lab, Action::map);
-    update_map(lab, jobs);
+    update_map(lab.map, lab, jobs);
     EXPECT_FALSE(shown());
 }
 
@@ -61,7 +61,7 @@ TEST_F(LabMap, IsTheSameWithThreads) {
     Jobs threads(2);
     handle(other, Action::map);
     for (int i = 0; i < 40 && (i == 0 || is_computing(other.map)); ++i)
-        update_map(other, threads), threads.finish(), update_map(other, threads);
+        update_map(other.map, other, threads), threads.finish(), update_map(other.map, other, threads);
     for (std::size_t i = 0; i < lab.map.cells.cells.size(); ++i) {
         ASSERT_TRUE(other.map.cells.cells[i]);
         ASSERT_EQ(lab.map.cells.cells[i]->outcome.closest, other.map.cells.cells[i]->outcome.closest);
@@ -73,15 +73,15 @@ TEST_F(LabMap, StaysWhileValuesOfItsAxesChangeAndBeginsAnewForOthers) {
     turn();
     const std::size_t before = known();
     set(Dial::LL, 0.3f), set(Dial::RR, 0.3f), set(Dial::LR, -0.4f);
-    update_map(lab, jobs);
+    update_map(lab.map, lab, jobs);
     EXPECT_GE(known(), before);
     finish();
     set(Dial::LM, 0.5f);
-    update_map(lab, jobs);
+    update_map(lab.map, lab, jobs);
     EXPECT_EQ(known(), 0u);
     finish();
     handle(lab, SeedRequest{5});
-    update_map(lab, jobs);
+    update_map(lab.map, lab, jobs);
     EXPECT_EQ(known(), 0u) << "another start";
 }
 
@@ -101,7 +101,7 @@ TEST_F(LabMap, TheCellOfTheBrainIsWhatAResetThenDrives) {
     const VehicleView& vehicle = lab.document.session.snapshot().vehicles[0];
     EXPECT_EQ((*shown()->path)[600], (Pose{vehicle.x, vehicle.y, vehicle.heading}));
     lab.map.hovered.reset();
-    update_map(lab, jobs);
+    update_map(lab.map, lab, jobs);
     EXPECT_FALSE(shown()->path);
 }
 
@@ -148,7 +148,7 @@ TEST_F(LabMap, OfSensorAndLampIsWhatAResetThenDrivesAndStaysWhileTheDotIsDragged
     };
     drag({3, 4}), drag(place);
     EXPECT_EQ(lab.document.session.undo_depth(), 1);
-    update_map(lab, jobs);
+    update_map(lab.map, lab, jobs);
     EXPECT_EQ(known(), 1024u) << "dragging keeps the map";
     lab.map.hovered = place;
     turn();

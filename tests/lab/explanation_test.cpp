@@ -1,5 +1,5 @@
 // The cause of the selected vehicle's turn while it is shown.
-#include "app/insight/explanation.h"
+#include "app/features/explanation.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ struct Explanation : testing::Test {
     Lab lab = opened_lab("2b-aggressor");
 
     void run(int ticks) {
-        for (int i = 0; i < ticks; ++i) tick(lab), update_explanation(lab);
+        for (int i = 0; i < ticks; ++i) tick(lab), update_explanation(lab.explanation, lab);
     }
     const insight::Why* why() const { return view_of(lab).why; }
 };
@@ -28,7 +28,7 @@ TEST_F(Explanation, IsShownByItsActionForTheDisplayedTick) {
     run(1);
     EXPECT_EQ(why()->tick, 51u);
     handle(lab, SeekRequest{20});
-    update_explanation(lab);
+    update_explanation(lab.explanation, lab);
     EXPECT_EQ(why()->tick, 20u);
     handle(lab, Action::why);
     EXPECT_FALSE(why());
@@ -72,7 +72,7 @@ TEST_F(Explanation, OfABrainWithNeuronsIsTheSameAfterTimeTravel) {
     EXPECT_EQ(recorded.ticks, insight::silenced_ticks);
     run(30);
     handle(lab, SeekRequest{200});
-    update_explanation(lab);
+    update_explanation(lab.explanation, lab);
     ASSERT_TRUE(why());
     EXPECT_EQ(why()->ticks, recorded.ticks);
     ASSERT_EQ(why()->sensors.size(), recorded.sensors.size());

@@ -46,9 +46,9 @@ TEST_F(FileCommands, ListsTheSceneFilesThatItHasWritten) {
     ask(SaveRequest{"brain", FileKind::brain});
     ask(SaveRequest{"run", FileKind::run});
     ask(SaveRequest{nowhere.string(), FileKind::scene});
-    EXPECT_TRUE(lab.saved.empty());
+    EXPECT_TRUE(lab.window.saved.empty());
     ask(SaveRequest{"mine", FileKind::scene});
-    EXPECT_EQ(lab.saved, std::vector{folder / "mine.toml"});
+    EXPECT_EQ(lab.window.saved, std::vector{folder / "mine.toml"});
 }
 
 TEST_F(FileCommands, SavesTheBrainOfOneVehicleOfThePopulation) {

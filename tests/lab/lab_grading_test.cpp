@@ -1,5 +1,6 @@
 // The grading of an open exercise in the background.
 #include "app/course/lab_lesson.h"
+#include "app/lab_reset.h"
 #include "core/lesson/grade.h"
 #include "tests/lab/lesson_in_lab.h"
 

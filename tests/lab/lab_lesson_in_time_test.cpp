@@ -24,7 +24,7 @@ TEST(LabLesson, AnObstacleOrAVehicleAddedBeforeTheFirstTickMakesARunByHand) {
     for (const Command& help :
          {Command(AddObstacle{}), Command(AddVehicle{}), Command(AddVehicle{0, Pose{-6, -6, 0}})}) {
         Lab lab = aggressor();
-        ASSERT_TRUE(apply(lab, help));
+        ASSERT_TRUE(braitenlab::apply(lab, help));
         EXPECT_TRUE(by_hand(lab)) << help.index();
         handle(lab, Action::undo);
         EXPECT_FALSE(by_hand(lab)) << help.index();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/lab_reset.h"
 #include "tests/folder.h"
 #include "tests/lab/lesson_in_lab.h"
 

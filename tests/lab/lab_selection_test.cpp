@@ -9,6 +9,7 @@
 
 #include "app/lab_edits.h"
 #include "app/lab_requests.h"
+#include "app/lab_reset.h"
 #include "tests/lab/opened_lab.h"
 
 namespace braitenlab::tests::lab_selection_test {

@@ -1,5 +1,5 @@
 // The run before the reset, beside the present one.
-#include "app/insight/last_run.h"
+#include "app/features/last_run.h"
 
 #include <gtest/gtest.h>
 

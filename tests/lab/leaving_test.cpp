@@ -59,13 +59,13 @@ TEST_F(LeaveRequests, LeavesWithoutUnsavedEditsOrAfterTheUserDiscardsThem) {
     ASSERT_TRUE(files.leaving);
     EXPECT_EQ(files.leaving->next, "");
     ask(LeaveRequest{Leave::stay});
-    EXPECT_FALSE(lab.exit);
+    EXPECT_FALSE(lab.window.exit);
     handle(lab, Action::undo);
     EXPECT_TRUE(may_leave(lab, files)) << "an undone edit does not count";
     handle(lab, Action::redo);
     EXPECT_FALSE(may_leave(lab, files));
     ask(LeaveRequest{Leave::discard});
-    EXPECT_TRUE(lab.exit);
+    EXPECT_TRUE(lab.window.exit);
     EXPECT_TRUE(may_leave(lab, files));
 }
 
@@ -75,7 +75,7 @@ TEST_F(LeaveRequests, StaysIfTheEditsCannotBeWritten) {
     files.save_to = nowhere.string() + ".toml";
     ask(LeaveRequest{Leave::save});
     EXPECT_TRUE(files.leaving);
-    EXPECT_FALSE(lab.exit);
+    EXPECT_FALSE(lab.window.exit);
     EXPECT_TRUE(files.refused);
 }
 

@@ -293,10 +293,10 @@ TEST_F(LabLecturePages, StoredBrainsAndTheirCardsEndWithThePage) {
         handle(lab, Action::slot);
         handle(lab, Action::compare);
         lab.view.map = lab.view.reality = true;
-        ASSERT_TRUE(lab.slots.runs);
+        ASSERT_TRUE(lab.slots.runs.question());
         show_page(lab, 7);
         EXPECT_FALSE(view_of(lab).slots.has_any());
-        EXPECT_FALSE(lab.slots.runs);
+        EXPECT_FALSE(lab.slots.runs.question());
         EXPECT_FALSE(lab.view.map || lab.view.reality);
         press({leave});
         EXPECT_TRUE(view_of(lab).slots.slots[0].design) << "what was stored before the lecture";
@@ -321,7 +321,7 @@ TEST_F(LabLecturePages, F9GoesBackToThePageThatWasLeft) {
         EXPECT_EQ(lab.pages->page, 1);
         EXPECT_EQ(lab.pages->step, 2);
         EXPECT_EQ(lab.pages->hands[1], (std::vector{0, 12, 0}));
-        EXPECT_FALSE(lab.left_pages);
+        EXPECT_FALSE(lab.lectures.left);
         EXPECT_TRUE(lab.notice.empty()) << "it said that the lecture was left";
     }
 }
@@ -387,7 +387,7 @@ TEST_F(LabLecturePages, AfterAnotherFileTheMenuGoesBackAndF9IsTheLectureView) {
     execute_file_requests(lab, files, state, folders);
     EXPECT_FALSE(lab.pages);
     EXPECT_TRUE(view_of(lab).lecture);
-    ask(OpenRequest{.path = lab.left_pages->lecture->path.string(), .resume = true});
+    ask(OpenRequest{.path = lab.lectures.left->lecture->path.string(), .resume = true});
     ASSERT_TRUE(lab.pages);
     EXPECT_EQ(lab.pages->page, 1);
 }

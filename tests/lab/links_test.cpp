@@ -30,7 +30,7 @@ struct Links : testing::Test {
     }
     std::string copied() {
         ask(Action::copy_link);
-        return std::exchange(lab.to_copy, {});
+        return std::exchange(lab.window.to_copy, {});
     }
     float LR() const { return read_dials(*lab.document.session.snapshot().kind_brains[0]).LR; }
     static Lab of_scene(const Scene& scene) {

@@ -1,7 +1,7 @@
 // A hidden brain in the lab: nothing shows it, another is built in the same body, both are compared.
 #include <gtest/gtest.h>
 
-#include "app/insight/mystery_runs.h"
+#include "app/features/mystery_runs.h"
 #include "app/lab_requests.h"
 #include "core/scene/scene_file.h"
 #include "tests/lab/opened_lab.h"
@@ -16,9 +16,9 @@ struct LabMystery : testing::Test {
     const Snapshot& now() const { return lab.document.session.snapshot(); }
     const VehicleView& vehicle() const { return *find_vehicle(now(), lab.view.selection.vehicle); }
     void compute() {
-        update_mystery(lab, jobs);
+        update_mystery(lab.mystery, lab, jobs);
         jobs.finish();
-        update_mystery(lab, jobs);
+        update_mystery(lab.mystery, lab, jobs);
     }
 };
 
@@ -64,7 +64,7 @@ TEST_F(LabMystery, TheSameBrainScoresAllPointsAndAnEmptyOneFewer) {
     handle(lab, MysteryRequest{MysteryEdit::score});
     EXPECT_TRUE(view_of(lab).mystery.is_computing);
     compute();
-    ASSERT_TRUE(view_of(lab).mystery.score) << (lab.mystery.error ? lab.mystery.error->text() : "");
+    ASSERT_TRUE(view_of(lab).mystery.score) << (lab.mystery.score.error() ? lab.mystery.score.error()->text() : "");
     EXPECT_LT(view_of(lab).mystery.score->score, 90);
     EXPECT_EQ(view_of(lab).mystery.score->starts.size(), 10u);
     handle(lab, EditRequest{SetBrain{{.vehicle = vehicle().id}, hidden}});

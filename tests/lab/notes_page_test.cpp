@@ -67,7 +67,7 @@ TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {
     end_lecture(lab);
     turn();
     handle(lab, Action::notes_page);
-    EXPECT_FALSE(lab.opens_notes) << "there is no lecture";
+    EXPECT_FALSE(lab.window.opens_notes) << "there is no lecture";
 }
 
 }  // namespace

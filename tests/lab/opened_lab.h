@@ -9,6 +9,7 @@
 #include "app/files/data.h"
 #include "app/lab.h"
 #include "app/lab_requests.h"
+#include "app/playback.h"
 
 namespace braitenlab::tests {
 

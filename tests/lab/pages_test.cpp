@@ -31,7 +31,7 @@ TEST_F(Pages, OpenWithTheProgramOfTheSystem) {
     std::ofstream(opener) << "#!/bin/sh\necho \"$1\" > " << told.string() << "\n";
     std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
     handle(lab, PageRequest{"docs/robots.md"});
-    EXPECT_TRUE(lab.to_copy.empty());
+    EXPECT_TRUE(lab.window.to_copy.empty());
     std::string line;
     for (int i = 0; i < 500 && line.empty(); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -43,14 +43,14 @@ TEST_F(Pages, OpenWithTheProgramOfTheSystem) {
 
 TEST_F(Pages, CopyTheirPathWithoutAProgramAndDoNothingForOtherFiles) {
     handle(lab, PageRequest{"docs/robots.md"});
-    EXPECT_EQ(lab.to_copy, (*data_folder() / "docs/robots.md").string());
-    lab.to_copy.clear();
+    EXPECT_EQ(lab.window.to_copy, (*data_folder() / "docs/robots.md").string());
+    lab.window.to_copy.clear();
     handle(lab, PageRequest{"docs/no-such-page.md"});
-    EXPECT_EQ(lab.to_copy, "docs/no-such-page.md");
-    lab.to_copy.clear();
+    EXPECT_EQ(lab.window.to_copy, "docs/no-such-page.md");
+    lab.window.to_copy.clear();
     for (const char* other : {"/etc/passwd", "docs/../README.md", "see docs/robots.md"}) {
         handle(lab, PageRequest{other});
-        EXPECT_TRUE(lab.to_copy.empty()) << other;
+        EXPECT_TRUE(lab.window.to_copy.empty()) << other;
     }
 }
 #endif

@@ -1,5 +1,5 @@
 // The predicted path of the selected vehicle while something is dragged or pointed at.
-#include "app/insight/predictions.h"
+#include "app/features/predictions.h"
 
 #include <chrono>
 
@@ -19,13 +19,15 @@ struct Predictions : testing::Test {
 
     const Snapshot& now() const { return lab.document.session.snapshot(); }
     VehicleId selected() const { return lab.view.selection.vehicle; }
-    void turn() { update_predictions(lab, jobs), jobs.finish(), update_predictions(lab, jobs); }
+    void turn() {
+        update_predictions(lab.predictions, lab, jobs), jobs.finish(), update_predictions(lab.predictions, lab, jobs);
+    }
     void drag(float value) {
-        note_press(lab, true);
+        note_press(lab.predictions, lab, true);
         handle(lab, EditRequest{TurnDial{{.vehicle = selected()}, Dial::LM, value}, 7});
         turn();
     }
-    void release() { note_press(lab, false), turn(); }
+    void release() { note_press(lab.predictions, lab, false), turn(); }
     std::optional<PredictionView> shown() const { return view_of(lab).prediction; }
     void run(int ticks) {
         for (int i = 0; i < ticks; ++i) tick(lab);
@@ -40,7 +42,7 @@ TEST_F(Predictions, IsShownDuringADragBesideThePathBeforeIt) {
     run(90);
     turn();
     EXPECT_FALSE(shown());
-    note_press(lab, true);
+    note_press(lab.predictions, lab, true);
     turn();
     EXPECT_FALSE(shown()) << "nothing has changed yet";
     drag(0.9f);
@@ -57,7 +59,7 @@ TEST_F(Predictions, IsShownDuringADragBesideThePathBeforeIt) {
 TEST_F(Predictions, IsShownForEditsByKeysToo) {
     run(90);
     const auto nudge = [&](float value, std::uint64_t gesture) {
-        note_press(lab, false, gesture);
+        note_press(lab.predictions, lab, false, gesture);
         handle(lab, EditRequest{TurnDial{{.vehicle = selected()}, Dial::LM, value}, gesture});
         turn();
     };
@@ -174,14 +176,16 @@ TEST_F(Predictions, ShowsThePathBeforeItsFanAndKeepsTheFanOfTheEditBeforeForAMom
     const std::vector<Pose> old_path = *shown()->path;
     ASSERT_EQ(old_fan.size(), 8u);
     handle(lab, EditRequest{TurnDial{{.vehicle = selected()}, Dial::LM, 0.9f}, 7});
-    const auto turn_with_one_step = [&] { update_predictions(lab, jobs), jobs.deliver(std::chrono::nanoseconds(0)); };
+    const auto turn_with_one_step = [&] {
+        update_predictions(lab.predictions, lab, jobs), jobs.deliver(std::chrono::nanoseconds(0));
+    };
     for (int steps = 0; *shown()->path == old_path && steps < 100; ++steps) turn_with_one_step();
-    update_predictions(lab, jobs);
+    update_predictions(lab.predictions, lab, jobs);
     ASSERT_NE(*shown()->path, old_path);
     EXPECT_TRUE(is_computing(lab.predictions)) << "the fan comes after the path";
     EXPECT_EQ(*shown()->fan, old_fan) << "a drag does not flicker";
     lab.wall_seconds += 0.1;
-    update_predictions(lab, jobs);
+    update_predictions(lab.predictions, lab, jobs);
     EXPECT_TRUE(shown()->fan->empty()) << "an old fan does not stay";
     turn();
     EXPECT_EQ(shown()->fan->size(), 8u);
@@ -198,17 +202,17 @@ TEST_F(Predictions, ANewerEditWaitsForAFanOnlyAMoment) {
         handle(lab, EditRequest{TurnDial{{.vehicle = selected()}, Dial::LM, value}, 7});
     };
     const auto path_is_known = [&] {
-        for (int steps = 0; lab.predictions.job && steps < 100; ++steps)
-            jobs.deliver(std::chrono::nanoseconds(0)), update_predictions(lab, jobs);
-        return !lab.predictions.job && lab.predictions.job_fan;
+        for (int steps = 0; lab.predictions.path.is_computing() && steps < 100; ++steps)
+            jobs.deliver(std::chrono::nanoseconds(0)), update_predictions(lab.predictions, lab, jobs);
+        return !lab.predictions.path.is_computing() && lab.predictions.fan.is_computing();
     };
-    edit(0.6f), update_predictions(lab, jobs);
+    edit(0.6f), update_predictions(lab.predictions, lab, jobs);
     ASSERT_TRUE(path_is_known());
-    edit(0.7f), update_predictions(lab, jobs);
-    EXPECT_FALSE(lab.predictions.job) << "the fan of 0.6 comes first";
+    edit(0.7f), update_predictions(lab.predictions, lab, jobs);
+    EXPECT_FALSE(lab.predictions.path.is_computing()) << "the fan of 0.6 comes first";
     lab.wall_seconds += 0.1;
-    update_predictions(lab, jobs);
-    EXPECT_TRUE(lab.predictions.job) << "the path of 0.7";
+    update_predictions(lab.predictions, lab, jobs);
+    EXPECT_TRUE(lab.predictions.path.is_computing()) << "the path of 0.7";
 }
 
 TEST_F(Predictions, HasTheLengthOfTheViewAndCanBeSwitchedOff) {

@@ -1,5 +1,5 @@
 // The trial with real robots in the lab: computed in the background, begun anew after an edit, replayed beside the run.
-#include "app/insight/robot_trial.h"
+#include "app/features/robot_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ struct LabRobots : testing::Test {
     Jobs jobs{0};
     Lab lab = opened_lab("2b-aggressor");
 
-    void turn() { update_robots(lab, jobs), jobs.finish(), update_robots(lab, jobs); }
+    void turn() { update_robots(lab.robots, lab, jobs), jobs.finish(), update_robots(lab.robots, lab, jobs); }
     void try_at(float reality) {
         if (!lab.view.reality) handle(lab, Action::reality);
         handle(lab, RobotsRequest{.reality = reality, .tries = true});

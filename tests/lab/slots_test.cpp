@@ -1,5 +1,5 @@
 // Slots A and B in the lab: storing, exchanging, undo, and both runs from the same start.
-#include "app/insight/slots.h"
+#include "app/features/slots.h"
 
 #include <gtest/gtest.h>
 
@@ -31,9 +31,9 @@ struct SlotsTest : testing::Test {
         for (int i = 0; i < ticks; ++i) tick(lab);
     }
     void compute() {
-        update_slots(lab, jobs);
+        update_slots(lab.slots, lab, jobs);
         jobs.finish();
-        update_slots(lab, jobs);
+        update_slots(lab.slots, lab, jobs);
     }
     Pose place() const { return {vehicle().x, vehicle().y, vehicle().heading}; }
     SlotsView shown() const { return view_of(lab).slots; }
@@ -61,8 +61,8 @@ TEST_F(SlotsTest, AComparisonHasNoForecast) {
     store_both();
     const auto try_out = [&] {
         lab.predictions.what_if = {TurnDial{target(), Dial::LM, 0.4f}};
-        for (int i = 0; i < 4; ++i) update_predictions(lab, jobs), jobs.finish();
-        return prediction_of(lab).has_value();
+        for (int i = 0; i < 4; ++i) update_predictions(lab.predictions, lab, jobs), jobs.finish();
+        return prediction_of(lab.predictions, lab).has_value();
     };
     ASSERT_TRUE(try_out());
     EXPECT_TRUE(view_of(lab).prediction);

@@ -1,5 +1,5 @@
 // A study in the lab: opened, computed in the background, stopped and continued.
-#include "app/insight/study_runs.h"
+#include "app/features/study_runs.h"
 
 #include <chrono>
 

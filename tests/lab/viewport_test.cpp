@@ -37,14 +37,19 @@ TEST_F(SlowOrbit, TheWiringEditorFramesThePathsOfTheWireUnderThePointer) {
     const VehicleView vehicle = lab.document.session.snapshot().vehicles[0];
     const Pose here{vehicle.x, vehicle.y, vehicle.heading}, there{vehicle.x + 1, vehicle.y, vehicle.heading};
     const float action = width();
-    lab.predictions.shown =
-        PredictedPaths{{.run = lab.document.run_id, .vehicle = vehicle.id}, insight::Path{here, there}};
+    Jobs jobs(0);
+    lab.predictions.path.ask({.run = lab.document.run_id, .vehicle = vehicle.id});
+    lab.predictions.path.begin([&](const PredictionSubject&) {
+        return jobs.submit([here, there] { return std::optional(insight::Path{here, there}); });
+    });
+    jobs.finish();
+    lab.predictions.path.take();
     EXPECT_EQ(width(), action) << "only in the editor";
     lab.playback.mode = Mode::wiring;
     EXPECT_LT(width(), 0.8f * action);
     EXPECT_LE(state.framed.low.x, here.x);
     EXPECT_GE(state.framed.high.x, there.x);
-    lab.predictions.shown.reset();
+    lab.predictions.path.forget();
     EXPECT_NEAR(width(), action, 0.01f);
 }
 

@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "app/jobs/jobs.h"
+#include "app/jobs/asked.h"
 #include "core/insight/predict.h"
 
 namespace braitenlab {
 
-struct Lab;
+struct Workspace;
 struct PredictionView;
 
 // What a path depends on. A path of an equal subject need not be computed again.
@@ -24,13 +24,6 @@ struct PredictionSubject {
     friend bool operator==(const PredictionSubject&, const PredictionSubject&) = default;
 };
 
-struct PredictedPaths {
-    PredictionSubject of;
-    insight::Path path;
-    std::vector<insight::Path> fan{};  // with other random numbers; empty where the run does not depend on them
-    PredictionSubject fan_of{};        // what the fan depends on: `of`, or for a moment the edit before
-};
-
 struct Predictions {
     std::vector<Command> what_if{};  // of the preset or wire under the pointer; set once per frame. Empty: none
 
@@ -40,17 +33,17 @@ struct Predictions {
     std::optional<insight::Question> at_press{};  // the run before the first edit of the drag or of the keys
     PredictionSubject subject_at_press{};
 
-    std::optional<PredictedPaths> shown{}, before{};  // `before`: without the edits of the drag or without `what_if`
-    std::optional<PredictionSubject> asked{}, asked_before{};
-    std::optional<Job<insight::Path>> job{}, job_before{};
-    std::optional<Job<std::vector<insight::Path>>> job_fan{};  // of `asked`
-    double asked_at = 0;                                       // wall seconds
-    bool is_what_if = false;                                   // `shown` is about `what_if`
+    Asked<PredictionSubject, insight::Path> path{}, before{};  // `before`: without the edits or without `what_if`
+    // With other random numbers; where the run depends on them. Of the subject of `path`, or for a moment of the edit
+    // before.
+    Asked<PredictionSubject, std::vector<insight::Path>> fan{};
+    double asked_at = 0;      // wall seconds, of `path`
+    bool is_what_if = false;  // `path` is about `what_if`
 };
 
 // Call once per frame, before the requests of the frame are executed. `down`: the left mouse button. `keys`: gesture
 // number of an edit by keys in this frame or a moment ago, which counts as a drag; 0: none.
-void note_press(Lab&, bool down, std::uint64_t keys = 0);
+void note_press(Predictions&, const Workspace&, bool down, std::uint64_t keys = 0);
 
 // True while a path is computed.
 bool is_computing(const Predictions&);
@@ -58,9 +51,9 @@ bool is_computing(const Predictions&);
 // Call once per turn, after Jobs::deliver. Asks for the paths that are needed and takes finished ones. While a path of
 // a drag is computed, only the newest edit waits, and for the fan of a path it waits a moment; another drag, preset or
 // wire cancels what is computed.
-void update_predictions(Lab&, Jobs&);
+void update_predictions(Predictions&, const Workspace&, Jobs&);
 
-// The paths to draw; nullopt: none. They point into the lab.
-std::optional<PredictionView> prediction_of(const Lab&);
+// The paths to draw; nullopt: none. They point into the predictions.
+std::optional<PredictionView> prediction_of(const Predictions&, const Workspace&);
 
 }  // namespace braitenlab

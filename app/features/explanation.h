@@ -10,8 +10,7 @@
 
 namespace braitenlab {
 
-struct Lab;
-struct LabView;
+struct Workspace;
 
 struct Explanation {
     bool on = false;
@@ -24,15 +23,15 @@ struct Explanation {
 };
 
 // Call after each tick: records what the explanation of a brain with neurons needs, while it is shown.
-void record_moment(Lab&);
+void record_moment(Explanation&, const Workspace&);
 
 // Call once per turn. While playing, the numbers change ten times a second, so that they can be read.
-void update_explanation(Lab&);
+void update_explanation(Explanation&, const Workspace&);
 
 // Goes to this tick and shows the cause there; pauses while playing.
-void explain_at(Lab&, std::uint64_t tick);
+void explain_at(Explanation&, Workspace&, std::uint64_t tick);
 
 // null: not shown, or the vehicle's brain may not be shown, or it does not drive.
-const insight::Why* explanation_of(const Lab&);
+const insight::Why* explanation_of(const Explanation&, const Workspace&);
 
 }  // namespace braitenlab

@@ -8,26 +8,23 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/jobs.h"
+#include "app/jobs/asked.h"
 #include "core/insight/compare.h"
 #include "core/world/character.h"
 
 namespace braitenlab {
 
-struct Lab;
-struct LabView;
+struct Workspace;
 struct SlotsView;
 struct SlotRequest;
 
-// Both runs of the last comparison.
+// A comparison of both slots.
 struct SlotRuns {
     std::uint64_t run = 0, seed = 0;  // Document::run_id and the seed of the run
     std::int64_t edits = 0;           // Document::edits after A was put into the vehicle
     VehicleId vehicle = no_vehicle;
     insight::CompareQuestion question;
     std::array<insight::Design, 2> designs;
-    std::optional<Job<std::vector<insight::ComparedRun>>> job{};
-    std::vector<insight::ComparedRun> runs{};  // two, or empty while they are computed
 };
 
 // Slots stay when another document is opened, but not on another page of a lecture; the runs end with the document,
@@ -36,26 +33,28 @@ struct Slots {
     std::array<std::optional<insight::Design>, 2> stored{};
     std::array<std::string, 2> kinds{};  // name of the vehicle's kind
     std::array<Character, 2> characters{};
-    std::size_t current = 0;  // stored or put last
-    std::optional<SlotRuns> runs{};
+    std::size_t current = 0;                                    // stored or put last
+    Asked<SlotRuns, std::vector<insight::ComparedRun>> runs{};  // two
 };
 
 // Stores the selected vehicle's brain in the first empty slot. With both in use: puts the other brain into the vehicle
 // if the vehicle has one of the two, else stores the edited brain in the slot that was used last.
-void store_or_swap(Lab&);
+void store_or_swap(Slots&, Workspace&);
 
 // Puts the brain of a slot into the vehicle, as one step of undo; or stores the vehicle's brain in the slot.
-void handle_slot(Lab&, const SlotRequest&);
+void handle_slot(Slots&, Workspace&, const SlotRequest&);
 
-// Resets the run, puts A into the vehicle, plays, and asks for both runs.
-void compare_slots(Lab&);
+// True if both runs may be compared now; else says why not.
+bool can_compare_slots(const Slots&, Workspace&);
+// Puts A into the vehicle, plays, and asks for both runs. Precondition: can_compare_slots(), and the run was reset.
+void compare_slots(Slots&, Workspace&);
 
 // Call once per turn, after Jobs::deliver.
-void update_slots(Lab&, Jobs&);
+void update_slots(Slots&, const Workspace&, Jobs&);
 
 bool is_computing(const Slots&);
 
-// Points into the lab.
-SlotsView slots_of(const Lab&);
+// Points into the slots.
+SlotsView slots_of(const Slots&, const Workspace&);
 
 }  // namespace braitenlab

@@ -8,13 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/jobs.h"
+#include "app/jobs/asked.h"
 #include "core/insight/axis_value.h"
 
 namespace braitenlab {
 
-struct Lab;
-struct LabView;
+struct Workspace;
 struct MapRequest;
 struct MapView;
 
@@ -37,43 +36,49 @@ struct MapChoice {
     friend bool operator==(const MapChoice&, const MapChoice&) = default;
 };
 
+// What may change the subject: it is compared after a change of one of these only.
+struct MapKey {
+    std::int64_t edits = 0;           // Document::edits
+    std::uint64_t run = 0, seed = 0;  // Document::run_id
+    VehicleId vehicle = no_vehicle;
+    bool whole_kind = false;
+    std::string pair{};
+    MapChoice x{}, y{};
+    int seeds = 0;
+    friend bool operator==(const MapKey&, const MapKey&) = default;
+};
+
 struct BehaviourMap {
     MapChoice x{"LL=RR", -2, 2}, y{"LR=RL", -2, 2};
     insight::MapMeasure measure = insight::MapMeasure::behaviour;
     int seeds = 1;
     std::optional<insight::MapPlace> hovered{};  // set once per frame; nullopt: none
 
-    std::optional<MapSubject> subject{};  // of the cells
-    std::int64_t edits = -1;              // Document::edits, run, selection and choices when the subject was compared
-    std::uint64_t compared_run = 0;
-    VehicleId compared_vehicle = no_vehicle;
-    std::string compared_scope{};  // whole kind and pair
-    MapChoice compared_x{}, compared_y{};
-    int compared_seeds = 0;
+    std::optional<MapSubject> subject{};             // of the cells
+    std::optional<MapKey> compared{};                // when the subject was compared
+    std::uint64_t run = 0;                           // Document::run_id of the ranges
     std::shared_ptr<const insight::MapBase> base{};  // null: there is no map
     insight::MapCells cells{};
     std::vector<insight::MapPlace> order{};                 // of computation
     std::size_t begun = 0, known = 0;                       // of `order`
     std::deque<Job<std::vector<insight::MapCell>>> jobs{};  // in the order of the cells; two, so that no thread waits
 
-    std::optional<insight::MapPlace> path_of{};  // the cell of path and path_job
-    std::optional<Job<insight::Path>> path_job{};
-    insight::Path path{};  // empty: not known yet
+    Asked<insight::MapPlace, insight::Path> path{};  // of the hovered cell
 };
 
 // True if the map may show what other brains of this vehicle would do: its brain drives and is shown, and no exercise
 // asks for one of these brains.
-bool can_show_map(const Lab&, const VehicleView&);
+bool can_show_map(const Workspace&, const VehicleView&);
 
 // Call once per turn, after Jobs::deliver. A change of the scene or the choice begins the map anew.
-void update_map(Lab&, Jobs&);
+void update_map(BehaviourMap&, const Workspace&, Jobs&);
 
 // Changes what the map shows. A value that the other axis has goes to this one, which then gives its own in exchange.
-void choose_map(Lab&, const MapRequest&);
+void choose_map(BehaviourMap&, const Workspace&, const MapRequest&);
 
 bool is_computing(const BehaviourMap&);
 
-// nullopt: not shown, or it may not be shown now. Points into the lab.
-std::optional<MapView> map_of(const Lab&);
+// nullopt: not shown, or it may not be shown now. Points into the map.
+std::optional<MapView> map_of(const BehaviourMap&, const Workspace&);
 
 }  // namespace braitenlab

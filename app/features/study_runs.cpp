@@ -1,12 +1,13 @@
-#include "app/insight/study_runs.h"
+#include "app/features/study_runs.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/files/data.h"
 #include "app/files/disk.h"
-#include "app/lab.h"
 #include "app/lab_selection.h"
+#include "app/workspace.h"
+#include "core/insight/axis_value.h"
 
 namespace braitenlab {
 
@@ -111,22 +112,21 @@ bool has_path_with(const insight::Study& study, std::string_view part) {
 }
 
 // A study of the open scene. It is read from the text that save_study() writes, so that its checks are those of a file.
-void build_study(Lab& lab, insight::Study wanted) {
-    StudyRuns& study = lab.study;
+void build_study(StudyRuns& study, const Workspace& space, insight::Study wanted) {
     forget_study(study);
-    const VehicleView* vehicle = selected_vehicle(lab);
-    Scene scene = lab.document.session.edited_scene();
+    const VehicleView* vehicle = selected_vehicle(space);
+    Scene scene = space.document.session.edited_scene();
     if (vehicle) {
-        const Snapshot& now = lab.document.session.snapshot();
-        const Selection& selection = lab.view.selection;
+        const Snapshot& now = space.document.session.snapshot();
+        const Selection& selection = space.view.selection;
         const insight::ValueSubject subject{now, *vehicle, target_of(selection, *vehicle),
                                             chosen_pair(kind_of(now, *vehicle), selection.pair)};
         if (has_path_with(wanted, ".sensor.")) place_sensors(scene, subject);
         if (has_path_with(wanted, ".brain.")) place_brain(scene, subject);
     }
-    wanted.id = (lab.document.name.empty() ? "scene" : lab.document.name) + "-study";
+    wanted.id = (space.document.name.empty() ? "scene" : space.document.name) + "-study";
     wanted.scene = wanted.id + "-scene.toml";
-    wanted.first_seed = lab.document.session.seed();
+    wanted.first_seed = space.document.session.seed();
     auto read = insight::parse_study(insight::write_study(wanted), wanted.id + ".toml");
     std::string text = write_scene(scene);
     auto base = read ? insight::StudyBase::create(std::move(*read), text, wanted.scene) : read.error();
@@ -168,13 +168,12 @@ void begin_studies(StudyRuns& study, std::filesystem::path kept_in, const std::s
     if (!last.empty() && find_shipped(last)) study.last = last;
 }
 
-void handle_study(Lab& lab, const StudyRequest& wanted) {
-    StudyRuns& study = lab.study;
+void handle_study(StudyRuns& study, const Workspace& space, const StudyRequest& wanted) {
     switch (wanted.edit) {
         case StudyEdit::open:
             return open_study(study, wanted.path);
         case StudyEdit::build:
-            if (wanted.study) build_study(lab, *wanted.study);
+            if (wanted.study) build_study(study, space, *wanted.study);
             return;
         case StudyEdit::run:
             study.runs = study.base && study.rows.size() < study.base->study().runs();
@@ -182,7 +181,6 @@ void handle_study(Lab& lab, const StudyRequest& wanted) {
         case StudyEdit::stop:
             return stop(study);
         case StudyEdit::save:
-            lab.files.push_back(wanted);
             return;
     }
 }

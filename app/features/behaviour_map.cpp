@@ -1,12 +1,12 @@
-#include "app/insight/behaviour_map.h"
+#include "app/features/behaviour_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/course/lesson_view.h"
-#include "app/lab.h"
 #include "app/lab_selection.h"
+#include "app/workspace.h"
 #include "core/scene/scene_number.h"
 
 namespace braitenlab {
@@ -57,12 +57,11 @@ private:
 void forget_map(BehaviourMap& map) {
     map.subject.reset();
     map.base.reset();
-    map.jobs.clear(), map.path_job.reset();
-    map.path_of.reset();
+    map.jobs.clear(), map.path.forget();
     map.cells = insight::MapCells();
     map.order.clear();
     map.begun = map.known = 0;
-    map.edits = -1;
+    map.compared.reset();
 }
 
 // Sets the values of the axes to 0, dials wherever the target's brain is.
@@ -89,9 +88,9 @@ void clear_axes(MapSubject& subject, const Snapshot& now, const VehicleView& veh
     }
 }
 
-insight::ValueSubject subject_of(const Lab& lab, const VehicleView& vehicle) {
-    const Snapshot& now = lab.document.session.snapshot();
-    const Selection& selection = lab.view.selection;
+insight::ValueSubject subject_of(const Workspace& space, const VehicleView& vehicle) {
+    const Snapshot& now = space.document.session.snapshot();
+    const Selection& selection = space.view.selection;
     return {now, vehicle, target_of(selection, vehicle), chosen_pair(kind_of(now, vehicle), selection.pair)};
 }
 
@@ -107,9 +106,8 @@ void keep_axes(BehaviourMap& map, const std::vector<AxisValue>& values, bool is_
         map.x = usual(*x), map.y = usual(*y);
 }
 
-MapSubject map_subject(const Lab& lab, const insight::ValueSubject& values, const std::vector<AxisValue>& offered,
-                       Scene& scene) {
-    const BehaviourMap& map = lab.map;
+MapSubject map_subject(const BehaviourMap& map, const Workspace& space, const insight::ValueSubject& values,
+                       const std::vector<AxisValue>& offered, Scene& scene) {
     const auto axis = [&](const MapChoice& choice) {
         return insight::axis_of(*find_value(offered, choice.id), choice.from, choice.to);
     };
@@ -117,8 +115,8 @@ MapSubject map_subject(const Lab& lab, const insight::ValueSubject& values, cons
                              find_value(offered, map.y.id)->owner == insight::ValueOwner::sensors;
     if (has_sensors) place_sensors(scene, values);
     MapSubject subject{.scene = scene,
-                       .seed = lab.document.session.seed(),
-                       .run = lab.document.run_id,
+                       .seed = space.document.session.seed(),
+                       .run = space.document.run_id,
                        .target = values.target,
                        .pair = values.pair,
                        .x = axis(map.x),
@@ -148,23 +146,29 @@ void begin_map(BehaviourMap& map, MapSubject subject, const Scene& scene) {
         map.order.insert(map.order.end(), level.begin(), level.end());
 }
 
+MapKey key_of(const BehaviourMap& map, const Workspace& space, const VehicleView& vehicle) {
+    const Selection& selection = space.view.selection;
+    return {space.document.edits,
+            space.document.run_id,
+            space.document.session.seed(),
+            vehicle.id,
+            selection.whole_kind,
+            selection.pair,
+            map.x,
+            map.y,
+            map.seeds};
+}
+
 // Compares the scene only after an edit or another choice.
-void follow_subject(Lab& lab, const VehicleView& vehicle) {
-    BehaviourMap& map = lab.map;
-    const std::string scope = std::to_string(lab.view.selection.whole_kind) + lab.view.selection.pair;
-    if (map.subject && map.edits == lab.document.edits && map.compared_run == lab.document.run_id &&
-        map.compared_vehicle == vehicle.id && map.compared_scope == scope && map.compared_x == map.x &&
-        map.compared_y == map.y && map.compared_seeds == map.seeds && map.subject->seed == lab.document.session.seed())
-        return;
-    const insight::ValueSubject values = subject_of(lab, vehicle);
+void follow_subject(BehaviourMap& map, const Workspace& space, const VehicleView& vehicle) {
+    if (map.subject && map.compared == key_of(map, space, vehicle)) return;
+    const insight::ValueSubject values = subject_of(space, vehicle);
     const std::vector<AxisValue> offered = axis_values(values);
-    keep_axes(map, offered, map.compared_run != lab.document.run_id);
-    Scene scene = lab.document.session.edited_scene();
-    MapSubject now = map_subject(lab, values, offered, scene);
+    keep_axes(map, offered, std::exchange(map.run, space.document.run_id) != space.document.run_id);
+    Scene scene = space.document.session.edited_scene();
+    MapSubject now = map_subject(map, space, values, offered, scene);
     if (!map.subject || *map.subject != now) begin_map(map, std::move(now), scene);
-    map.edits = lab.document.edits, map.compared_run = lab.document.run_id;
-    map.compared_vehicle = vehicle.id, map.compared_scope = scope;
-    map.compared_x = map.x, map.compared_y = map.y, map.compared_seeds = map.seeds;
+    map.compared = key_of(map, space, vehicle);
 }
 
 void take_cells(BehaviourMap& map) {
@@ -190,19 +194,9 @@ void submit_cells(BehaviourMap& map, Jobs& jobs) {
 }
 
 void follow_path(BehaviourMap& map, Jobs& jobs) {
-    if (map.path_job)
-        if (auto done = map.path_job->take()) {
-            map.path_job.reset();
-            if (*done) map.path = std::move(**done);
-        }
-    if (map.path_of == map.hovered) return;
-    map.path_job.reset();
-    map.path.clear();
-    map.path_of = map.hovered;
-    if (map.hovered && map.base)
-        map.path_job = jobs.submit(
-            1, [base = map.base, place = *map.hovered](std::size_t) { return PathOfCell(base, place); },
-            [](std::vector<insight::Path> paths) { return std::move(paths.front()); });
+    if (!map.hovered || !map.base) return map.path.forget();
+    if (!map.path.is_about(*map.hovered)) map.path.forget(), map.path.ask(*map.hovered);
+    map.path.follow([&](MapPlace place) { return jobs.submit(PathOfCell(map.base, place)); });
 }
 
 bool have_common_value(const AxisValue& a, const AxisValue& b) {
@@ -233,48 +227,46 @@ void set_range(MapChoice& axis, const MapRange& range, const std::vector<AxisVal
 
 }  // namespace
 
-bool can_show_map(const Lab& lab, const VehicleView& vehicle) {
-    const Disclosure may = disclosure_of(lab);
-    return may.other_brains && shows_driving_brain(lab, may, vehicle);
+bool can_show_map(const Workspace& space, const VehicleView& vehicle) {
+    const Disclosure may = disclosure_of(space);
+    return may.other_brains && shows_driving_brain(space, may, vehicle);
 }
 
-void update_map(Lab& lab, Jobs& jobs) {
-    BehaviourMap& map = lab.map;
-    const VehicleView* vehicle = selected_vehicle(lab);
-    if (!lab.view.map || !vehicle || lab.together || !can_show_map(lab, *vehicle)) return forget_map(map);
-    follow_subject(lab, *vehicle);
+void update_map(BehaviourMap& map, const Workspace& space, Jobs& jobs) {
+    const VehicleView* vehicle = selected_vehicle(space);
+    if (!space.view.map || !vehicle || space.together || !can_show_map(space, *vehicle)) return forget_map(map);
+    follow_subject(map, space, *vehicle);
     take_cells(map);
     submit_cells(map, jobs);
     follow_path(map, jobs);
 }
 
-void choose_map(Lab& lab, const MapRequest& wanted) {
-    BehaviourMap& map = lab.map;
+void choose_map(BehaviourMap& map, const Workspace& space, const MapRequest& wanted) {
     if (wanted.measure) map.measure = *wanted.measure;
     if (wanted.seeds) map.seeds = std::clamp(*wanted.seeds, 1, insight::limits::map_seeds);
-    const VehicleView* vehicle = selected_vehicle(lab);
+    const VehicleView* vehicle = selected_vehicle(space);
     if (!vehicle) return;
-    const std::vector<AxisValue> values = axis_values(subject_of(lab, *vehicle));
+    const std::vector<AxisValue> values = axis_values(subject_of(space, *vehicle));
     if (wanted.x) exchange_axes(map.x, map.y, *wanted.x, values);
     if (wanted.y) exchange_axes(map.y, map.x, *wanted.y, values);
     if (wanted.x_range) set_range(map.x, *wanted.x_range, values);
     if (wanted.y_range) set_range(map.y, *wanted.y_range, values);
 }
 
-bool is_computing(const BehaviourMap& map) { return !map.jobs.empty() || map.path_job; }
+bool is_computing(const BehaviourMap& map) { return !map.jobs.empty() || map.path.is_computing(); }
 
-std::optional<MapView> map_of(const Lab& lab) {
-    const BehaviourMap& map = lab.map;
-    const VehicleView* vehicle = selected_vehicle(lab);
-    if (!lab.view.map || !map.base || !vehicle || lab.together || !can_show_map(lab, *vehicle)) return std::nullopt;
+std::optional<MapView> map_of(const BehaviourMap& map, const Workspace& space) {
+    const VehicleView* vehicle = selected_vehicle(space);
+    if (!space.view.map || !map.base || !vehicle || space.together || !can_show_map(space, *vehicle))
+        return std::nullopt;
     MapView shown{.cells = &map.cells,
                   .x = map.subject->x,
                   .y = map.subject->y,
                   .measure = map.measure,
                   .seeds = map.seeds,
                   .progress = static_cast<float>(map.known) / static_cast<float>(map.order.size()),
-                  .hovered = map.path_of};
-    if (map.path_of && !map.path.empty()) shown.path = &map.path;
+                  .path = map.path.answer()};
+    if (map.path.question()) shown.hovered = *map.path.question();
     return shown;
 }
 

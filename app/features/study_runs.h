@@ -15,7 +15,7 @@
 
 namespace braitenlab {
 
-struct Lab;
+struct Workspace;
 struct StudyRequest;
 struct StudyView;
 
@@ -38,8 +38,8 @@ struct StudyRuns {
 // Sets the folder, and what an earlier start of the lab had as `last`. A study that is gone is forgotten.
 void begin_studies(StudyRuns&, std::filesystem::path kept_in, const std::string& last);
 
-// Executes a request. StudyEdit::save is put into Lab::files.
-void handle_study(Lab&, const StudyRequest&);
+// Executes a request, except StudyEdit::save, which needs files.
+void handle_study(StudyRuns&, const Workspace&, const StudyRequest&);
 
 // Writes a built study and its scene into the folder, and the table of a study with a file beside it; what is already
 // written stays. From then on each complete run is added to the table. Returns the path of the table.

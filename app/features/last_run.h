@@ -12,7 +12,7 @@
 
 namespace braitenlab {
 
-struct Lab;
+struct Workspace;
 struct GhostView;
 
 // One pose per tick from tick 0 on, by vehicle.
@@ -53,35 +53,35 @@ struct LastRun {
 };
 
 // Call before each tick. Records the first 16 vehicles for at most ten minutes, if the run is known from its start on.
-void record_paths(Lab&);
+void record_paths(LastRun&, const Workspace&);
 
 // The poses of the selected vehicle in the present run, by tick; null if they are not known from its start on.
-const ReferencePath* path_of_selected(const Lab&);
+const ReferencePath* path_of_selected(const LastRun&, const Workspace&);
 
 // The present run. Call before a reset, after record_paths().
-LeftRun present_run(const Lab&);
+LeftRun present_run(const LastRun&, const Workspace&);
 
 // Call after the reset: the run becomes the last one unless it is shorter than half a second. new_ids: of its vehicles
 // in the new run.
-void keep_run(Lab&, LeftRun ended, const std::map<VehicleId, VehicleId>& new_ids);
+void keep_run(LastRun&, const Workspace&, LeftRun ended, const std::map<VehicleId, VehicleId>& new_ids);
 
 // The present run with all that starting the exercise over takes away. Precondition: an exercise is open.
-LeftRun run_before_start_over(Lab&);
+LeftRun run_before_start_over(LastRun&, const Workspace&);
 // Call after starting over: the next undo returns to this run, whatever its length, with its scene and generations.
-void keep_for_undo(Lab&, LeftRun);
+void keep_for_undo(LastRun&, const Workspace&, LeftRun);
 
 // Exchanges the present run and the last one: tick, timeline, scene, brains and undo history are those of the last run,
 // paused. Once more returns to the newer run.
-void return_to_last_run(Lab&);
-bool has_left_run(const Lab&);
+void return_to_last_run(LastRun&, Workspace&);
+bool has_left_run(const LastRun&, const Workspace&);
 
 // True if the next undo or redo takes the return back or repeats it.
-bool can_undo_return(const Lab&);
-bool can_redo_return(const Lab&);
-void undo_return(Lab&);
-void redo_return(Lab&);
+bool can_undo_return(const LastRun&, const Workspace&);
+bool can_redo_return(const LastRun&, const Workspace&);
+void undo_return(LastRun&, Workspace&);
+void redo_return(LastRun&, Workspace&);
 
 // The selected vehicle in the last run, at the displayed time. nullopt: not known, or it is not to be shown.
-std::optional<GhostView> last_run_of(const Lab&);
+std::optional<GhostView> last_run_of(const LastRun&, const Workspace&);
 
 }  // namespace braitenlab

@@ -1,0 +1,76 @@
+#include "app/seeking.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/course/lesson_view.h"
+#include "app/lab_selection.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::size_t most_bookmarks = 20;
+constexpr std::size_t most_for_exact_drag = 300;  // vehicles; above, a dragged playhead moves between keyframes
+
+void arrive(Workspace& space) {
+    forget_motion(space);
+    forget_vehicle_notice(space);
+    keep_selection(space);
+    watch(space);
+}
+
+void go_to_tick(Workspace& space, std::uint64_t tick) {
+    space.document.session.seek(tick);
+    arrive(space);
+}
+
+}  // namespace
+
+void seek(Workspace& space, const SeekRequest& request) {
+    space.playback.held = request.held;
+    const bool roughly = request.held && space.document.session.snapshot().vehicles.size() > most_for_exact_drag &&
+                         !space.document.lesson;
+    if (roughly) {
+        space.document.session.seek_roughly(request.tick);
+        arrive(space);
+    } else {
+        go_to_tick(space, request.tick);
+    }
+}
+
+void seek_by(Workspace& space, std::int64_t ticks) {
+    const auto now = static_cast<std::int64_t>(space.document.session.snapshot().tick);
+    go_to_tick(space, static_cast<std::uint64_t>(std::max<std::int64_t>(0, now + ticks)));
+}
+
+void set_bookmark(Workspace& space) {
+    auto& bookmarks = space.playback.bookmarks;
+    const std::uint64_t now = space.document.session.snapshot().tick;
+    std::erase_if(bookmarks, [now](const TimeMark& mark) { return mark.moment.tick() == now; });
+    if (bookmarks.size() >= most_bookmarks) bookmarks.erase(bookmarks.begin());
+    bookmarks.push_back({space.document.session.bookmark(), {}});
+    if (space.document.lesson) bookmarks.back().path = space.document.lesson->path;
+}
+
+void handle_bookmark(Workspace& space, const BookmarkRequest& request) {
+    auto& bookmarks = space.playback.bookmarks;
+    if (request.index < 0 || static_cast<std::size_t>(request.index) >= bookmarks.size()) return;
+    const auto mark = bookmarks.begin() + request.index;
+    if (request.remove) {
+        say(space, {NoticeKind::done, "notice.mark_removed",
+                    fmt::format("{:.1f}", static_cast<double>(mark->moment.tick()) / 60), "", true});
+        bookmarks.erase(mark);
+        return;
+    }
+    space.document.session.go_to(mark->moment);
+    if (space.document.lesson) space.document.lesson->path = mark->path;
+    arrive(space);
+}
+
+void go_to_last_bookmark(Workspace& space) {
+    handle_bookmark(space, {static_cast<int>(space.playback.bookmarks.size()) - 1, false});
+}
+
+}  // namespace braitenlab
