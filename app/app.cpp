@@ -55,11 +55,7 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
           settings_.errors),
       student_files_(!options_.only_draws() && !folders_.state.empty() ? folders_.state / "students"
                                                                        : std::filesystem::path{}),
-      catalogue_(read_catalogue()),
-      lectures_(read_lecture_catalogue()),
-      studies_(shipped_study_list()),
-      anchors_file_(options_.anchors),
-      state_file_(options_.state),
+      reports_{ReportFile(options_.anchors), ReportFile(options_.state)},
       gallery_(options_.only_draws() ? std::filesystem::path{} : folders_.cache) {
     lab_.preferences = settings_.at_start;
     lab_.link_base = is_on_page() ? page_address() : lab_.preferences.link_base;
@@ -77,7 +73,7 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     settings_.errors.insert(settings_.errors.begin(), errors.begin(), errors.end());
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
-    began_ = last_turn_ = Clock::now();
+    times_.began = times_.turn = Clock::now();
 }
 
 void App::begin_asked_lecture() {
@@ -91,8 +87,8 @@ void App::begin_asked_lecture() {
 
 bool App::turn() {
     const auto turn_began = Clock::now();
-    double passed = std::chrono::duration<double>(turn_began - last_turn_).count();
-    last_turn_ = turn_began;
+    double passed = std::chrono::duration<double>(turn_began - times_.turn).count();
+    times_.turn = turn_began;
     if (repeatable()) passed = frame_seconds;
     window_.poll(0);
     if (ends()) return close(), false;
@@ -103,19 +99,19 @@ bool App::turn() {
     follow_jobs();
     show_errors_of_start();
     frame(static_cast<float>(passed));
-    if (picture_is_due(seconds_since(began_))) {
+    if (picture_is_due(seconds_since(times_.began))) {
         if (const auto error = write_picture(options_.screenshot)) exit_code_ = complain(*error);
         return false;
     }
-    if (!options_.clip.empty()) {
+    if (!options_.clip.file.empty()) {
         if (const auto error = write_clip(options_)) exit_code_ = complain(*error);
         return false;
     }
     if (lab_.window.screenshot) take_screenshot();
     follow_take_away();
     facts_.frame_ms = seconds_since(turn_began) * 1000;
-    if (!repeatable() && !held_back_) window_.show();
-    if (!held_back_) write_reports();  // they describe what is shown
+    if (!repeatable() && !frame_.held_back) window_.show();
+    if (!frame_.held_back) write_reports();  // they describe what is shown
     follow_notes_page(lab_, words_.strings, words_.language, is_on_page() ? std::filesystem::path() : folders_.state);
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
@@ -124,9 +120,9 @@ bool App::turn() {
     if (lab_.window.full_screen) lab_.window.full_screen = false, window_.toggle_full_screen();
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();
-    window_.rest(pause_after_swap(seconds_since(turn_began), rate, options_.frame_rate));
-    if (moves() || held_back_) last_change_ = Clock::now();
-    if (!options_.only_draws()) window_.poll(idle_wait(seconds_since(last_change_)));
+    window_.rest(pause_after_swap(seconds_since(turn_began), rate, options_.graphics.frame_rate));
+    if (moves() || frame_.held_back) times_.change = Clock::now();
+    if (!options_.only_draws()) window_.poll(idle_wait(seconds_since(times_.change)));
     return true;
 }
 
@@ -191,8 +187,8 @@ void App::handle_files() {
     if (!lab_.window.reports.empty())
         write_student_files(lab_, words_.strings, folders_.documents, std::chrono::system_clock::now());
     for (const auto& file : std::exchange(lab_.window.saved, {})) autosave_.forget_work_on(file);
-    if (options_.only_draws() || seconds_since(file_checked_) < 0.3) return;
-    file_checked_ = Clock::now();
+    if (options_.only_draws() || seconds_since(times_.file_checked) < 0.3) return;
+    times_.file_checked = Clock::now();
     follow_file(lab_, files_);
 }
 
@@ -217,8 +213,8 @@ void App::show_errors_of_start() {
 }
 
 void App::save_settings(bool now) {
-    if (options_.only_draws() || (!now && seconds_since(settings_saved_) < 1)) return;
-    settings_saved_ = Clock::now();
+    if (options_.only_draws() || (!now && seconds_since(times_.settings_saved) < 1)) return;
+    times_.settings_saved = Clock::now();
     const StudentFiles::Written written = student_files_.write(lab_.students);
     if (written.failed) show_error(*written.failed);
     if (written.merged) lab_.progress_of.reset();  // the notes are read again
@@ -234,9 +230,9 @@ bool App::moves() const {
     const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
     const bool predicts = is_computing(lab_.predictions);
-    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.robots) ||
-           is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || makes_pictures_ || clip_ ||
-           (lesson && lesson->grading) || !lab_.window.files.empty();
+    return frame_.got_input || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.robots) ||
+           is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || frame_.makes_pictures ||
+           clip_ || (lesson && lesson->grading) || !lab_.window.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }
@@ -252,16 +248,16 @@ bool App::draws_scene() const {
     return options_.screenshot.empty() || facts_.frames + 1 >= frames_of_layout;
 }
 
-std::string App::anchors_text() const { return anchors_json(anchors_); }
+std::string App::anchors_text() const { return anchors_json(frame_.anchors); }
 std::string App::state_text() const { return state_json(lab_, panels_.scene_input, facts_); }
 
 void App::write_reports() {
-    if (anchors_file_.wanted())
-        if (auto error = anchors_file_.write(anchors_text())) complain(*error);
+    if (reports_.anchors.wanted())
+        if (auto error = reports_.anchors.write(anchors_text())) complain(*error);
     constexpr double state_period = 0.02;
-    if (!state_file_.wanted() || seconds_since(state_written_) < state_period) return;
-    state_written_ = Clock::now();
-    if (auto error = state_file_.write(state_text())) complain(*error);
+    if (!reports_.state.wanted() || seconds_since(reports_.state_written) < state_period) return;
+    reports_.state_written = Clock::now();
+    if (auto error = reports_.state.write(state_text())) complain(*error);
 }
 
 }  // namespace braitenlab

@@ -12,6 +12,7 @@
 #include "app/files/data.h"
 #include "app/files/settings.h"
 #include "app/files/student_files.h"
+#include "app/files/study_files.h"
 #include "app/gallery.h"
 #include "app/jobs/jobs.h"
 #include "app/lab.h"
@@ -143,6 +144,44 @@ private:
     // Writes the clip of the command line.
     std::optional<Error> write_clip(const Options&);
 
+    // Moments of the last time.
+    struct Times {
+        Clock::time_point began = Clock::now();  // end of the constructor
+        Clock::time_point turn = began, settings_saved = began, file_checked = began, shaders_checked = began;
+        Clock::time_point change = began;  // see idle_wait()
+    };
+
+    // What ships with the program.
+    struct Shipped {
+        std::vector<CatalogueEntry> scenes = read_catalogue(), lectures = read_lecture_catalogue();
+        std::vector<insight::Study> studies = shipped_study_list();
+    };
+
+    // What the last frame has drawn and found.
+    struct Frame {
+        ui::Anchors anchors;
+        std::vector<ui::Written> written;  // texts, recorded for the file of the state only
+        Outbox outbox;
+        Snapshot shown;  // interpolated between the last two ticks
+        bool got_input = false;
+        bool held_back = false;       // it was not shown, because its cards were cut
+        bool makes_pictures = false;  // of the gallery
+        float magnified = 1;          // factor on the scale, while the window is drawn at another size
+        bool reported_label_font = false;
+    };
+
+    // With --state and --anchors.
+    struct Reports {
+        ReportFile anchors, state;
+        Clock::time_point state_written{};
+    };
+
+    // With --quality auto.
+    struct MeasuredQuality {
+        QualityChoice choice;
+        std::string of{};  // name of the document that it was measured for
+    };
+
     Options options_;
     Jobs jobs_;
     Lab lab_;
@@ -154,34 +193,20 @@ private:
     UserFolders folders_;
     Autosave autosave_;
     StudentFiles student_files_;
-    Clock::time_point began_ = Clock::now(), last_turn_ = began_;  // end of the constructor; start of the last turn
-    Clock::time_point settings_saved_ = began_, file_checked_ = began_;
-    Clock::time_point last_change_ = began_;  // see idle_wait()
-    bool got_input_ = false;                  // in the last frame
-    bool held_back_ = false;                  // the last frame was not shown, because its cards were cut
+    Shipped shipped_;
+    Times times_;
     int exit_code_ = 0;
-    std::vector<CatalogueEntry> catalogue_, lectures_;
-    std::vector<insight::Study> studies_;
     AppliedTheme theme_;
     FilesView files_;
     ui::PanelState panels_;
     ViewportState viewport_;
-    ui::Anchors anchors_;
-    std::vector<ui::Written> written_;  // texts of the last frame, recorded for the file of the state only
-    Outbox outbox_;
-    Snapshot shown_;  // interpolated between the last two ticks
+    Frame frame_;
     FrameFacts facts_;
-    ReportFile anchors_file_, state_file_;
-    Clock::time_point shaders_checked_ = Clock::now();
+    Reports reports_;
     Gallery gallery_;
-    bool makes_pictures_ = false;                    // of the gallery, in the last frame
-    std::optional<Clip> clip_;                       // being written
-    float magnified_ = 1;                            // factor on the scale, while the window is drawn at another size
-    std::optional<Lab> title_;                       // the scene behind the title page, while it is shown
-    QualityChoice quality_{options_.first_quality};  // with --quality auto
-    std::string quality_of_;                         // name of the document that it was measured for
-    bool reported_label_font_ = false;
-    Clock::time_point state_written_{};
+    std::optional<Clip> clip_;  // being written
+    std::optional<Lab> title_;  // the scene behind the title page, while it is shown
+    MeasuredQuality quality_{QualityChoice(options_.graphics.first_quality)};
 };
 
 }  // namespace braitenlab

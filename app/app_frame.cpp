@@ -59,7 +59,7 @@ float App::preferred_scale() const {
     const float type = lab_.preferences.type_size;
     const float scale =
         options_.scale ? *options_.scale * type / settings_.at_start.type_size : window_.content_scale() * type;
-    return magnified_ * scale;
+    return frame_.magnified * scale;
 }
 
 float App::wanted_scale() const {
@@ -86,13 +86,13 @@ void App::load_label_font() {
     const auto pixels = static_cast<int>(std::lround(label_em * theme_.scale()));
     auto [lettering, warning] = label_font(find_label_font, pixels, *theme_.fonts().small);
     renderer_.use_lettering(std::move(lettering));
-    if (!warning.empty() && !reported_label_font_) std::cerr << "braitenlab: " << warning << "\n";
-    reported_label_font_ = true;
+    if (!warning.empty() && !frame_.reported_label_font) std::cerr << "braitenlab: " << warning << "\n";
+    frame_.reported_label_font = true;
 }
 
 void App::follow_shaders() {
-    if (seconds_since(shaders_checked_) < 0.5) return;
-    shaders_checked_ = Clock::now();
+    if (seconds_since(times_.shaders_checked) < 0.5) return;
+    times_.shaders_checked = Clock::now();
     if (const auto error = renderer_.follow_shaders()) complain(*error), show_error(*error);
 }
 
@@ -102,9 +102,9 @@ void App::frame(float passed) {
     const ui::KeysOfAFrame keys = window_.take_keys(panels_.keyboard.text);
     window_.begin_frame(keys);
     LabView view = view_of(lab_);
-    view.catalogue = &catalogue_;
-    view.lectures = &lectures_;
-    view.study.shipped = &studies_;
+    view.catalogue = &shipped_.scenes;
+    view.lectures = &shipped_.lectures;
+    view.study.shipped = &shipped_.studies;
     view.languages = &words_.languages;
     view.native_language = settings_.native_language;
     view.type_size = reduced_type_size();
@@ -127,24 +127,24 @@ void App::frame(float passed) {
     const float aimed = facts_.frames < frames_of_layout ? end_of_glide : passed;
     aim(viewport_, shown_lab(), area, arena, aimed, title_ ? SlotsView{} : view.slots, cards_of_lecture());
     view.camera_view = &viewport_.camera_view;
-    outbox_.clear();
+    frame_.outbox.clear();
     bool arrows_are_free = true;
-    for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, outbox_);
+    for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, frame_.outbox);
 
-    anchors_.begin();
-    written_.clear();
+    frame_.anchors.begin();
+    frame_.written.clear();
     int shortened = 0;
     ui::Ui ui{.strings = words_.strings,
               .palette = palette(view.theme),
               .fonts = theme_.fonts(),
               .scale = theme_.scale(),
-              .anchors = anchors_,
-              .outbox = outbox_,
+              .anchors = frame_.anchors,
+              .outbox = frame_.outbox,
               .pulse = ui::pulse(view),
-              .written = state_file_.wanted() ? &written_ : nullptr,
+              .written = reports_.state.wanted() ? &frame_.written : nullptr,
               .shortened = &shortened};
     ui::draw_window(view, panels_, ui, layout);
-    facts_.text = ui::text_facts(written_, shortened);
+    facts_.text = ui::text_facts(frame_.written, shortened);
 
     const bool keys_move_camera = view.mode != Mode::wiring && panels_.keyboard.focus.empty();
     const bool arrows_move_camera =
@@ -159,13 +159,13 @@ void App::frame(float passed) {
     if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     window_.bind();
     // The heights of cards are those of the frame before. Where a card is too low for its words, the last frame stays.
-    held_back_ = panels_.cards_are_cut && !held_back_ && !options_.only_draws() && !lab_.window.screenshot;
-    if (held_back_ || !draws_scene())
+    frame_.held_back = panels_.cards_are_cut && !frame_.held_back && !options_.only_draws() && !lab_.window.screenshot;
+    if (frame_.held_back || !draws_scene())
         renderer_.remember(shown_snapshot(shown_lab()));
     else
         draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view), layout);
     const ImGuiIO& io = ImGui::GetIO();
-    got_input_ = has_input(keys, io) || held;
+    frame_.got_input = has_input(keys, io) || held;
     ++facts_.frames;
     facts_.pointer = ImGui::IsMousePosValid() ? maths::vec2{io.MousePos.x, io.MousePos.y} : maths::vec2{-1, -1};
     facts_.pressed = io.MouseDown[0] ? 1 : io.MouseDown[2] ? 2 : io.MouseDown[1] ? 3 : 0;
@@ -175,21 +175,21 @@ void App::frame(float passed) {
     facts_.probes.assign(panels_.canvas.probes.begin(), panels_.canvas.probes.end());
     facts_.strips = panels_.charts.strips;
     window_.bind();
-    held_back_ ? ImGui::EndFrame() : window_.end_frame();
+    frame_.held_back ? ImGui::EndFrame() : window_.end_frame();
     note_press(lab_.predictions, lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
     lab_.predictions.what_if = panels_.brain.what_if;
     lab_.map.hovered = panels_.map.hovered;
     lab_.robots.hovered = panels_.reality.hovered;
-    handle_all(lab_, outbox_);
+    handle_all(lab_, frame_.outbox);
     if (std::exchange(lab_.window.begins, false)) begin();
 }
 
 void App::make_pictures() {
-    makes_pictures_ = false;
+    frame_.makes_pictures = false;
     if (panels_.sheet != ui::Sheet::files || panels_.sheets.files.saving) return;
     std::vector<std::string> files;
     if (panels_.sheets.files.place == ui::FilesPlace::shipped)
-        files = files_by_turns(catalogue_);
+        files = files_by_turns(shipped_.scenes);
     else if (panels_.sheets.files.place == ui::FilesPlace::recent)
         for (const RecentFile& file : settings_.state.recent) files.push_back(file.path);
     else
@@ -197,7 +197,7 @@ void App::make_pictures() {
             if (!entry.is_folder && !entry.broken &&
                 (entry.kind == FileKind::scene || entry.kind == FileKind::exercise))
                 files.push_back((std::filesystem::path(files_.listing.folder) / entry.name).string());
-    makes_pictures_ = gallery_.make_next(renderer_, files, lab_.preferences.theme);
+    frame_.makes_pictures = gallery_.make_next(renderer_, files, lab_.preferences.theme);
 }
 
 void App::begin() {
@@ -243,7 +243,7 @@ std::vector<Rect> App::cards_of_lecture() const {
     std::vector<Rect> places;
     if (!lab_.before_lecture || title_) return places;
     for (const ui::CardTraits& row : ui::cards())
-        if (const Rect* card = anchors_.find(row.anchor)) places.push_back(*card);
+        if (const Rect* card = frame_.anchors.find(row.anchor)) places.push_back(*card);
     return places;
 }
 
@@ -253,7 +253,7 @@ std::vector<Rect> App::covered_parts(const ui::WindowLayout& layout) const {
         if (r.w > 0) parts.push_back(r);
     };
     for (const ui::CardTraits& row : ui::cards())
-        if (const Rect* card = anchors_.find(row.anchor)) add(*card);
+        if (const Rect* card = frame_.anchors.find(row.anchor)) add(*card);
     for (const Rect& bar : {layout.menu_bar, layout.toolbar, layout.hint_bar, layout.timeline}) add(bar);
     return parts;
 }
@@ -271,8 +271,8 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.resolution = resolution();
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
-    shown_ = shown_snapshot(lab);
-    if (!repeatable()) render::stand_between(shown_, lab.playback.previous, between_ticks(lab));
+    frame_.shown = shown_snapshot(lab);
+    if (!repeatable()) render::stand_between(frame_.shown, lab.playback.previous, between_ticks(lab));
     draw_measured(std::move(picture));
     facts_.draw_calls = renderer_.draw_calls();
     facts_.camera_view = viewport_.camera_view;
@@ -281,20 +281,20 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     facts_.graphics_errors = window_.graphics_errors();
 }
 
-Quality App::quality() const { return lab_.preferences.quality.value_or(quality_.level()); }
+Quality App::quality() const { return lab_.preferences.quality.value_or(quality_.choice.level()); }
 
 float App::resolution() const {
-    return lab_.preferences.quality || window_.is_redirected() ? 1 : quality_.resolution();
+    return lab_.preferences.quality || window_.is_redirected() ? 1 : quality_.choice.resolution();
 }
 
 void App::draw_measured(Picture picture) {
-    if (quality_of_ != shown_lab().document.name) quality_.start_over(), quality_of_ = shown_lab().document.name;
-    const bool due = !lab_.preferences.quality && quality_.measures(facts_.frames, renderer_.copied());
+    if (quality_.of != shown_lab().document.name) quality_.choice.start_over(), quality_.of = shown_lab().document.name;
+    const bool due = !lab_.preferences.quality && quality_.choice.measures(facts_.frames, renderer_.copied());
     picture.copied_at_rest = !repeatable() && !due;
     if (due) renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();
-    renderer_.draw(shown_, picture);
-    if (due) renderer_.finish(), quality_.add(seconds_since(began));
+    renderer_.draw(frame_.shown, picture);
+    if (due) renderer_.finish(), quality_.choice.add(seconds_since(began));
     facts_.quality = picture.quality, facts_.resolution = renderer_.resolution();
 }
 

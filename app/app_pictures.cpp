@@ -62,7 +62,7 @@ SceneLook App::scene_look(int width, int height) const {
     SceneLook look{scene_picture(hidden_brains(view_of(lab_))), viewport_.framed};
     look.picture.settings.camera = viewport_.framing.raised(look.picture.settings.camera);
     look.picture.pixel_scale = pixel_scale_of(width, height);
-    look.picture.quality = options_.quality.value_or(Quality::high);
+    look.picture.quality = options_.graphics.quality.value_or(Quality::high);
     return look;
 }
 
@@ -122,12 +122,13 @@ std::optional<Error> App::write_window(const std::filesystem::path& path, int wi
     const ui::PanelState panels = panels_;
     const ViewportState viewport = viewport_;
     panels_.sheet = ui::Sheet::none;
-    magnified_ = std::min(static_cast<float>(width) / window_.area().w, static_cast<float>(height) / window_.area().h);
+    frame_.magnified =
+        std::min(static_cast<float>(width) / window_.area().w, static_cast<float>(height) / window_.area().h);
     window_.redirect(Window::Canvas{canvas.framebuffer(), width, height});
     for (int i = 0; i < 3; ++i) frame(0);  // the first ones measure the cards
     const auto rgb = canvas.pixels();
     window_.redirect(std::nullopt);
-    magnified_ = 1;
+    frame_.magnified = 1;
     panels_ = panels, viewport_ = viewport;
     return write_png(path, width, height, rgb);
 }
@@ -151,7 +152,7 @@ render::Lettering App::lettering_of(const SceneLook& look) const {
 }
 
 std::optional<Error> App::write_clip(const Options& options) {
-    const auto format = clip_format_of(options.clip);
+    const auto format = clip_format_of(options.clip.file);
     if (!format) return format.error();
     const auto data = data_folder();
     if (!data) return data.error();
@@ -163,7 +164,7 @@ std::optional<Error> App::write_clip(const Options& options) {
     };
     auto clip = Clip::begin(
         lab_.document.session.recording(), look,
-        {options.clip, *format, tick(options.clip_from), tick(options.clip_to), options.width, options.height},
+        {options.clip.file, *format, tick(options.clip.from), tick(options.clip.to), options.width, options.height},
         *data / "shaders", lettering_of(look));
     if (!clip) return clip.error();
     while (!clip->work(std::chrono::seconds(1))) {

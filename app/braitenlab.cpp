@@ -107,9 +107,9 @@ int open_and_run(Options options) {
     // A picture depends on the command line alone: no settings are read for it.
     const UserFolders folders = options.only_draws() ? UserFolders{} : user_folders();
     SettingsFiles files(folders.config, folders.state);
-    Settings settings =
-        read_settings(std::move(files), {options.theme, options.language, options.has_quality, options.quality},
-                      native_language(*data / "ui" / "strings"));
+    Settings settings = read_settings(
+        std::move(files), {options.theme, options.language, options.graphics.has_quality, options.graphics.quality},
+        native_language(*data / "ui" / "strings"));
     options.title |= is_first_start(options, settings);
     auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());
@@ -124,7 +124,7 @@ int open_and_run(Options options) {
                                 .height = is_off_screen ? Options{}.height : height,
                                 .full_screen = options.full_screen,
                                 .visible = !options.only_draws() || options.full_screen,
-                                .watch_graphics = options.watch_graphics});
+                                .watch_graphics = options.graphics.watch});
     if (!window) return complain(window.error());
     if (const auto& place = settings.state.place;
         place && !options.full_screen && can_be_grabbed(*place, {width, height}, window->displays()))
@@ -136,7 +136,7 @@ int open_and_run(Options options) {
         if (!canvas->ready()) return complain(error_of(message_of("picture_too_large", most, most)));
         window->redirect(Window::Canvas{canvas->framebuffer(), width, height});
     }
-    auto renderer = render::Renderer::create(*data / "shaders", options.sectors);
+    auto renderer = render::Renderer::create(*data / "shaders", options.graphics.sectors);
     if (!renderer) return complain(renderer.error());
     const auto app = std::make_shared<App>(options, std::move(opened->lab), std::move(*window), std::move(*renderer),
                                            std::move(*words), std::move(settings));

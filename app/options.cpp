@@ -27,10 +27,10 @@ std::string read_size(const std::string& text, Options& options) {
 
 // What only several options together can have wrong.
 std::string what_is_wrong(const Options& options) {
-    if (options.clip.empty() && (options.width < 640 || options.height < 480))
+    if (options.clip.file.empty() && (options.width < 640 || options.height < 480))
         return fmt::format("--size: {}x{} is too small for a window; the least is 640x480", options.width,
                            options.height);
-    if (!options.clip.empty() && !options.screenshot.empty()) return "--clip and --screenshot exclude each other";
+    if (!options.clip.file.empty() && !options.screenshot.empty()) return "--clip and --screenshot exclude each other";
     return {};
 }
 
@@ -104,9 +104,9 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option_function<std::string>(
            "--sectors",
            [&](const std::string& way) {
-               o.sectors = way == "geometry"    ? render::SectorPath::geometry
-                           : way == "instanced" ? render::SectorPath::instanced
-                                                : render::SectorPath::automatic;
+               o.graphics.sectors = way == "geometry"    ? render::SectorPath::geometry
+                                    : way == "instanced" ? render::SectorPath::instanced
+                                                         : render::SectorPath::automatic;
            },
            "how sensor fields are drawn: by geometry shaders or by instances")
         ->type_name("WAY")
@@ -114,10 +114,10 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option_function<std::string>(
            "--quality",
            [&](const std::string& level) {
-               o.has_quality = level != "auto-low";
+               o.graphics.has_quality = level != "auto-low";
                for (std::size_t i = 0; i < quality_words.size(); ++i)
-                   if (level == quality_words[i]) o.quality = static_cast<Quality>(i);
-               if (level == "auto-low") o.first_quality = Quality::low;
+                   if (level == quality_words[i]) o.graphics.quality = static_cast<Quality>(i);
+               if (level == "auto-low") o.graphics.first_quality = Quality::low;
            },
            "how much work a picture may be; auto: by measured frame time, auto-low: the same, beginning with low "
            "and half the pixels each way; "
@@ -134,20 +134,20 @@ CommandLine read_command_line(int argc, char** argv) {
            },
            "show the intensity of this channel on the floor")
         ->type_name("CHANNEL");
-    app.add_option("--frame-rate", o.frame_rate, "most pictures per second, for a slow or remote display")
+    app.add_option("--frame-rate", o.graphics.frame_rate, "most pictures per second, for a slow or remote display")
         ->type_name("N")
         ->check(CLI::Range(5, 1000));
-    app.add_flag("--watch-graphics", o.watch_graphics,
+    app.add_flag("--watch-graphics", o.graphics.watch,
                  "let the graphics driver check every call; errors go to the terminal and into --state");
     app.add_option("--screenshot", o.screenshot, "write a picture (PNG) and exit")->type_name("FILE");
     app.add_option("--after", o.after,
                    "when to take it: simulated seconds with --play (one tick a frame), else seconds since the start")
         ->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--clip", o.clip,
+    app.add_option("--clip", o.clip.file,
                    "write a clip of the scene and exit; the name ends with .gif or, where ffmpeg is, .mp4 or .webm")
         ->type_name("FILE");
-    app.add_option("--from", o.clip_from, "simulated second at which the clip begins")->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--to", o.clip_to, "simulated second at which it ends; default: 10 after its beginning")
+    app.add_option("--from", o.clip.from, "simulated second at which the clip begins")->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--to", o.clip.to, "simulated second at which it ends; default: 10 after its beginning")
         ->check(CLI::Range(0.0, 3600.0));
     app.add_option("--anchors", o.anchors, "write the rectangles of the widgets to this file (JSON) while running")
         ->type_name("FILE");
@@ -156,13 +156,13 @@ CommandLine read_command_line(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (const std::string wrong = what_is_wrong(o); !wrong.empty()) throw CLI::ValidationError(wrong);
-        if (app.count("--to") == 0) o.clip_to = o.clip_from + 10;
-        if (!o.clip.empty() && !o.size_given) o.width = 640, o.height = 400;
+        if (app.count("--to") == 0) o.clip.to = o.clip.from + 10;
+        if (!o.clip.file.empty() && !o.size_given) o.width = 640, o.height = 400;
     } catch (const CLI::ParseError& error) {
         // Help and version answer 0; everything else is bad input.
         line.exit_code = app.exit(error) == 0 ? 0 : 2;
     }
-    if (!o.has_quality && o.only_draws()) o.has_quality = true, o.quality = Quality::high;
+    if (!o.graphics.has_quality && o.only_draws()) o.graphics.has_quality = true, o.graphics.quality = Quality::high;
     return line;
 }
 

@@ -18,6 +18,20 @@
 
 namespace braitenlab {
 
+struct GraphicsOptions {
+    render::SectorPath sectors = render::SectorPath::automatic;
+    bool has_quality = false;                 // false: as in the settings
+    std::optional<Quality> quality;           // with has_quality; nullopt: chosen by measured frame time
+    Quality first_quality = Quality::medium;  // of the measured ones
+    bool watch = false;                       // reports errors of OpenGL
+    int frame_rate = 0;                       // most pictures per second; 0: those of the display
+};
+
+struct ClipOptions {
+    std::filesystem::path file;  // written at once; then the program ends. Empty: none
+    double from = 0, to = 10;    // simulated s
+};
+
 struct Options {
     std::string file;                // empty: the last file, else the first exercise
     int width = 1280, height = 800;  // window pixels
@@ -32,22 +46,16 @@ struct Options {
     std::shared_ptr<const Lecture> pages;  // set if FILE is a lecture
     std::optional<Theme> theme;            // unset: as in the settings
     std::optional<CameraMode> camera;      // unset: as stored
-    render::SectorPath sectors = render::SectorPath::automatic;
-    bool has_quality = false;                 // false: as in the settings
-    std::optional<Quality> quality;           // with has_quality; nullopt: chosen by measured frame time
-    Quality first_quality = Quality::medium;  // of the measured ones
-    bool watch_graphics = false;
-    int frame_rate = 0;                    // most pictures per second; 0: those of the display
     std::optional<Channel> field;          // its intensity is shown on the floor at the start
     std::string language;                  // its code, as "de"; empty: as in the settings
     std::filesystem::path screenshot;      // written after `after`; then the program ends
     double after = 1;                      // s: simulated with play, wall time without
-    std::filesystem::path clip;            // written at once; then the program ends
-    double clip_from = 0, clip_to = 10;    // simulated s
+    ClipOptions clip;
+    GraphicsOptions graphics;
     std::filesystem::path anchors, state;  // updated while the program runs
 
     // True if the program draws off the screen, writes a picture or a clip and ends.
-    bool only_draws() const { return !screenshot.empty() || !clip.empty(); }
+    bool only_draws() const { return !screenshot.empty() || !clip.file.empty(); }
 };
 
 // The options; or an exit code, if --help or --version has been answered or an error has been printed.
