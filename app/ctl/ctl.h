@@ -122,8 +122,8 @@ struct BreedOptions {
     int threads = 0;       // 0: one per processor
     bool goes_on = false;  // with the results in the folder
     bool json = false;
-    std::string matrix;    // ciao or master; empty: none
-    std::string csv;       // file of the matrix; "-": standard output; empty: none
+    std::string matrix;  // ciao or master; empty: none
+    std::string csv;     // file of the matrix; "-": standard output; empty: none
     TableOptions table;
     std::string champion;  // predator:GENERATION or prey:GENERATION; empty: none
     std::string match;     // PREDATOR:PREY, two generations; empty: none
