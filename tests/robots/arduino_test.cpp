@@ -201,7 +201,7 @@ Compared compare(Simulator& simulator, const BrainToExport& brain, int ticks, co
 }
 
 TEST(ArduinoInSimavr, GivesThePwmOfEveryShippedBrain) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
     std::vector<BrainGraph> done;
     for (const BrainToExport& brain : shipped_brains()) {
@@ -218,7 +218,7 @@ TEST(ArduinoInSimavr, GivesThePwmOfEveryShippedBrain) {
 }
 
 TEST(ArduinoInSimavr, UsesTheCalibratedRanges) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
     const BrainToExport love{"3a-love", find_preset("3a-love")->brain, {}};
     // A sensor that reads less in the light, motors that differ.
@@ -229,7 +229,7 @@ TEST(ArduinoInSimavr, UsesTheCalibratedRanges) {
 }
 
 TEST(ArduinoInSimavr, StandsForThreeSecondsAfterPowerOn) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
     const auto files = exported({"", make_graph({.LM = 1, .RM = 1}), {}});
     ASSERT_TRUE(files && simulator.compile(*files));
@@ -255,7 +255,7 @@ int word_at(const std::string& hexadecimal, std::size_t index) {
 }
 
 TEST(ArduinoInSimavr, KeepsWhatTheFirstStartCalibrates) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
     const auto files = exported({"2a-coward", find_preset("2a-coward")->brain, {}});
     ASSERT_TRUE(files && simulator.compile(*files));
@@ -281,7 +281,7 @@ TEST(ArduinoInSimavr, KeepsWhatTheFirstStartCalibrates) {
 }
 
 TEST(ArduinoInSimavr, HoldsBrainsUpToTheirLimitsAtTheRateOfTheReadme) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
     const BrainToExport brains[] = {
         brain_of(28, {.curve = sigmoid}, 0.5f),
@@ -310,7 +310,7 @@ TEST(ArduinoInSimavr, HoldsBrainsUpToTheirLimitsAtTheRateOfTheReadme) {
 }
 
 TEST(ArduinoInSimavr, DoesNotUseTheCalibrationOfOtherSensors) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
     const BrainToExport two = brain_of(2, {}, 0, 2);
     BrainToExport three = brain_of(3, {}, 0, 3);

@@ -104,7 +104,7 @@ TEST(ClosedLoop, TheBrainItselfTouchesTheLamp) {
 }
 
 TEST(ClosedLoop, TheArduinoSketchInSimavrTouchesTheLamp) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
     const auto files =
         robots::export_brain(exported_aggressor(), robots::Target::arduino, *robots::find_robot("tt2wd-ldr"));
@@ -128,7 +128,7 @@ TEST(ClosedLoop, TheArduinoSketchInSimavrTouchesTheLamp) {
 }
 
 TEST(ClosedLoop, TheThymioProgramInAsebaTouchesTheLamp) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs Aseba";
+    if (!has_tool("aseba")) GTEST_SKIP() << "./dev robots installs Aseba";
     VirtualMachine machine;
     const robots::BrainToExport brain = exported_aggressor();
     const auto plan = robots::make_plan(brain, 10);

@@ -53,7 +53,10 @@ void each_exported(robots::Target target, std::string_view robot, Test test) {
     EXPECT_GT(done.size(), 8u);
 }
 
-// True where ./dev robots has installed the toolchains; otherwise tests that need one are skipped.
-inline bool has_toolchains() { return std::getenv("BRAITENLAB_ROBOTS") != nullptr; }
+// True if ./dev robots runs the tests and has installed this package; other tests that need it are skipped.
+inline bool has_tool(std::string_view package) {
+    const char* installed = std::getenv("BRAITENLAB_ROBOTS");
+    return installed && fmt::format(" {} ", installed).find(fmt::format(" {} ", package)) != std::string::npos;
+}
 
 }  // namespace braitenlab::tests

@@ -226,7 +226,7 @@ TEST(Micropython, SaysHowMuchAMemoryLosesByFloatsThatAreCut) {
 }
 
 TEST(MicropythonOnMicrobit, ComputesWhatTheLabComputesForEveryShippedBrainThatItHolds) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
+    if (!has_tool("firmware-microbit-micropython")) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     const Folder folder;
     each_exported(Target::micropython, "microbit", [&](const BrainToExport& brain, const auto& files) {
         const Compared found = compare(folder, brain, 150, false);
@@ -237,7 +237,7 @@ TEST(MicropythonOnMicrobit, ComputesWhatTheLabComputesForEveryShippedBrainThatIt
 }
 
 TEST(MicropythonOnMicrobit, HoldsABrainOfTheLargestSize) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
+    if (!has_tool("firmware-microbit-micropython")) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     const Folder folder;
     const BrainToExport brain = ring(largest_ring());
     EXPECT_GT(exported(brain)->front().text.size(), 2200u);

@@ -209,7 +209,7 @@ Simulated simulate(const Folder& folder, const BrainToExport& brain, const std::
 }
 
 TEST(OpampInNgspice, GivesTheCommandsOfEveryShippedBrainThatItHolds) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    if (!has_tool("ngspice")) GTEST_SKIP() << "./dev robots installs ngspice";
     const Folder folder;
     each_exported(Target::opamp, "lm324", [&](const BrainToExport& brain, const auto&) {
         const Simulated exact = simulate(folder, brain, "brain-exact.cir"), e24 = simulate(folder, brain, "brain.cir");
@@ -230,7 +230,7 @@ TEST(OpampInNgspice, GivesTheCommandsOfEveryShippedBrainThatItHolds) {
 }
 
 TEST(OpampInNgspice, HoldsNegativeWeightsAndBiases) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    if (!has_tool("ngspice")) GTEST_SKIP() << "./dev robots installs ngspice";
     const Folder folder;
     const BrainToExport brain{
         "mixed", make_graph({.LL = -0.8f, .LR = 0.3f, .RL = 1.5f, .RR = 1.2f, .LM = 0.5f, .RM = -0.4f}), {}};
@@ -275,7 +275,7 @@ double wanted_volts(const robots::PlanUnit& motor, const std::vector<float>& sen
 }
 
 TEST(OpampInNgspice, FollowsEdgesOfEverySensorInATransient) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    if (!has_tool("ngspice")) GTEST_SKIP() << "./dev robots installs ngspice";
     const Folder folder;
     each_exported(Target::opamp, "lm324", [&](const BrainToExport& brain, const auto& files) {
         const auto plan = robots::make_plan(brain, 60);
@@ -304,7 +304,7 @@ TEST(OpampInNgspice, FollowsEdgesOfEverySensorInATransient) {
 }
 
 TEST(OpampInNgspice, IsOffByItsResistorsOnly) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    if (!has_tool("ngspice")) GTEST_SKIP() << "./dev robots installs ngspice";
     const Folder folder;
     each_exported(Target::opamp, "lm324", [&](const BrainToExport& brain, const auto& files) {
         const auto plan = robots::make_plan(brain, 60);
@@ -332,7 +332,7 @@ TEST(OpampInNgspice, IsOffByItsResistorsOnly) {
 }
 
 TEST(OpampInNgspice, HoldsTwoBrainsOfOneTitleInADeck) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    if (!has_tool("ngspice")) GTEST_SKIP() << "./dev robots installs ngspice";
     const Folder folder;
     const BrainToExport brains[] = {{"Mine", make_graph({.LL = 1}), {}}, {"mine", make_graph({.LL = 0.5f}), {}}};
     std::string deck = "V5 v5 0 5\nVS sensor_SL 0 2\n";
@@ -351,7 +351,7 @@ TEST(OpampInNgspice, HoldsTwoBrainsOfOneTitleInADeck) {
 }
 
 TEST(OpampInNgspice, KeepsSensorsApartWhoseNamesDifferByCaseOnly) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    if (!has_tool("ngspice")) GTEST_SKIP() << "./dev robots installs ngspice";
     BrainGraph graph = make_graph({.LL = 0.5f, .RR = 0.5f});
     find_node(graph, "SL")->name = "eyeL";
     find_node(graph, "SR")->name = "EyeL";
@@ -372,7 +372,7 @@ std::string with_weakest_sink(std::string netlist) {
 }
 
 TEST(OpampInNgspice, KeepsTheDriversInputsBetweenLowAndTheirLimitWithTheWeakestAmplifier) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs ngspice";
+    if (!has_tool("ngspice")) GTEST_SKIP() << "./dev robots installs ngspice";
     const Folder folder;
     std::vector<BrainToExport> brains{
         {"strong", make_graph({.LL = -2, .LR = -2, .RL = 2, .RR = 2, .LM = -1, .RM = 1}), {}}};

@@ -1,5 +1,5 @@
 // Simulators of robots: simavr for the Arduino, Aseba's virtual machine for the Thymio II. Tests use them after
-// has_toolchains() only.
+// has_tool() only.
 #pragma once
 
 #include <cmath>

@@ -154,7 +154,7 @@ TEST(Thymio3, StopsWithTheCentreButtonAndGoesOnWithTheForwardButton) {
 }
 
 TEST(Thymio3InMicropython, GivesTheSpeedsOfEveryShippedBrainThatItHolds) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
+    if (!has_tool("firmware-microbit-micropython")) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     each_exported(Target::micropython, "thymio3",
                   [](const BrainToExport& brain, const auto&) { compare(brain, 150, false); });
 }
@@ -176,12 +176,12 @@ BrainToExport learner() {
 TEST(Thymio3, HoldsMemoriesCurvesAndLearningWires) { compare(learner(), 1000, true); }
 
 TEST(Thymio3InMicropython, HoldsMemoriesCurvesAndLearningWires) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
+    if (!has_tool("firmware-microbit-micropython")) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     compare(learner(), 150, false);
 }
 
 TEST(Thymio3InMicropython, RunsTheLargestProgram) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
+    if (!has_tool("firmware-microbit-micropython")) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     compare(fan(largest_fan()), 150, false);
 }
 

@@ -113,7 +113,7 @@ Compared compare(VirtualMachine& machine, const BrainToExport& brain, int ticks)
 }
 
 TEST(ThymioInAseba, GivesTheTargetsOfEveryShippedBrainThatItHolds) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs Aseba";
+    if (!has_tool("aseba")) GTEST_SKIP() << "./dev robots installs Aseba";
     VirtualMachine machine;
     each_exported(Target::thymio, "thymio2", [&](const BrainToExport& brain, const auto&) {
         const Compared found = compare(machine, brain, 3000);
@@ -124,7 +124,7 @@ TEST(ThymioInAseba, GivesTheTargetsOfEveryShippedBrainThatItHolds) {
 }
 
 TEST(ThymioInAseba, HoldsEveryCurveThresholdAndMemory) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs Aseba";
+    if (!has_tool("aseba")) GTEST_SKIP() << "./dev robots installs Aseba";
     VirtualMachine machine;
     for (const auto& row : responses)
         for (const bool on_wire : {true, false}) {
@@ -142,7 +142,7 @@ TEST(ThymioInAseba, HoldsEveryCurveThresholdAndMemory) {
 }
 
 TEST(ThymioInAseba, WrapsInNoRandomBrainThatIsExported) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs Aseba";
+    if (!has_tool("aseba")) GTEST_SKIP() << "./dev robots installs Aseba";
     VirtualMachine machine;
     maths::Random random(9, 1);
     int brains = 0;
@@ -163,7 +163,7 @@ TEST(ThymioInAseba, WrapsInNoRandomBrainThatIsExported) {
 }
 
 TEST(ThymioInAseba, RunsTheLargestNumbersThatAreAllowed) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs Aseba";
+    if (!has_tool("aseba")) GTEST_SKIP() << "./dev robots installs Aseba";
     VirtualMachine machine;
     const Compared found = compare(machine, {"doubling", doubling(5), {}}, 3000);  // up to 32, the unit is 1000
     EXPECT_EQ(found.rows, 3000u);
