@@ -42,10 +42,7 @@ bool ascend(const Values& values) {
            values.end();
 }
 
-template <std::floating_point Number>
-bool components_within(Number value, Number low, Number high) {
-    return within(value, low, high);
-}
+bool components_within(std::floating_point auto value, float low, float high) { return value >= low && value <= high; }
 bool components_within(const std::array<float, 2>& pair, float low, float high) {
     return within(pair[0], low, high) && within(pair[1], low, high);
 }

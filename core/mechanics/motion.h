@@ -9,7 +9,7 @@ namespace braitenlab::mechanics {
 struct Motion {
     maths::vec2 position, ahead{1, 0}, velocity;  // m, unit vector of the heading, m/s
     float angular_velocity = 0;                   // rad/s, counter-clockwise
-    float heading = 0;                            // rad, not wrapped
+    float heading = 0;                            // rad; of a running world in −π..π
     friend constexpr bool operator==(const Motion&, const Motion&) = default;
 };
 

@@ -129,7 +129,7 @@ std::optional<Error> add_last(WorldData& s, Scene& scene, const AddVehicle& c, s
     const bool has_own_sensors = design != nullptr;
     add_vehicle(s, kind, *start, id, std::move(brain), c.at ? *c.at : somewhere(), std::move(design));
     if (has_own_sensors) s.lay_out_grids();
-    s.vehicles.energy.back() = c.energy;
+    s.vehicles.energy.back() = static_cast<double>(c.energy);
     if (c.driver) s.vehicles.driver.back() = *c.driver;
     set_look(s.looks, id, c.look);
     return std::nullopt;

@@ -33,7 +33,7 @@ VehicleView view_of(const WorldData& s, std::size_t row, const std::array<float,
     view.y = m.position.y;
     view.heading = maths::wrap_angle(m.heading);
     view.speed = maths::dot(m.velocity, m.ahead);
-    view.energy = v.energy[row];
+    view.energy = static_cast<float>(v.energy[row]);
     view.motor = motor;
     view.wheel_angle = v.wheel_angle[row];
     view.first_sensed = static_cast<int>(v.first_sensed[row]);

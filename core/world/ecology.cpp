@@ -14,9 +14,9 @@ constexpr std::uint64_t strike_ticks = 60;  // between two strikes of one pair: 
 constexpr float moving_speed = 0.05f;       // m/s; a slower vehicle counts as still
 
 void bite(WorldData& s, std::size_t predator, std::size_t prey) {
-    const float taken = std::min(s.scene->ecology.bite, s.vehicles.energy[prey]);
+    const double taken = std::min(static_cast<double>(s.scene->ecology.bite), s.vehicles.energy[prey]);
     s.vehicles.energy[prey] -= taken;
-    s.vehicles.energy[predator] = std::min(1.0f, s.vehicles.energy[predator] + taken);
+    s.vehicles.energy[predator] = std::min(1.0, s.vehicles.energy[predator] + taken);
     ++s.events.captures;
 }
 
@@ -63,13 +63,11 @@ int successor_kind(const WorldData& s, std::size_t row) {
 }
 
 void spend_energy(WorldData& s) {
-    const float spent = s.scene->ecology.drain * tick_seconds;
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
-        float& energy = s.vehicles.energy[row];
-        const float gained = s.environment.ground.recharges
-                                 ? s.environment.ground.recharge_at(s.vehicles.motion[row].position) * tick_seconds
-                                 : 0;
-        energy = std::clamp(energy - spent + gained, 0.0f, 1.0f);
+        double& energy = s.vehicles.energy[row];
+        float rate = -s.scene->ecology.drain;
+        if (s.environment.ground.recharges) rate += s.environment.ground.recharge_at(s.vehicles.motion[row].position);
+        energy = std::clamp(energy + static_cast<double>(rate * tick_seconds), 0.0, 1.0);
     }
 }
 

@@ -18,6 +18,12 @@ struct Digest {
         std::memcpy(&bits, &number, sizeof bits);
         add(static_cast<std::uint64_t>(bits));
     }
+    void add(double number) {
+        if (const auto single = static_cast<float>(number); static_cast<double>(single) == number) return add(single);
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &number, sizeof bits);
+        add(bits);
+    }
     void add(maths::vec2 v) { add(v.x), add(v.y); }
     void add(std::int64_t number) { add(static_cast<std::uint64_t>(number)); }
     void add(std::int32_t number) { add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(number))); }

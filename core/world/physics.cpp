@@ -245,7 +245,11 @@ void Physics::set_obstacle_position(std::size_t index, maths::vec2 to) {
 
 namespace {
 
-mechanics::Motion motion_of(const b2Body& body) {
+// Box2D adds up the angle of a body, and the steps of a float become coarse as it grows. So it is turned back by whole
+// turns as soon as it leaves −π..π. Contacts and their impulses stay.
+mechanics::Motion motion_of(b2Body& body) {
+    if (std::fabs(body.GetAngle()) > maths::pi)
+        body.SetTransform(body.GetPosition(), maths::wrap_angle(body.GetAngle()));
     const b2Rot& turn = body.GetTransform().q;
     return {from_box(body.GetPosition()),
             {turn.c, turn.s},
@@ -256,8 +260,8 @@ mechanics::Motion motion_of(const b2Body& body) {
 
 }  // namespace
 
-mechanics::Motion Physics::motion(std::size_t row) const { return motion_of(*impl_->bodies[row]); }
-mechanics::Motion Physics::obstacle(std::size_t index) const { return motion_of(*impl_->obstacles[index]); }
+mechanics::Motion Physics::motion(std::size_t row) { return motion_of(*impl_->bodies[row]); }
+mechanics::Motion Physics::obstacle(std::size_t index) { return motion_of(*impl_->obstacles[index]); }
 
 void Physics::push(std::size_t row, maths::vec2 force, float torque) {
     // In a large crowd the next bodies are far away in memory.

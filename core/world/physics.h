@@ -41,8 +41,9 @@ public:
     void set_position(std::size_t row, maths::vec2);
     void set_obstacle_position(std::size_t index, maths::vec2);
 
-    mechanics::Motion motion(std::size_t row) const;
-    mechanics::Motion obstacle(std::size_t index) const;
+    // Headings are in −π..π: a body that has left the range is turned back by a whole turn.
+    mechanics::Motion motion(std::size_t row);
+    mechanics::Motion obstacle(std::size_t index);
     void push(std::size_t row, maths::vec2 force, float torque);  // N and N·m, for the next step
 
     // One step of tick_seconds. Updates `touching` (sorted); `begun` receives the contacts that began in this step.

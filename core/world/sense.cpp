@@ -45,7 +45,7 @@ float read_sensor(const WorldData& s, SensingBuffers& buffers, const CompiledSen
         case Channel::touch:
             return read_bumper(s, buffers, sensor, row);
         case Channel::energy:
-            return sensing::response_to_amount(sensor, s.vehicles.energy[row]);
+            return sensing::response_to_amount(sensor, static_cast<float>(s.vehicles.energy[row]));
         default:
             return sensing::read_environment(s.environment, buffers.grids, sensor, pose,
                                              static_cast<std::int32_t>(row));

@@ -59,7 +59,7 @@ struct Vehicles {
     std::vector<std::int32_t> start;  // in Scene::starts; −1: part of the population
     std::vector<Driver> driver;
     std::vector<mechanics::Motion> motion;
-    std::vector<float> energy;
+    std::vector<double> energy;                     // steps of a float are too coarse for a drain of hours
     std::vector<std::array<float, 2>> steered;      // wheel commands of the manual driver, −1..1
     std::vector<std::int32_t> waypoint;             // index of the next waypoint
     std::vector<std::array<float, 2>> gain;         // of each motor, 1 without mismatch
@@ -103,7 +103,8 @@ inline constexpr std::tuple vehicle_values{
     VehicleValue<std::array<float, 2>>{"hand", &Vehicles::steered, {}, {{-1, 1}}},
     VehicleValue<std::array<float, 2>>{"gain", &Vehicles::gain, {1, 1}, {{0.5f, 1.5f}}},
     VehicleValue<std::int32_t>{.word = "waypoint", .column = &Vehicles::waypoint, .reset = true},
-    VehicleValue<float>{.word = "energy", .column = &Vehicles::energy, .initial = 1, .limits = {{0, 1}}, .reset = true},
+    VehicleValue<double>{
+        .word = "energy", .column = &Vehicles::energy, .initial = 1, .limits = {{0, 1}}, .reset = true},
     VehicleValue<std::array<float, 2>>{"motor", &Vehicles::motor, {}, {{-1, 1}}, true, false},
     VehicleValue<std::array<float, 2>>{
         "wheel_angle", &Vehicles::wheel_angle, {}, {{-any_finite, any_finite}}, true, false},

@@ -30,6 +30,14 @@ TEST(World, RechargingGivesEnergyOnlyInItsZoneAndAtMostOne) {
     EXPECT_EQ(now.vehicles[0].energy, 1);
 }
 
+TEST(World, ADrainOfTenHoursTakesItsShareInTenMinutes) {
+    Scene scene = alone({});
+    scene.kinds[0].driver = Driver::parked;
+    scene.ecology.drain = 1.0f / 36000;
+    World world = make(scene);
+    EXPECT_NEAR(after(world, 600).vehicles[0].energy, 1 - 600.0f / 36000, 1e-5f);
+}
+
 // Predators and prey by wiring only: crossed wires approach other vehicles, uncrossed wires avoid them.
 Scene by_wiring() {
     Scene scene = alone({});

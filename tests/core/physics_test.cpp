@@ -22,7 +22,7 @@ TEST(Physics, Box2DUsesThePortableSineAndCosineOnEveryProcessor) {
         const float heading = chance.uniform(-40, 40);
         physics.add(0, 0, Body{}, mechanics::at_rest({0, 0}, heading));
         const mechanics::Motion now = physics.motion(0);
-        EXPECT_EQ(now.ahead, maths::direction(heading)) << heading;
+        EXPECT_EQ(now.ahead, maths::direction(now.heading)) << heading;
     }
 }
 
@@ -46,6 +46,68 @@ TEST(Physics, Box2DReadsNoClock) {
     world.Step(tick_seconds, 6, 2);  // takes milliseconds, because all touch each other
     EXPECT_GT(world.GetContactCount(), 1000);
     EXPECT_EQ(world.GetProfile().step, 0);
+}
+
+TEST(Physics, ATurningObstacleKeepsItsHeadingWithinOneTurn) {
+    Scene scene;
+    Obstacle board;
+    board.mass = 1;
+    scene.obstacles = {board};
+    mechanics::Motion motion = mechanics::at_rest({}, 1e6f);
+    motion.angular_velocity = 40;
+    Physics physics(scene, {motion});
+    std::vector<Touch> touching, begun;
+    float turned = 0, before = physics.obstacle(0).heading;
+    for (int tick = 0; tick < 120; ++tick) {
+        physics.step(touching, begun);
+        const mechanics::Motion now = physics.obstacle(0);
+        EXPECT_LE(std::fabs(now.heading), maths::pi);
+        EXPECT_EQ(now.ahead, maths::direction(now.heading));
+        turned += maths::wrap_angle(now.heading - before);
+        before = now.heading;
+    }
+    EXPECT_NEAR(turned, 40.0f / 3, 0.3f);  // its damping is 3/s
+}
+
+// A vehicle that swings to and fro while it is pressed on the right post, or, turned by 180°, on the left one.
+class Pressed {
+public:
+    explicit Pressed(float side) : side_(side), physics_(posts(), {}) {
+        physics_.add(0, 0, Body{}, mechanics::at_rest({side * 1.3f, 0}, side > 0 ? 0 : maths::pi));
+    }
+    void step(float torque) {
+        physics_.push(0, {side_ * 5, 0}, torque);
+        physics_.step(touching, begun);
+        now = physics_.motion(0);
+    }
+    std::vector<Touch> touching, begun;
+    mechanics::Motion now;
+
+private:
+    static Scene posts() {
+        Scene scene;
+        for (const float side : {1.0f, -1.0f})
+            scene.sources.push_back({.name = side > 0 ? "right" : "left", .x = 2 * side, .solid = true});
+        return scene;
+    }
+    float side_;
+    Physics physics_;
+};
+
+TEST(Physics, AVehicleAtAPostPassesTheHeadingPiAsItPassesZero) {
+    Pressed right(1), left(-1);
+    int passages = 0;
+    for (int tick = 0; tick < 120; ++tick) {
+        const float before = left.now.heading, torque = (tick + 4) / 8 % 2 == 0 ? 2.0f : -2.0f;
+        right.step(torque), left.step(torque);
+        passages += before * left.now.heading < 0;
+        EXPECT_EQ(left.touching, right.touching) << tick;
+        EXPECT_EQ(left.begun, right.begun) << tick;
+        EXPECT_NEAR(left.now.position.x, -right.now.position.x, 2e-6f) << tick;
+        EXPECT_NEAR(left.now.angular_velocity, right.now.angular_velocity, 1e-4f) << tick;
+    }
+    EXPECT_FALSE(right.touching.empty());
+    EXPECT_GT(passages, 3);
 }
 
 // The position after one second of a vehicle that hits a thin fixed board at x = 1 at top speed. Starts at

@@ -86,6 +86,24 @@ TEST(RunFile, ContinuesTheSavedRunExactlyInEveryShippedScene) {
     }
 }
 
+TEST(RunFile, KeepsARunOfHours) {
+    const Scene scene = tests::alone({.LM = -0.7f, .RM = 0.7f});
+    Session young = std::move(*Session::open(scene, 3));
+    for (int i = 0; i < 1000; ++i) young.step();
+    SavedRun aged = young.save();
+    auto state = std::make_shared<world::State>(*aged.checkpoint.keyframe);
+    state->tick = aged.checkpoint.keyframe_tick = 10'000'200, aged.checkpoint.tick = 10'000'300;
+    state->vehicles.motion[0] = mechanics::at_rest({}, 1e6f);
+    aged.checkpoint.keyframe = std::move(state);
+    Session session = Session::resume(aged);
+    for (int i = 0; i < 700; ++i) session.step();
+    const auto run = io::read_run(io::write_run(session.save()), "a.run");
+    ASSERT_TRUE(run) << run.error().text();
+    Session resumed = Session::resume(*run);
+    for (int i = 0; i < 700; ++i) session.step(), resumed.step();
+    EXPECT_EQ(resumed.hash(), session.hash());
+}
+
 TEST(RunFile, KeepsTheBuffersOfSlowSensors) {
     Scene scene = tests::crowd(12);
     for (Kind& kind : scene.kinds) kind.sensors[0].latency = 0.5f, kind.sensors[1].noise = 0.1f;
