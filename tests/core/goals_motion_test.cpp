@@ -57,6 +57,26 @@ TEST(MotionGoals, OneRestThatIsTooLongIsNeverForgiven) {
     EXPECT_FLOAT_EQ(verdict_on(goal, run({1, 0, 0, 0, 1})).measures[1].value, 1);
 }
 
+TEST(MotionGoals, ARestAfterTwoDaysIsMeasuredAsOneAtTheStart) {
+    std::vector<Moment> moments{{0, {}, 0, 1}};
+    for (int i = 0; i <= 60; ++i) moments.push_back({200000 + i / 60.0, {}, 0, 0});
+    const Goal never_done = goals::AllOf{{{goals::Captures{1}}, {goals::KeepsMoving{0.1f, 2}}}};
+    EXPECT_EQ(verdict_on(never_done, moments).measures[1].value, 1);
+}
+
+TEST(MotionGoals, EachTickOfDaysCountsInACorrelation) {
+    const Exercise exercise = exercise_with({goals::SpeedFollows{"S", 0.9f, 5}});
+    constexpr double ticks = 1 << 24;
+    goals::SpeedFollows::State state{ticks, 0, 0, ticks, ticks, 0};
+    for (int i = 0; i < 100; ++i) {
+        const Snapshot now = snapshot_of(exercise, {.seconds = 300000, .speed = 0.5f, .reading = 0.5f});
+        (void)measure(goals::SpeedFollows{"S", 0.9f, 5}, state, {now, now.vehicles[0], {}, nullptr});
+    }
+    EXPECT_EQ(state.count, ticks + 100);
+    EXPECT_NEAR(state.product_moment, 25, 0.01);
+    EXPECT_NEAR(state.speed_moment, ticks + 25, 0.01);
+}
+
 TEST(MotionGoals, SpeedFollowsASignalThatItIsCorrelatedWith) {
     const auto run = [](float slope, float wobble) {
         std::vector<Moment> moments;

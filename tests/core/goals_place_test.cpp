@@ -90,6 +90,26 @@ TEST(PlaceGoals, ADistanceIsSteadyWhenItVariesLittleForTheTime) {
     EXPECT_TRUE(is_done(goal, {{0, {9, 0}}, {1, {3, 0}}, {2, {3, 0}}, {3, {3, 0}}})) << "after a first change";
 }
 
+TEST(PlaceGoals, ARoundAfterHoursIsCountedAsTheFirst) {
+    const goals::Circles circles{"lamp", 2, 4, 1000};
+    const Exercise exercise = exercise_with({circles});
+    goals::Circles::State state{.inside = true, .turned = 950 * 2 * maths::pi_d};
+    std::optional<goals::Reading> reading;
+    for (int i = 0; i <= 12000; ++i) {
+        const Snapshot now =
+            snapshot_of(exercise, {.at = maths::from_polar(3, 2 * maths::pi * static_cast<float>(i) / 12000)});
+        reading = measure(circles, state, {now, now.vehicles[0], {}, nullptr});
+    }
+    ASSERT_TRUE(reading);
+    EXPECT_NEAR(reading->value, 951, 0.001f);
+}
+
+TEST(PlaceGoals, ASteadyDistanceAfterTwoDaysIsTimedAsOneAtTheStart) {
+    std::vector<Moment> moments{{0, {3, 0}}};
+    for (int i = 0; i <= 60; ++i) moments.push_back({200000 + i / 60.0, {5, 0}});
+    EXPECT_EQ(value_of(goals::SteadyDistance{"lamp", 10, 2}, moments), 1);
+}
+
 TEST(PlaceGoals, VisitsCountDifferentSources) {
     const Goal goal = goals::Visits{1, 2};
     EXPECT_TRUE(is_done(goal, {{0, {0, 0}}, {1, {10, 0.5f}}}));

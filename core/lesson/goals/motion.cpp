@@ -59,29 +59,31 @@ std::optional<Reading> measure(const KeepsSpeed& goal, KeepsSpeed::State&, const
 }
 
 std::optional<Reading> measure(const KeepsMoving& goal, KeepsMoving::State& state, const Observation& at) {
-    const auto now = static_cast<float>(at.now.seconds);
+    const auto now = static_cast<std::int64_t>(at.now.tick);
     if (std::fabs(at.vehicle.speed) >= goal.speed)
         state.slow_since = -1;
     else if (state.slow_since < 0)
         state.slow_since = now;
     else
         state.longest = std::max(state.longest, now - state.slow_since);
-    const bool met = state.longest <= goal.seconds;
-    return Reading{state.longest, met, !met};
+    const auto longest = static_cast<float>(seconds_at(static_cast<std::uint64_t>(state.longest)));
+    const bool met = longest <= goal.seconds;
+    return Reading{longest, met, !met};
 }
 
 std::optional<Reading> measure(const SpeedFollows& goal, SpeedFollows::State& state, const Observation& at) {
     const auto reading = reading_of(goal.sensor, at);
     if (!reading) return std::nullopt;
     state.count += 1;
-    const float speed_before = at.vehicle.speed - state.mean_speed, reading_before = *reading - state.mean_reading;
+    const auto speed = static_cast<double>(at.vehicle.speed), level = static_cast<double>(*reading);
+    const double speed_before = speed - state.mean_speed, level_before = level - state.mean_reading;
     state.mean_speed += speed_before / state.count;
-    state.mean_reading += reading_before / state.count;
-    state.speed_moment += speed_before * (at.vehicle.speed - state.mean_speed);
-    state.reading_moment += reading_before * (*reading - state.mean_reading);
-    state.product_moment += speed_before * (*reading - state.mean_reading);
-    const float spread = std::sqrt(state.speed_moment * state.reading_moment);
-    const float correlation = spread > 0 ? state.product_moment / spread : 0;
+    state.mean_reading += level_before / state.count;
+    state.speed_moment += speed_before * (speed - state.mean_speed);
+    state.reading_moment += level_before * (level - state.mean_reading);
+    state.product_moment += speed_before * (level - state.mean_reading);
+    const double spread = std::sqrt(state.speed_moment * state.reading_moment);
+    const auto correlation = static_cast<float>(spread > 0 ? state.product_moment / spread : 0);
     return Reading{correlation, at.now.seconds >= static_cast<double>(goal.seconds) && correlation >= goal.correlation};
 }
 

@@ -69,8 +69,8 @@ struct KeepsMoving {
         "keeps_moving", "s",   true,  0, "the vehicle has never moved slower than `speed` for longer than `seconds`",
         true,           false, "rest"};
     struct State {
-        float slow_since = -1;  // s; −1: it moves
-        float longest = 0;      // s
+        std::int64_t slow_since = -1;  // tick; −1: it moves
+        std::int64_t longest = 0;      // ticks
     };
     float speed = 0, seconds = 0;
     float needed() const { return seconds; }
@@ -82,8 +82,8 @@ struct SpeedFollows {
                                    "after `seconds`, the speed and the sensor's reading have at least this "
                                    "`correlation` over the run so far"};
     struct State {
-        float count = 0, mean_speed = 0, mean_reading = 0;
-        float speed_moment = 0, reading_moment = 0, product_moment = 0;  // sums of products of deviations
+        double count = 0, mean_speed = 0, mean_reading = 0;
+        double speed_moment = 0, reading_moment = 0, product_moment = 0;  // sums of products of deviations
     };
     std::string sensor;
     float correlation = 0, seconds = 0;
@@ -160,8 +160,8 @@ template <class Visitor>
 void describe(Visitor&, Of<KeepsSpeed::State>) {}
 template <class Visitor>
 void describe(Visitor& v, Of<KeepsMoving::State>) {
-    v.number("slow_since", &KeepsMoving::State::slow_since, "s", {-1, 1e6}, "");
-    v.number("longest", &KeepsMoving::State::longest, "s", {0, 1e6}, "");
+    v.number("slow_since", &KeepsMoving::State::slow_since, "ticks", {-1, 1e15}, "");
+    v.number("longest", &KeepsMoving::State::longest, "ticks", {0, 1e15}, "");
 }
 template <class Visitor>
 void describe(Visitor& v, Of<SpeedFollows::State>) {

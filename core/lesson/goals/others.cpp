@@ -44,8 +44,9 @@ std::optional<Reading> measure(const Matches& goal, Matches::State& state, const
     const sensing::Seam seam(at.now.scene->arena);
     const float distance = maths::length(seam.shortest({reference.x - at.vehicle.x, reference.y - at.vehicle.y}));
     state.count += 1;
-    state.mean += (distance - state.mean) / state.count;
-    return Reading{state.mean, at.now.seconds >= static_cast<double>(goal.seconds) && state.mean <= goal.metres};
+    state.mean += (static_cast<double>(distance) - state.mean) / state.count;
+    const auto mean = static_cast<float>(state.mean);
+    return Reading{mean, at.now.seconds >= static_cast<double>(goal.seconds) && mean <= goal.metres};
 }
 
 }  // namespace braitenlab::goals

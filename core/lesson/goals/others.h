@@ -69,7 +69,7 @@ struct Matches {
                                    false,
                                    "path"};
     struct State {
-        float count = 0, mean = 0;  // ticks, m
+        double count = 0, mean = 0;  // ticks, m
     };
     float metres = 0, seconds = 0;
     float needed() const { return metres; }

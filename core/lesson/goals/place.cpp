@@ -66,7 +66,7 @@ bool segments_cross(vec2 a, vec2 b, vec2 c, vec2 d) {
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-constexpr float full_turn = 2 * maths::pi;
+constexpr double full_turn = 2 * maths::pi_d;
 
 }  // namespace
 
@@ -98,21 +98,22 @@ std::optional<Reading> measure(const Circles& goal, Circles::State& state, const
     if (!inside)
         state.turned = 0;
     else if (state.inside)
-        state.turned += maths::wrap_angle(now.angle - state.bearing);
+        state.turned += static_cast<double>(maths::wrap_angle(now.angle - state.bearing));
     state.inside = inside;
     state.bearing = now.angle;
-    const float rounds = std::fabs(state.turned) / full_turn;
+    const auto rounds = static_cast<float>(std::fabs(state.turned) / full_turn);
     return Reading{rounds, rounds >= goal.rounds};
 }
 
 std::optional<Reading> measure(const SteadyDistance& goal, SteadyDistance::State& state, const Observation& at) {
     const auto distance = distance_to_source(goal.source, at);
     if (!distance) return std::nullopt;
-    const auto now = static_cast<float>(at.now.seconds);
+    const auto now = static_cast<std::int64_t>(at.now.tick);
     state.nearest = std::min(state.nearest, *distance), state.furthest = std::max(state.furthest, *distance);
     const bool varied = state.furthest - state.nearest > goal.percent / 100 * state.furthest;
     if (state.since < 0 || varied) state.since = now, state.nearest = state.furthest = *distance;
-    return Reading{now - state.since, now - state.since >= goal.seconds};
+    const auto seconds = static_cast<float>(seconds_at(static_cast<std::uint64_t>(now - state.since)));
+    return Reading{seconds, seconds >= goal.seconds};
 }
 
 std::optional<Reading> measure(const Visits& goal, Visits::State& state, const Observation& at) {
@@ -163,10 +164,11 @@ std::optional<Reading> measure(const FollowsLine& goal, FollowsLine::State& stat
     }
     if (pieces == 0) return std::nullopt;
     const float bearing = maths::to_polar(place_of(at) - middle / pieces).angle;
-    if (state.begun && nearest <= goal.metres) state.turned += maths::wrap_angle(bearing - state.bearing);
+    if (state.begun && nearest <= goal.metres)
+        state.turned += static_cast<double>(maths::wrap_angle(bearing - state.bearing));
     state.begun = true;
     state.bearing = bearing;
-    const float laps = std::fabs(state.turned) / full_turn;
+    const auto laps = static_cast<float>(std::fabs(state.turned) / full_turn);
     return Reading{laps, laps >= goal.laps};
 }
 

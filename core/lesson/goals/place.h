@@ -47,7 +47,8 @@ struct Circles {
                                    "between the distances `from` and `to`"};
     struct State {
         bool inside = false;
-        float bearing = 0, turned = 0;  // rad: direction of the vehicle as seen from the source; sum of its changes
+        float bearing = 0;  // rad: direction of the vehicle as seen from the source
+        double turned = 0;  // rad: sum of its changes
     };
     std::string source;
     float from = 0, to = 0, rounds = 0;
@@ -62,7 +63,7 @@ struct SteadyDistance {
         .meaning = "the distance to the source has varied by at most `percent` for `seconds`",
         .quantity = "steady"};
     struct State {
-        float since = -1;  // s; −1: not begun
+        std::int64_t since = -1;  // tick; −1: not begun
         float nearest = 0, furthest = 0;
     };
     std::string source;
@@ -109,7 +110,8 @@ struct FollowsLine {
                                    "within `metres` of the tape; a part further away does not count"};
     struct State {
         bool begun = false;
-        float bearing = 0, turned = 0;  // rad
+        float bearing = 0;  // rad
+        double turned = 0;
     };
     float metres = 0, laps = 0;
     float needed() const { return laps; }
@@ -192,11 +194,11 @@ template <class Visitor>
 void describe(Visitor& v, Of<Circles::State>) {
     v.flag("inside", &Circles::State::inside, "");
     v.number("bearing", &Circles::State::bearing, "rad", {-4, 4}, "");
-    v.number("turned", &Circles::State::turned, "rad", {-1e6, 1e6}, "");
+    v.number("turned", &Circles::State::turned, "rad", {-1e15, 1e15}, "");
 }
 template <class Visitor>
 void describe(Visitor& v, Of<SteadyDistance::State>) {
-    v.number("since", &SteadyDistance::State::since, "s", {-1, 1e6}, "");
+    v.number("since", &SteadyDistance::State::since, "ticks", {-1, 1e15}, "");
     v.number("nearest", &SteadyDistance::State::nearest, "m", {0, 1e6}, "");
     v.number("furthest", &SteadyDistance::State::furthest, "m", {0, 1e6}, "");
 }
@@ -218,7 +220,7 @@ template <class Visitor>
 void describe(Visitor& v, Of<FollowsLine::State>) {
     v.flag("begun", &FollowsLine::State::begun, "");
     v.number("bearing", &FollowsLine::State::bearing, "rad", {-4, 4}, "");
-    v.number("turned", &FollowsLine::State::turned, "rad", {-1e6, 1e6}, "");
+    v.number("turned", &FollowsLine::State::turned, "rad", {-1e15, 1e15}, "");
 }
 
 }  // namespace braitenlab::goals
