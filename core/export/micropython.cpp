@@ -28,6 +28,12 @@ constexpr Function functions[] = {
     {Response::inverted, "def inverted(x):\n    return 1 - x\n"},
 };
 
+// Floats of the micro:bit have 22 significant bits and are cut, not rounded. What many small steps lose would add up,
+// so it is carried to the next step (W. Kahan, Communications of the ACM 8, 1965).
+constexpr std::string_view added_text =
+    "\n\n# The sum, and what a float is too short for: it is added to the next step.\n"
+    "def added(value, step):\n    total = value + step\n    return total, step - (total - value)\n";
+
 bool uses(const Plan& plan, Response response) {
     for (const PlanUnit& unit : plan.units) {
         if (unit.curve.response == response) return true;
@@ -72,11 +78,16 @@ std::string lines_of(const Plan& plan, const PlanUnit& unit, bool motor) {
     std::string text = fmt::format("    # {} {}\n    s = {}\n", motor ? "motor" : "neuron", comment_text(unit.name),
                                    number(unit.bias));
     for (const PlanTap& tap : unit.taps) text += product(plan, tap);
+    const std::string result = "new_" + unit.id;
     std::string value = through(unit.curve, "s");
-    if (unit.follow < 1) value = fmt::format("{0} + {1} * ({2} - {0})", unit.id, number(unit.follow), value);
+    if (unit.follow < 1) {
+        text += fmt::format("    {0}, rest_{1} = added({1}, {2} * ({3} - {1}) + rest_{1})\n", result, unit.id,
+                            number(unit.follow), value);
+        value = result;
+    }
     if (unit.value.low <= -largest_value || unit.value.high >= largest_value)
         value = fmt::format("max(-1000.0, min(1000.0, {}))", value);
-    return text + fmt::format("    new_{} = {}\n", unit.id, value);
+    return value == result ? text : text + fmt::format("    {} = {}\n", result, value);
 }
 
 std::string learning(const Plan& plan) {
@@ -86,7 +97,7 @@ std::string learning(const Plan& plan) {
             if (tap.learned_id.empty()) continue;
             text += fmt::format(
                 "    # learns while both ends are active, and fades\n"
-                "    {0} += ({1} * {2} * new_{3} - {4} * {0}) / RATE_HZ\n"
+                "    {0}, rest_{0} = added({0}, ({1} * {2} * new_{3} - {4} * {0}) / RATE_HZ + rest_{0})\n"
                 "    {0} = max({5}, min({6}, {0}))\n",
                 tap.learned_id, number(tap.learning_rate), reading(plan, tap), unit.id, number(tap.decay),
                 number(-limits::weight - tap.weight), number(limits::weight - tap.weight));
@@ -169,22 +180,10 @@ The pins take 3 V. A sensor that is built for 5 V does not work at 3 V, and 5 V 
 Calibrate by writing values into `main.py`: button B prints what the sensors read, covered (`DARK`) and in front of the lamp (`BRIGHT`).
 Raise `MINIMUM` until each wheel just turns; lower `FASTEST` of the faster motor until it drives straight. Button A starts and stops.
 
-Numbers on the micro:bit have 30 bits and are cut, not rounded, so a command differs from the lab's by less than 0.0001.@MEMORY@
+Numbers on the micro:bit have 30 bits and are cut, not rounded, so a command differs from the lab's by less than 0.0001.
 )";
 
 }  // namespace
-
-double memory_error(const Plan& plan) {
-    constexpr double lost = 1.0 / (1 << 21);  // of a value, in each step
-    double most = 0;
-    for (const PlanUnit& unit : plan.units) {
-        if (unit.follow < 1) most = std::max(most, lost / static_cast<double>(unit.follow));
-        for (const PlanTap& tap : unit.taps)
-            if (tap.learning_rate > 0 && tap.decay > 0)
-                most = std::max(most, lost * static_cast<double>(plan.rate_hz) / static_cast<double>(tap.decay));
-    }
-    return most;
-}
 
 std::optional<Error> refusal(const Plan& plan) {
     for (const Input& input : plan.inputs)
@@ -213,18 +212,24 @@ bool needs_exp(const Plan& plan) { return uses(plan, Response::sigmoid) || uses(
 std::string think_py(const Plan& plan) {
     std::string text = fmt::format("RATE_HZ = {:g}\n", plan.rate_hz);
     std::string kept, stored;
+    bool any_sum = false;
     const auto keep = [&](const std::string& id) {
         text += id + " = 0.0\n";
         kept += (kept.empty() ? "" : ", ") + id;
     };
+    const auto keep_sum = [&](const std::string& id) {
+        keep(id), keep("rest_" + id);
+        any_sum = true;
+    };
     for (const PlanUnit& unit : plan.units) {
         if (!unit.is_kept) continue;
-        keep(unit.id);
+        unit.follow < 1 ? keep_sum(unit.id) : keep(unit.id);
         stored += fmt::format("    {0} = new_{0}\n", unit.id);
     }
     for (const PlanUnit& unit : plan.units)
         for (const PlanTap& tap : unit.taps)
-            if (!tap.learned_id.empty()) keep(tap.learned_id);
+            if (!tap.learned_id.empty()) keep_sum(tap.learned_id);
+    if (any_sum) text += added_text;
     if (uses_threshold(plan)) text += "\n\ndef masked(x, threshold):\n    return 0.0 if abs(x) < threshold else x\n";
     for (const Function& function : functions)
         if (uses(plan, function.response)) text += "\n\n" + std::string(function.text);
@@ -266,15 +271,9 @@ std::string readme(const Plan& plan) {
     std::string sensors;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i)
         sensors += fmt::format("| {} | P{} | {} |\n", comment_text(plan.inputs[i].name), i, part_of(plan.inputs[i]));
-    const double error = memory_error(plan);
-    return filled(readme_text,
-                  {{"TITLE", comment_text(plan.title)},
-                   {"BYTES", std::to_string(brain_py(plan).size())},
-                   {"SENSORS", sensors},
-                   {"MEMORY", error == 0 ? ""
-                                         : fmt::format(" The value of a neuron with a memory, and what a wire has "
-                                                       "learned,\nis up to {:.2g} % too small besides.",
-                                                       100 * error)}});
+    return filled(
+        readme_text,
+        {{"TITLE", comment_text(plan.title)}, {"BYTES", std::to_string(brain_py(plan).size())}, {"SENSORS", sensors}});
 }
 
 }  // namespace braitenlab::robots::micropython

@@ -17,10 +17,6 @@ inline constexpr int largest_brain = 2500;  // bytes of brain.py; tests run one 
 // The part that senses a channel with the 3 V of the board; a part that needs 5 V says so. Precondition: there is one.
 std::string part_of(const Input&);
 
-// Floats of the micro:bit have 22 significant bits and are cut, not rounded: each result loses up to 2^-21 of its size.
-// The value of a neuron with a memory loses that in each step, which adds up to this share of it; 0: no memory.
-double memory_error(const Plan&);
-
 // The first part that the robot cannot hold, with its name: a sensor without a part or without a pin, a brain too
 // large.
 std::optional<Error> refusal(const Plan&);
