@@ -86,9 +86,9 @@ void check_study(TomlTable& top, Study& study) {
     for (std::size_t i = 0; i < study.values.size(); ++i) {
         const StudyValue& value = study.values[i];
         TomlTable table(file, tables[i], fmt::format("value.{}", i + 1));
-        if (value.name.empty()) table.fail("name", message_of("missing_in_value", "name"));
-        if (value.paths.empty()) table.fail("paths", message_of("missing_in_value", "paths"));
-        if (value.levels.empty()) table.fail("levels", message_of("missing_in_value", "levels"));
+        if (value.name.empty()) table.fail_missing("name", message_of("missing_in_value", "name"));
+        if (value.paths.empty()) table.fail_missing("paths", message_of("missing_in_value", "paths"));
+        if (value.levels.empty()) table.fail_missing("levels", message_of("missing_in_value", "levels"));
     }
     if (study.measure_words.empty()) top.fail("measures", message_of("missing_in_study", "measures"));
     read_measures(top, study);

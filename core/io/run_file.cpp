@@ -9,6 +9,7 @@
 #include "core/io/json.h"
 #include "core/io/state_json.h"
 #include "core/messages.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/sealed.h"
 
@@ -112,6 +113,8 @@ void hide_brains(SavedRun& run, const std::vector<std::string>& kinds) {
 
 Result<SavedRun> read_run(std::string_view text, std::string file) {
     if (text.size() > most_bytes) return refused(message_of("run_too_large", most_bytes >> 20U), file);
+    if (const std::string_view format = foreign_format(text); !format.empty() && format != "JSON")
+        return refused(message_of("other_file", format), file);
     Guard guard;
     try {
         const Json json = Json::parse(text, std::ref(guard));

@@ -1,5 +1,7 @@
 #include "core/scene/file_kind.h"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -23,6 +25,34 @@ FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
         is_brain |= line.starts_with("[brain");
     }
     return is_brain && !is_scene ? FileKind::brain : FileKind::scene;
+}
+
+std::string_view foreign_format(std::string_view content) {
+    struct Signature {
+        std::string_view bytes, format;
+    };
+    // A .docx, .ods or .sb3 is a ZIP, too.
+    static constexpr std::array signatures{Signature{"PK\x03\x04", "ZIP"},
+                                           Signature{"PK\x05\x06", "ZIP"},
+                                           Signature{"%PDF-", "PDF"},
+                                           Signature{"\x89PNG", "PNG"},
+                                           Signature{"GIF8", "GIF"},
+                                           Signature{"\xFF\xD8\xFF", "JPEG"},
+                                           Signature{"\x1F\x8B", "gzip"},
+                                           Signature{"7z\xBC\xAF", "7z"},
+                                           Signature{"\x7F"
+                                                     "ELF",
+                                                     "ELF"},
+                                           Signature{"{\\rtf", "RTF"},
+                                           Signature{"{", "JSON"},
+                                           Signature{"<!DOCTYPE html", "HTML"},
+                                           Signature{"<!doctype html", "HTML"},
+                                           Signature{"<html", "HTML"},
+                                           Signature{"<", "XML"}};
+    const auto found = std::find_if(signatures.begin(), signatures.end(), [content](const Signature& signature) {
+        return content.starts_with(signature.bytes);
+    });
+    return found == signatures.end() ? std::string_view() : found->format;
 }
 
 Result<std::string> read_text(const std::filesystem::path& path) {

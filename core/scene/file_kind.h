@@ -17,6 +17,10 @@ inline constexpr int file_kinds = 6;
 // counts as a scene. The text may be malformed: parsing it as this kind reports the error.
 FileKind detect_kind(const std::filesystem::path&, std::string_view text);
 
+// The format of a file of other programs by its first bytes, "ZIP", "PDF" or "PNG"; "JSON" for a saved run, too. Empty
+// for any other text.
+std::string_view foreign_format(std::string_view content);
+
 // The text of a TOML file. Fails if it is absent, no regular file, unreadable, or larger than limits::file_bytes.
 Result<std::string> read_text(const std::filesystem::path&);
 

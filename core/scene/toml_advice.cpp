@@ -66,6 +66,30 @@ KeyLine key_line_of(std::string_view line) {
 
 using Advice = std::optional<Message>;
 
+// The line without its texts in quotes.
+std::string outside_quotes(std::string_view line) {
+    std::string outside;
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (quote == '"' && line[i] == '\\')
+            ++i;
+        else if (quote != 0)
+            quote = line[i] == quote ? char{0} : quote;
+        else if (line[i] == '"' || line[i] == '\'')
+            quote = line[i];
+        else
+            outside += line[i];
+    }
+    return outside;
+}
+
+Advice of_no_break_space(const KeyLine& line) {
+    const std::string outside = outside_quotes(line.whole);
+    for (const std::string_view blank : {"\u00A0", "\u202F", "\u2007"})
+        if (outside.find(blank) != std::string::npos) return message_of("advice_plain_blanks");
+    return std::nullopt;
+}
+
 Advice of_typographic_quotes(const KeyLine& line) {
     const std::size_t plain = line.whole.find_first_of("\"'");
     for (const std::string_view quote : {"„", "“", "”", "‚", "‘", "’", "«", "»"})
@@ -151,8 +175,8 @@ Advice of_repetition(std::string_view above, const KeyLine& line) {
     return std::nullopt;
 }
 
-constexpr std::array causes{of_typographic_quotes, of_open_quote, of_heading,  of_missing_parts,
-                            of_decimal_comma,      of_unit,       of_bare_word};
+constexpr std::array causes{of_no_break_space, of_typographic_quotes, of_open_quote, of_heading,
+                            of_missing_parts,  of_decimal_comma,      of_unit,       of_bare_word};
 
 }  // namespace
 

@@ -18,19 +18,34 @@ namespace {
 constexpr int deepest_key = 8;            // dots in one key; ours need four
 constexpr std::size_t most_faults = 200;  // of one file; a person reads less, and each is compared with all before it
 
+// True for a quote after an odd number of backslashes in text[from, at).
+bool is_escaped(std::string_view text, std::size_t from, std::size_t at) {
+    std::size_t first = at;
+    while (first > from && text[first - 1] == '\\') --first;
+    return (at - first) % 2 == 1;
+}
+
 // The position after the quoted text that begins at `at`; the end of the text when the quote is not closed.
 std::size_t skip_quoted(std::string_view text, std::size_t at) {
     const char quote = text[at];
-    const std::string closing(text.substr(at, 3) == std::string(3, quote) ? 3 : 1, quote);
-    at += closing.size();
-    while (at < text.size() && text.substr(at, closing.size()) != closing) {
-        if (closing.size() == 1 && text[at] == '\n') return at;  // a syntax error; the parser reports it
-        at += quote == '"' && text[at] == '\\' ? 2 : 1;
+    const auto are_quotes = [&](std::size_t from, std::size_t count) {
+        return from + count <= text.size() && text.substr(from, count).find_first_not_of(quote) == text.npos;
+    };
+    const bool is_long = are_quotes(at, 3);
+    for (at += is_long ? 3 : 1;;) {
+        const std::size_t end = text.find(quote, at);
+        const std::size_t line_end = is_long ? text.npos : text.substr(at, std::min(end, text.size()) - at).find('\n');
+        if (line_end != text.npos) return at + line_end;  // a syntax error; the parser reports it
+        if (end == text.npos) return text.size();
+        const bool closes = (quote == '\'' || !is_escaped(text, at, end)) && (!is_long || are_quotes(end, 3));
+        at = end + 1;
+        if (!closes) continue;
+        if (!is_long) return at;
+        at += 2;
+        // Up to two quotes before the closing three belong to the text.
+        for (int more = 0; more < 2 && at < text.size() && text[at] == quote; ++more) ++at;
+        return at;
     }
-    at += closing.size();
-    // Up to two quotes before the closing three belong to the text.
-    for (int more = 0; closing.size() == 3 && more < 2 && at < text.size() && text[at] == quote; ++more) ++at;
-    return std::min(at, text.size());
 }
 
 // The line of the first key with more than deepest_key dots, or 0. toml++ 3.3 limits the nesting of values but not of
@@ -58,6 +73,15 @@ int line_of_too_deep_key(std::string_view text) {
     return 0;
 }
 
+// The line of the first carriage return that no line feed follows, or 0. TOML forbids it; toml++ reads a comment over
+// it, up to the end of the file.
+int line_of_bare_return(std::string_view text) {
+    std::size_t at = text.find('\r');
+    while (at != text.npos && at + 1 < text.size() && text[at + 1] == '\n') at = text.find('\r', at + 1);
+    if (at == text.npos) return 0;
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
 // The list entry or member that a part of a path names, or null.
 const TomlNode* child(const TomlNode& node, const std::string& part) {
     if (node.as_table()) return node.get(part);
@@ -76,32 +100,31 @@ void take_earliest(TomlPlace& first, TomlPlace inner) {
     if (first.line == 0 || inner < first) first = inner;
 }
 
-TomlNode node_from(const toml::node& node) {
+// Takes the texts out of the node.
+TomlNode node_from(toml::node& node) {
     TomlNode made{TomlNode::Date{}, place_of(node.source())};
-    if (const toml::table* table = node.as_table()) {
-        TomlNode::Table members;
+    if (toml::table* table = node.as_table()) {
+        auto& members = made.content.emplace<TomlNode::Table>();
         members.reserve(table->size());
-        for (const auto& [key, value] : *table) {  // in the order of the keys
+        for (auto&& [key, value] : *table) {  // in the order of the keys
             members.push_back({std::string(key.str()), place_of(key.source()), node_from(value)});
             take_earliest(made.place, members.back().value.place);
         }
-        made.content = std::move(members);
-    } else if (const toml::array* array = node.as_array()) {
-        TomlNode::List elements;
+    } else if (toml::array* array = node.as_array()) {
+        auto& elements = made.content.emplace<TomlNode::List>();
         elements.reserve(array->size());
-        for (const toml::node& value : *array) {
+        for (toml::node& value : *array) {
             elements.push_back(node_from(value));
             take_earliest(made.place, elements.back().place);
         }
-        made.content = std::move(elements);
-    } else if (node.is_string()) {
-        made.content = node.ref<std::string>();
-    } else if (node.is_integer()) {
-        made.content = node.ref<std::int64_t>();
-    } else if (node.is_floating_point()) {
-        made.content = node.ref<double>();
-    } else if (node.is_boolean()) {
-        made.content = node.ref<bool>();
+    } else if (auto* text = node.as_string()) {
+        made.content = std::move(text->get());
+    } else if (const auto* whole = node.as_integer()) {
+        made.content = whole->get();
+    } else if (const auto* number = node.as_floating_point()) {
+        made.content = number->get();
+    } else if (const auto* flag = node.as_boolean()) {
+        made.content = flag->get();
     }
     return made;
 }
@@ -119,7 +142,7 @@ TomlNode value_of(const std::string& text) {
     const bool one_line = text.find('\n') == std::string::npos && line_of_too_deep_key(text) == 0;
     if (one_line) {
         try {
-            const toml::table holder = toml::parse("value = " + text);
+            toml::table holder = toml::parse("value = " + text);
             TomlNode value = node_from(*holder.get("value"));
             forget_places(value);  // they are not lines of the file
             return value;
@@ -196,10 +219,15 @@ Error TomlFile::fault_at(const std::string& path, Message what) const {
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     if (text.size() > limits::file_bytes)
         return error_of(message_of("too_large", limits::file_bytes >> 20u), std::move(file_name));
+    if (const std::string_view format = foreign_format(text); !format.empty())
+        return error_of(message_of("other_file", format), std::move(file_name));
+    if (const int line = line_of_bare_return(text))
+        return error_of(message_of("bare_returns"), std::move(file_name), line);
     if (const int line = line_of_too_deep_key(text))
         return error_of(message_of("too_deep_key"), std::move(file_name), line);
     try {
-        return TomlFile{file_name, node_from(toml::parse(text, std::string_view(file_name)))};
+        toml::table tree = toml::parse(text, std::string_view(file_name));
+        return TomlFile{file_name, node_from(tree)};
     } catch (const toml::parse_error& mistake) {
         const int line = static_cast<int>(mistake.source().begin.line);
         return error_of(message_of("not_toml", mistake.description()) + toml_advice(text, line), std::move(file_name),
@@ -222,7 +250,9 @@ void check_format(TomlFile& file) {
     const TomlNode* format = file.root.get("format");
     if (!format) {
         file.add("format", error_of(message_of("no_format"), file.name, 1));
-    } else if (!format->as_whole() || *format->as_whole() != 1) {
+    } else if (!format->as_whole()) {
+        file.fail("format", format, message_of("format_whole"));
+    } else if (*format->as_whole() != 1) {
         file.fail("format", format, message_of("other_format"));
     }
 }

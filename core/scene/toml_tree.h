@@ -1,4 +1,5 @@
-// A TOML text as a tree of plain values, each with its line. toml++ is included in toml_tree.cpp alone.
+// A TOML text as a tree of plain values, each with its line. Every TOML file of both programs is read by parse_toml():
+// toml++ is included in toml_tree.cpp alone, and a test refuses it elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -67,7 +68,8 @@ struct TomlFile {
     std::vector<Setting> settings{};  // those already put into the tree; an error in such a value names the setting
     std::vector<TomlFault> faults{};  // in the order of finding
 
-    // Adds an error unless there is one at this path: a second one follows from the first.
+    // Adds an error unless there is one at this path: a second one follows from the first. After 200 errors no more are
+    // added.
     void fail(const std::string& path, const TomlNode* node, Message what);
     void add(const std::string& path, Error);
 
@@ -82,7 +84,9 @@ struct TomlFile {
     Error fault_at(const std::string& path, Message what) const;
 };
 
-// Errors: syntax; more than limits::file_bytes; keys of more parts than any format of the lab has.
+// Errors: syntax; more than limits::file_bytes; keys of more parts than any format of the lab has; lines that end with
+// a carriage return alone; a file of another format, which is named. The time grows with the size of the text, the
+// stack with neither its size nor its depth.
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name);
 
 // Sets a value in the tree and makes the tables on the way. The text is read as a TOML value, else taken as a string.

@@ -28,6 +28,15 @@ TEST(FileKind, IsDetectedInMalformedText) {
     EXPECT_EQ(detect_kind("a.toml", "[value]\n"), FileKind::study);
 }
 
+TEST(FileKind, KnowsFilesOfOtherProgramsByTheirFirstBytes) {
+    EXPECT_EQ(foreign_format("PK\x03\x04"), "ZIP");
+    EXPECT_EQ(foreign_format("\x7F"
+                             "ELF"),
+              "ELF");
+    for (const char* text : {"", "P", "PK = 1\n", "# %PDF-\n", "format = 1\n", "[arena]\n"})
+        EXPECT_EQ(foreign_format(text), "") << text;
+}
+
 TEST(FileKind, ReadTextFailsForAnAbsentFileAndForAFolder) {
     const Folder folder;
     put_text(folder / "a.toml", "format = 1\n");

@@ -173,6 +173,12 @@ TEST(RunFile, RefusesAFileOfAnotherKind) {
     EXPECT_FALSE(io::load_run("/nowhere/a.run"));
 }
 
+TEST(RunFile, NamesTheFormatOfAFileOfAnotherProgram) {
+    const auto run = io::read_run("PK\x03\x04", "a.run");
+    ASSERT_FALSE(run);
+    EXPECT_NE(run.error().what.find("this is a file of the format ZIP"), std::string::npos) << run.error().text();
+}
+
 TEST(RunFile, RefusesDeepNestingAndLargeNumbers) {
     EXPECT_FALSE(io::read_run(std::string(1000000, '['), "a.run"));
     EXPECT_FALSE(io::read_run("{\"braitenlab_run\": 1, \"tick\": 1e300}", "a.run"));

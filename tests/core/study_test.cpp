@@ -116,7 +116,10 @@ TEST(StudyFile, RefusesWhatIsIncompleteOrUnknownWithLine) {
               std::string::npos)
         << problem(file_text("measures = [\"finale\"]", weights));
     EXPECT_NE(problem(file_text("measures = []", weights)).find("'measures' is missing"), std::string::npos);
-    EXPECT_NE(problem(file_text(good, "name = \"a\"\nlevels = [1]\n")).find("'paths' is missing"), std::string::npos);
+    EXPECT_EQ(problem(file_text(good, "name = \"a\"\nlevels = [1]\n")),
+              "study.toml:6: 'paths' is missing; a [[value]] has a name, paths and levels");
+    EXPECT_EQ(problem(file_text(good, "paths = [\"x\"]\nlevels = [1]\n")),
+              "study.toml:6: 'name' is missing; a [[value]] has a name, paths and levels");
     EXPECT_NE(problem(file_text(good, "name = \"a\"\npaths = [\"x\"]\nlevels = [\"1\"]\n")).find("list of numbers"),
               std::string::npos);
     EXPECT_NE(problem(file_text(good, "name = \"seed\"\npaths = [\"x\"]\nlevels = [1]\n")).find("two columns 'seed'"),

@@ -34,6 +34,8 @@ TEST(TomlAdvice, SaysWhatToDoAboutAMistakeOfTheLine) {
                             {"x = -2.5m # metres", "; write the number without its unit: -2.5"},
                             {"strength = 50%", "; write the number without its unit: 50"},
                             {"x =", "; write a value after x ="},
+                            {"x =\u00A03", "; write a plain space in place of the no-break space"},
+                            {"x = 3\u202Fm", "; write a plain space in place of the no-break space"},
                             {"x: 3", "; write a key and its value, like x = 1.5"},
                             {"[arena", "; a bracket ] is missing"},
                             {"[[step]", "; a bracket ] is missing"},

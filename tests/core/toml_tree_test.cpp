@@ -1,6 +1,7 @@
 #include "core/scene/toml_tree.h"
 
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -20,9 +21,42 @@ TEST(TomlTree, FindsADeepKeyAfterATextThatEndsWithQuotes) {
         SCOPED_TRACE(text);
         const std::string line = std::string("x = [") + text + ", {" + deep + " = 1}]\n";
         EXPECT_EQ(complaint("format = 1\n" + line),
-                  "f.toml:2: a key has too many dots; the longest is like kind.NAME.body.wheel");
+                  "f.toml:2: a key has too many dots; the longest is like "
+                  "kind.NAME.body.wheel");
         EXPECT_EQ(complaint(std::string("x = ") + text + "\n"), "") << "the text alone";
     }
+}
+
+TEST(TomlTree, NamesTheFormatOfAFileOfAnotherProgram) {
+    for (const auto& [bytes, format] : {std::pair{"PK\x03\x04rest", "ZIP"},
+                                        {"%PDF-1.7\n", "PDF"},
+                                        {"\x89PNG\r\n", "PNG"},
+                                        {"{\"braitenlab_run\": 1}", "JSON"},
+                                        {"<!DOCTYPE html>\n", "HTML"}})
+        EXPECT_EQ(complaint(bytes), std::string("f.toml: this is a file of the format ") + format +
+                                        "; give a file of the lab, .toml or .run");
+}
+
+TEST(TomlTree, NamesALineThatEndsWithACarriageReturnAlone) {
+    EXPECT_EQ(complaint("# a scene\r\nformat = 1\r[arena]\r"),
+              "f.toml:2: the line ends with a carriage return alone; save the "
+              "file with the line ends of Unix or "
+              "Windows (LF or CRLF)");
+    EXPECT_EQ(complaint("# a scene\rformat = 1\r").substr(0, 9), "f.toml:1:") << "the whole file is no comment";
+    EXPECT_EQ(complaint("format = 1\r\n"), "");
+}
+
+TEST(TomlTree, AsksForAWholeFormatNumberAndForAnotherProgramOnlyWhereThatHelps) {
+    const auto fault = [](const std::string& text) {
+        auto file = parse_toml(text, "f.toml");
+        check_format(*file);
+        return file->failed() ? file->error().text() : "";
+    };
+    for (const char* value : {"1.0", "\"1\"", "true"})
+        EXPECT_EQ(fault(std::string("format = ") + value),
+                  "f.toml:1: 'format' should be the whole number 1; write format = 1");
+    EXPECT_NE(fault("format = 2").find("may be from a newer one"), std::string::npos);
+    EXPECT_EQ(fault("format = 1"), "");
 }
 
 TEST(TomlTree, KeepsAsManyErrorsAsAPersonReads) {
