@@ -165,6 +165,7 @@ void make_sound(Scene& scene, Dice& dice) {
     scene.arena.round &= scene.arena.edge != Boundary::torus;
     const float within = scene.arena.round ? 0.35f : 0.5f;  // of the size: where starts are inside for certain
     if (scene.kinds.empty()) scene.ecology.population = 0, scene.starts.clear();
+    scene.ecology.population %= 50;  // more need an arena that has room for them
     for (Kind& kind : scene.kinds) {
         for (Wheel& wheel : kind.body.wheels) wheel.load = 1.0f / static_cast<float>(kind.body.wheels.size());
         make_sound(kind.sensors);

@@ -397,6 +397,7 @@ TEST(Check, FindsTheErrorsOfAnEditedScene) {
     EXPECT_TRUE(check_scene(scene));
     scene = everything();
     scene.ecology.population = limits::vehicles;
+    scene.arena.width = scene.arena.height = 2000;  // m: so many need much room
     EXPECT_FALSE(check_scene(scene));
     for (int i = 0; i < 60; ++i) {
         scene.kinds[1].sensors.push_back({.name = fmt::format("s{}", i), .latency = 1});
@@ -480,6 +481,22 @@ TEST(SceneFile, RefusesFilesThatAreTooDeepOrTooLarge) {
     complaint("format = 1\n" + std::string(1000000, 'k') + " = 1\n");
     read("format = 1\nstory = \"" + std::string(100, '.') + "\"  # " + std::string(100, '.') + "\n");
     read("format = 1\nstory = '''\n" + std::string(100, '.') + "\"'''\n");
+}
+
+TEST(SceneFile, RefusesMoreVehiclesThanTheFloorHasRoomFor) {
+    const auto crowd = [](int population, int side) {
+        return "format = 1\n[kind.k]\n[ecology]\npopulation = " + std::to_string(population) +
+               "\n[arena]\nwidth = " + std::to_string(side) + "\nheight = " + std::to_string(side) + "\n";
+    };
+    expect_in("test.toml:4: 20000 vehicles cover 14000 m², and the arena has 400 m²; take at most 571",
+              complaint(crowd(20000, 20)));
+    read(crowd(571, 20));
+    read(crowd(20000, 119));
+    read(crowd(100, 1));  // too few to be slow
+    std::string pile = crowd(0, 20);
+    for (int i = 0; i < 33; ++i) pile += "[vehicle.v" + std::to_string(i) + "]\nkind = \"k\"\nx = 3\n";
+    expect_in("more than 32 vehicles are placed within 1 m", complaint(pile));
+    read(pile.substr(0, pile.rfind("[vehicle")));
 }
 
 TEST(SceneFile, ReadsTheTableOfASensorAndRefusesOneThatIsNoTable) {
