@@ -470,5 +470,6 @@ int main(int argc, char** argv) {
     braitenlab::keep_freed_memory();
     braitenlab::use_utf8(argc, argv);
     braitenlab::end_at_closed_pipe();
+    const braitenlab::InertOutput inert;
     return braitenlab::end_with(braitenlab::command_line(argc, argv));
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
+#include <streambuf>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -37,7 +39,50 @@ std::vector<fs::path> files_read(const CLI::App& command) {
     return files;
 }
 
+bool acts_on_terminal(char32_t code) {
+    if (code == '\t' || code == '\n' || code == '\r') return false;
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F || code == 0x061C ||
+           (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
 }  // namespace
+
+std::string terminal_text(std::string_view text) {
+    std::string inert;
+    while (!text.empty()) {
+        const CodePoint first = first_code_point(text);
+        inert +=
+            !first.is_valid || acts_on_terminal(first.code) ? std::string_view("\uFFFD") : text.substr(0, first.size);
+        text.remove_prefix(first.size);
+    }
+    return inert;
+}
+
+// A buffer without memory of its own: a text of one call is passed on at once.
+struct InertOutput::Filter : std::streambuf {
+    explicit Filter(std::ostream& stream) : stream_(stream), to_(stream.rdbuf(this)) {}
+    ~Filter() override { stream_.rdbuf(to_); }
+
+protected:
+    std::streamsize xsputn(const char* text, std::streamsize size) override {
+        const std::string inert = terminal_text({text, static_cast<std::size_t>(size)});
+        const auto length = static_cast<std::streamsize>(inert.size());
+        return to_->sputn(inert.data(), length) == length ? size : 0;
+    }
+    int overflow(int c) override {
+        const char byte = traits_type::to_char_type(c);
+        return traits_type::eq_int_type(c, traits_type::eof()) || xsputn(&byte, 1) == 1 ? traits_type::not_eof(c)
+                                                                                        : traits_type::eof();
+    }
+    int sync() override { return to_->pubsync(); }
+
+private:
+    std::ostream& stream_;
+    std::streambuf* to_;
+};
+
+InertOutput::InertOutput() : out_(std::make_unique<Filter>(std::cout)), errors_(std::make_unique<Filter>(std::cerr)) {}
+InertOutput::~InertOutput() = default;
 
 std::optional<Error> output_over_input(const CLI::App& command) {
     const std::vector<fs::path> read = files_read(command);
