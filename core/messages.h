@@ -142,6 +142,12 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"disk_full", "could not be saved: {}; make room on the disk or choose another place. The old file is unchanged"},
     {"no_permission", "could not be saved: {}; choose a folder that you may write to. The old file is unchanged"},
     {"special_file", "is not a regular file; choose another name"},
+    {"changed_outside",
+     "another program has changed this file since it was read; save once more to replace it, or save under another "
+     "name"},
+    {"leaves_folder",
+     "{} is outside the folder of this file, and a dropped file may not reach out of its folder; open the file with "
+     "Ctrl+O to allow it"},
     {"no_such_folder", "cannot be saved there: its folder does not exist"},
     {"not_savable", "can be saved as a scene, a run or a brain only"},
     {"no_brain_to_save", "no vehicle is selected; select the one whose brain to save"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <sstream>
+#include <vector>
 
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
@@ -10,6 +11,7 @@
 #include "core/io/run_file.h"
 #include "core/messages.h"
 #include "core/scene/comments.h"
+#include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/toml_tree.h"
 
@@ -111,6 +113,35 @@ FolderListing list_folder(const fs::path& wanted) {
         return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
     });
     return listing;
+}
+
+namespace {
+
+bool leaves_folder(const fs::path& folder, const std::string& named) {
+    const fs::path path = fs::path(named).lexically_normal();
+    const bool leaves = path.has_root_path() || (!path.empty() && *path.begin() == "..");
+    return leaves && !ships((folder / path).lexically_normal());
+}
+
+}  // namespace
+
+std::optional<Error> fault_of_dropped(const FileText& file) {
+    const bool names_files =
+        file.kind == FileKind::exercise || file.kind == FileKind::lecture || file.kind == FileKind::study;
+    if (!names_files) return std::nullopt;
+    const auto toml = parse_toml(file.text, file.path.string());
+    if (!toml) return std::nullopt;  // opening it reports the error
+    std::vector<const TomlNode*> tables{&toml->root};
+    if (const TomlNode* pages = toml->root.get("page"); pages && pages->as_list())
+        for (const TomlNode& page : *pages->as_list()) tables.push_back(&page);
+    for (const TomlNode* table : tables)
+        for (const char* key : {"scene", "exercise"}) {
+            const TomlNode* named = table->get(key);
+            if (named && named->as_text() && leaves_folder(file.path.parent_path(), *named->as_text()))
+                return error_of(message_of("leaves_folder", in_quotes(*named->as_text())), file.path.string(),
+                                static_cast<int>(named->place.line));
+        }
+    return std::nullopt;
 }
 
 fs::path resolved(const std::string& typed, const fs::path& folder, const fs::path& home) {

@@ -77,6 +77,8 @@ struct FileCommands {
         }
         const auto file = read_file(path);
         if (!file) return fail(file.error());
+        if (dropped)
+            if (const auto error = fault_of_dropped(*file)) return fail(*error);
         if (file->kind == FileKind::brain) {
             const std::uint64_t latest = lab.document.session.latest();
             end_together(lab);
@@ -177,8 +179,9 @@ struct FileCommands {
             if (fs::exists(into / file.name, none)) existing += (existing.empty() ? "" : ", ") + file.name;
         if (!wanted.replace && !existing.empty())
             return fail(error_of(message_of("files_exist", existing), into.string()));
-        for (const robots::ExportedFile& file : *wanted.files)
-            if (const auto error = write_whole(into / file.name, file.text)) return fail(*error);
+        std::vector<NewFile> written;
+        for (const robots::ExportedFile& file : *wanted.files) written.push_back({into / file.name, file.text});
+        if (const auto error = write_all(written)) return fail(*error);
         view.exported_to = into.string();
         say(lab, {NoticeKind::done, "notice.exported", into.string()});
         done(into, {});
@@ -191,6 +194,17 @@ struct FileCommands {
         fail(error_of(message_of("no_such_folder"), path.string()));
         view.new_folder = path.parent_path().string();
         return false;
+    }
+
+    // True once for each change of the document's file by another program, which saving would replace.
+    bool replaces_work_of_others(const fs::path& path) const {
+        Document& document = lab.document;
+        if (document.lesson || path != document.path) return false;
+        const FileMark mark = mark_of(path);
+        if (mark == FileMark{} || (mark == document.on_disk && !document.broken)) return false;
+        document.on_disk = mark;
+        document.broken.reset();
+        return true;
     }
 
     // Writes the exercise, opens it and begins its check.
@@ -217,6 +231,7 @@ struct FileCommands {
     void save(const SaveRequest& wanted) const {
         const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), wanted.kind);
         if (!has_folder(path, wanted)) return;
+        if (replaces_work_of_others(path)) return fail(error_of(message_of("changed_outside"), path.string()));
         const std::uint64_t latest = lab.document.session.latest();
         if (wanted.title || wanted.story) {
             if (const auto error = lab.document.session.apply(Retitle{wanted.title, wanted.story})) return fail(*error);
@@ -286,34 +301,60 @@ bool may_leave(const Lab& lab, FilesView& view) {
     return false;
 }
 
-void follow_file(Lab& lab, FilesView& view) {
-    if (lab.pages || lab.document.path.empty() || lab.document.path.extension() == io::run_ending) return;
-    const FileMark mark = mark_of(lab.document.path);
-    if (mark == lab.document.on_disk || mark == FileMark{}) {
-        if (lab.document.broken && lab.wall_seconds >= lab.notice_until) say(lab, *lab.document.broken);
-        return;
-    }
-    if (std::exchange(lab.document.noticed, mark) != mark)
-        return;  // it may be incomplete: wait until it stays unchanged
-    lab.document.on_disk = mark;
-    auto opened = open_document(lab.document.path, lab.document.session.seed(), lab.document.settings);
-    lab.document.broken.reset();
-    if (!opened) {
-        if (const auto text = read_text(lab.document.path)) list_errors_for_author(lab, lab.document.path, *text);
-        return say(lab, lab.document.broken.emplace(opened.error()));
-    }
-    if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", title_of(lab.document)});
+namespace {
+
+// True if the file that was read again says what the document was opened from: only its time or its comments differ.
+bool says_the_same(const Document& opened, const Document& now) {
+    if (!now.file || *opened.file != *now.file || opened.lesson.has_value() != now.lesson.has_value()) return false;
+    return !now.lesson || write_exercise(*opened.lesson->exercise) == write_exercise(*now.lesson->exercise);
+}
+
+// In Document::noticed: the file with this mark was told to have changed beside unsaved edits.
+FileMark told_of(FileMark mark) { return {mark.written, ~mark.size}; }
+
+void reload(Lab& lab, FilesView& view, Document opened) {
     const Playback before{
         .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};
     const Camera camera = lab.view.camera;
     const bool whole_kind = lab.view.selection.whole_kind;
-    replace_document(lab, std::move(*opened));
+    replace_document(lab, std::move(opened));
     lab.playback = before;
     lab.view.camera = camera;
     lab.view.selection.whole_kind = whole_kind;
     refresh(view, lab);
     say(lab, {NoticeKind::notice, "files.reloaded", title_of(lab.document)});
     if (lab.document.lesson) set_mode(lab, Mode::paused), check_exercise_for_author(lab);
+}
+
+}  // namespace
+
+void follow_file(Lab& lab, FilesView& view) {
+    Document& document = lab.document;
+    if (lab.pages || document.path.empty() || document.path.extension() == io::run_ending) return;
+    const FileMark mark = mark_of(document.path);
+    if (mark == document.on_disk) {
+        if (document.broken && lab.wall_seconds >= lab.notice_until) say(lab, *document.broken);
+        return;
+    }
+    if (mark == FileMark{}) {
+        document.on_disk = mark;
+        return say(lab, {NoticeKind::notice, "files.deleted", title_of(document)});
+    }
+    if (document.noticed == told_of(mark)) return;
+    if (std::exchange(document.noticed, mark) != mark) return;  // it may be incomplete: wait until it stays unchanged
+    if (has_unsaved_edits(lab)) {
+        document.noticed = told_of(mark);  // Document::on_disk stays, so that saving asks before it replaces the file
+        return say(lab, {NoticeKind::notice, "files.changed", title_of(document)});
+    }
+    document.on_disk = mark;
+    auto opened = open_document(document.path, document.session.seed(), document.settings);
+    const bool was_broken = document.broken.has_value();
+    document.broken.reset();
+    if (!opened) {
+        if (const auto text = read_text(document.path)) list_errors_for_author(lab, document.path, *text);
+        return say(lab, document.broken.emplace(opened.error()));
+    }
+    if (was_broken || !says_the_same(*opened, document)) reload(lab, view, std::move(*opened));
 }
 
 void refresh(FilesView& view, const Lab& lab) {

@@ -23,8 +23,9 @@ bool has_unsaved_edits(const Lab&);
 // True if the document can be closed without losing edits. If not, sets FilesView::leaving, which opens a sheet.
 bool may_leave(const Lab&, FilesView&);
 
-// Call a few times per second. Reloads the open file if another program has written it. If the new file is broken or
-// there are unsaved edits, shows a notice and keeps the document. Does nothing on a page of a lecture.
+// Call a few times per second. Reloads the open file if another program has written it with another content. If the new
+// file is broken or gone or there are unsaved edits, shows a notice and keeps the document. Does nothing on a page of a
+// lecture.
 void follow_file(Lab&, FilesView&);
 
 // Updates FilesView for the file of the document. Call after the document has changed.

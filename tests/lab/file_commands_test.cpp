@@ -248,6 +248,32 @@ TEST_F(FileCommands, ExplainsADroppedFolder) {
     EXPECT_EQ(files.listing.folder, (folder / "class").string()) << "as the notice says";
 }
 
+TEST_F(FileCommands, ADroppedFileDoesNotReachOutOfItsFolder) {
+    const std::string scene = text_of(*find_shipped("2a-coward"));
+    put_text(folder / "in" / "near.toml", scene);
+    put_text(folder / "far.toml", scene);
+    const auto lecture = [](const std::string& named) {
+        return "format = 1\ntitle = \"L\"\nminutes = 1\n[[page]]\ntitle = "
+               "\"P\"\nminutes = 1\nscene = \"" +
+               named + "\"\n";
+    };
+    const auto refusal = [&](const std::string& text, bool dropped) {
+        put_text(folder / "in" / "file.toml", text);
+        ask(OpenRequest{.path = (folder / "in" / "file.toml").string(), .dropped = dropped});
+        return files.refused ? std::string(files.refused->phrases.front().id) : "";
+    };
+    for (const std::string& named : {std::string("../far.toml"), (folder / "far.toml").string()}) {
+        EXPECT_EQ(refusal(lecture(named), true), "leaves_folder") << named;
+        EXPECT_EQ(files.refused->line, 7);
+        EXPECT_NE(refusal(lecture(named), false), "leaves_folder") << named << ", opened by the user";
+    }
+    EXPECT_NE(refusal(lecture("near.toml"), true), "leaves_folder");
+    EXPECT_NE(refusal(lecture("2b-aggressor"), true), "leaves_folder") << "a shipped scene";
+    const fs::path shipped = *find_shipped("04-coward");
+    ask(OpenRequest{.path = shipped.string(), .dropped = true});
+    EXPECT_FALSE(files.refused) << "its scene is ../scenes/…, which ships, too";
+}
+
 TEST_F(FileCommands, KeepsTheDocumentIfAFileIsBroken) {
     put_text(folder / "broken.toml", "format = 1\n[arena]\nwidht = 3\n");
     const auto before = lab.document.session.hash();

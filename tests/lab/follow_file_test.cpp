@@ -48,5 +48,46 @@ TEST_F(FollowFile, KeepsUnsavedEdits) {
     EXPECT_EQ(lab.notice.words, "Vehicle 2a: Coward");
 }
 
+TEST_F(FollowFile, KeepsTheRunIfTheFileSaysTheSame) {
+    for (int i = 0; i < 50; ++i) tick(lab);
+    write(text_of(file));
+    write(text_of(file) + "# a comment\n");
+    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "the run is not reset";
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_FALSE(files.refused) << "there is nothing to ask about";
+}
+
+TEST_F(FollowFile, TellsOnceThatTheFileIsGone) {
+    for (int i = 0; i < 50; ++i) tick(lab);
+    fs::remove(file);
+    look();
+    EXPECT_EQ(lab.notice.key, "files.deleted");
+    EXPECT_EQ(lab.document.session.snapshot().tick, 50u);
+    lab.notice = {};
+    look(), look();
+    EXPECT_TRUE(lab.notice.empty());
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(FollowFile, AsksBeforeItReplacesTheWorkOfAnotherWindow) {
+    for (const bool was_seen : {false, true}) {
+        handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, was_seen ? 1.25f : 0.75f}});
+        const std::string others = with(text_of(file), "LL = ", "LM = 0.5\nLL = ");
+        if (was_seen)
+            write(with(others, "LM = 0.5\n", ""));
+        else
+            put_text(file, others);
+        const std::string theirs = text_of(file);
+        ask(SaveRequest{"mine", FileKind::scene});
+        ASSERT_TRUE(files.refused);
+        EXPECT_EQ(files.refused->phrases.front().id, "changed_outside");
+        EXPECT_EQ(text_of(file), theirs);
+        ask(SaveRequest{"mine", FileKind::scene});
+        EXPECT_FALSE(files.refused) << "the second time the user has been asked";
+        EXPECT_EQ(text_of(file).find("LM = 0.5"), std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::follow_file_test
