@@ -31,6 +31,19 @@ Rect without_metre_labels(Rect scene, float scale) {
     return {scene.x + (scene.w - w) / 2, scene.y, w, std::max(0.5f * scene.h, scene.h - below * (scale - 1))};
 }
 
+// A title may tell the outcome of an exercise: until it is known, the page has the program's.
+DocumentOnPage document_on_page(const Lab& lab, const LabView& view, const Strings& strings) {
+    DocumentOnPage on_page;
+    if (lab.pages) {
+        on_page.lecture = lab.pages->lecture->path.string();
+        on_page.page = lab.pages->page + 1, on_page.revealed = lab.pages->step;
+    }
+    if (view.title_page || (!lab.pages && hides_outcome(view))) return on_page;
+    const std::string title = lab.pages ? lab.pages->lecture->title : title_of(lab.document);
+    on_page.title = strings.find(title, title);
+    return on_page;
+}
+
 // True if the user does something in this frame with the keyboard or the mouse. Call between ImGui's NewFrame and
 // Render.
 bool has_input(const ui::KeysOfAFrame& keys, const ImGuiIO& io) {
@@ -120,6 +133,8 @@ void App::frame(float passed) {
     make_pictures();
     view.pictures = &gallery_.pictures();
     view.title_page = title_.has_value();
+    if (is_on_page()) tell_page(document_on_page(lab_, view, words_.strings));
+    take_reload_key(lab_.before_lecture.has_value());
     const Rect area = window_.area();
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());

@@ -11,6 +11,10 @@ bool is_on_page() { return false; }
 
 std::string page_address() { return {}; }
 
+void tell_page(const DocumentOnPage&) {}
+
+void take_reload_key(bool) {}
+
 void choose_files() {}
 
 void when_page_is_left(std::function<void()>) {}

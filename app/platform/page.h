@@ -16,6 +16,18 @@ bool is_on_page();
 // The address of the page without what follows '?' or '#'; empty elsewhere.
 std::string page_address();
 
+// What the page has in its title, and what a reload opens again.
+struct DocumentOnPage {
+    std::string title{};         // empty: that of the program
+    std::string lecture{};       // file of the open lecture; empty: none
+    int page = 1, revealed = 0;  // of the lecture, the first page is 1; steps that are shown
+    friend bool operator==(const DocumentOnPage&, const DocumentOnPage&) = default;
+};
+void tell_page(const DocumentOnPage&);
+
+// While true, F5 is a key of the lab; else it loads the page anew.
+void take_reload_key(bool wanted);
+
 // Lets the user choose files of the computer; they arrive as dropped files do.
 void choose_files();
 

@@ -6,6 +6,7 @@
 
 #include <emscripten/html5.h>
 
+#include "app/platform/page.h"
 #include "core/utf8.h"
 #include "ui/shortcuts.h"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr int first_f_key = key::f1;
 
 // KeyboardEvent.key of the keys without a character.
-constexpr std::array<std::pair<std::string_view, int>, 18> named_keys{{{"Escape", key::escape},
+constexpr std::array<std::pair<std::string_view, int>, 19> named_keys{{{"Escape", key::escape},
                                                                        {"Enter", key::enter},
                                                                        {"Tab", key::tab},
                                                                        {"Backspace", key::backspace},
@@ -32,8 +33,11 @@ constexpr std::array<std::pair<std::string_view, int>, 18> named_keys{{{"Escape"
                                                                        {"End", key::end},
                                                                        {"ContextMenu", key::menu},
                                                                        {"F1", key::f1},
+                                                                       {"F5", key::f5},
                                                                        {"F9", key::f9},
                                                                        {"F10", key::f10}}};
+
+bool takes_f5 = false;
 
 // The only code point of a text; 0 if it has none or several.
 unsigned only_character(std::string_view text) {
@@ -64,6 +68,7 @@ bool is_for_lab(const EmscriptenKeyboardEvent& e) {
     if (is_typed(e)) return true;
     const int key = press_of(e).key;
     if (with_ctrl(e)) return std::string_view("ACDOSXYZ,").find(static_cast<char>(key)) != std::string_view::npos;
+    if (key == key::f5 && !takes_f5) return false;
     return key != 0 && !e.altKey;
 }
 
@@ -90,3 +95,9 @@ bool HeldKeys::has(int glfw_key) const {
 }
 
 }  // namespace braitenlab::web
+
+namespace braitenlab {
+
+void take_reload_key(bool wanted) { web::takes_f5 = wanted; }
+
+}  // namespace braitenlab

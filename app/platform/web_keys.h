@@ -9,8 +9,8 @@ struct EmscriptenKeyboardEvent;
 
 namespace braitenlab::web {
 
-// False for a key of the browser itself: F5, F11, F12, and a key with Ctrl, Alt or the command key that the lab has no
-// use for (Ctrl+T, Ctrl+W, Ctrl+R …).
+// False for a key of the browser itself: F11, F12, F5 unless take_reload_key() was told otherwise, and a key with Ctrl,
+// Alt or the command key that the lab has no use for (Ctrl+T, Ctrl+W, Ctrl+R …).
 bool is_for_lab(const EmscriptenKeyboardEvent&);
 
 // The key as a shortcut: the character that it types on this layout, in upper case, or GLFW's number. 0: unknown.

@@ -22,6 +22,9 @@ std::map<std::string, std::function<std::string()>>& offered() {
 // clang-format off
 EM_JS(void, tell_page_of_first_picture, (), { if (Module.onFirstPicture) Module.onFirstPicture(); });
 EM_JS(void, tell_page_of_end, (), { if (Module.onEnd) Module.onEnd(); });
+EM_JS(void, tell_page_of_document, (const char* title, const char* lecture, int page, int revealed), {
+    Module.onDocument(UTF8ToString(title), UTF8ToString(lecture), page, revealed);
+});
 EM_JS(void, choose_files_on_page, (), { Module.chooseFiles(); });
 // Released by the caller.
 EM_JS(char*, address_of_page, (), {
@@ -70,6 +73,13 @@ std::string page_address() {
     std::string address = bytes;
     std::free(bytes);
     return address;
+}
+
+void tell_page(const DocumentOnPage& now) {
+    static DocumentOnPage told;
+    if (now == told) return;
+    told = now;
+    tell_page_of_document(now.title.c_str(), now.lecture.c_str(), now.page, now.revealed);
 }
 
 void choose_files() { choose_files_on_page(); }

@@ -151,11 +151,44 @@ async function load(name, type) {
 // A scene or an exercise in the address (core/io/link.h).
 const isLink = (text) => /^#[be]\d/.test(text);
 
+// The page of the open lecture, which a reload opens again. Each page of the lab has its own.
+const lectures = {
+    key: "braitenlab:lecture",
+
+    // `name`: of the open document, or empty; `file`: of the open lecture, or empty; `page` counts from 1.
+    follow(name, file, page, revealed) {
+        document.title = name ? `${name} – Braitenlab` : "Braitenlab";
+        try {
+            if (file) sessionStorage.setItem(lectures.key, JSON.stringify([file, page, revealed]));
+            else sessionStorage.removeItem(lectures.key);
+        } catch {
+            // The browser keeps nothing: a reload begins anew.
+        }
+    },
+
+    // Options of the command line; empty if the page is not reloaded in a lecture.
+    again() {
+        try {
+            if (performance.getEntriesByType("navigation")[0]?.type !== "reload") return [];
+            const [file, page, revealed] = JSON.parse(sessionStorage.getItem(lectures.key)) ?? [];
+            return file ? [file, `--page=${page}`, `--revealed=${revealed}`] : [];
+        } catch {
+            return [];
+        }
+    },
+};
+
+// The document of the start: of a lecture that was open before a reload, or of the address.
+function documentArguments() {
+    const again = lectures.again();
+    if (again.length) return again;
+    if (isLink(location.hash)) return [location.hash];
+    return query.get("open") ? [query.get("open").replace(/^-+/, "")] : [];
+}
+
 // What the address asks for, as options of the command line: ?open=3a-love&lang=de&play
 function programArguments() {
-    const list = [];
-    if (isLink(location.hash)) list.push(location.hash);
-    else if (query.get("open")) list.push(query.get("open").replace(/^-+/, ""));
+    const list = documentArguments();
     for (const name of ["lang", "seed", "scale", "camera", "quality"])
         if (query.get(name)) list.push(`--${name}=${query.get(name)}`);
     for (const name of ["play", "lecture", "projector"])
@@ -172,6 +205,7 @@ var Module = {
     preRun: [() => files.restore(FS)],
     takeOver: files.takeOver,
     keepFiles: files.keep,
+    onDocument: lectures.follow,
     copyText,
     chooseFiles: files.choose,
     typing,

@@ -1,4 +1,4 @@
-// What is around the lab on its page: loading and zooming.
+// What is around the lab on its page: loading, title and zooming.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -32,6 +32,16 @@ test("Without scripts the page says what it needs", limit, async () => {
     await page.goto(labs.server.address);
     assert.match(await page.innerText("noscript"), /JavaScript/);
     await context.close();
+});
+
+test("The title of the page is that of the open document", limit, async () => {
+    const titled = (lab, title) => lab.page.waitForFunction((wanted) => document.title === wanted, title, { timeout: 10000 });
+    await withLab("?open=2a-coward", async (lab) => {
+        await titled(lab, "Vehicle 2a: Coward – Braitenlab");
+        await lab.page.evaluate(() => (location.hash = "#e1.05-aggressor"));
+        await titled(lab, "Braitenlab");  // the title of the exercise tells its outcome
+    });
+    await withLab("?open=four-numbers", (lab) => titled(lab, "Four numbers that look alive – Braitenlab"));
 });
 
 test("The page can be enlarged by fingers, and Ctrl with the wheel is the scene's", limit, () =>

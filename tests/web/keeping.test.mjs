@@ -1,4 +1,4 @@
-// What the page keeps: in the browser's storage, beside other pages of the lab.
+// What the page keeps: in the browser's storage, beside other pages of the lab, over a reload.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
@@ -106,4 +106,30 @@ test("Work of a page that is open is not offered to another one", limit, () =>
         await two.page.close();
         const keys = await one.page.evaluate(() => Object.keys(localStorage));
         assert.equal(keys.filter(isWork).length, 1, "it is kept all the same");
+    }));
+
+test("In a lecture F5 goes to the first page, and a reload opens the present one", limit, () =>
+    withLab("?open=four-numbers", async (lab) => {
+        const { keyboard } = lab.page;
+        const at = () => lab.state().then((state) => state.lecture.page);
+        const press = async (key, page) => {
+            await keyboard.press(key);
+            await lab.until((state, wanted) => state.lecture?.page === wanted, page);
+        };
+        await lab.page.evaluate(() => (window.isSamePage = true));
+        await press("PageDown", 2);
+        await press("F5", 1);
+        assert.ok(await lab.page.evaluate(() => window.isSamePage), "the page is loaded anew");
+        await press("PageDown", 2);
+        await keyboard.press("PageDown");
+        await lab.until((state) => state.lecture.step === 1);
+        await lab.frames(3);  // the page is told in the next one
+        await lab.page.reload();
+        await lab.ready();
+        assert.deepEqual([await at(), (await lab.state()).lecture.step], [2, 1]);
+        await keyboard.press("F9");
+        await lab.until((state) => !state.lecture);
+        await lab.frames(3);
+        assert.equal(await lab.page.evaluate(() => dispatchEvent(new KeyboardEvent("keydown",
+            { key: "F5", bubbles: true, cancelable: true }))), true, "outside a lecture F5 is the browser's");
     }));
