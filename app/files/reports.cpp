@@ -8,6 +8,7 @@
 
 #include "app/course/lesson_view.h"
 #include "app/files/safe_file.h"
+#include "app/platform/platform.h"
 #include "app/reports/lab_record.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
@@ -31,13 +32,20 @@ bool is_taken(const fs::path& path, const std::string& student) {
     return !there || !is_same_student(there->student, student);
 }
 
+// Tells where the file is; `downloaded`: key of the string with its name among the downloads, `saved`: with its path.
+void say_written(Lab& lab, std::string_view downloaded, std::string_view saved, const fs::path& path) {
+    const bool downloads = saves_by_download();
+    lab.document.lesson->attempt.work.written = downloads ? path.filename().string() : path.string();
+    say(lab,
+        {NoticeKind::done, std::string(downloads ? downloaded : saved), lab.document.lesson->attempt.work.written});
+}
+
 std::optional<Error> write_hand_in_file(Lab& lab, const std::string& student, const fs::path& folder, WrittenAt at) {
     const std::string& exercise = lab.document.lesson->exercise->id;
     fs::path path = folder / hand_in_name(exercise, student);
     for (int number = 2; is_taken(path, student); ++number) path = folder / hand_in_name(exercise, student, number);
     if (auto error = write_whole(path, write_hand_in(hand_in_of(lab, student, at)))) return error;
-    lab.document.lesson->attempt.work.written = path.string();
-    say(lab, {NoticeKind::done, "notice.handed_in", path.string()});
+    say_written(lab, "notice.handed_in_download", "notice.handed_in", path);
     return std::nullopt;
 }
 
@@ -86,8 +94,7 @@ std::optional<Error> write_lab_record(Lab& lab, const std::string& student, cons
     for (int number = 2; fs::exists(path, none); ++number)  // an earlier record stays
         path = folder / lab_record_name(record.exercise->id, student, number);
     if (auto error = write_whole(path, lab_record_html(record, strings, lab.preferences.language))) return error;
-    lab.document.lesson->attempt.work.written = path.string();
-    say(lab, {NoticeKind::done, "notice.lab_record", path.string()});
+    say_written(lab, "notice.lab_record_download", "notice.lab_record", path);
     return std::nullopt;
 }
 

@@ -21,7 +21,8 @@ std::filesystem::path reports_folder(const std::filesystem::path& documents);
 
 // Executes and clears Lab::reports. Files are written to reports_folder(), which is created. A hand-in replaces the
 // earlier one of the same student for the exercise, never another student's. Success is shown as a notice with the
-// path, failure as a notice with the reason. Without an exercise it writes nothing.
+// path, in a browser with the name among the downloads, failure as a notice with the reason. Without an exercise it
+// writes nothing.
 void write_student_files(Lab&, const Strings&, const std::filesystem::path& documents, WrittenAt);
 
 }  // namespace braitenlab

@@ -78,6 +78,9 @@ std::filesystem::path find_program(const std::string& name);
 // in a browser.
 bool open_with_system(const std::filesystem::path&);
 
+// True in a browser: it downloads what the user saves, and the user does not see the program's folders.
+bool saves_by_download();
+
 // A running program that reads what is written to it. It is started without a shell: each argument is passed as it is.
 class ProgramPipe {
 public:

@@ -124,6 +124,8 @@ void end_at_closed_pipe() { std::signal(SIGPIPE, SIG_DFL); }
 
 bool has_threads() { return true; }
 
+bool saves_by_download() { return false; }
+
 std::filesystem::path find_program(const std::string& name) {
     const std::string folders = environment_path("PATH").string();
     for (std::size_t from = 0; from <= folders.size();) {

@@ -64,6 +64,8 @@ std::filesystem::path find_program(const std::string&) { return {}; }
 
 bool open_with_system(const std::filesystem::path&) { return false; }
 
+bool saves_by_download() { return true; }
+
 struct ProgramPipe::Running {};
 ProgramPipe::ProgramPipe(ProgramPipe&&) noexcept = default;
 ProgramPipe::~ProgramPipe() = default;

@@ -142,6 +142,8 @@ void end_at_closed_pipe() {}
 
 bool has_threads() { return true; }
 
+bool saves_by_download() { return false; }
+
 std::filesystem::path find_program(const std::string& name) {
     std::wstring found(32768, L'\0');
     const DWORD length =

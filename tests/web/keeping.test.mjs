@@ -133,3 +133,20 @@ test("In a lecture F5 goes to the first page, and a reload opens the present one
         assert.equal(await lab.page.evaluate(() => dispatchEvent(new KeyboardEvent("keydown",
             { key: "F5", bubbles: true, cancelable: true }))), true, "outside a lecture F5 is the browser's");
     }));
+
+test("A hand-in is named as it is among the downloads", limit, () =>
+    withLab("?open=01-drive", async (lab) => {
+        await predict(lab);
+        await lab.page.keyboard.press("Space");
+        await lab.until((state) => state.tick > 30);
+        await lab.page.keyboard.press("Space");
+        const download = lab.page.waitForEvent("download");
+        await lab.click("exercise.hand_in");
+        await lab.until((state) => state.focus === "exercise.student");
+        await lab.page.keyboard.type("Ana");
+        await lab.page.keyboard.press("Enter");
+        const name = (await download).suggestedFilename();
+        assert.match(name, /^01-drive-ana\.braiten-handin\.toml$/);
+        await lab.until((state, file) => JSON.stringify(state.notice).includes(file), name);
+        assert.doesNotMatch(JSON.stringify((await lab.state()).notice), /home/);
+    }));
