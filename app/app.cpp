@@ -112,7 +112,7 @@ bool App::turn() {
     facts_.frame_ms = seconds_since(turn_began) * 1000;
     if (!repeatable() && !frame_.held_back) window_.show();
     if (!frame_.held_back) write_reports();  // they describe what is shown
-    follow_notes_page(lab_, words_.strings, words_.language, is_on_page() ? std::filesystem::path() : folders_.state);
+    follow_notes_page(lab_, words_.strings, words_.language, folders_.state);
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
     if (!lab_.window.to_copy.empty()) ImGui::SetClipboardText(std::exchange(lab_.window.to_copy, {}).c_str());

@@ -43,8 +43,7 @@ std::string notes_page(const LectureView& at, const Strings& strings, const std:
 void follow_notes_page(Lab& lab, const Strings& strings, const std::string& language,
                        const std::filesystem::path& folder, bool (*open)(const std::filesystem::path&)) {
     const bool opens = std::exchange(lab.window.opens_notes, false);
-    if (opens && folder.empty()) return say(lab, {NoticeKind::notice, "unavailable.in_browser"});
-    if (!lab.pages || (!opens && lab.lectures.notes_written.empty())) return;
+    if (folder.empty() || !lab.pages || (!opens && lab.lectures.notes_written.empty())) return;
     const std::string page = notes_page(*lab.pages, strings, language);
     if (!opens && page == lab.lectures.notes_written) return;
     const std::filesystem::path file = folder / "notes.html";
@@ -56,6 +55,7 @@ void follow_notes_page(Lab& lab, const Strings& strings, const std::string& lang
     if (const auto error = writer.commit()) return say(lab, *error);
     if (!opens) return;
     if (open(file)) return say(lab, {NoticeKind::done, "notice.notes_page"});
+    if (saves_by_download()) return say(lab, {NoticeKind::notice, "notice.notes_page_refused"});
     lab.window.to_copy = file.string();
     say(lab, {NoticeKind::notice, "notice.notes_page_at", file.string()});
 }

@@ -16,6 +16,7 @@ constexpr const char* home = "/home/web_user";  // emscripten's home folder
 // clang-format off
 EM_JS(void, take_over_on_page, (const char* folder), { if (Module.takeOver) Module.takeOver(UTF8ToString(folder)); });
 EM_JS(void, keep_on_page, (), { if (Module.keepFiles) Module.keepFiles(); });
+EM_JS(bool, open_on_page, (const char* path), { return !!Module.openPage && Module.openPage(UTF8ToString(path)); });
 EM_JS(int, number_of_page, (), { return Module.pageNumber || 1; });
 // clang-format on
 
@@ -62,7 +63,9 @@ bool has_threads() { return false; }
 
 std::filesystem::path find_program(const std::string&) { return {}; }
 
-bool open_with_system(const std::filesystem::path&) { return false; }
+bool open_with_system(const std::filesystem::path& path) {
+    return path.extension() == ".html" && open_on_page(path.c_str());
+}
 
 bool saves_by_download() { return true; }
 

@@ -91,10 +91,30 @@ const files = {
             const stamp = files.stamp(path);
             if (files.known.get(path) === stamp) continue;
             files.known.set(path, stamp);
+            if (path === files.shown?.path) {
+                if (!files.shown.window.closed) files.fillPage();
+                continue;
+            }
             const bytes = files.FS.readFile(path);
             files.store(path, bytes);
             if (!files.isOwn(path)) files.download(path, bytes);
         }
+    },
+
+    // Shows a page that the lab has written in a window of its own, which follows the file. False if the browser
+    // refuses the window.
+    openPage(path) {
+        const shown = window.open("", "braitenlab page", "popup,width=900,height=700");
+        if (!shown) return false;
+        files.shown = { path, window: shown };
+        files.fillPage();
+        return true;
+    },
+
+    fillPage() {
+        const page = files.shown.window.document;
+        const read = new DOMParser().parseFromString(files.FS.readFile(files.shown.path, { encoding: "utf8" }), "text/html");
+        page.replaceChild(page.adoptNode(read.documentElement), page.documentElement);  // without its scripts
     },
 
     // Opens a file of the user's computer in the lab, as a file dropped onto a window.

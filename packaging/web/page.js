@@ -205,6 +205,7 @@ var Module = {
     preRun: [() => files.restore(FS)],
     takeOver: files.takeOver,
     keepFiles: files.keep,
+    openPage: files.openPage,
     onDocument: lectures.follow,
     copyText,
     chooseFiles: files.choose,

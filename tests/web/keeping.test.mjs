@@ -150,3 +150,14 @@ test("A hand-in is named as it is among the downloads", limit, () =>
         await lab.until((state, file) => JSON.stringify(state.notice).includes(file), name);
         assert.doesNotMatch(JSON.stringify((await lab.state()).notice), /home/);
     }));
+
+test("The notes of a lecture are in a window of their own and follow it", limit, () =>
+    withLab("?open=four-numbers", async (lab) => {
+        const opened = lab.page.waitForEvent("popup");
+        await lab.page.keyboard.press("Shift+N");
+        const notes = await opened;
+        await notes.waitForSelector("h1:has-text('Who is hunting here?')");
+        await lab.page.keyboard.press("PageDown");
+        await notes.waitForSelector("h1:has-text('What will it do?')");
+        assert.equal((await lab.state()).lecture.notes, false, "the audience does not see them");
+    }));
