@@ -58,6 +58,9 @@ public:
     // Saves the settings, and the work for the next start. For a page, which may end without a further call.
     void keep_work();
 
+    // Background jobs between two turns, for a page; see work_between_turns().
+    bool work() { return jobs_.work(std::chrono::milliseconds(12)); }
+
     // What --state and --anchors write (app/report_state.h), as JSON.
     std::string state_text() const;
     std::string anchors_text() const;

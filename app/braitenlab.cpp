@@ -142,6 +142,7 @@ int open_and_run(Options options) {
                                            std::move(*words), std::move(settings));
     app->draw_into(std::move(canvas));
     when_page_is_left([app] { app->keep_work(); });
+    work_between_turns([app] { return app->work(); });
     offer_to_page("state", [app] { return app->state_text(); });
     offer_to_page("anchors", [app] { return app->anchors_text(); });
     repeat([app] { return app->turn(); });

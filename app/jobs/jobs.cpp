@@ -215,18 +215,22 @@ void Jobs::add(std::shared_ptr<jobs::Work> work) {
     }
 }
 
-void Jobs::deliver(std::chrono::nanoseconds budget) {
+bool Jobs::work(std::chrono::nanoseconds budget) {
     using Clock = std::chrono::steady_clock;
-    if (threads() == 0) {
-        std::unique_lock lock(impl_->mutex);
-        auto begun = Clock::now();
-        const auto end = begun + budget;
-        while (impl_->run_step(lock)) {
-            const auto now = Clock::now();
-            const auto step = now - std::exchange(begun, now);
-            if (now + step > end) break;
-        }
+    if (threads() > 0) return false;
+    std::unique_lock lock(impl_->mutex);
+    auto begun = Clock::now();
+    const auto end = begun + budget;
+    while (impl_->run_step(lock)) {
+        const auto now = Clock::now();
+        const auto step = now - std::exchange(begun, now);
+        if (now + step > end) break;
     }
+    return !impl_->queue.empty();
+}
+
+void Jobs::deliver(std::chrono::nanoseconds budget) {
+    work(budget);
     impl_->publish();
 }
 

@@ -248,6 +248,10 @@ public:
     // after `budget`; jobs take turns. Then publishes progress and results.
     void deliver(std::chrono::nanoseconds budget);
 
+    // Between two calls of deliver(): without threads, runs steps as deliver() does and publishes nothing. True while
+    // steps wait.
+    bool work(std::chrono::nanoseconds budget);
+
     // Runs every job to its end and delivers it.
     void finish();
 

@@ -15,6 +15,8 @@ void tell_page(const DocumentOnPage&) {}
 
 void take_reload_key(bool) {}
 
+void work_between_turns(std::function<bool()>) {}
+
 void choose_files() {}
 
 void when_page_is_left(std::function<void()>) {}

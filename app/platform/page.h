@@ -28,6 +28,10 @@ void tell_page(const DocumentOnPage&);
 // While true, F5 is a key of the lab; else it loads the page anew.
 void take_reload_key(bool wanted);
 
+// Calls `work` again and again between two turns until it returns false, and again after the next turn. `work` takes
+// some milliseconds at most, so that the page answers.
+void work_between_turns(std::function<bool()> work);
+
 // Lets the user choose files of the computer; they arrive as dropped files do.
 void choose_files();
 

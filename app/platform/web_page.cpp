@@ -37,6 +37,19 @@ EM_JS(char*, address_of_page, (), {
 // clang-format on
 
 std::function<void()> keep_work;
+std::function<bool()> background;
+bool background_is_due = false;
+
+// A task of the page of its own, so that pictures and input come between two calls.
+void work_soon() {
+    if (!background || std::exchange(background_is_due, true)) return;
+    emscripten_async_call(
+        [](void*) {
+            background_is_due = false;
+            if (background()) work_soon();
+        },
+        nullptr, 0);
+}
 
 }  // namespace
 
@@ -62,6 +75,7 @@ void repeat(std::function<bool()> turn) {
                 return tell_page_of_end();
             }
             if (!std::exchange(loop.drawn, true)) tell_page_of_first_picture();
+            work_soon();
         },
         new Loop{std::move(turn)}, 0, 0);  // until the page is closed
 }
@@ -81,6 +95,8 @@ void tell_page(const DocumentOnPage& now) {
     told = now;
     tell_page_of_document(now.title.c_str(), now.lecture.c_str(), now.page, now.revealed);
 }
+
+void work_between_turns(std::function<bool()> work) { background = std::move(work); }
 
 void choose_files() { choose_files_on_page(); }
 

@@ -294,5 +294,17 @@ TEST(Jobs, RunStepsOnTheCallingThreadWithoutThreads) {
     EXPECT_EQ(*result_of(jobs, job), std::vector(3, std::this_thread::get_id()));
 }
 
+TEST(Jobs, WorkBetweenFramesWithoutThreadsAndPublishNothing) {
+    Jobs jobs(0);
+    int steps = 0;
+    auto job = jobs.submit(std::size_t{5}, [&steps](std::size_t part) { return ++steps, part; });
+    while (jobs.work(0ns)) EXPECT_EQ(job.progress().done, 0u);
+    EXPECT_EQ(steps, 5);
+    EXPECT_FALSE(job.take()) << "before a frame";
+    jobs.deliver(0ns);
+    EXPECT_TRUE(job.take());
+    EXPECT_FALSE(jobs.work(1ms)) << "nothing waits";
+}
+
 }  // namespace
 }  // namespace braitenlab

@@ -1,5 +1,6 @@
 // The lab in headless Chromium, with a real mouse and keyboard: node --test, by ./dev web.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { mkdtemp, readFile, writeFile } from "node:fs/promises";
 import os from "node:os";
 import path from "node:path";
@@ -390,6 +391,28 @@ test("The page answers while a map of behaviour is computed", limit, () =>
         const isFilled = (state) => state.map?.cells.flat().filter((cell) => cell !== null).length >= 30;
         await lab.until(isFilled, null, "30 cells of the map");
     }));
+
+test("A map of behaviour takes at most ten times as long as on one thread of the desktop", limit, async () => {
+    const program = path.join(root, "build/release/braitenctl");
+    const seconds = (began) => (performance.now() - began) / 1000;
+    let began = performance.now();
+    execFileSync(program, ["map", "2a-coward", "--threads", "1"], { env: { ...process.env, BRAITENLAB_DATA: root } });
+    const native = seconds(began);
+    await withLab("?open=2a-coward", async (lab) => {
+        await lab.page.evaluate(() => {
+            window.tasks = [];
+            new PerformanceObserver((list) => window.tasks.push(...list.getEntries().map((task) => task.duration)))
+                .observe({ type: "longtask" });
+        });
+        began = performance.now();
+        await lab.page.keyboard.press("m");
+        await lab.page.waitForFunction(() => window.braitenlab.state().map?.done, null, { timeout: 90000, polling: 500 });
+        const longest = await lab.page.evaluate(() => Math.max(0, ...window.tasks));
+        console.log(`map of behaviour: ${seconds(began).toFixed(1)} s, braitenctl ${native.toFixed(1)} s; ` +
+            `longest task ${longest} ms (of those above 50 ms)`);
+        assert.ok(seconds(began) < 10 * native + 1);
+    });
+});
 
 test("The single file runs without a server", limit, async () => {
     const lab = await Lab.open(labs.browser, pathToFileURL(path.join(root, "build/dist/braitenlab-web.html")) + "?open=2a-coward");
