@@ -38,6 +38,8 @@ EM_JS(void, toggle_full_page, (), {
 });
 // clang-format on
 
+static_assert(sizeof(ImDrawIdx) == 4, "WebGL 2 draws no list of more than 65,536 vertices by indices of 16 bits");
+
 namespace braitenlab {
 
 namespace {

@@ -18,7 +18,7 @@ public:
         io.IniFilename = nullptr;
         io.DisplaySize = {1280, 800};
         io.DeltaTime = 1.0f / 60;
-        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has
+        if (sizeof(ImDrawIdx) == 2) io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as the window has
         const std::string noto = "/usr/share/fonts/truetype/noto/";
         fonts_ =
             ui::load_fonts(*io.Fonts, 1, {noto + "NotoSans-Regular.ttf", noto + "NotoSans-Bold.ttf", "", {}}).fonts;

@@ -7,7 +7,8 @@ import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { Lab, differing, openBrowser, root, useLabs } from "./page.mjs";
+import { largeScene } from "./large.mjs";
+import { Lab, differing, openBrowser, root, squaresOf, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
@@ -413,6 +414,24 @@ test("A map of behaviour takes at most ten times as long as on one thread of the
         assert.ok(seconds(began) < 10 * native + 1);
     });
 });
+
+test("Each node of a diagram of 304 is drawn where it is", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        await lab.drop("large.toml", largeScene(304, 1200));
+        await lab.until((state) => state.opened === "large");
+        await lab.page.keyboard.press("w");
+        await lab.until((state) => state.mode === "wiring");
+        await lab.frames(4);
+        const png = await lab.page.screenshot({ path: path.join(root, "build/web-tests/large.png") });
+        const squares = await squaresOf(labs.browser, png, 4);
+        const anchors = await lab.anchors(), [left, top, , height] = anchors.canvas;
+        const at = (x, y) => squares[Math.floor(y / 4) * 320 + Math.floor(x / 4)];
+        const ground = at(left + 8, top + height - 8);
+        const nodes = Object.entries(anchors).filter(([name]) => name.startsWith("node."));
+        const drawn = nodes.filter(([, [x, y, w, h]]) => at(x + w / 2, y + h / 2).some((value, i) => Math.abs(value - ground[i]) > 12));
+        assert.equal(nodes.length, 304);
+        assert.ok(drawn.length > 0.95 * nodes.length, `${drawn.length} nodes are drawn`);
+    }));
 
 test("The single file runs without a server", limit, async () => {
     const lab = await Lab.open(labs.browser, pathToFileURL(path.join(root, "build/dist/braitenlab-web.html")) + "?open=2a-coward");

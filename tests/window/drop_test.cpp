@@ -3,6 +3,7 @@
 // GLFW after GLEW: both declare OpenGL, and GLEW insists on being first.
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include "app/window.h"
 
@@ -23,6 +24,13 @@ TEST(Window, ReturnsEachDroppedFileOnceAndInOrder) {
     drop(native, 1, files);
     drop(native, 1, another);
     EXPECT_EQ(window->take_dropped_files().size(), 2u) << "two drops within a frame are two files";
+}
+
+TEST(Window, DrawsListsOfManyVertices) {
+    auto window = Window::open({.title = "lists", .width = 640, .height = 480, .visible = false});
+    ASSERT_TRUE(window) << window.error().text();
+    const bool has_offset = ImGui::GetIO().BackendFlags & ImGuiBackendFlags_RendererHasVtxOffset;
+    EXPECT_TRUE(has_offset || sizeof(ImDrawIdx) == 4) << "indices of 16 bits end at 65,536 vertices";
 }
 
 TEST(Window, CanRefuseToClose) {
