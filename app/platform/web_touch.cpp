@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
 namespace braitenlab::web {
@@ -10,6 +12,8 @@ namespace braitenlab::web {
 namespace {
 
 constexpr double notches_per_doubling = 4;  // of the distance of two fingers
+constexpr double rest_ms = 500, second_tap_ms = 350;
+constexpr double tap_reach = 10, second_tap_reach = 30;  // pixels of the page
 
 }  // namespace
 
@@ -24,7 +28,12 @@ void Touches::follow(int type, const EmscriptenTouchEvent& e) {
         x[now.fingers] = point.clientX, y[now.fingers] = point.clientY;
         ++now.fingers;
     }
+    const double time = emscripten_get_now();
+    if (now.fingers == 1 && last_.fingers == 0 && !is_over_) begin_tap({x[0], y[0]}, time);
+    if (now.fingers == 2 || (tap_ && now.fingers == 1 && std::hypot(x[0] - tap_->x, y[0] - tap_->y) > tap_reach))
+        tap_.reset();
     if (now.fingers == 0) {
+        end_tap(time);
         if (last_.fingers > 0) lift();
         is_over_ = false;
         return;
@@ -67,6 +76,32 @@ void Touches::lift() {
     end.holds = end.presses = false, end.notches = end.twist = 0;
     steps_.push_back(end);
     last_ = {};
+}
+
+void Touches::begin_tap(Place at, double now) {
+    tap_ = at;
+    tapped_at_ = now;
+}
+
+void Touches::end_tap(double now) {
+    if (!tap_ || now - tapped_at_ >= rest_ms) return tap_.reset();
+    const bool is_second = tapped_at_ - last_tapped_at_ < second_tap_ms &&
+                           std::hypot(tap_->x - last_tap_.x, tap_->y - last_tap_.y) < second_tap_reach;
+    if (is_second) menu_ = tap_;
+    last_tap_ = *tap_;
+    last_tapped_at_ = is_second ? -1e9 : now;  // a third tap begins anew
+    tap_.reset();
+}
+
+std::optional<Touches::Place> Touches::take_menu(double now, bool opens) {
+    if (opens && tap_ && now - tapped_at_ >= rest_ms) {
+        menu_ = std::exchange(tap_, std::nullopt);
+        lift();
+        is_over_ = true;
+    }
+    if (!steps_.empty()) return std::nullopt;
+    const auto asked = std::exchange(menu_, std::nullopt);
+    return opens ? asked : std::nullopt;
 }
 
 std::optional<Touch> Touches::take() {

@@ -12,12 +12,14 @@
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/platform/web_keys.h"
 #include "app/platform/web_pacing.h"
 #include "app/platform/web_touch.h"
 #include "app/window.h"
 #include "ui/mouse_queue.h"
+#include "ui/wiring/canvas.h"
 
 // clang-format off
 EM_JS(void, set_page_cursor, (const char* name), { Module.canvas.style.cursor = UTF8ToString(name); });
@@ -73,6 +75,12 @@ const char* css_cursor(ImGuiMouseCursor cursor) {
         default:
             return "default";
     }
+}
+
+// True where a right click opens a menu: over the scene and over the wiring canvas.
+bool right_click_opens_menu() {
+    const ImGuiWindow* below = ImGui::GetCurrentContext()->HoveredWindow;
+    return !ImGui::GetIO().WantCaptureMouse || (below && std::string_view(below->Name) == wiring::canvas_window);
 }
 
 Error no_graphics() {
@@ -145,6 +153,11 @@ void Window::Native::place_pointer(double x, double y) {
 void Window::Native::press_button(int button) { mouse.press(button, emscripten_get_now() / 1000, held.modifiers()); }
 
 void Window::Native::follow_fingers() {
+    if (const auto menu = touches.take_menu(emscripten_get_now(), right_click_opens_menu())) {
+        place_pointer(menu->x, menu->y);
+        press_button(1);
+        mouse.release(1);
+    }
     const auto touch = touches.take();
     if (!touch) return;
     constexpr int left = 0, middle = 2;

@@ -1,8 +1,9 @@
-// What is around the lab on its page: loading, title and zooming.
+// What is around the lab on its page: loading, title, sizes, fingers.
 import assert from "node:assert/strict";
+import path from "node:path";
 import { test } from "node:test";
 
-import { useLabs } from "./page.mjs";
+import { root, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
@@ -52,3 +53,49 @@ test("The page can be enlarged by fingers, and Ctrl with the wheel is the scene'
             new WheelEvent("wheel", { deltaY: 100, ctrlKey: true, bubbles: true, cancelable: true }))));
         assert.deepEqual(taken, [true, true]);
     }));
+
+// A place of the floor beside the vehicle and the lamp.
+async function floor(lab) {
+    const [x, y, w, h] = await lab.rectangle("viewport");
+    return [x + w * 0.5, y + h * 0.85];
+}
+
+test("A finger that rests, or taps twice, opens the menu of a right click, with rows of 44 pixels", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const session = await lab.page.context().newCDPSession(lab.page);
+        const send = (type, at) => session.send("Input.dispatchTouchEvent",
+            { type, touchPoints: at.map(([x, y], id) => ({ x, y, id })) });
+        const place = await floor(lab);
+        const rows = async () => Object.entries(await lab.anchors()).filter(([name]) => name.startsWith("menu.add"));
+        await send("touchStart", [place]);
+        await lab.page.waitForTimeout(800);
+        await send("touchEnd", []);
+        await lab.rectangle("menu");
+        await lab.frames(3);
+        for (const [name, [, , , height]] of await rows()) assert.ok(height >= 43.5, `${name}: ${height}`);
+        await lab.page.screenshot({ path: path.join(root, "build/web-tests/menu.png") });
+        await lab.page.keyboard.press("Escape");
+        await lab.frames(4);
+        assert.equal((await lab.anchors()).menu, undefined);
+        for (let tap = 0; tap < 2; ++tap) {
+            await send("touchStart", [place]);
+            await send("touchEnd", []);
+        }
+        await lab.rectangle("menu");
+    }, { hasTouch: true }));
+
+test("A finger that rests on a slider leaves its value", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const before = (await lab.state()).weights;
+        const session = await lab.page.context().newCDPSession(lab.page);
+        const [x, y, w, h] = await lab.rectangle("slider.LL");
+        const at = { x: x + w * 0.875, y: y + h / 2, id: 0 };
+        await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [at] });
+        await lab.page.waitForTimeout(900);
+        const held = (await lab.state()).weights;
+        await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+        await lab.frames(4);
+        assert.deepEqual((await lab.state()).weights, held);
+        assert.equal((await lab.anchors()).menu, undefined);
+        assert.ok(before);
+    }, { hasTouch: true }));

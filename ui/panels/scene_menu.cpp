@@ -1,5 +1,6 @@
 // The menu of a right click into the scene: what can be done with the object there, or added on the floor.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/menu_bar.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -168,10 +170,15 @@ private:
     std::vector<SceneMenuRow> rows_;
 };
 
-float menu_height(const Ui& ui, const std::vector<SceneMenuRow>& rows) {
+// Window pixels: of the menu without its rows, and of a row, for a finger as high as there is room for.
+float menu_frame_height(const Ui& ui, const std::vector<SceneMenuRow>& rows) {
     float height = 2 * ui.px(scene_menu_pad);
-    for (const SceneMenuRow& row : rows) height += ui.px(scene_row_height) + (row.rule_above ? ui.px(rule_height) : 0);
+    for (const SceneMenuRow& row : rows) height += row.rule_above ? ui.px(rule_height) : 0;
     return height;
+}
+float scene_row_of(const Ui& ui, bool for_finger, float fits) {
+    const float least = ui.px(scene_row_height);
+    return for_finger ? std::floor(std::clamp(fits, least, ui.px(finger_row))) : least;
 }
 
 // `indented`: leaves room for the signs of other rows.
@@ -191,7 +198,7 @@ void draw_menu_row(const Ui& ui, const SceneMenuRow& row, const Item& at, bool i
 }
 
 // Draws the row.
-Item menu_row(Ui& ui, const SceneMenuRow& row, bool indented) {
+Item menu_row(Ui& ui, const SceneMenuRow& row, bool indented, float height) {
     const float width = ui.px(scene_menu_width - 2 * scene_menu_pad);
     if (row.rule_above) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -201,13 +208,12 @@ Item menu_row(Ui& ui, const SceneMenuRow& row, bool indented) {
     }
     if (row.heading) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
-        put(ui,
-            {from.x + ui.px(spacing::medium), from.y + (ui.px(scene_row_height) - line_height(ui, Face::small)) / 2},
-            row.words, ui.palette.second_text, Face::small);
-        ImGui::Dummy({width, ui.px(scene_row_height)});
+        put(ui, {from.x + ui.px(spacing::medium), from.y + (height - line_height(ui, Face::small)) / 2}, row.words,
+            ui.palette.second_text, Face::small);
+        ImGui::Dummy({width, height});
         return {};
     }
-    const Item at = item(ui, row.anchor, {width, ui.px(scene_row_height)});
+    const Item at = item(ui, row.anchor, {width, height});
     draw_menu_row(ui, row, at, indented);
     return at;
 }
@@ -241,7 +247,10 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     const bool just_opened = !std::exchange(menu.placed, true);
     if (just_opened) ImGui::OpenPopup("scene menu");
     const std::vector<SceneMenuRow> rows = SceneMenuRows(view, menu, ui).of_page();
-    const float w = ui.px(scene_menu_width), most = window.h - ui.px(16), h = std::min(menu_height(ui, rows), most);
+    const float w = ui.px(scene_menu_width), most = window.h - ui.px(16), frame = menu_frame_height(ui, rows);
+    const float count = static_cast<float>(rows.size());
+    const float row_height = scene_row_of(ui, view.touch, (most - frame) / std::max(1.0f, count));
+    const float h = std::min(frame + count * row_height, most);
     const auto within = [](float at, float low, float size, float room) {
         return std::clamp(at, low, std::max(low, low + room - size));
     };
@@ -258,7 +267,7 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
             std::any_of(rows.begin(), rows.end(), [](const SceneMenuRow& r) { return r.role || r.channel; });
         for (const SceneMenuRow& row : rows) {
             if (!row.heading) menu.rows.push_back(row.anchor);
-            const Item at_row = menu_row(ui, row, signs);
+            const Item at_row = menu_row(ui, row, signs, row_height);
             if (at_row.hovered && row.tries) state.brain.what_if = {*row.tries};
             if (at_row.pressed) execute(view, state, ui, row);
         }

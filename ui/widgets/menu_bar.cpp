@@ -54,11 +54,11 @@ float rules_height(const Ui& ui, std::span<const MenuEntry> entries) {
 }
 
 // Lower rows in a low window; below the least height the panel scrolls.
-float entry_height(const Ui& ui, std::span<const MenuEntry> entries, float room) {
+float entry_height(const Ui& ui, std::span<const MenuEntry> entries, float room, float tallest) {
     const float count = static_cast<float>(std::max<std::size_t>(1, entries.size()));
     const float fits = (room - 2 * ui.px(menu_pad) - rules_height(ui, entries)) / count;
     const float least = std::max(ui.px(lowest_entry), 0.82f * line_height(ui, Face::text));
-    return std::floor(std::clamp(fits, least, std::max(least, ui.px(tallest_entry))));
+    return std::floor(std::clamp(fits, least, std::max(least, ui.px(tallest))));
 }
 
 void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, bool signs) {
@@ -166,7 +166,7 @@ int menu_panel(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles, s
     }
     const float top = bar.y + bar.h + ui.px(2), margin = ui.px(menu_margin), pad = ui.px(menu_pad);
     const float room = window.y + window.h - margin - top;
-    const float height = entry_height(ui, entries, room);
+    const float height = entry_height(ui, entries, room, state.for_finger ? finger_row : tallest_entry);
     const float content = height * static_cast<float>(entries.size()) + rules_height(ui, entries);
     const float scrollbar = content + 2 * pad > room ? ImGui::GetStyle().ScrollbarSize : 0;
     const float width = std::min(panel_width(ui, entries) + scrollbar, window.w - 2 * margin);

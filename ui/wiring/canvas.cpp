@@ -232,6 +232,7 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     for (const CornerButton& button : buttons) draw_button(ui, button);
     draw_minimap(pen, picture, area);
     draw_cursor(pen, picture, after);
+    state.menu.for_finger = view.touch;
     draw_menu(pen, state.menu, area);
     set_cursor(state);
 }
@@ -272,7 +273,7 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin("wiring canvas", nullptr,
+    ImGui::Begin(canvas_window, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoScrollWithMouse);

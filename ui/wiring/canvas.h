@@ -22,6 +22,8 @@
 
 namespace braitenlab::wiring {
 
+inline constexpr const char* canvas_window = "wiring canvas";  // its name in Dear ImGui
+
 // The anchor of the canvas, and the keyboard focus of a canvas that is watched beside the scene.
 inline constexpr std::string_view canvas_focus = "canvas";
 

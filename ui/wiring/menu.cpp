@@ -6,6 +6,7 @@
 
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
+#include "ui/widgets/menu_bar.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/inspector.h"
@@ -120,10 +121,13 @@ float heading_height(const CanvasMenu& menu) {
 
 void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float width) {
     menu.ui_scale = ui_scale;
-    float height = 2 * menu_padding * ui_scale + heading_height(menu);
-    for (const MenuRow& row : menu.rows)
-        height += (menu_row_height + (row.begins_group ? menu_group_gap : 0)) * ui_scale;
     const float room = spacing::tight * ui_scale;
+    float height = 2 * menu_padding * ui_scale + heading_height(menu);
+    for (const MenuRow& row : menu.rows) height += row.begins_group ? menu_group_gap * ui_scale : 0;
+    const float count = static_cast<float>(std::max<std::size_t>(1, menu.rows.size()));
+    const float fits = (area.h - 2 * room - height) / count / ui_scale;
+    menu.row_height = menu.for_finger ? std::clamp(fits, menu_row_height, finger_row) : menu_row_height;
+    height += count * menu.row_height * ui_scale;
     const auto within = [room](float at, float size, float low, float extent) {
         return std::clamp(at, low + room, std::max(low + room, low + extent - size - room));
     };
@@ -135,9 +139,9 @@ Rect row_rect(const CanvasMenu& menu, std::size_t wanted) {
     for (std::size_t i = 0; i < menu.rows.size(); ++i) {
         if (menu.rows[i].begins_group) y += menu_group_gap * menu.ui_scale;
         if (i == wanted) break;
-        y += menu_row_height * menu.ui_scale;
+        y += menu.row_height * menu.ui_scale;
     }
-    return {menu.rect.x, y, menu.rect.w, menu_row_height * menu.ui_scale};
+    return {menu.rect.x, y, menu.rect.w, menu.row_height * menu.ui_scale};
 }
 
 int row_at(const CanvasMenu& menu, maths::vec2 pixel) {
