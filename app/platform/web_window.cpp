@@ -33,7 +33,7 @@ EM_JS(char*, pasted_on_page, (), {
     return bytes;
 });
 EM_JS(void, want_text_on_page, (bool wanted), { Module.typing.want(wanted); });
-EM_JS(void, place_text_on_page, (int x, int y), { Module.typing.place(x / devicePixelRatio, y / devicePixelRatio); });
+EM_JS(void, place_text_on_page, (int x, int y), { Module.typing.place(x, y); });
 EM_JS(void, toggle_full_page, (), {
     if (document.fullscreenElement) document.exitFullscreen();
     else document.documentElement.requestFullscreen().catch(() => {});
@@ -75,6 +75,16 @@ const char* css_cursor(ImGuiMouseCursor cursor) {
         default:
             return "default";
     }
+}
+
+// Window pixels per pixel of the page: those of the display. A page smaller than the least window, as of a telephone,
+// shows that window reduced.
+double density() {
+    constexpr double least_width = 640, least_height = 480;
+    double width = 0, height = 0;
+    emscripten_get_element_css_size(canvas, &width, &height);
+    const double enlarged = std::max({1.0, least_width / std::max(1.0, width), least_height / std::max(1.0, height)});
+    return emscripten_get_device_pixel_ratio() * enlarged;
 }
 
 // True where a right click opens a menu: over the scene and over the wiring canvas.
@@ -136,7 +146,7 @@ struct Window::Native {
 void Window::Native::fit_page() const {
     double width = 0, height = 0;
     emscripten_get_element_css_size(canvas, &width, &height);
-    const double scale = emscripten_get_device_pixel_ratio();
+    const double scale = density();
     const int w = std::max(1, static_cast<int>(std::lround(width * scale)));
     const int h = std::max(1, static_cast<int>(std::lround(height * scale)));
     int old_w = 0, old_h = 0;
@@ -146,7 +156,7 @@ void Window::Native::fit_page() const {
 
 // x, y: pixels of the page.
 void Window::Native::place_pointer(double x, double y) {
-    const double scale = emscripten_get_device_pixel_ratio();
+    const double scale = density();
     mouse.move({static_cast<float>(x * scale), static_cast<float>(y * scale)});
 }
 

@@ -229,13 +229,16 @@ window.addEventListener("error", (event) => {
 // The system takes the graphics away, for example after a fault of the driver.
 element("canvas").addEventListener("webglcontextlost", () => show(words.stopped, true));
 
+// Pixels of the lab per pixel of the page: a small page shows the lab reduced.
+const density = () => element("canvas").width / element("canvas").clientWidth;
+
 // For scripts: what --state and --anchors write. Rectangles are in pixels of the page, as mouse events are.
 window.braitenlab = {
     ready: false,
     state: () => JSON.parse(Module.ccall("braitenlab_text", "string", ["string"], ["state"])),
     anchors() {
         const rectangles = JSON.parse(Module.ccall("braitenlab_text", "string", ["string"], ["anchors"]));
-        for (const name in rectangles) rectangles[name] = rectangles[name].map((v) => v / devicePixelRatio);
+        for (const name in rectangles) rectangles[name] = rectangles[name].map((v) => v / density());
         return rectangles;
     },
 };

@@ -27,9 +27,9 @@ const typing = {
         typing.field().focus({ preventScroll: true });
     },
 
-    // Where the characters appear, for the list of an input method. Pixels of the page.
+    // Where the characters appear, for the list of an input method. Pixels of the lab.
     place(x, y) {
-        Object.assign(typing.field().style, { left: `${x}px`, top: `${y}px` });
+        Object.assign(typing.field().style, { left: `${x / density()}px`, top: `${y / density()}px` });
     },
 
     // What has changed in the field since the last event: characters to erase, characters to type.

@@ -54,6 +54,21 @@ test("The page can be enlarged by fingers, and Ctrl with the wheel is the scene'
         assert.deepEqual(taken, [true, true]);
     }));
 
+test("A page 400 pixels wide shows the whole window reduced", limit, () =>
+    withLab("?open=01-drive", async (lab) => {
+        await lab.frames(6);
+        const anchors = await lab.anchors();
+        for (const name of ["card.exercise", "card.brain", "button.play"]) {
+            const [x, y, w, h] = anchors[name];
+            assert.ok(x >= 0 && y >= 0 && x + w <= 401 && y + h <= 801, `${name}: ${anchors[name]}`);
+        }
+        const [left, , width] = anchors["card.exercise"];
+        assert.ok(left + width <= anchors["card.brain"][0], "the cards do not overlap");
+        await lab.page.screenshot({ path: path.join(root, "build/web-tests/narrow.png") });
+        await lab.page.touchscreen.tap(...await lab.middle("exercise.predict.2"));
+        await lab.until((state) => state.exercise.predicted === 1);
+    }, { viewport: { width: 400, height: 800 }, hasTouch: true }));
+
 // A place of the floor beside the vehicle and the lamp.
 async function floor(lab) {
     const [x, y, w, h] = await lab.rectangle("viewport");
