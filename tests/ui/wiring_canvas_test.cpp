@@ -68,6 +68,20 @@ TEST_F(WiringCanvas, FitsANewBrainUnlessTheUserHasMovedTheCamera) {
     EXPECT_NE(anchors.find("node.MR"), nullptr);
 }
 
+TEST_F(WiringCanvas, FitsABrainOfHundredsOfNodes) {
+    for (const int nodes : {302, 1000}) {
+        SCOPED_TRACE(nodes);
+        ++view.run_id;
+        show(large_brain(nodes, 4 * nodes));
+        const auto inside = [&](const Node& node) {
+            const Rect* at = anchors.find("node." + node.name);
+            return at && at->x >= area.x && at->x + at->w <= area.x + area.w && at->y >= area.y &&
+                   at->y + at->h <= area.y + area.h;
+        };
+        EXPECT_TRUE(std::all_of(brain().nodes.begin(), brain().nodes.end(), inside));
+    }
+}
+
 TEST_F(WiringCanvas, FitsAgainWhenTheWindowChangesItsSize) {
     area.w = 700;
     ImGui::GetIO().DisplaySize = {800, 700};

@@ -19,7 +19,7 @@ struct View {
     maths::vec2 to_canvas(maths::vec2 pixel) const { return (pixel - origin) / scale; }
 };
 
-inline constexpr float least_zoom = 0.1f, most_zoom = 3;
+inline constexpr float least_zoom = 0.02f, most_zoom = 3;  // 1,000 nodes fit into a window
 
 // True where the diagram is a map: labels are neither drawn nor hit. So it is at a small zoom, and where letters of
 // `least_type` window pixels (0: of any size) are too large for the cards.
