@@ -30,8 +30,8 @@ inline constexpr int largest_program = 32256;  // bytes: 32 KB less the boot loa
 // A smaller command stops the wheel. Others begin at the wheel's minimum PWM, so that there is no dead band.
 inline constexpr float smallest_command = 0.02f;
 
-// Estimates of the whole sketch: not less than avr-gcc 5.4 and simavr give, and at most 30 % more bytes where the
-// numbers of wires and curves all differ. Where they repeat, the compiler saves up to 40 %.
+// Estimates of the whole sketch: not less than avr-gcc 5.4 and simavr give, and at most 30 % more bytes. Terms that
+// are equal count once, as the compiler computes them once.
 struct Cost {
     int cycles = 0;  // of one step, at 16 MHz
     int bytes = 0;   // of program memory

@@ -127,7 +127,7 @@ std::string readme(const Plan& plan, int robot_rate) {
             ? ""
             : fmt::format(
                   " Smaller brains are computed {} times per second; this one takes too long\nfor that, most of it for "
-                  "sigmoids and humps (0.3 ms each). Memories and learning wires are those of the lower rate.",
+                  "sigmoids and humps (0.08 ms each). Memories and learning wires are those of the lower rate.",
                   robot_rate);
     std::string sensors;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/export/curve_tables.h"
 #include "core/export/export.h"
 #include "core/export/text.h"
 #include "core/scene/enums.h"
@@ -64,7 +65,15 @@ constexpr Helper helpers[] = {
      "static inline float brain_inverted(float x) { return 1.0f - x; }\n"},
 };
 
-std::string curved(const Curve& curve, const std::string& x) {
+// The plan, and how its header is written.
+struct Header {
+    const Plan& plan;
+    Curves curves;
+};
+
+std::string curved(const Header& header, const Curve& curve, const std::string& x) {
+    const bool is_looked_up = header.curves == Curves::looked_up;
+    const auto width = [&] { return c_number(is_looked_up ? table_scale(curve) : curve.width); };
     switch (curve.response) {
         case Response::linear:
             return x;
@@ -73,9 +82,9 @@ std::string curved(const Curve& curve, const std::string& x) {
         case Response::step:
             return fmt::format("brain_step({}, {})", x, c_number(curve.peak));
         case Response::sigmoid:
-            return fmt::format("brain_sigmoid({}, {}, {})", x, c_number(curve.peak), c_number(curve.width));
+            return fmt::format("brain_sigmoid({}, {}, {})", x, c_number(curve.peak), width());
         case Response::hump:
-            return fmt::format("brain_hump({}, {}, {})", x, c_number(curve.peak), c_number(curve.width));
+            return fmt::format("brain_hump({}, {}, {})", x, c_number(curve.peak), width());
         case Response::inverted:
             return "brain_inverted(" + x + ")";
     }
@@ -95,18 +104,18 @@ std::string source(const Plan& plan, const PlanTap& tap) {
 
 bool is_clamped(const PlanUnit& unit) { return unit.value.low <= -largest_value || unit.value.high >= largest_value; }
 
-std::string passed(const Plan& plan, const PlanTap& tap) {
-    std::string x = source(plan, tap);
+std::string passed(const Header& header, const PlanTap& tap) {
+    std::string x = source(header.plan, tap);
     if (tap.threshold > 0) x = fmt::format("brain_masked({}, {})", x, c_number(tap.threshold));
-    return curved(tap.curve, x);
+    return curved(header, tap.curve, x);
 }
 
-std::string tap_line(const Plan& plan, const PlanTap& tap) {
+std::string tap_line(const Header& header, const PlanTap& tap) {
     const std::string weight = tap.learned_id.empty()
                                    ? c_number(tap.weight)
                                    : fmt::format("({} + b->{})", c_number(tap.weight), tap.learned_id);
-    return fmt::format("    sum += {} * {};  /* from {} */\n", weight, passed(plan, tap),
-                       comment_text(name_of_source(plan, tap)));
+    return fmt::format("    sum += {} * {};  /* from {} */\n", weight, passed(header, tap),
+                       comment_text(name_of_source(header.plan, tap)));
 }
 
 std::string unit_comment(const PlanUnit& unit, bool motor) {
@@ -118,13 +127,13 @@ std::string unit_comment(const PlanUnit& unit, bool motor) {
     return text;
 }
 
-std::string unit_code(const Plan& plan, std::size_t index) {
-    const PlanUnit& unit = plan.units[index];
-    const bool motor = index >= plan.hidden();
+std::string unit_code(const Header& header, std::size_t index) {
+    const PlanUnit& unit = header.plan.units[index];
+    const bool motor = index >= header.plan.hidden();
     std::string text = fmt::format("\n    /* {}. */\n", unit_comment(unit, motor));
     text += fmt::format("    sum = {};\n", c_number(unit.bias));
-    for (const PlanTap& tap : unit.taps) text += tap_line(plan, tap);
-    std::string value = curved(unit.curve, "sum");
+    for (const PlanTap& tap : unit.taps) text += tap_line(header, tap);
+    std::string value = curved(header, unit.curve, "sum");
     if (unit.follow < 1) value = fmt::format("b->{0} + {1} * ({2} - b->{0})", unit.id, c_number(unit.follow), value);
     if (is_clamped(unit)) value = fmt::format("brain_clamp({}, -1000.0f, 1000.0f)", value);
     return text + fmt::format("    const float {} = {};\n", unit.id, value);
@@ -171,7 +180,8 @@ std::string structure(const Plan& plan) {
     return text + "} Brain;\n";
 }
 
-std::string think_function(const Plan& plan) {
+std::string think_function(const Header& header) {
+    const Plan& plan = header.plan;
     std::string text = fmt::format(
         "/* One step: from the sensors to the commands. Call it {:g} times per second. */\n"
         "static inline void brain_think(Brain *b) {{\n    float sum;\n",
@@ -180,7 +190,7 @@ std::string think_function(const Plan& plan) {
         text +=
             "\n    /* Neurons read the sensors and the previous step's neurons (b->neuron_...), motors this step's. "
             "*/\n";
-    for (std::size_t u = 0; u < plan.units.size(); ++u) text += unit_code(plan, u);
+    for (std::size_t u = 0; u < plan.units.size(); ++u) text += unit_code(header, u);
     text += learning_code(plan);
     text += "\n";
     for (const PlanUnit& unit : plan.units)
@@ -193,7 +203,7 @@ std::string think_function(const Plan& plan) {
 
 }  // namespace
 
-std::string c_header(const Plan& plan) {
+std::string c_header(const Plan& plan, Curves curves) {
     std::string text = fmt::format(
         "/* brain.h: the brain \"{}\", exported from Braitenlab.\n"
         " *\n"
@@ -210,7 +220,11 @@ std::string c_header(const Plan& plan) {
         " *         // brain.left and brain.right are the commands of the wheels, -1 to 1\n"
         " */\n"
         "#ifndef BRAIN_H\n#define BRAIN_H\n\n";
-    if (any_curve(plan, Response::sigmoid) || any_curve(plan, Response::hump))
+    const bool needs_exponential = any_curve(plan, Response::sigmoid) || any_curve(plan, Response::hump);
+    const bool is_looked_up = needs_exponential && curves == Curves::looked_up;
+    if (is_looked_up)
+        text += "#include <avr/pgmspace.h>\n#include <stdint.h>\n\n";
+    else if (needs_exponential)
         text += "#include <math.h>  /* expf */\n\n";
     text += fmt::format("#define BRAIN_RATE_HZ {:g}  /* calls of brain_think() per second */\n", plan.rate_hz);
     if (any_learns(plan)) text += fmt::format("#define BRAIN_PERIOD {}  /* s */\n", c_number(plan.period()));
@@ -223,9 +237,14 @@ std::string c_header(const Plan& plan) {
             "/* Threshold of a wire: an input of smaller size counts as 0. */\n"
             "static inline float brain_masked(float x, float threshold) {\n"
             "    return (x < 0.0f ? -x : x) < threshold ? 0.0f : x;\n}\n\n";
-    for (const Helper& helper : helpers)
-        if (any_curve(plan, helper.response)) text += std::string(helper.text) + "\n";
-    return text + think_function(plan) + "\n#endif\n";
+    if (is_looked_up) text += table_lookup();
+    for (const Helper& helper : helpers) {
+        if (!any_curve(plan, helper.response)) continue;
+        text += (curves == Curves::looked_up ? table_function(helper.response).value_or(std::string(helper.text))
+                                             : std::string(helper.text)) +
+                "\n";
+    }
+    return text + think_function({plan, curves}) + "\n#endif\n";
 }
 
 }  // namespace braitenlab::robots

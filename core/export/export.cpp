@@ -52,7 +52,7 @@ Result<std::vector<ExportedFile>> arduino_files(const BrainToExport& given, cons
     if (!slow) return slow.error();
     const Plan& plan = *slow;
     return std::vector<ExportedFile>{{"braitenberg/braitenberg.ino", arduino::sketch(plan)},
-                                     {"braitenberg/brain.h", c_header(plan)},
+                                     {"braitenberg/brain.h", c_header(plan, Curves::looked_up)},
                                      {"README.md", arduino::readme(plan, robot_rate)},
                                      {"parts.csv", arduino::parts_csv(plan)},
                                      {"wiring.svg", arduino::wiring_svg(plan)}};
