@@ -17,6 +17,7 @@
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 #include "tests/languages.h"
+#include "tests/ui/found.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
 #include "ui/widgets/theme.h"
@@ -253,8 +254,8 @@ public:
         return text.find(words) != std::string::npos;
     }
 
-    std::vector<EditRequest> edits() const {
-        std::vector<EditRequest> found;
+    Found<EditRequest> edits() const {
+        Found<EditRequest> found;
         for (const Request& request : all)
             if (const auto* edit = std::get_if<EditRequest>(&request)) found.push_back(*edit);
         return found;
@@ -266,8 +267,8 @@ public:
             if (const auto* found = std::get_if<Wanted>(&*request)) return found;
         return nullptr;
     }
-    std::vector<Action> actions() const {
-        std::vector<Action> found;
+    Found<Action> actions() const {
+        Found<Action> found;
         for (const Request& request : all)
             if (const auto* action = std::get_if<Action>(&request)) found.push_back(*action);
         return found;

@@ -26,13 +26,13 @@ struct FilesSheet : testing::Test {
         desk.frame(2);
     }
     template <class R>
-    std::vector<std::string> asked() const {
-        std::vector<std::string> paths;
+    Found<std::string> asked() const {
+        Found<std::string> paths;
         for (const Request& request : desk.all)
             if (const auto* open = std::get_if<R>(&request)) paths.push_back(open->path);
         return paths;
     }
-    std::vector<std::string> opened() const { return asked<OpenRequest>(); }
+    Found<std::string> opened() const { return asked<OpenRequest>(); }
     // The number of times the last frame shows the text.
     int said(std::string_view words) const {
         int count = 0;
@@ -291,7 +291,7 @@ TEST_F(FilesSheet, ReplacesTheSuggestedNameByTypingEachTimeItIsOpened) {
 
 TEST_F(FilesSheet, RequestsATitleOfASceneAndSendsOnlyAChangedTitle) {
     const auto titles = [&] {
-        std::vector<std::optional<std::string>> found;
+        Found<std::optional<std::string>> found;
         for (const Request& request : desk.all)
             if (const auto* save = std::get_if<SaveRequest>(&request)) found.push_back(save->title);
         return found;

@@ -27,7 +27,7 @@ struct PathPrediction : SceneOnDesk {
         desk.view.camera_view = &camera_view;
         desk.frame(3);
     }
-    std::vector<PredictPathRequest> drawn() const { return requests<PredictPathRequest>(); }
+    Found<PredictPathRequest> drawn() const { return requests<PredictPathRequest>(); }
 };
 
 }  // namespace

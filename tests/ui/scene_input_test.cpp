@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/angle.h"
+#include "hold_shift.h"
 #include "scene_on_desk.h"
 #include "ui/scene_input/edits.h"
 
@@ -135,10 +136,10 @@ TEST_F(SceneInput, RotatesTheSelectionByItsRing) {
     EXPECT_EQ(commands<MoveObstacle>().back().heading, maths::to_degree_steps(commands<MoveObstacle>().back().heading))
         << "a file has whole degrees";
     EXPECT_FLOAT_EQ(commands<MoveObstacle>().back().x, 3);
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     point({2.8f, 9});
     EXPECT_NEAR(std::remainder(commands<MoveObstacle>().back().heading, maths::pi / 12), 0, 1e-4f) << "in steps of 15°";
-    ImGui::GetIO().KeyShift = false;
+    hold_shift(false);
 }
 
 TEST_F(SceneInput, PrefersAVehicleToTheRingKnobOverIt) {
@@ -242,33 +243,33 @@ TEST_F(SceneInput, DiscardsWhatIsInProgressWhenAnotherDocumentIsOpened) {
 }
 
 TEST_F(SceneInput, SelectsEverythingInARectangleByShiftAndADrag) {
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     hold({-5, 7.5f}, {5, 4.5f});
     EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::select);
     release();
-    ImGui::GetIO().KeyShift = false;
+    hold_shift(false);
     ASSERT_EQ(requests<SelectObjectsRequest>().size(), 1u);
     EXPECT_EQ(requests<SelectObjectsRequest>()[0].objects, (std::vector{lamp, box}));
     EXPECT_TRUE(desk.edits().empty()) << "the drag begins and ends on the floor and moves nothing";
     desk.view.settings.overlays.surfaces = false;
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     hold({9, 9}, {-9, -9});
     release();
-    ImGui::GetIO().KeyShift = false;
+    hold_shift(false);
     const auto all = requests<SelectObjectsRequest>().back().objects;
     EXPECT_EQ(all.size(), desk.now.vehicles.size() + 2) << "a zone that is not shown is not selected";
 }
 
 TEST_F(SceneInput, AddsToTheSelectionByShiftAndAClickAndTakesAway) {
     take(lamp);
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     click({3, 6});
     ASSERT_EQ(requests<SelectObjectsRequest>().size(), 1u);
     EXPECT_EQ(requests<SelectObjectsRequest>()[0].objects, (std::vector{lamp, box}));
     desk.view.settings.selection.more = {box};
     click({-3, 6});
     EXPECT_EQ(requests<SelectObjectsRequest>().back().objects, std::vector{box});
-    ImGui::GetIO().KeyShift = false;
+    hold_shift(false);
     EXPECT_TRUE(requests<TakeRequest>().empty());
 }
 

@@ -44,8 +44,8 @@ struct SceneInputTools : testing::Test {
         release();
     }
     template <class C>
-    std::vector<EditRequest> edits() const {
-        std::vector<EditRequest> found;
+    Found<EditRequest> edits() const {
+        Found<EditRequest> found;
         for (const EditRequest& edit : desk.edits())
             if (std::holds_alternative<C>(edit.command)) found.push_back(edit);
         return found;

@@ -50,15 +50,15 @@ struct SceneOnDesk : testing::Test {
     }
 
     template <class C>
-    std::vector<C> commands() const {
-        std::vector<C> found;
+    Found<C> commands() const {
+        Found<C> found;
         for (const EditRequest& edit : desk.edits())
             if (const auto* command = std::get_if<C>(&edit.command)) found.push_back(*command);
         return found;
     }
     template <class R>
-    std::vector<R> requests() const {
-        std::vector<R> found;
+    Found<R> requests() const {
+        Found<R> found;
         for (const Request& request : desk.all)
             if (const auto* one = std::get_if<R>(&request)) found.push_back(*one);
         return found;

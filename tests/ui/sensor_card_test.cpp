@@ -28,14 +28,10 @@ public:
         frame(4);
     }
 
-    std::vector<Sensor> asked_for() const {
-        const auto found = commands<SetSensors>();
-        if (found.empty()) throw std::runtime_error("nothing was asked for");
-        return found.back().sensors;
-    }
+    std::vector<Sensor> asked_for() const { return commands<SetSensors>().back().sensors; }
     template <class C>
-    std::vector<C> commands() const {
-        std::vector<C> found;
+    Found<C> commands() const {
+        Found<C> found;
         for (const EditRequest& edit : edits())
             if (const auto* command = std::get_if<C>(&edit.command)) found.push_back(*command);
         return found;

@@ -13,8 +13,8 @@ struct Timeline : testing::Test {
         desk.frame(2);
     }
     template <class Wanted>
-    std::vector<Wanted> asked() const {
-        std::vector<Wanted> found;
+    Found<Wanted> asked() const {
+        Found<Wanted> found;
         for (const Request& request : desk.all)
             if (const auto* wanted = std::get_if<Wanted>(&request)) found.push_back(*wanted);
         return found;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "tests/ui/hold_shift.h"
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/edits.h"
 
@@ -194,9 +195,9 @@ TEST_F(WiringEdits, WiresToSelectedEyesAreCopied) {
     drag(middle("pin.SL.out"), {470, 330});
     choose("linear");
     click(middle("node.N1"));
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     click(middle("node.SL"));
-    ImGui::GetIO().KeyShift = false;
+    hold_shift(false);
     key(Action::copy);
     key(Action::paste);
     EXPECT_EQ(weight_of(brain(), {SL, 5}), 1);
@@ -229,9 +230,9 @@ TEST_F(WiringEdits, SensorsAndMotorsCannotBeCopied) {
 
 TEST_F(WiringEdits, ADragOfNodesIsOneEditSentAtTheRelease) {
     click(middle("node.MR"));
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     click(middle("node.ML"));
-    ImGui::GetIO().KeyShift = false;
+    hold_shift(false);
     const vec2 before = middle("node.ML"), other = middle("node.MR"), eye = middle("node.SL");
     move(before);
     button(true);

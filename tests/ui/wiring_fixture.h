@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "tests/ui/found.h"
 #include "tests/ui/large_brain.h"
 #include "ui/strings.h"
 #include "ui/wiring/input.h"
@@ -154,7 +155,7 @@ struct CanvasFixture : testing::Test {
     Snapshot now;
     LabView view;
     CanvasState state;
-    std::vector<EditRequest> edits;
+    tests::Found<EditRequest> edits;
 };
 
 }  // namespace braitenlab::wiring

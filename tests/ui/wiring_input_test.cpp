@@ -1,3 +1,4 @@
+#include "tests/ui/hold_shift.h"
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/input.h"
 
@@ -42,7 +43,7 @@ TEST_F(WiringInput, WheelOverALabelChangesItsWeightAndElsewhereZooms) {
     move(middle("wire.LL"));
     wheel(1);
     EXPECT_NEAR(dials().LL, 0.1f, 1e-6f);
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     wheel(-1);
     EXPECT_NEAR(dials().LL, 0.09f, 1e-6f);
     EXPECT_EQ(edits[0].gesture, edits[1].gesture);
@@ -75,11 +76,11 @@ TEST_F(WiringInput, ARightClickThatMovesPansAndOpensNoMenu) {
 TEST_F(WiringInput, ClickSelectsAndShiftAdds) {
     click(middle("node.SL"));
     EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL}));
-    ImGui::GetIO().KeyShift = true;
+    hold_shift(true);
     click(middle("wire.LR"));
     EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL}));
     EXPECT_EQ(state.selection.wires, (std::set<WireEnds>{{SR, ML}}));
-    ImGui::GetIO().KeyShift = false;
+    hold_shift(false);
     click({60, 600});
     EXPECT_TRUE(state.selection.nodes.empty() && state.selection.wires.empty());
 }
