@@ -132,7 +132,7 @@ std::optional<std::string> edit_text(Ui& ui, SliderState& state, std::string_vie
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(spacing::tight), (box.h - line_height(ui, Face::text)) / 2});
     compat::push_font(font(ui, Face::text));
     ImGui::SetNextItemWidth(box.w);
-    if (!state.text_opened) ImGui::SetKeyboardFocusHere();
+    if (!state.text_opened) compat::focus_next_field();
     const bool entered = ImGui::InputText("##number", state.text, sizeof state.text,
                                           ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
     const bool active = ImGui::IsItemActive();

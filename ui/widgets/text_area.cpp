@@ -74,7 +74,7 @@ void text_area(Ui& ui, TextField& field, std::string_view id, float width, int r
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, pad);
     const bool begins = focused && !field.active;
     // Not while a mouse button is down: the widget under the pointer would lose the press.
-    if (begins && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) ImGui::SetKeyboardFocusHere();
+    if (begins && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) compat::focus_next_field();
     // Before the field sees the key: Dear ImGui would restore the text from before the first key.
     if (std::exchange(field.ask_leave, false)) ImGui::ClearActiveID();
     input_area(ui, field, id, {box.w, box.h}, pad, begins);

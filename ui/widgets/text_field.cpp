@@ -60,7 +60,7 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, pad);
     ImGui::SetNextItemWidth(width);
     // Not while a mouse button is down: the widget under the pointer would lose the press.
-    if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) ImGui::SetKeyboardFocusHere();
+    if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) compat::focus_next_field();
     ImGui::PushID(id.data(), id.data() + id.size());
     ImGui::InputText("##text", field.text.data(), field.text.capacity() + 1,
                      ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AutoSelectAll, grow, &field.text);
