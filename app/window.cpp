@@ -15,6 +15,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "app/upload_fonts.h"
 #include "core/maths/vec.h"
 #include "ui/mouse_queue.h"
 
@@ -358,10 +359,7 @@ void Window::end_frame() {
 
 void Window::show() { glfwSwapBuffers(native_->window); }
 
-void Window::upload_fonts() {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
-}
+void Window::upload_fonts() { upload_atlas(); }
 
 void Window::toggle_full_screen() {
     GLFWwindow* window = native_->window;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <imgui.h>
 #include <imgui_freetype.h>
@@ -143,6 +144,7 @@ inline float hovered_seconds() { return GImGui->HoveredIdTimer; }
 inline void use_freetype(ImFontAtlas& atlas) {
 #if IMGUI_VERSION_NUM >= 19200
     atlas.SetFontLoader(ImGuiFreeType::GetFontLoader());
+    atlas.FontLoaderFlags = ImGuiFreeTypeLoaderFlags_LightHinting;
 #else
     atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
@@ -158,23 +160,47 @@ struct GlyphPicture {
     float advance = 0;
 };
 
-// Visits every character of the font's atlas. From 1.92 on it visits none, because characters are rasterised at their
-// first use.
+// The atlas of a font; later versions of 1.92 have another name for the member.
+template <class Font>
+ImFontAtlas& atlas_of(Font& font) {
+    if constexpr (requires { font.OwnerAtlas; })
+        return *font.OwnerAtlas;
+    else
+        return *font.ContainerAtlas;
+}
+
+// Visits every character of the font's atlas. From 1.92 on characters are rasterised at their first use: visits those
+// of Latin-1. The pixels are valid during the visit.
 template <class Visit>
 void each_glyph(ImFont& font, Visit visit) {
-#if IMGUI_VERSION_NUM >= 19200
-    (void)font, (void)visit;
-#else
+    ImFontAtlas& atlas = atlas_of(font);
     unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    font.ContainerAtlas->GetTexDataAsAlpha8(&pixels, &width, &height);
+    int width = 0, height = 0, bytes = 1;
+    float ascent = 0;
     const auto whole = [](float v) { return static_cast<int>(v + (v < 0 ? -0.5f : 0.5f)); };
-    for (const ImFontGlyph& g : font.Glyphs) {
+    const auto show = [&](const ImFontGlyph& g) {
         const int x0 = whole(g.U0 * static_cast<float>(width)), y0 = whole(g.V0 * static_cast<float>(height));
         const int x1 = whole(g.U1 * static_cast<float>(width)), y1 = whole(g.V1 * static_cast<float>(height));
-        visit(GlyphPicture{g.Codepoint, x1 - x0, y1 - y0, pixels + y0 * width + x0, width, whole(g.X0),
-                           whole(g.Y0 - font.Ascent), g.AdvanceX});
+        std::vector<unsigned char> grey;  // the last byte of each pixel: alpha
+        for (int y = y0; y < y1; ++y)
+            for (int x = x0; x < x1; ++x) grey.push_back(pixels[(y * width + x) * bytes + bytes - 1]);
+        visit(GlyphPicture{g.Codepoint, x1 - x0, y1 - y0, grey.data(), x1 - x0, whole(g.X0), whole(g.Y0 - ascent),
+                           g.AdvanceX});
+    };
+#if IMGUI_VERSION_NUM >= 19200
+    ImFontBaked& baked = *font.GetFontBaked(font.LegacySize);
+    for (ImWchar c = 0x20; c < 0x100; ++c) {
+        const ImFontGlyph* g = baked.FindGlyphNoFallback(c);
+        if (!g) continue;
+        const ImTextureData& texture = *atlas.TexData;  // another one once the former is full
+        pixels = texture.Pixels, width = texture.Width, height = texture.Height, bytes = texture.BytesPerPixel;
+        ascent = baked.Ascent;
+        show(*g);
     }
+#else
+    atlas.GetTexDataAsAlpha8(&pixels, &width, &height);
+    ascent = font.Ascent;
+    for (const ImFontGlyph& g : font.Glyphs) show(g);
 #endif
 }
 

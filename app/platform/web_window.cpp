@@ -17,6 +17,7 @@
 #include "app/platform/web_keys.h"
 #include "app/platform/web_pacing.h"
 #include "app/platform/web_touch.h"
+#include "app/upload_fonts.h"
 #include "app/window.h"
 #include "ui/mouse_queue.h"
 #include "ui/wiring/canvas.h"
@@ -384,10 +385,7 @@ void Window::end_frame() {
 
 void Window::show() {}  // the browser shows the canvas after the turn
 
-void Window::upload_fonts() {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
-}
+void Window::upload_fonts() { upload_atlas(); }
 
 void Window::toggle_full_screen() { toggle_full_page(); }
 
