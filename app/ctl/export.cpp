@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/table_file.h"

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/insight/run_judge.h"
 #include "core/maths/fnv.h"
