@@ -232,7 +232,7 @@ TEST(MicropythonOnMicrobit, ComputesWhatTheLabComputesForEveryShippedBrainThatIt
 
 // A sum that is cut in each of 2,000 steps loses 0.00004.
 TEST(MicropythonOnMicrobit, KeepsASlowMemoryAsExactAsOtherValues) {
-    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
+    if (!has_tool("firmware-microbit-micropython")) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
     const Folder folder;
     BrainToExport learner = memory_of(30);
     learner.brain.wires[0].learning_rate = 0.05f, learner.brain.wires[0].decay = 0.01f;
