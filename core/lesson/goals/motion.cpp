@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/brain/brain.h"
+
 namespace braitenlab::goals {
 
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/brain/brain.h"
 #include "core/maths/angle.h"
 #include "core/maths/geometry.h"
 #include "core/sensing/seam.h"
