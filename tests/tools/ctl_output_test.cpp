@@ -20,6 +20,8 @@ fs::path study_in(const Folder& folder) {
 // A call of each command, and of each form of its output.
 std::vector<std::string> calls_that_print(const Folder& folder) {
     const std::string study = study_in(folder).string(), out = (folder / "robot").string();
+    const std::string bred = (folder / "bred").string();
+    EXPECT_EQ(ctl("breed flee --generations 1 --out " + bred).code, 0);
     return {"--help",
             "--version",
             "run --help",
@@ -40,6 +42,9 @@ std::vector<std::string> calls_that_print(const Folder& folder) {
             "hashes --seconds 0",
             "export 2a-coward --to c --out " + out + " --force",
             "think 2a-coward --ticks 2 --vectors -",
+            "breed " + bred + " --generations 1 --continue",
+            "breed " + bred + " --generations 1 --continue --json",
+            "breed " + bred + " --matrix master --csv -",
             "study " + study,
             "study " + study + " --json",
             "study " + study + " --csv -",
