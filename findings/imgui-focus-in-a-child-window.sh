@@ -14,8 +14,11 @@ expect() {
     [ "$2" = "$3" ] || { echo "changed: it was $3"; exit 1; }
 }
 
-# The source package of Debian 13.
-python3 -c 'import urllib.request as u; u.urlretrieve("http://deb.debian.org/debian/pool/main/i/imgui/imgui_1.90.1+ds.orig.tar.xz", "source.tar.xz")'
+# The source package of Debian 13, from the mirror that the system's packages come from.
+mirror=$(apt-get indextargets --format '$(ORIGIN) $(REPO_URI) $(COMPONENT)' 'Created-By: Packages' |
+    sed -n 's/^Debian \(.*\) main$/\1/p' | grep -v security | sort -u | head -n 1)
+python3 -c 'import sys, urllib.request as u; u.urlretrieve(sys.argv[1] + "/pool/main/i/imgui/imgui_1.90.1+ds.orig.tar.xz", "source.tar.xz")' \
+    "${mirror%/}"
 mkdir imgui && tar -xf source.tar.xz -C imgui --strip-components=1
 cat > ask.cpp <<'CODE'
 #include <cstdio>
