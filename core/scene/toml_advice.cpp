@@ -23,8 +23,10 @@ std::string_view line_of(std::string_view text, int line) {
     return text.substr(0, text.find('\n'));
 }
 
-// The line without its comment. A quote that is not closed ends with the line.
-std::string_view without_comment(std::string_view line) {
+// Calls use(index) for each character outside quotes, until it returns false. A quote that is not closed ends with the
+// line.
+template <class Use>
+void each_outside_quotes(std::string_view line, Use use) {
     char quote = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (quote == '"' && line[i] == '\\')
@@ -33,10 +35,18 @@ std::string_view without_comment(std::string_view line) {
             quote = line[i] == quote ? char{0} : quote;
         else if (line[i] == '"' || line[i] == '\'')
             quote = line[i];
-        else if (line[i] == '#')
-            return line.substr(0, i);
+        else if (!use(i))
+            return;
     }
-    return line;
+}
+
+std::string_view without_comment(std::string_view line) {
+    std::size_t end = line.size();
+    each_outside_quotes(line, [&](std::size_t i) {
+        if (line[i] == '#') end = i;
+        return line[i] != '#';
+    });
+    return line.substr(0, end);
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -69,17 +79,10 @@ using Advice = std::optional<Message>;
 // The line without its texts in quotes.
 std::string outside_quotes(std::string_view line) {
     std::string outside;
-    char quote = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (quote == '"' && line[i] == '\\')
-            ++i;
-        else if (quote != 0)
-            quote = line[i] == quote ? char{0} : quote;
-        else if (line[i] == '"' || line[i] == '\'')
-            quote = line[i];
-        else
-            outside += line[i];
-    }
+    each_outside_quotes(line, [&](std::size_t i) {
+        outside += line[i];
+        return true;
+    });
     return outside;
 }
 
