@@ -106,6 +106,10 @@ void add_labels(CLI::App& command, FigureLabels& labels) {
     command.add_option("--y-label", labels.y, "words at the vertical axis, with the unit")->type_name("TEXT");
 }
 
+void add_threads(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "threads; without it, one per processor")->check(CLI::Range(1, 256));
+}
+
 CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
     CLI::App* command = app.add_subcommand(
         "robustness", "run robots whose parts differ, and print how many do what the ideal robot does");
@@ -128,8 +132,7 @@ CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command->add_option("--threads", tried.threads, "threads; without it, one per processor")
-        ->check(CLI::Range(1, 256));
+    add_threads(*command, tried.threads);
     add_table(*command, tried.table);
     command->add_flag("--json", tried.json, "print the robots as one JSON object");
     command->add_option("--csv", tried.csv, "write a row per robot; -: to standard output")->type_name("FILE");
@@ -198,8 +201,7 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     add_labels(*command, options.labels);
     add_table(*command, options.table, " and of the words in the drawing");
     command->add_flag("--json", options.json, "print medians, quartiles and paired differences as JSON");
-    command->add_option("--threads", options.threads, "threads; without it, one per processor")
-        ->check(CLI::Range(1, 256));
+    add_threads(*command, options.threads);
     return command;
 }
 
@@ -213,8 +215,7 @@ CLI::App* add_breed(CLI::App& app, BreedOptions& options) {
         ->type_name("PATH");
     command->add_option("--generations", options.generations, "after the first one; default: those of the file")
         ->check(CLI::Range(1, evolve::limits::generations));
-    command->add_option("--threads", options.threads, "threads; without it, one per processor")
-        ->check(CLI::Range(1, 256));
+    add_threads(*command, options.threads);
     command->add_flag("--continue", options.goes_on, "go on with the results in the folder");
     command->add_flag("--json", options.json, "print the last generation as one JSON object");
     command->add_option("--matrix", options.matrix,
@@ -253,8 +254,7 @@ CLI::App* add_mystery(CLI::App& app, MysteryOptions& options) {
         ->required();
     command->add_option("--seed", options.seed, "of the starts and the random brains; default: 1");
     command->add_option("--starts", options.starts, "default: 10")->check(CLI::Range(1, 1000));
-    command->add_option("--threads", options.threads, "threads; without it, one per processor")
-        ->check(CLI::Range(1, 256));
+    add_threads(*command, options.threads);
     command->add_flag("--json", options.json, "print one JSON object");
     return command;
 }
@@ -380,8 +380,7 @@ int command_line(int argc, char** argv) {
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    map_command->add_option("--threads", mapped.threads, "threads; without it, one per processor")
-        ->check(CLI::Range(1, 256));
+    add_threads(*map_command, mapped.threads);
     map_command->add_flag("--json", mapped.json, "print the map as one JSON object");
     map_command->add_option("--csv", mapped.csv, "write a row per cell; -: to standard output")->type_name("FILE");
     map_command->add_option("--svg", mapped.svg, "write a drawing with axes, legend and title")->type_name("FILE");
