@@ -91,8 +91,8 @@ void add_files(std::vector<FoundFile> found, const std::string& prefix, ClassFil
     std::sort(found.begin(), found.end(),
               [](const FoundFile& a, const FoundFile& b) { return a.file.file < b.file.file; });
     const std::size_t around = folders_around(paths_of(found));
-    const auto nobody = owner_of({.folder = prefix});
-    std::set<std::pair<std::string, std::string>> with_files{nobody};
+    const auto of_argument = owner_of({.folder = prefix});
+    std::set<std::pair<std::string, std::string>> with_files{of_argument};
     std::vector<ClassFile> others;  // folders, and what is left out in one
     for (FoundFile& each : found) {
         ClassFile& file = each.file;

@@ -17,7 +17,7 @@ namespace braitenlab {
 FolderListing list_folder(const std::filesystem::path&);
 
 // The error if an exercise, a lecture or a study names a file outside its own folder that does not ship with the
-// program. For a file from somebody else that is dropped on the window.
+// program. For a file that is dropped on the window.
 std::optional<Error> fault_of_dropped(const FileText&);
 
 // A path as the user has typed it, made absolute: "~" is the home folder, a relative path starts at `folder`.

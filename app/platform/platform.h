@@ -64,7 +64,7 @@ std::optional<FileLock> lock_file(const std::filesystem::path&);
 // call installs the handlers; before it, and after the first such request, the system ends the program at once.
 bool is_told_to_end();
 
-// From now on the system ends the program, without a message, once it writes to a pipe that nobody reads, also where
+// From now on the system ends the program, without a message, once it writes to a pipe without a reader, also where
 // the program was started with that signal ignored. Does nothing on systems without such a signal.
 void end_at_closed_pipe();
 
