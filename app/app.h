@@ -167,7 +167,7 @@ private:
         Outbox outbox;
         Snapshot shown;  // interpolated between the last two ticks
         bool got_input = false;
-        bool held_back = false;       // it was not shown, because its cards were cut
+        bool held_back = false;       // it was not shown, because a card or a sheet had the wrong height
         bool makes_pictures = false;  // of the gallery
         float magnified = 1;          // factor on the scale, while the window is drawn at another size
         bool reported_label_font = false;

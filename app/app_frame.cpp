@@ -173,8 +173,8 @@ void App::frame(float passed) {
         orbit(lab_.view.camera = viewport_.framing.raised(lab_.view.camera), -twist, 0);
     if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     window_.bind();
-    // The heights of cards are those of the frame before. Where a card is too low for its words, the last frame stays.
-    frame_.held_back = panels_.cards_are_cut && !frame_.held_back && !options_.only_draws() && !lab_.window.screenshot;
+    // The heights of cards and sheets are those of the frame before. Where they do not fit, the last frame stays.
+    frame_.held_back = panels_.is_unsettled && !frame_.held_back && !options_.only_draws() && !lab_.window.screenshot;
     if (frame_.held_back || !draws_scene())
         renderer_.remember(shown_snapshot(shown_lab()));
     else

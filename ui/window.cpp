@@ -207,7 +207,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const OpenMenus open_menus{!menus.open.empty(), state.brain.presets.open, state.scene_input.menu.open};
     state.scene_input.below_menu = open_menus.bar && !menus.panel.contains(mouse.x, mouse.y);
-    state.cards_are_cut = false;
+    state.is_unsettled = false;
     state.brain.lesion_under_pointer.clear();
     state.brain.what_if.clear();
     state.map.hovered.reset();

@@ -90,7 +90,7 @@ TEST(Cards, TellThatTheyAreTooLowForAFrameWhenTheirWordsGrow) {
     Desk desk(1280, 800, 1, true);
     desk.open_exercise();
     desk.frame(4);
-    EXPECT_FALSE(desk.panels.cards_are_cut);
+    EXPECT_FALSE(desk.panels.is_unsettled);
     const std::string goal = desk.opened.goal;
     const auto last_line_of_goal = [&] {
         for (const Written& w : desk.written)
@@ -99,22 +99,22 @@ TEST(Cards, TellThatTheyAreTooLowForAFrameWhenTheirWordsGrow) {
     };
     desk.opened.goal = goal + " " + goal + " " + goal + " END";
     desk.frame();
-    EXPECT_TRUE(desk.panels.cards_are_cut);
+    EXPECT_TRUE(desk.panels.is_unsettled);
     desk.frame();
-    EXPECT_FALSE(desk.panels.cards_are_cut);
+    EXPECT_FALSE(desk.panels.is_unsettled);
     const Rect card = desk.where("card.exercise"), line = last_line_of_goal();
     EXPECT_GT(line.h, 0);
     EXPECT_LT(line.y + line.h, card.y + card.h);
     desk.opened.goal = goal;
     desk.frame();
-    EXPECT_FALSE(desk.panels.cards_are_cut) << "a lower one has room";
+    EXPECT_FALSE(desk.panels.is_unsettled) << "a lower one has room";
     desk.frame(2);
     desk.lesson.prediction = 1, desk.lesson.has_run = true;
     desk.lesson.grade = graded(std::vector<bool>(10, true), true);
     desk.frame();
-    EXPECT_TRUE(desk.panels.cards_are_cut);
+    EXPECT_TRUE(desk.panels.is_unsettled);
     desk.frame(2);
-    EXPECT_FALSE(desk.panels.cards_are_cut);
+    EXPECT_FALSE(desk.panels.is_unsettled);
 }
 
 TEST(Cards, AreInTheColumnOfTheirRowInTheOrderOfTheTable) {

@@ -96,9 +96,9 @@ TEST_F(LectureHands, TellsThatTheFirstFrameOfAQuestionHasNotItsHeight) {
     show(1, 0);
     desk.panels.lecture.question = {};
     desk.frame();
-    EXPECT_TRUE(desk.panels.cards_are_cut) << "its height is not known yet";
+    EXPECT_TRUE(desk.panels.is_unsettled) << "its height is not known yet";
     desk.frame();
-    EXPECT_FALSE(desk.panels.cards_are_cut);
+    EXPECT_FALSE(desk.panels.is_unsettled);
 }
 
 TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {

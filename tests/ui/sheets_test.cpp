@@ -32,6 +32,26 @@ TEST(Sheets, CloseByEscape) {
     }
 }
 
+// A click at a place that a frame shows must find the same widget in the next one.
+TEST(Sheets, AreShownOnlyAtTheirFinalPlaceAlsoAfterAnotherContent) {
+    for (const SheetTraits& row : sheets()) {
+        Desk desk;
+        SheetState& sheet = desk.panels.state_of(row.sheet);
+        sheet.content = 333;  // of an earlier use
+        desk.panels.sheet = row.sheet;
+        desk.frame(1);
+        for (int i = 0; i < 5; ++i) {
+            const bool is_shown = !desk.panels.is_unsettled;
+            const Rect before = sheet.rect;
+            desk.frame(1);
+            if (!is_shown) continue;
+            EXPECT_EQ(sheet.rect.y, before.y) << row.anchor;
+            EXPECT_EQ(sheet.rect.h, before.h) << row.anchor;
+        }
+        EXPECT_FALSE(desk.panels.is_unsettled) << row.anchor;
+    }
+}
+
 TEST(Sheets, HaveAnchorsOfTheirOwn) {
     std::set<std::string_view> anchors;
     for (const SheetTraits& row : sheets()) EXPECT_TRUE(anchors.insert(row.anchor).second) << row.anchor;

@@ -235,7 +235,7 @@ void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, R
         place.h = heights[i];
         const bool was_folded = card.folded;
         row.draw(view, state, ui, lecture_place(view, ui, row, card.folded, place), rest);
-        state.cards_are_cut |= !card.folded && card.is_cut;
+        state.is_unsettled |= !card.folded && card.is_cut;
         const bool changed = card.folded != was_folded;
         if (changed) card.opened_by_user = was_folded;
         if (&row == folded_now && !changed) card.folded = false;

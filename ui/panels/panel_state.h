@@ -256,7 +256,9 @@ struct PanelState {
     SheetState& state_of(Sheet which) { return sheets.all[static_cast<std::size_t>(which)]; }  // not of Sheet::none
 
     std::array<CardState, card_count> cards = initial_cards();  // the inspector's is in `canvas`
-    bool cards_are_cut = false;  // set by draw_window: a card has no room yet for what it shows; see CardState::is_cut
+    // Set by draw_window: a card or a sheet does not yet have the height of what it shows; the next frame corrects it.
+    // See CardState::is_cut, SheetState::is_resized.
+    bool is_unsettled = false;
     SliderState sliders;
     FieldsState fields;
     Keyboard keyboard;

@@ -133,7 +133,11 @@ const SheetTraits& traits(Sheet sheet) { return sheet_traits[static_cast<std::si
 void draw_sheets(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     for (const SheetTraits& row : sheet_traits) {
         if (row.follow) row.follow(view, state, ui);
-        if (state.sheet == row.sheet) row.draw(view, state, ui, window);
+        if (state.sheet != row.sheet) continue;
+        SheetState& sheet = state.state_of(row.sheet);
+        sheet.is_resized = false;
+        row.draw(view, state, ui, window);
+        state.is_unsettled |= sheet.is_resized;
     }
 }
 

@@ -57,7 +57,8 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
 void sheet_buttons(Ui& ui, SheetState& state) {
     ImGui::EndGroup();
     shade_edges(ui);
-    state.content = ImGui::GetItemRectSize().y;
+    const float measured = ImGui::GetItemRectSize().y;
+    state.is_resized = std::abs(measured - std::exchange(state.content, measured)) > 1;
     ImGui::PopStyleVar();
     ImGui::EndChild();
     const Rect& r = state.rect;

@@ -9,9 +9,10 @@
 namespace braitenlab::ui {
 
 struct SheetState {
-    float content = 0;  // height of its body in the last frame, window pixels
-    Rect rect;          // in this frame
-    float scroll = 0;   // requested by keys, in pages of its body; carried out in the next frame
+    float content = 0;        // height of its body in the last frame, window pixels; decides its height in the next one
+    bool is_resized = false;  // in the last frame the body had another height than in the one before
+    Rect rect;                // in this frame
+    float scroll = 0;         // requested by keys, in pages of its body; carried out in the next frame
 };
 
 // Begins the body, `layout_width` layout pixels wide or as wide as the window; its content is card_width() wide. The

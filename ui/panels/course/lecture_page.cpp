@@ -275,7 +275,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         ImGui::PopStyleVar();
     }
     end_card(ui, card);
-    state.cards_are_cut |= is_first || (!card.folded && card.is_cut);
+    state.is_unsettled |= is_first || (!card.folded && card.is_cut);
     state.lecture.question_height = wanted_height(ui, card);
 }
 
