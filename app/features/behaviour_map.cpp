@@ -183,14 +183,16 @@ void take_cells(BehaviourMap& map) {
 
 // The first job is the coarse map alone.
 void submit_cells(BehaviourMap& map, Jobs& jobs) {
-    if (map.jobs.size() > 1 || !map.base || map.begun == map.order.size()) return;
-    const std::size_t coarse = insight::map_levels(map.cells.size).front().size();
-    const std::size_t count = std::min(map.begun == 0 ? coarse : cells_per_job, map.order.size() - map.begun);
-    const auto first = map.order.begin() + static_cast<std::ptrdiff_t>(map.begun);
-    const std::vector<MapPlace> places(first, first + static_cast<std::ptrdiff_t>(count));
-    map.jobs.push_back(
-        jobs.submit(count, [base = map.base, places](std::size_t part) { return CellPiece(base, places[part]); }));
-    map.begun += count;
+    while (map.base && map.jobs.size() < jobs_at_once && map.begun < map.order.size()) {
+        const std::size_t coarse = insight::map_levels(map.cells.size).front().size();
+        const std::size_t wanted = map.begun == 0 ? coarse : parts_of_next_job(map.jobs.size(), cells_per_job);
+        const std::size_t count = std::min(wanted, map.order.size() - map.begun);
+        const auto first = map.order.begin() + static_cast<std::ptrdiff_t>(map.begun);
+        const std::vector<MapPlace> places(first, first + static_cast<std::ptrdiff_t>(count));
+        map.jobs.push_back(
+            jobs.submit(count, [base = map.base, places](std::size_t part) { return CellPiece(base, places[part]); }));
+        map.begun += count;
+    }
 }
 
 void follow_path(BehaviourMap& map, Jobs& jobs) {

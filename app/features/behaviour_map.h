@@ -61,7 +61,7 @@ struct BehaviourMap {
     insight::MapCells cells{};
     std::vector<insight::MapPlace> order{};                 // of computation
     std::size_t begun = 0, known = 0;                       // of `order`
-    std::deque<Job<std::vector<insight::MapCell>>> jobs{};  // in the order of the cells; two, so that no thread waits
+    std::deque<Job<std::vector<insight::MapCell>>> jobs{};  // in the order of the cells
 
     Asked<insight::MapPlace, insight::Path> path{};  // of the hovered cell
 };

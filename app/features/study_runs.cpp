@@ -223,8 +223,9 @@ void update_study(StudyRuns& study, Jobs& jobs) {
         }
     }
     const std::size_t all = study.base->study().runs();
-    while (study.jobs.size() < 2 && study.begun < all) {
-        const std::size_t first = study.begun, count = std::min(runs_per_job, all - first);
+    while (study.jobs.size() < jobs_at_once && study.begun < all) {
+        const std::size_t first = study.begun;
+        const std::size_t count = std::min(parts_of_next_job(study.jobs.size(), runs_per_job), all - first);
         study.jobs.push_back(
             jobs.submit(count, [base = study.base, first](std::size_t part) { return RunPiece(base, first + part); }));
         study.begun += count;

@@ -197,6 +197,13 @@ private:
     std::shared_ptr<jobs::TypedWork<T>> work_;
 };
 
+// Long work is computed by several jobs at once, each replaced by the next frame after its end. Jobs take turns: jobs
+// of one length would end together, and the threads would wait for that frame. These lengths keep their ends apart.
+inline constexpr std::size_t jobs_at_once = 4;
+constexpr std::size_t parts_of_next_job(std::size_t running, std::size_t most) {
+    return most * (running + 1) / jobs_at_once;
+}
+
 class Jobs {
 public:
     // Processors less one, which is left to the window, at least 1; 0 in a build without threads.

@@ -54,6 +54,19 @@ TEST_F(LabMap, IsShownFromCoarseToFineWhileItIsWanted) {
     EXPECT_FALSE(shown());
 }
 
+TEST_F(LabMap, LeavesWorkForTheTimeBetweenTwoFramesUntilAllCellsAreBegun) {
+    handle(lab, Action::map);
+    update_map(lab.map, lab, jobs);
+    while (lab.map.begun < lab.map.order.size()) {
+        for (int step = 0; step < 60; ++step)
+            ASSERT_TRUE(jobs.work(std::chrono::nanoseconds(0))) << known() << " cells";
+        jobs.deliver(std::chrono::nanoseconds(0));
+        update_map(lab.map, lab, jobs);
+    }
+    finish();
+    EXPECT_EQ(known(), 1024u);
+}
+
 TEST_F(LabMap, IsTheSameWithThreads) {
     handle(lab, Action::map);
     finish();
