@@ -121,11 +121,13 @@ std::string description(const LabView& view, const Ui& ui, const Recognised& kno
         std::count_if(known.pairs.begin(), known.pairs.end(), [](const PairCharacter& each) { return each.is_wired; });
     if (wired < 2)
         return shown_character(known, *view.now, vehicle, shown_pair(view, vehicle)) ? "" : parts_of(ui, brain);
+    std::vector<std::string> said;  // once for pairs that do the same
+    for (const PairCharacter& each : known.pairs)
+        if (std::string words = response(ui, each.character, each.pair.channel);
+            each.is_wired && std::find(said.begin(), said.end(), words) == said.end())
+            said.push_back(std::move(words));
     std::string all;
-    for (const PairCharacter& each : known.pairs) {
-        if (!each.is_wired) continue;
-        all += (all.empty() ? "" : ", ") + response(ui, each.character, each.pair.channel);
-    }
+    for (const std::string& words : said) all += (all.empty() ? "" : ", ") + words;
     return all;
 }
 
