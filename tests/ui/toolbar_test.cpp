@@ -72,6 +72,23 @@ TEST_P(ToolbarInEachLanguage, HasOneRowWithoutOverlapsAtAnyWidth) {
     }
 }
 
+TEST_P(ToolbarInEachLanguage, LeavesButtonsOutRatherThanDrawOverThemInTheLeastWindow) {
+    for (int width = 640; width < 940; width += 50) {
+        Desk desk(static_cast<float>(width), 480, 1, true);
+        desk.strings = speaking(GetParam());
+        desk.frame(3);
+        ASSERT_TRUE(desk.anchors.find("button.play"));
+        ASSERT_TRUE(desk.anchors.find("button.follow"));
+        float end = 0;
+        for (const char* button : buttons) {
+            if (!desk.anchors.find(button)) continue;
+            EXPECT_GE(desk.where(button).x, end) << button << " at " << width;
+            end = desk.where(button).x + desk.where(button).w;
+        }
+        EXPECT_GE(desk.where("mode").x, end) << width;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Toolbar, ToolbarInEachLanguage, ::testing::Values("en", "de", "es"),
                          [](const auto& given) { return std::string(given.param); });
 

@@ -1,5 +1,6 @@
 // The bar of buttons below the menu bar. In a narrow window, first the type and the gaps are smaller, then words are
-// left out, the least important group first; icons stay. Tooltips always show the words.
+// left out, the least important group first, and at last the buttons at the end, which the menus have, too. Tooltips
+// always show the words.
 #include <array>
 #include <string>
 #include <vector>
@@ -164,9 +165,10 @@ void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect 
 
 void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "toolbar", bar);
-    const std::vector<Tool> all = tools(view, state);
+    std::vector<Tool> all = tools(view, state);
     int narrowness = 0;
     while (narrowness < narrowest_step && width_of(ui, all, narrowness) > bar.w) ++narrowness;
+    while (all.back().action != Action::follow && width_of(ui, all, narrowness) > bar.w) all.pop_back();
 
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
     float x = bar.x + ui.px(toolbar_margin);
