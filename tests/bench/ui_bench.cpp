@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "app/lab_requests.h"
+#include "app/playback.h"
 #include "render/gl/renderer.h"
 #include "tests/bench/own_memory.h"
 #include "tests/render/stage.h"
