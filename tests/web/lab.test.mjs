@@ -12,16 +12,19 @@ import { Lab, differing, openBrowser, root, squaresOf, useLabs } from "./page.mj
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
-const { withLab, pictureOfWindow, pictureOfPage } = labs;
+const { withLab, pictureOfWindow, secondsOfWindow, pictureOfPage } = labs;
 
-test("The first picture comes within three seconds", limit, async () => {
-    const times = [];
-    for (let i = 0; i < 3; ++i)
+test("The first picture takes at most three times as long as that of the window", limit, async () => {
+    const onPage = [], inWindow = [];
+    for (let i = 0; i < 3; ++i) {
+        inWindow.push(await secondsOfWindow("01-drive"));
         await withLab("?open=01-drive", async (lab) => {
-            times.push(await lab.page.evaluate(() => performance.getEntriesByName("first picture")[0].startTime));
+            onPage.push(await lab.page.evaluate(() => performance.getEntriesByName("first picture")[0].startTime / 1000));
         });
-    console.log(`first picture after ${times.map((t) => (t / 1000).toFixed(2)).join(", ")} s`);
-    assert.ok(Math.min(...times) < 3000);
+    }
+    const words = (times) => times.map((t) => t.toFixed(2)).join(", ");
+    console.log(`first picture after ${words(onPage)} s, in the window ${words(inWindow)} s`);
+    assert.ok(Math.min(...onPage) < 3 * Math.min(...inWindow));
 });
 
 test("The first start shows the title page, Begin the first exercise", limit, () =>

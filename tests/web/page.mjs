@@ -40,6 +40,17 @@ export function openBrowser(extra = []) {
     });
 }
 
+// Runs the window of the desktop without settings of the user until it has written its picture.
+async function runWindow(...options) {
+    const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
+    const file = path.join(folder, "window.png");
+    const timed = 'a=$(date +%s%N); "$@" >&2; echo $(($(date +%s%N) - a))';  // without the start of the X server
+    const ns = execFileSync("xvfb-run", ["-a", "bash", "-ec", timed, "bash", path.join(root, "build/release/braitenlab"),
+        ...options, "--size", "1280x800", "--screenshot", file],
+        { env: { ...process.env, HOME: folder, XDG_STATE_HOME: "", XDG_CONFIG_HOME: "" } });
+    return { file, seconds: Number(ns) / 1e9 };
+}
+
 // For the tests of one file: a server and a browser of their own, and withLab(query, use, options), which opens a page of
 // the lab and fails on errors of the page. `options`: of the browser's context; `init` runs in the page before the lab.
 export function useLabs() {
@@ -55,12 +66,11 @@ export function useLabs() {
         },
         // The squares of 20 pixels of the picture that the window of the desktop writes, without settings of the user.
         async pictureOfWindow(...options) {
-            const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
-            const file = path.join(folder, "window.png");
-            execFileSync("xvfb-run", ["-a", path.join(root, "build/release/braitenlab"), ...options,
-                "--size", "1280x800", "--screenshot", file],
-                { env: { ...process.env, HOME: folder, XDG_STATE_HOME: "", XDG_CONFIG_HOME: "" } });
-            return squaresOf(shared.browser, await readFile(file), 20);
+            return squaresOf(shared.browser, await readFile((await runWindow(...options)).file), 20);
+        },
+        // Seconds from the start of the window to its end after its first picture.
+        async secondsOfWindow(...options) {
+            return (await runWindow(...options)).seconds;
         },
         // The same of a page; the picture is kept in build/web-tests.
         async pictureOfPage(lab, name) {
