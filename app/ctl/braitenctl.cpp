@@ -223,7 +223,12 @@ CLI::App* add_breed(CLI::App& app, BreedOptions& options) {
                         "ancestors' opponents (ciao)");
     command->add_option("--csv", options.csv, "write a row per pair of the matrix; -: to standard output")
         ->type_name("FILE");
-    add_table(*command, options.table);
+    command
+        ->add_option("--svg", options.svg,
+                     "of a folder: write a drawing of the matrix, or without --matrix of the scores by generation")
+        ->type_name("FILE");
+    add_labels(*command, options.labels);
+    add_table(*command, options.table, " and of the words in the drawing");
     command->add_option("--champion", options.champion, "of a folder: write the brain of a champion, like predator:30");
     command->add_option("--match", options.match,
                         "of a folder: write the scene of two champions, PREDATOR:PREY, like 30:12");

@@ -16,6 +16,7 @@
 #include "app/files/study_files.h"
 #include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
+#include "app/reports/breeding_drawing.h"
 #include "core/evolve/breeding.h"
 #include "core/evolve/tournament.h"
 #include "core/scene/scene_file.h"
@@ -160,12 +161,12 @@ int breed_into(const BreedOptions& options, const Base& base, const fs::path& fo
     return exit_code::done;
 }
 
-// One line a pair. Against ancestors only (`is_ciao`): of each side the pairs with opponents that are not younger.
-std::string matrix_csv(const evolve::Tournament& tournament, bool is_ciao) {
+// One line a pair.
+std::string matrix_csv(const evolve::Tournament& tournament, MatrixKind kind) {
     std::string text = "side,generation,opponent_generation,score\n";
     for (const Side side : sides)
         for (std::size_t own = 0; own < tournament.size(); ++own)
-            for (std::size_t opponent = 0; opponent < (is_ciao ? own + 1 : tournament.size()); ++opponent)
+            for (std::size_t opponent = 0; opponent < opponents_of(tournament, kind, own); ++opponent)
                 text += fmt::format("{},{},{},{:.4f}\n", word(side), tournament.generations[own],
                                     tournament.generations[opponent], tournament.score(side, own, opponent));
     return text;
@@ -185,9 +186,10 @@ std::string matrix_text(const evolve::Tournament& tournament) {
     return text;
 }
 
-int print_matrix(const BreedOptions& options, const Base& base, const BreedingState& state) {
+int print_matrix(const BreedOptions& options, const Base& base, const BreedingState& state, const Strings& strings) {
     if (options.matrix != "ciao" && options.matrix != "master")
         return complain({"--matrix is ciao (against ancestors) or master (against all)"});
+    const MatrixKind kind = options.matrix == "ciao" ? MatrixKind::ciao : MatrixKind::master;
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());
     Jobs jobs(threads_for(options.threads));
@@ -197,10 +199,24 @@ int print_matrix(const BreedOptions& options, const Base& base, const BreedingSt
     const evolve::Tournament tournament = tournament_of(*base, state, matrix_generations, *seconds);
     if (!options.csv.empty()) {
         TableFile out(options.csv, *style);
-        out.write(matrix_csv(tournament, options.matrix == "ciao"));
+        out.write(matrix_csv(tournament, kind));
         if (const auto error = out.close()) return complain(*error);
     }
+    if (!options.svg.empty())
+        if (const auto error =
+                write_whole(options.svg, matrix_drawing(*base, tournament, kind, options.labels, strings)))
+            return complain(*error);
     if (options.csv != standard_output) std::cout << matrix_text(tournament);
+    return exit_code::done;
+}
+
+int draw(const BreedOptions& options, const Base& base, const BreedingState& state) {
+    const auto strings = strings_of(options.table.language);
+    if (!strings) return complain(strings.error());
+    if (const auto error = ending_fault("--svg", options.svg, ".svg")) return complain(*error);
+    if (!options.matrix.empty()) return print_matrix(options, base, state, *strings);
+    if (const auto error = write_whole(options.svg, curves_drawing(*base, state, options.labels, *strings)))
+        return complain(*error);
     return exit_code::done;
 }
 
@@ -257,7 +273,8 @@ int breed(const BreedOptions& options) {
     const auto base = load_breeding(*path);
     if (!base) return complain(base.error());
 
-    const bool asks = !options.matrix.empty() || !options.champion.empty() || !options.match.empty();
+    const bool draws = !options.matrix.empty() || !options.svg.empty();
+    const bool asks = draws || !options.champion.empty() || !options.match.empty();
     if (!asks) {
         const std::string folder = options.out.empty() && is_folder ? options.file : options.out;
         if (folder.empty()) return complain({"breed needs --out FOLDER for its results"});
@@ -269,7 +286,7 @@ int breed(const BreedOptions& options) {
     if (!state) return complain(state.error());
     if (complete_generations(**base, *state) == 0)
         return complain({"no generation is complete yet; breed on with --continue", options.file});
-    if (!options.matrix.empty()) return print_matrix(options, *base, *state);
+    if (draws) return draw(options, *base, *state);
     if (options.out.empty()) return complain({"give the file to write with --out FILE"});
     return options.match.empty() ? write_champion(options, **base, *state) : write_match(options, **base, *state);
 }

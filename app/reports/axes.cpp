@@ -33,6 +33,57 @@ std::string words_at(float x, float y, std::string_view words, std::string_view 
                        more, xml_text(words));
 }
 
+std::string frame_svg(const PlotFrame& frame, std::string_view x_label, std::string_view y_label,
+                      const Strings& strings) {
+    std::string out = fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", frame.width,
+                                  frame.height, axis_ink);
+    std::string marks;
+    const auto for_each_tick = [&](const PlotFrame::Axis& axis, const auto& each) {
+        const auto from = static_cast<float>(axis.from), to = static_cast<float>(axis.to);
+        const float step = std::max(axis.least_step, tick_step(std::fabs(to - from)));
+        for (const float value : axis_ticks(from, to, step))
+            each(static_cast<double>(value), tick_text(value, step, strings));
+    };
+    for_each_tick(frame.x, [&](double value, const std::string& number) {
+        marks += fmt::format("M{:.1f} {}v6", frame.x_of(value), frame.height);
+        out += words_at(frame.x_of(value), frame.height + 22, number, " text-anchor=\"middle\"");
+    });
+    for_each_tick(frame.y, [&](double value, const std::string& number) {
+        marks += fmt::format("M0 {:.1f}h-6", frame.y_of(value));
+        out += words_at(-11, frame.y_of(value) + 5, number, " text-anchor=\"end\"");
+    });
+    out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", marks, axis_ink);
+    out += words_at(frame.width / 2, frame.height + 46, x_label, " text-anchor=\"middle\" font-weight=\"bold\"");
+    return out + words_at(-frame.height / 2, -62, y_label,
+                          " transform=\"rotate(-90)\" text-anchor=\"middle\" font-weight=\"bold\"");
+}
+
+std::string colour_text(const ui::MapColour& colour) {
+    const auto part = [](float share) { return static_cast<int>(std::lround(share * 255)); };
+    return fmt::format("#{:02x}{:02x}{:02x}", part(colour.r), part(colour.g), part(colour.b));
+}
+
+std::string square_data(float x, float y, float size) {
+    return fmt::format("M{:.2f} {:.2f}h{:.2f}v{:.2f}h-{:.2f}z", x, y, size, size, size);
+}
+
+std::string scale_svg(const ui::MapScale& scale, const Strings& strings) {
+    constexpr int steps = 40;
+    constexpr float above = 24, height = scale_bottom - above, width = 16;
+    std::string out;
+    for (int i = 0; i < steps; ++i)
+        out += fmt::format("<rect y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
+                           above + height * static_cast<float>(steps - 1 - i) / steps, width, height / steps + 0.5f,
+                           colour_text(ui::scale_colour((static_cast<float>(i) + 0.5f) / steps)));
+    const float step = tick_step(scale.high - scale.low);
+    for (const float value : axis_ticks(scale.low, scale.high, step)) {
+        const float y = above + height * (1 - scale.share(value));
+        out += fmt::format("<path d=\"M{} {:.1f}h6\" stroke=\"{}\"/>\n", width, y, axis_ink) +
+               words_at(width + 12, y + 5, tick_text(value, step, strings));
+    }
+    return out;
+}
+
 std::string outlined_text(float x, float y, std::string_view anchor, std::string_view fill, std::string_view words) {
     const std::string place =
         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"{}\"", x, y, anchor);

@@ -1,10 +1,11 @@
-// What the drawings with axes share: ticks, words, and labels with an outline.
+// What the drawings with axes share: frames with ticks, words, the scale of colours, and labels with an outline.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "ui/map_look.h"
 #include "ui/strings.h"
 
 namespace braitenlab {
@@ -22,6 +23,34 @@ std::string tick_text(float value, float step, const Strings&);
 
 // A text of 13 px. `more`: attributes, with a space before each.
 std::string words_at(float x, float y, std::string_view words, std::string_view more = "");
+
+// The frame of a drawing from (0, 0) on. An axis has its ends in ascending or descending order, never equal.
+struct PlotFrame {
+    struct Axis {
+        double from = 0, to = 1;
+        float least_step = 0;  // between ticks: 1 for whole numbers
+        float share(double value) const { return static_cast<float>((value - from) / (to - from)); }
+    };
+    float width = 0, height = 0;  // px
+    Axis x, y;                    // from the left to the right, from the bottom to the top
+    float inset = 0;              // px, between the frame and the ends of the axes, as for cells: half a cell
+
+    float x_of(double value) const { return inset + x.share(value) * (width - 2 * inset); }
+    float y_of(double value) const { return height - inset - y.share(value) * (height - 2 * inset); }
+};
+
+// The frame with ticks, their numbers, and bold labels. It needs 92 px on the left and 50 px below.
+std::string frame_svg(const PlotFrame&, std::string_view x_label, std::string_view y_label, const Strings&);
+
+// "#0072b2".
+std::string colour_text(const ui::MapColour&);
+
+// The data of a path that is a square with its upper left corner at (x, y).
+std::string square_data(float x, float y, float size);
+
+// The scale of ui::scale_colour() with ticks: 264 px high, the colours 24 px below its top.
+inline constexpr float scale_bottom = 264;
+std::string scale_svg(const ui::MapScale&, const Strings&);
 
 // A text over lines, on an outline of 3 px of the ground's colour. The outline is a text of its own below: LibreOffice
 // 7.4 and CairoSVG 2.5 ignore paint-order and draw it over the letters.

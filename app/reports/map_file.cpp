@@ -29,15 +29,6 @@ constexpr float map_side = 560, map_left = 92, map_top = 56, map_bottom = 86,
                 map_right = 220;               // px, the map and what is around it
 constexpr float legend_row = 24, swatch = 16;  // of the legend
 
-std::string colour_text(const ui::MapColour& colour) {
-    const auto part = [](float share) { return static_cast<int>(std::lround(share * 255)); };
-    return fmt::format("#{:02x}{:02x}{:02x}", part(colour.r), part(colour.g), part(colour.b));
-}
-
-std::string square(float x, float y, float size) {
-    return fmt::format("M{:.2f} {:.2f}h{:.2f}v{:.2f}h-{:.2f}z", x, y, size, size, size);
-}
-
 // The mark of a kind in a cell at (x, y), as squares of a path.
 std::string mark_data(insight::Behaviour kind, float x, float y, float cell) {
     const float dot = cell / (ui::mark_size + 2);
@@ -45,7 +36,8 @@ std::string mark_data(insight::Behaviour kind, float x, float y, float cell) {
     for (int down = 0; down < ui::mark_size; ++down)
         for (int across = 0; across < ui::mark_size; ++across)
             if (ui::is_marked(kind, across, down))
-                data += square(x + dot * static_cast<float>(across + 1), y + dot * static_cast<float>(down + 1), dot);
+                data +=
+                    square_data(x + dot * static_cast<float>(across + 1), y + dot * static_cast<float>(down + 1), dot);
     return data;
 }
 
@@ -64,19 +56,13 @@ std::string cells_svg(const MapCells& cells, MapMeasure measure, const ui::MapSc
             const MapCell& here = *cells.at({x, y});
             const float left = cell * static_cast<float>(x), top = map_side - cell * static_cast<float>(y + 1);
             const ui::MapColour colour = ui::cell_colour(here.outcome, here.agree, measure, scale, {1, 1, 1});
-            of_colour[colour_text(colour)] += square(left, top, cell);
+            of_colour[colour_text(colour)] += square_data(left, top, cell);
             if (measure == MapMeasure::behaviour && cell >= least_mark)
                 marks += mark_data(here.outcome.behaviour, left, top, cell);
         }
     std::string out = "<g shape-rendering=\"crispEdges\">\n";
     for (const auto& [colour, data] : of_colour) out += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", data, colour);
     return out + marks_path(marks) + "</g>\n";
-}
-
-// A cell stands for the value at its middle.
-float place_on(const MapAxis& axis, float value, int size) {
-    const float cell = map_side / static_cast<float>(size);
-    return cell / 2 + (value - axis.from) / (axis.to - axis.from) * (map_side - cell);
 }
 
 // The path without what both axes share: "kind.lover.sensor.SL.angle" is "sensor.SL.angle".
@@ -93,29 +79,15 @@ std::string short_path(const std::string& path, const std::string& other) {
     return text;
 }
 
+// A cell stands for the value at its middle.
 std::string axes_svg(const MapQuestion& question, int size, const FigureLabels& labels, const Strings& strings) {
-    std::string out =
-        fmt::format("<rect width=\"{0}\" height=\"{0}\" fill=\"none\" stroke=\"{1}\"/>\n", map_side, axis_ink);
-    std::string lines;
-    const float x_step = tick_step(std::fabs(question.x.to - question.x.from)),
-                y_step = tick_step(std::fabs(question.y.to - question.y.from));
-    for (const float value : axis_ticks(question.x.from, question.x.to, x_step)) {
-        const float x = place_on(question.x, value, size);
-        lines += fmt::format("M{:.1f} {:.1f}v6", x, map_side);
-        out += words_at(x, map_side + 22, tick_text(value, x_step, strings), " text-anchor=\"middle\"");
-    }
-    for (const float value : axis_ticks(question.y.from, question.y.to, y_step)) {
-        const float y = map_side - place_on(question.y, value, size);
-        lines += fmt::format("M0 {:.1f}h-6", y);
-        out += words_at(-11, y + 5, tick_text(value, y_step, strings), " text-anchor=\"end\"");
-    }
-    out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", lines, axis_ink);
-    out += words_at(map_side / 2, map_side + 46,
-                    labels.x.empty() ? short_path(question.x.path, question.y.path) : labels.x,
-                    " text-anchor=\"middle\" font-weight=\"bold\"");
-    return out + words_at(-map_side / 2, -62,
-                          labels.y.empty() ? short_path(question.y.path, question.x.path) : labels.y,
-                          " transform=\"rotate(-90)\" text-anchor=\"middle\" font-weight=\"bold\"");
+    const auto ends = [](const MapAxis& axis) {
+        return PlotFrame::Axis{static_cast<double>(axis.from), static_cast<double>(axis.to)};
+    };
+    const PlotFrame frame{map_side, map_side, ends(question.x), ends(question.y),
+                          map_side / static_cast<float>(size) / 2};
+    return frame_svg(frame, labels.x.empty() ? short_path(question.x.path, question.y.path) : labels.x,
+                     labels.y.empty() ? short_path(question.y.path, question.x.path) : labels.y, strings);
 }
 
 std::string kinds_legend(const MapCells& cells, const Strings& strings) {
@@ -126,7 +98,7 @@ std::string kinds_legend(const MapCells& cells, const Strings& strings) {
     for (const auto& look : ui::behaviour_looks) {
         const int cells_of_kind = count[static_cast<std::size_t>(look.value)];
         if (cells_of_kind == 0) continue;
-        out += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", square(0, y, swatch), colour_text(look.colour)) +
+        out += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", square_data(0, y, swatch), colour_text(look.colour)) +
                marks_path(mark_data(look.value, 0, y, swatch)) +
                words_at(
                    swatch + 10, y + 13,
@@ -137,26 +109,13 @@ std::string kinds_legend(const MapCells& cells, const Strings& strings) {
 }
 
 std::string scale_legend(const MapCells& cells, MapMeasure measure, const ui::MapScale& scale, const Strings& strings) {
-    constexpr int steps = 40;
-    constexpr float height = 240;
-    std::string out;
-    for (int i = 0; i < steps; ++i)
-        out +=
-            fmt::format("<rect y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
-                        legend_row + height * static_cast<float>(steps - 1 - i) / steps, swatch, height / steps + 0.5f,
-                        colour_text(ui::scale_colour((static_cast<float>(i) + 0.5f) / steps)));
-    const float step = tick_step(scale.high - scale.low);
-    for (const float value : axis_ticks(scale.low, scale.high, step)) {
-        const float y = legend_row + height * (1 - scale.share(value));
-        out += fmt::format("<path d=\"M{} {:.1f}h6\" stroke=\"{}\"/>\n", swatch, y, axis_ink) +
-               words_at(swatch + 12, y + 5, tick_text(value, step, strings));
-    }
+    const std::string out = scale_svg(scale, strings);
     const bool has_none = std::any_of(cells.cells.begin(), cells.cells.end(), [&](const auto& cell) {
         return !std::isfinite(insight::number_of(cell->outcome, measure));
     });
     if (!has_none) return out;
-    const float y = legend_row + height + legend_row;
-    return out + fmt::format("<path d=\"{}\" fill=\"#ffffff\" stroke=\"{}\"/>\n", square(0, y, swatch), axis_ink) +
+    const float y = scale_bottom + legend_row;
+    return out + fmt::format("<path d=\"{}\" fill=\"#ffffff\" stroke=\"{}\"/>\n", square_data(0, y, swatch), axis_ink) +
            words_at(swatch + 10, y + 13,
                     strings(measure == MapMeasure::time_to_touch ? "map.never" : "report.map_none"));
 }

@@ -63,10 +63,11 @@ public:
         const bool is_positive = low >= 0;
         low -= room, high += room;
         if (is_positive) low = std::max(low, 0.0);
-        std::string out = axes(low, high, x_label, y_label);
+        const PlotFrame frame{panel_width, panel_height, {from_, to_}, {low, high}};
+        std::string out = frame_svg(frame, x_label, y_label, strings_);
         for (std::size_t i = 0; i < series.size(); ++i) {
             std::sort(series[i].begin(), series[i].end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-            out += line(series[i], i, low, high);
+            out += line(series[i], i, frame);
         }
         return out;
     }
@@ -99,43 +100,21 @@ private:
     std::string name_of(std::size_t value) const { return study_.values[value].name; }
     static const char* colour(std::size_t i) { return series_colours[i % series_colours.size()]; }
     static const char* dashes(std::size_t i) { return i < series_colours.size() ? "" : " stroke-dasharray=\"6 4\""; }
-    float x_of(double x) const { return panel_width * static_cast<float>((x - from_) / (to_ - from_)); }
-    static float y_of(double y, double low, double high) {
-        if (!std::isfinite(y)) return y > 0 ? 0 : panel_height;
-        return panel_height * static_cast<float>((high - y) / (high - low));
+    // At the edge of the frame: a quartile that is not finite.
+    static float y_of(const PlotFrame& frame, double y) {
+        if (!std::isfinite(y)) return y > 0 ? 0 : frame.height;
+        return frame.y_of(y);
     }
 
-    std::string axes(double low, double high, const std::string& x_label, const std::string& y_label) const {
-        std::string out = fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", panel_width,
-                                      panel_height, axis_ink);
-        std::string marks;
-        const auto from = static_cast<float>(from_), to = static_cast<float>(to_), bottom = static_cast<float>(low),
-                   top = static_cast<float>(high);
-        for (const float value : axis_ticks(from, to, tick_step(to - from))) {
-            marks += fmt::format("M{:.1f} {}v6", x_of(value), panel_height);
-            out += words_at(x_of(value), panel_height + 22, tick_text(value, tick_step(to - from), strings_),
-                            " text-anchor=\"middle\"");
-        }
-        for (const float value : axis_ticks(bottom, top, tick_step(top - bottom))) {
-            marks += fmt::format("M0 {:.1f}h-6", y_of(value, low, high));
-            out += words_at(-11, y_of(value, low, high) + 5, tick_text(value, tick_step(top - bottom), strings_),
-                            " text-anchor=\"end\"");
-        }
-        out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", marks, axis_ink);
-        out += words_at(panel_width / 2, panel_height + 46, x_label, " text-anchor=\"middle\" font-weight=\"bold\"");
-        return out + words_at(-panel_height / 2, -62, y_label,
-                              " transform=\"rotate(-90)\" text-anchor=\"middle\" font-weight=\"bold\"");
-    }
-
-    std::string line(const std::vector<SeriesPoint>& points, std::size_t index, double low, double high) const {
+    std::string line(const std::vector<SeriesPoint>& points, std::size_t index, const PlotFrame& frame) const {
         // Bars of several series stand side by side.
         const float aside = 5 * (static_cast<float>(index) - static_cast<float>(names_.size() - 1) / 2);
         std::string path, bars, dots;
         for (const SeriesPoint& point : points) {
-            const float x = x_of(point.x) + aside, y = y_of(point.spread.median, low, high);
+            const float x = frame.x_of(point.x) + aside, y = y_of(frame, point.spread.median);
             path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x, y);
-            bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, y_of(point.spread.lower, low, high),
-                                y_of(point.spread.upper, low, high));
+            bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, y_of(frame, point.spread.lower),
+                                y_of(frame, point.spread.upper));
             dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", x, y);
         }
         if (points.empty()) return "";

@@ -1,4 +1,5 @@
 // braitenctl breed: folders, interruption, matrices, champions, messages.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -81,6 +82,47 @@ TEST(CtlBreed, AFolderGivesItsMatrixItsChampionsAndTheirMatches) {
         EXPECT_EQ(ran.code, 2) << wrong << ran.out;
     }
     fs::remove(file), fs::remove(brain), fs::remove(scene);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++count;
+    return count;
+}
+
+TEST(CtlBreed, DrawsCurvesAndMatricesWithNamedAxes) {
+    const std::string file = small_breeding(), svg = scratch("breeding.svg");
+    const Folder folder("breed-drawn");
+    ASSERT_EQ(ctl("breed " + file + " --out " + folder.path).code, 0);
+    const std::string command = "breed " + folder.path + " --svg " + svg;
+    ASSERT_EQ(ctl(command).code, 0);
+    std::string text = content(svg);
+    for (const char* part :
+         {">Chase, against the last champions</text>", ">Predator</text>", ">Prey</text>", ">generation</text>",
+          ">score (0 to 1)</text>", ">best against the panel</text>", ">0.4</text>", ">2</text>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_EQ(count_of(text, "fill=\"none\" stroke=\"#0072b2\""), 3U) << "a curve of each side, and the legend";
+    EXPECT_EQ(text.find(">1.5</text>"), std::string::npos) << "generations are whole numbers";
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    const auto is_xml = [&] {
+        return shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code == 0;
+    };
+    EXPECT_TRUE(is_xml());
+    // A square for each pair; the number of each on an outline.
+    ASSERT_EQ(ctl(command + " --matrix ciao").code, 0);
+    text = content(svg);
+    EXPECT_EQ(count_of(text, "z\" fill="), 2U * (1 + 2 + 3));
+    EXPECT_EQ(count_of(text, "stroke=\"#fff\""), 2U * (1 + 2 + 3));
+    EXPECT_NE(text.find(">generation of: Prey</text>"), std::string::npos);
+    ASSERT_EQ(ctl(command + " --matrix master --lang de --title Mine --x-label 'g (1)'").code, 0);
+    text = content(svg);
+    EXPECT_EQ(count_of(text, "z\" fill="), 2U * 9);
+    for (const char* part : {">Mine</text>", ">g (1)</text>", ">Generation von: Beute</text>", ">0,4</text>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_TRUE(is_xml());
+    expect_refused("breed " + folder.path + " --svg a.png", ".svg");
+    expect_refused("breed chase --svg a.svg", "folder of a breeding");
+    fs::remove(file), fs::remove(svg);
 }
 
 TEST(CtlBreed, AFolderThatIsThereIsNotReplaced) {
