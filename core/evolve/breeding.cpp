@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/evolve/generalist.h"
 #include "core/maths/fnv.h"
 #include "core/maths/random.h"
 #include "core/messages.h"
@@ -92,6 +93,8 @@ std::vector<Individual> first_population(const BreedingBase& base, Side side, st
     return population;
 }
 
+bool is_generalist(const Breeding& breeding) { return breeding.opponents == Opponents::generalist; }
+
 int generation_of(const Lineage& lineage) { return static_cast<int>(lineage.generations.front().size()); }
 
 // The opponents that each individual of the side meets, one a trial.
@@ -99,6 +102,12 @@ std::vector<Genome> opponents_of(const BreedingBase& base, const Lineage& lineag
     const Breeding& breeding = base.breeding();
     const std::vector<Individual>& present = at(lineage.population, other(side));
     const std::vector<Generation>& earlier = at(lineage.generations, other(side));
+    if (const Breed* breed = base.breed(other(side)); breed && !earlier.empty() && is_generalist(breeding)) {
+        std::vector<Genome> known;
+        for (int i = 0; i < breeding.parents; ++i) known.push_back(present[static_cast<std::size_t>(i)].genome);
+        for (const Generation& each : earlier) known.push_back(each.champion);
+        return most_different(known, *breed, static_cast<std::size_t>(breeding.trials));
+    }
     std::vector<Genome> opponents;
     for (int trial = 0; trial < breeding.trials; ++trial) {
         maths::Random random(seed_for("opponent", run, generation_of(lineage), side, trial), 3);
@@ -150,6 +159,8 @@ std::vector<Trial> trials_of_generation(const BreedingBase& base, const Lineage&
         if (!base.breed(side)) continue;
         add_trials(trials, base, side, genomes_of(at(lineage.population, side)), opponents_of(base, lineage, side, run),
                    1, [&](std::size_t individual, std::size_t opponent, int) {
+                       // Those that are compared against each opponent have the same start.
+                       if (is_generalist(base.breeding())) individual = 0;
                        return seed_for("trial", run, generation_of(lineage), side, individual, opponent);
                    });
     }
@@ -200,35 +211,40 @@ float diversity_of(const std::vector<Individual>& population, const Breed& breed
 }
 
 // Records the generation of this number and replaces its individuals by the next one. `scores`: of the individuals in
-// their order.
+// their order, of each against its opponents.
 void breed_side(const BreedingBase& base, Lineage& lineage, Side side, std::uint64_t run, int generation,
-                const std::vector<float>& scores) {
+                const std::vector<std::vector<float>>& scores) {
     const Breeding& breeding = base.breeding();
     const Breed& breed = *base.breed(side);
     std::vector<Individual>& population = at(lineage.population, side);
-    std::vector<std::size_t> ranks(population.size());
-    std::iota(ranks.begin(), ranks.end(), std::size_t{0});
-    std::stable_sort(ranks.begin(), ranks.end(), [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
+    std::vector<float> means;
+    for (const std::vector<float>& own : scores) means.push_back(mean_of(own.data(), own.size()));
+    const std::vector<std::size_t> ranks = ranks_of(means);
+    const bool keeps_generalists = is_generalist(breeding) && generation > 0;
+    const std::vector<std::size_t> parents =
+        keeps_generalists ? generalists(scores, means, static_cast<std::size_t>(breeding.parents))
+                          : std::vector(ranks.begin(), ranks.begin() + breeding.parents);
 
-    Generation record{.champion = population[ranks[0]].genome,
-                      .index = static_cast<int>(ranks[0]),
-                      .best = scores[ranks[0]],
-                      .median = scores[ranks[ranks.size() / 2]],
+    Generation record{.champion = population[parents[0]].genome,
+                      .index = static_cast<int>(parents[0]),
+                      .best = means[parents[0]],
+                      .median = means[ranks[ranks.size() / 2]],
                       .diversity = diversity_of(population, breed)};
     for (const Individual& each : population) record.parents.push_back(each.parent);
 
+    const int unchanged = is_generalist(breeding) ? breeding.parents : breeding.elite;
     std::vector<Individual> next;
     for (int i = 0; i < breeding.population; ++i) {
-        const std::size_t parent = ranks[static_cast<std::size_t>(i % breeding.parents)];
+        const std::size_t parent = parents[static_cast<std::size_t>(i % breeding.parents)];
         const Genome& genome = population[parent].genome;
         const std::uint64_t seed = seed_for("child", run, generation, side, i);
-        next.push_back({i < breeding.elite ? genome : child_of(genome, breed, seed), static_cast<int>(parent)});
+        next.push_back({i < unchanged ? genome : child_of(genome, breed, seed), static_cast<int>(parent)});
     }
     at(lineage.generations, side).push_back(std::move(record));
     population = std::move(next);
 }
 
-void advance_generation(const BreedingBase& base, Lineage& lineage, bool is_panel, const std::vector<float>& seconds) {
+void advance_generation(const BreedingBase& base, Lineage& lineage, bool is_panel, const std::vector<float>& numbers) {
     const Breeding& breeding = base.breeding();
     const auto trials = static_cast<std::size_t>(breeding.trials);
     const int generation = generation_of(lineage);
@@ -238,23 +254,20 @@ void advance_generation(const BreedingBase& base, Lineage& lineage, bool is_pane
             at(lineage.generations, side).emplace_back();
             continue;
         }
-        std::vector<float> scores;
-        for (std::size_t i = 0; i < at(lineage.population, side).size(); ++i, next += trials) {
-            std::vector<float> own(trials);
-            for (std::size_t k = 0; k < trials; ++k) own[k] = score_of(breeding, side, seconds[next + k]);
-            scores.push_back(mean_of(own.data(), trials));
-        }
+        std::vector<std::vector<float>> scores(at(lineage.population, side).size(), std::vector<float>(trials));
+        for (std::vector<float>& own : scores)
+            for (float& score : own) score = score_of(breeding, side, numbers[next++]);
         breed_side(base, lineage, side, run_seed(breeding, is_panel), generation, scores);
     }
 }
 
-void take_panel_scores(const BreedingBase& base, BreedingState& state, const std::vector<float>& seconds) {
+void take_panel_scores(const BreedingBase& base, BreedingState& state, const std::vector<float>& numbers) {
     std::size_t next = 0;
     for (const Side side : both_sides) {
         if (!base.breed(side)) continue;
         const std::size_t count = panel_of(base, state, other(side)).size() * panel_trials;
         std::vector<float> scores(count);
-        for (float& score : scores) score = score_of(base.breeding(), side, seconds[next++]);
+        for (float& score : scores) score = score_of(base.breeding(), side, numbers[next++]);
         at(state.main.generations, side).back().panel = mean_of(scores.data(), count);
     }
 }
@@ -327,28 +340,6 @@ Kind BreedingBase::kind_of(Side side, const Genome& genome) const {
     return std::move(read_scene(*file_, "", settings_of(breeding_, *own, genome))->kinds[index]);
 }
 
-Scene scene_of(const BreedingBase& base, const Trial& trial) {
-    Scene scene = base.scene();
-    for (const auto& kind : trial.kinds)
-        *std::find_if(scene.kinds.begin(), scene.kinds.end(), [&](const Kind& k) { return k.name == kind->name; }) =
-            *kind;
-    return scene;
-}
-
-float run_of(const BreedingBase& base, const Trial& trial) {
-    const float seconds = base.breeding().seconds;
-    auto world = World::create(scene_of(base, trial), trial.seed);
-    if (!world) return seconds;
-    const auto ticks = static_cast<std::uint64_t>(std::lround(seconds * 60));
-    while (world->tick() < ticks && world->events().captures == 0) world->step();
-    return world->events().captures == 0 ? seconds : static_cast<float>(world->tick()) / 60;
-}
-
-float score_of(const Breeding& breeding, Side side, float seconds) {
-    const float lived = std::min(1.0F, seconds / breeding.seconds);
-    return side == Side::prey ? lived : 1 - lived;
-}
-
 BreedingState begin_breeding(const BreedingBase& base) {
     BreedingState state;
     for (const Side side : both_sides) {
@@ -366,10 +357,10 @@ std::vector<Trial> next_trials(const BreedingBase& base, const BreedingState& st
     return {};
 }
 
-void advance(const BreedingBase& base, BreedingState& state, const std::vector<float>& seconds) {
-    if (breeds_panel(base, state)) return advance_generation(base, state.panel, true, seconds);
-    if (awaits_panel(base, state)) return take_panel_scores(base, state, seconds);
-    advance_generation(base, state.main, false, seconds);
+void advance(const BreedingBase& base, BreedingState& state, const std::vector<float>& numbers) {
+    if (breeds_panel(base, state)) return advance_generation(base, state.panel, true, numbers);
+    if (awaits_panel(base, state)) return take_panel_scores(base, state, numbers);
+    advance_generation(base, state.main, false, numbers);
 }
 
 int complete_generations(const BreedingBase& base, const BreedingState& state) {

@@ -105,18 +105,20 @@ struct Trial {
 // The scene of a trial. Opened with the trial's seed it is the trial: the same run, bit for bit.
 Scene scene_of(const BreedingBase&, const Trial&);
 
-// Seconds until the prey is eaten; Breeding::seconds if it is not.
+// The number of the trial, see Breeding::fitness: seconds until the prey is eaten, Breeding::seconds if it is not; or
+// the measure, INFINITY: never, NAN: there is none.
 float run_of(const BreedingBase&, const Trial&);
 
-// 0..1. Of the prey the share of the time that it lives, of the predator the rest.
-float score_of(const Breeding&, Side, float seconds);
+// 0..1, of both sides together 1. A number x has the share x / Breeding::seconds of its range if it is a time, else
+// x / (1 + x); INFINITY is 1, NAN one half. The share is the score of the prey, or with Better::more of the predator.
+float score_of(const Breeding&, Side, float number);
 
 BreedingState begin_breeding(const BreedingBase&);
 
 // The trials that the next advance() needs; none once `generations` are complete.
 std::vector<Trial> next_trials(const BreedingBase&, const BreedingState&, int generations);
 // Takes run_of() each trial in their order.
-void advance(const BreedingBase&, BreedingState&, const std::vector<float>& seconds);
+void advance(const BreedingBase&, BreedingState&, const std::vector<float>& numbers);
 
 // Complete generations with the score against the panel, if there is one.
 int complete_generations(const BreedingBase&, const BreedingState&);

@@ -6,6 +6,7 @@
 
 #include "core/messages.h"
 #include "core/scene/format_table.h"
+#include "core/scene/nearest.h"
 #include "core/scene/toml_reader.h"
 #include "core/scene/toml_writer.h"
 
@@ -44,8 +45,13 @@ void describe(Visitor& v, Of<Breeding>) {
     v.number("population", &Breeding::population, "", {2, population}, "individuals of each side");
     v.number("parents", &Breeding::parents, "", {1, population}, "the best individuals, which have children");
     v.number("elite", &Breeding::elite, "", {0, population},
-             "parents that stay in the population unchanged; all of them make a (μ + λ) strategy");
+             "parents that stay in the population unchanged; all of them make a (μ + λ) strategy; with `generalist` "
+             "all stay");
     v.number("trials", &Breeding::trials, "", {1, trials}, "of each individual in each generation");
+    v.text("fitness", &Breeding::fitness, limits::name_length,
+           "the number of a trial: `time_to_capture` or a measure of studies, see below");
+    v.word("predator_better", &Breeding::predator_better,
+           "whether less or more of this number is better for the predator; the opposite is better for the prey");
     v.word("opponents", &Breeding::opponents, "whom an individual meets in its trials");
     v.number("remembered", &Breeding::remembered, "", {1, generations}, "generations, for `best_of_last`");
     v.number("seed", &Breeding::seed, "", {0, 1e15}, "of the whole breeding");
@@ -74,6 +80,18 @@ void check_genes(TomlTable& table, Breed& breed) {
     }
 }
 
+void read_fitness(TomlTable& top, Breeding& breeding) {
+    if (breeding.fitness == time_to_capture) return;
+    std::vector<std::string_view> known{time_to_capture};
+    for (const auto& row : insight::study_measure_table) {
+        known.push_back(row.word);
+        if (row.word == breeding.fitness) breeding.measure = row.value;
+    }
+    if (!breeding.measure)
+        top.fail("fitness",
+                 message_of("no_measure", in_quotes(breeding.fitness)) + nearest_of(breeding.fitness, known));
+}
+
 void check_breeding(TomlTable& top, Breeding& breeding) {
     for (const char* needed : {"title", "scene", "breed"})
         if (!top.has(needed)) top.fail_missing(needed, message_of("missing_in_breeding", needed));
@@ -82,6 +100,7 @@ void check_breeding(TomlTable& top, Breeding& breeding) {
         top.fail("parents", message_of("exceeds", "parents", breeding.parents, "population", breeding.population));
     if (breeding.elite > breeding.parents)
         top.fail("elite", message_of("exceeds", "elite", breeding.elite, "parents", breeding.parents));
+    read_fitness(top, breeding);
     const TomlNode::List& tables = *top.content().get("breed")->as_list();
     for (std::size_t i = 0; i < breeding.breeds.size(); ++i) {
         TomlTable table(top.file(), tables[i], fmt::format("breed.{}", i + 1));
@@ -119,6 +138,13 @@ std::string describe_breeding_format() {
     describe(table, Of<Breeding>{});
     std::string text = table.text() + "\n## Opponents\n\n| `opponents` | An individual meets |\n|---|---|\n";
     for (const OpponentsTraits& row : opponents_table) text += fmt::format("| `{}` | {} |\n", row.word, row.meaning);
+    text += fmt::format(
+        "\n## Fitness\n\n| `fitness` | Unit | Number of a trial |\n|---|---|---|\n| `{}` | s | until the prey is "
+        "eaten, "
+        "which ends the trial |\n",
+        time_to_capture);
+    for (const auto& row : insight::study_measure_table)
+        text += fmt::format("| `{}` | {} | {} |\n", row.word, row.unit, row.meaning);
     return text;
 }
 

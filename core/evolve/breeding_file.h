@@ -5,11 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/enum_table.h"
+#include "core/insight/study_file.h"
 #include "core/result.h"
 
 namespace braitenlab::evolve {
@@ -20,7 +22,7 @@ inline constexpr std::size_t genes = 64, paths = 16;
 }  // namespace limits
 
 // Whom the individuals of a generation meet in their trials.
-enum class Opponents { last, best_of_last, random, archive };
+enum class Opponents { last, best_of_last, random, archive, generalist };
 struct OpponentsTraits {
     Opponents value;
     std::string_view word, meaning;
@@ -30,9 +32,22 @@ inline constexpr auto opponents_table = std::to_array<OpponentsTraits>({
     {Opponents::best_of_last, "best_of_last", "the champions of the last generations in turn, as many as `remembered`"},
     {Opponents::random, "random", "individuals of the other side's present generation, drawn at random"},
     {Opponents::archive, "archive", "champions of all earlier generations, drawn at random (a Hall of Fame)"},
+    {Opponents::generalist, "generalist",
+     "of the parents and all earlier champions of the other side those that differ most; a child takes the place of "
+     "the worst parent only if it is not worse against any of them"},
 });
 static_assert(is_complete_table<opponents_table>());
 constexpr const auto& table_of(Opponents) { return opponents_table; }
+
+// Which number of a run is the better one.
+enum class Better { less, more };
+inline constexpr auto better_table = std::to_array<Word<Better>>({{Better::less, "less"}, {Better::more, "more"}});
+static_assert(is_complete_table<better_table>());
+constexpr const auto& table_of(Better) { return better_table; }
+
+// The number of a trial: the time until the prey is eaten, which ends the trial, or a measure of studies after
+// `seconds`. Measures of one vehicle are those of the prey.
+inline constexpr std::string_view time_to_capture = "time_to_capture";
 
 // A number that is inherited and mutated.
 struct Gene {
@@ -58,8 +73,12 @@ struct Breeding {
     int generations = 40;  // after the first one, which is random
     int population = 20;   // of each side
     int parents = 5;       // the best, each with as many children as the others
-    int elite = 1;         // of these, how many stay unchanged: 1 is a GA with elite, all is a (μ + λ) strategy
+    int elite = 1;         // of these, how many stay unchanged: 1 is a GA with elite, all is a (μ + λ) strategy; with
+                           // Opponents::generalist all stay
     int trials = 10;       // of each individual in each generation
+    std::string fitness{time_to_capture};          // or the word of a StudyMeasure
+    std::optional<insight::StudyMeasure> measure;  // of this word
+    Better predator_better = Better::less;         // of the number; for the prey the opposite
     Opponents opponents = Opponents::last;
     int remembered = 10;  // generations, for best_of_last
     std::uint64_t seed = 1;
@@ -68,7 +87,7 @@ struct Breeding {
     std::vector<Breed> breeds;   // one or two; a side without one stays as in the scene
 };
 
-// Errors carry file and line: syntax, unknown keys, missing values, ranges, more parents than individuals.
+// Errors carry file and line: syntax, unknown keys and measures, missing values, ranges, more parents than individuals.
 Result<Breeding> parse_breeding(std::string_view toml, const std::string& file_name);
 
 // The file of a breeding, without values at their defaults.

@@ -53,12 +53,12 @@ std::vector<Trial> trials_of_tournament(const BreedingBase& base, const Breeding
 }
 
 Tournament tournament_of(const BreedingBase& base, const BreedingState& state, int most,
-                         const std::vector<float>& seconds) {
+                         const std::vector<float>& numbers) {
     Tournament tournament{.generations = tournament_generations(base, state, most), .scores = {}};
-    for (std::size_t next = 0; next < seconds.size(); next += tournament_trials) {
+    for (std::size_t next = 0; next < numbers.size(); next += tournament_trials) {
         float sum = 0;
         for (std::size_t i = 0; i < tournament_trials; ++i)
-            sum += score_of(base.breeding(), Side::predator, seconds[next + i]);
+            sum += score_of(base.breeding(), Side::predator, numbers[next + i]);
         tournament.scores.push_back(sum / tournament_trials);
     }
     return tournament;

@@ -28,8 +28,8 @@ inline constexpr int tournament_trials = 4;  // of each pair
 
 // At most this many generations of each side, at equal distances. Precondition: a generation is complete.
 std::vector<Trial> trials_of_tournament(const BreedingBase&, const BreedingState&, int most);
-// `seconds`: run_of() each of these trials in their order.
-Tournament tournament_of(const BreedingBase&, const BreedingState&, int most, const std::vector<float>& seconds);
+// `numbers`: run_of() each of these trials in their order.
+Tournament tournament_of(const BreedingBase&, const BreedingState&, int most, const std::vector<float>& numbers);
 
 // How a series of scores changes with the generation.
 struct Trend {

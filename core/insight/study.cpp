@@ -51,6 +51,8 @@ std::string text_of(const Study& study) {
 // The same number of ticks in seconds without the rounding error of single precision: 20, not 20.0000019.
 double whole_ticks(float seconds) { return std::round(static_cast<double>(seconds) * 60) / 60; }
 
+}  // namespace
+
 double number_of(StudyMeasure measure, const Snapshot& end, const Outcome& outcome) {
     switch (measure) {
         case StudyMeasure::captures:
@@ -78,8 +80,6 @@ double number_of(StudyMeasure measure, const Snapshot& end, const Outcome& outco
     }
     return std::numeric_limits<double>::quiet_NaN();
 }
-
-}  // namespace
 
 Result<std::shared_ptr<const StudyBase>> StudyBase::create(Study study, std::string_view scene_text,
                                                            const std::string& scene_file) {

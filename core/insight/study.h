@@ -44,6 +44,9 @@ private:
     std::uint64_t fingerprint_ = 0;
 };
 
+// The number of a measure at the end of a run, with the outcome of the vehicle if the measure is about one.
+double number_of(StudyMeasure, const Snapshot& end, const Outcome&);
+
 // Measures of one run, in the order of Study::measures. INFINITY: never; NAN: the scene has no such object.
 using StudyRow = std::vector<double>;
 

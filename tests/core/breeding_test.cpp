@@ -2,6 +2,7 @@
 #include "core/evolve/breeding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "core/evolve/breeding_json.h"
+#include "core/evolve/generalist.h"
 #include "core/evolve/tournament.h"
 #include "core/maths/fnv.h"
 #include "core/scene/scene_file.h"
@@ -188,14 +190,61 @@ TEST(Breeding, EachSchemeChoosesItsOpponents) {
                                [&](const Individual& each) { return kind == base->kind_of(Side::prey, each.genome); });
         };
         for (const Kind* kind : met) {
-            const bool is_right = row.value == Opponents::random ? is_present(*kind)
-                                  : row.value == Opponents::last ? is_champion(*kind, 2)
-                                  : row.value == Opponents::best_of_last
-                                      ? is_champion(*kind, 2) || is_champion(*kind, 1)
-                                      : is_champion(*kind, 2) || is_champion(*kind, 1) || is_champion(*kind, 0);
+            const bool is_right =
+                row.value == Opponents::random ? is_present(*kind)
+                : row.value == Opponents::last ? is_champion(*kind, 2)
+                : row.value == Opponents::generalist
+                    ? is_present(*kind) || is_champion(*kind, 2) || is_champion(*kind, 1) || is_champion(*kind, 0)
+                : row.value == Opponents::best_of_last
+                    ? is_champion(*kind, 2) || is_champion(*kind, 1)
+                    : is_champion(*kind, 2) || is_champion(*kind, 1) || is_champion(*kind, 0);
             EXPECT_TRUE(is_right) << row.word;
         }
     }
+}
+
+TEST(Breeding, WithGeneralistsTheParentsStayAndMeetTheSameStartsAsTheirChildren) {
+    const auto base = base_of(top + alone + "elite = 0\nopponents = \"generalist\"\n" + both);
+    const BreedingState before = bred(*base, 1), after = bred(*base, 2);
+    const auto& earlier = at(before.main.population, Side::prey);
+    const auto& population = at(after.main.population, Side::prey);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(population[i].genome, earlier[static_cast<std::size_t>(population[i].parent)].genome);
+    EXPECT_EQ(population[0].genome, at(after.main.generations, Side::prey)[2].champion);
+    const auto trials = next_trials(*base, after, 3);
+    for (std::size_t i = 0; i < 18; ++i) {
+        EXPECT_EQ(trials[i].seed, trials[i % 3].seed);
+        EXPECT_EQ(trials[i].kinds[1], trials[i % 3].kinds[1]);
+    }
+    EXPECT_NE(trials[0].seed, trials[1].seed);
+}
+
+TEST(Breeding, AMeasureOfStudiesIsAFitness) {
+    const std::string closest = "fitness = \"closest\"\n";
+    const auto base = base_of(top + alone + closest + both),
+               more = base_of(top + alone + closest + "predator_better = \"more\"\n" + both),
+               seconds = base_of(top + alone + "fitness = \"survival\"\n" + both),
+               captures = base_of(top + alone + "fitness = \"captures\"\npredator_better = \"more\"\n" + both);
+    std::set<float> different;
+    for (const Trial& trial : next_trials(*base, begin_breeding(*base), 3)) {
+        const float distance = run_of(*base, trial);
+        EXPECT_GE(distance, 0);
+        EXPECT_LT(distance, 6);
+        different.insert(distance);
+        const bool is_eaten = run_of(*captures, trial) > 0;
+        EXPECT_EQ(run_of(*seconds, trial) < 4, is_eaten) << "the prey is the vehicle that is measured";
+    }
+    EXPECT_GT(different.size(), 10u);
+    EXPECT_GT(score_of(base->breeding(), Side::predator, 1), score_of(base->breeding(), Side::predator, 2));
+    EXPECT_LT(score_of(more->breeding(), Side::predator, 1), score_of(more->breeding(), Side::predator, 2));
+    EXPECT_EQ(score_of(more->breeding(), Side::predator, INFINITY), 1);
+    EXPECT_EQ(score_of(more->breeding(), Side::prey, NAN), 0.5F);
+    EXPECT_EQ(score_of(seconds->breeding(), Side::prey, 1), 0.25F);
+    EXPECT_EQ(complete_generations(*captures, bred(*captures, 1)), 2);
+    EXPECT_TRUE(fault_of(top + "fitness = \"closet\"\n" + both)
+                    .starts_with("b.toml:9: there is no measure 'closet'; the nearest is 'closest'"))
+        << fault_of(top + "fitness = \"closet\"\n" + both);
+    EXPECT_NE(fault_of(top + "predator_better = \"les\"\n" + both).find("'less'"), std::string::npos);
 }
 
 TEST(Breeding, OneSideAloneEvolvesAgainstTheSceneAsItIs) {
@@ -269,6 +318,28 @@ TEST(Breeding, TheShippedOnesAreBredToTheSameBits) {
         EXPECT_EQ(fmt::format("{:016x}", maths::fnv(write_state(**base, bred(**base, 4)))), "b4a61e2293d102f9");
     }
     EXPECT_EQ(count, 4);
+}
+
+TEST(Generalist, AChildReplacesTheWorstOnlyIfItIsWorseAgainstNone) {
+    const auto kept = [](const std::vector<std::vector<float>>& scores) {
+        std::vector<float> means;
+        for (const auto& own : scores) means.push_back((own[0] + own[1]) / 2);
+        return generalists(scores, means, 2);
+    };
+    using Indices = std::vector<std::size_t>;
+    EXPECT_EQ(kept({{0.2F, 0.2F}, {0.5F, 0.5F}, {1, 0.1F}}), (Indices{1, 0}))
+        << "better in the mean, worse against one";
+    EXPECT_EQ(kept({{0.2F, 0.2F}, {0.5F, 0.5F}, {1, 0.2F}}), (Indices{2, 1}));
+    EXPECT_EQ(kept({{0.2F, 0.2F}, {0.5F, 0.5F}, {0.2F, 0.2F}}), (Indices{1, 0})) << "equal";
+    EXPECT_EQ(kept({{0.2F, 0.2F}, {0.5F, 0.5F}, {0.6F, 0.6F}, {0.7F, 0.7F}}), (Indices{3, 2})) << "one after the other";
+}
+
+TEST(Generalist, TheOpponentsAreThoseThatDifferMost) {
+    Breed breed{.kind = "k", .genes = {{.name = "a", .paths = {"p"}, .low = 0, .high = 10}}};
+    breed.genes.push_back(breed.genes[0]), breed.genes[1].high = 1;
+    const std::vector<Genome> known{{1, 0}, {2, 0}, {9, 0}, {1, 1}, {5, 0}};
+    EXPECT_EQ(most_different(known, breed, 3), (std::vector<Genome>{known[0], known[3], known[2]}));
+    EXPECT_EQ(most_different({known[0], known[1]}, breed, 3), (std::vector<Genome>{known[0], known[1], known[0]}));
 }
 
 TEST(Tournament, EveryChampionMeetsEveryOne) {
