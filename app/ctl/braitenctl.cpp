@@ -12,6 +12,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/outputs.h"
+#include "app/ctl/ranks.h"
 #include "app/files/data.h"
 #include "app/platform/memory.h"
 #include "app/platform/platform.h"
@@ -475,5 +476,5 @@ int main(int argc, char** argv) {
     braitenlab::use_utf8(argc, argv);
     braitenlab::end_at_closed_pipe();
     const braitenlab::InertOutput inert;
-    return braitenlab::end_with(braitenlab::command_line(argc, argv));
+    return braitenlab::run_in_ranks([&] { return braitenlab::end_with(braitenlab::command_line(argc, argv)); });
 }

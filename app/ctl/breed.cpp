@@ -8,16 +8,17 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
+#include "app/ctl/parts.h"
 #include "app/ctl/progress.h"
 #include "app/ctl/table_file.h"
 #include "app/files/breeding_files.h"
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "app/files/study_files.h"
-#include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
 #include "app/reports/breeding_drawing.h"
 #include "core/evolve/breeding.h"
+#include "core/evolve/breeding_json.h"
 #include "core/evolve/tournament.h"
 #include "core/scene/scene_file.h"
 
@@ -36,15 +37,44 @@ using Base = std::shared_ptr<const BreedingBase>;
 constexpr auto sides = std::to_array({Side::predator, Side::prey});
 constexpr int matrix_generations = 40;  // at most, of each side
 
-// Seconds of the trials in their order; empty when the user has interrupted the program.
-Result<std::vector<float>> run_trials(Jobs& jobs, const Base& base, const std::vector<Trial>& trials) {
-    auto job = jobs.submit(trials.size(), [&base, &trials](std::size_t part) {
-        return is_told_to_end() ? 0.0F : evolve::run_of(*base, trials[part]);
-    });
-    jobs.finish();
-    const auto results = job.take();
-    if (!*results) return results->error();
-    return is_told_to_end() ? std::vector<float>{} : **results;
+// A list of trials: those of the next generation, or of a tournament.
+struct TrialList {
+    bool is_tournament = false;
+    int generations = 0;
+
+    std::vector<Trial> trials(const BreedingBase& base, const BreedingState& state) const {
+        return is_tournament ? trials_of_tournament(base, state, matrix_generations)
+                             : next_trials(base, state, generations);
+    }
+};
+
+Part part_of_trials(const Base& base, std::vector<Trial> trials) {
+    return [base, list = std::make_shared<const std::vector<Trial>>(std::move(trials))](std::size_t part) {
+        return Numbers{static_cast<double>(evolve::run_of(*base, (*list)[part]))};
+    };
+}
+
+std::string text_of_trials(const BreedingBase& base, const BreedingState& state, const TrialList& list) {
+    return "breed\n" + nlohmann::json{{"breeding", write_breeding(base.breeding())},
+                                      {"scene", write_scene(base.scene())},
+                                      {"state", write_state(base, state)},
+                                      {"tournament", list.is_tournament},
+                                      {"generations", list.generations}}
+                           .dump();
+}
+
+// The numbers of the trials in their order; empty when there are none, or the user has interrupted the program.
+Result<std::vector<float>> run_trials(PartRunner& runner, const Base& base, const BreedingState& state,
+                                      const TrialList& list) {
+    std::vector<Trial> trials = list.trials(*base, state);
+    const std::size_t count = trials.size();
+    if (count == 0) return std::vector<float>{};
+    const auto results = runner.run(
+        {count, part_of_trials(base, std::move(trials)), [&] { return text_of_trials(*base, state, list); }});
+    if (!results) return results.error();
+    std::vector<float> numbers;
+    for (const Numbers& each : *results) numbers.push_back(static_cast<float>(each.at(0)));
+    return numbers;
 }
 
 struct Bred {
@@ -55,7 +85,7 @@ struct Bred {
 
 // Breeds on, and writes the state after each generation.
 Result<Bred> breed_on(const Base& base, BreedingState state, int generations, int threads, const fs::path& folder) {
-    Jobs jobs(threads_for(threads));
+    PartRunner runner(threads);
     const auto done = [&](const BreedingState& s) {
         return static_cast<std::size_t>(complete_generations(*base, s)) + s.panel.generations.front().size();
     };
@@ -64,17 +94,15 @@ Result<Bred> breed_on(const Base& base, BreedingState state, int generations, in
                       done(state), std::cerr);
     Bred bred{.state = std::move(state)};
     for (;;) {
-        const std::vector<Trial> trials = next_trials(*base, bred.state, generations);
-        if (trials.empty()) break;
-        const auto seconds = run_trials(jobs, base, trials);
-        if (!seconds) return seconds.error();
-        if (seconds->empty()) return bred;
-        advance(*base, bred.state, *seconds);
-        bred.trials += trials.size();
+        const auto numbers = run_trials(runner, base, bred.state, {.generations = generations});
+        if (!numbers) return numbers.error();
+        if (numbers->empty()) break;
+        advance(*base, bred.state, *numbers);
+        bred.trials += numbers->size();
         if (const auto error = write_breeding_state(*base, bred.state, folder)) return *error;
         progress.at(done(bred.state));
     }
-    bred.is_complete = true;
+    bred.is_complete = !is_told_to_end();
     return bred;
 }
 
@@ -192,11 +220,11 @@ int print_matrix(const BreedOptions& options, const Base& base, const BreedingSt
     const MatrixKind kind = options.matrix == "ciao" ? MatrixKind::ciao : MatrixKind::master;
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());
-    Jobs jobs(threads_for(options.threads));
-    const auto seconds = run_trials(jobs, base, trials_of_tournament(*base, state, matrix_generations));
-    if (!seconds) return complain(seconds.error());
-    if (seconds->empty()) return interrupted();
-    const evolve::Tournament tournament = tournament_of(*base, state, matrix_generations, *seconds);
+    PartRunner runner(options.threads);
+    const auto numbers = run_trials(runner, base, state, {.is_tournament = true});
+    if (!numbers) return complain(numbers.error());
+    if (numbers->empty()) return interrupted();
+    const evolve::Tournament tournament = tournament_of(*base, state, matrix_generations, *numbers);
     if (!options.csv.empty()) {
         TableFile out(options.csv, *style);
         out.write(matrix_csv(tournament, kind));
@@ -264,6 +292,18 @@ int write_match(const BreedOptions& options, const BreedingBase& base, const Bre
 }
 
 }  // namespace
+
+Result<Part> part_of_breeding(std::string_view text) {
+    const auto json = nlohmann::json::parse(text);
+    auto breeding = evolve::parse_breeding(json.at("breeding").get<std::string>(), "breeding.toml");
+    if (!breeding) return breeding.error();
+    const auto base = BreedingBase::create(std::move(*breeding), json.at("scene").get<std::string>(), "scene.toml");
+    if (!base) return base.error();
+    const auto state = evolve::read_state(**base, json.at("state").get<std::string>(), "state.json");
+    if (!state) return state.error();
+    const TrialList list{json.at("tournament").get<bool>(), json.at("generations").get<int>()};
+    return part_of_trials(*base, list.trials(**base, *state));
+}
 
 int breed(const BreedOptions& options) {
     std::error_code none;

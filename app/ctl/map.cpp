@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
+#include "app/ctl/parts.h"
 #include "app/ctl/table_file.h"
 #include "app/files/png.h"
 #include "app/files/safe_file.h"
-#include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
 #include "app/reports/map_file.h"
 #include "core/io/csv.h"
@@ -73,19 +73,54 @@ Result<insight::MapQuestion> question_of(const MapOptions& options) {
     return question;
 }
 
+Part part_of_level(const std::shared_ptr<const MapBase>& base, std::size_t level) {
+    return [base, places = insight::map_levels(base->question().size)[level]](std::size_t part) {
+        const MapCell cell = insight::run_cell(base, places[part]);
+        const insight::Outcome& of = cell.outcome;
+        Numbers numbers{static_cast<double>(of.behaviour)};
+        for (const float number :
+             {of.closest, of.final_distance, of.time_to_touch, of.captures, of.survival, cell.agree})
+            numbers.push_back(static_cast<double>(number));
+        return numbers;
+    };
+}
+
+MapCell cell_of_numbers(const Numbers& numbers) {
+    MapCell cell;
+    insight::Outcome& of = cell.outcome;
+    of.behaviour = static_cast<Behaviour>(static_cast<int>(numbers.at(0)));
+    std::size_t next = 1;
+    for (float* number : {&of.closest, &of.final_distance, &of.time_to_touch, &of.captures, &of.survival, &cell.agree})
+        *number = static_cast<float>(numbers.at(next++));
+    return cell;
+}
+
+// What decides the runs of a map.
+std::string text_of_level(const MapOptions& options, std::size_t level) {
+    return "map\n" + nlohmann::json{{"file", options.file},
+                                    {"x", options.x},
+                                    {"y", options.y},
+                                    {"vehicle", options.vehicle},
+                                    {"size", options.size},
+                                    {"seeds", options.seeds},
+                                    {"seed", options.seed},
+                                    {"seconds", options.seconds},
+                                    {"settings", options.settings},
+                                    {"level", level}}
+                         .dump();
+}
+
 // Incomplete when the user has interrupted the program.
-Result<MapCells> compute(const std::shared_ptr<const MapBase>& base, int threads) {
+Result<MapCells> compute(const MapOptions& options, const std::shared_ptr<const MapBase>& base) {
     const int size = base->question().size;
     MapCells cells(size);
-    Jobs jobs(threads_for(threads));
-    for (const std::vector<MapPlace>& level : insight::map_levels(size)) {
-        auto job = jobs.submit(level.size(), [base, &level](std::size_t part) {
-            return is_told_to_end() ? MapCell{} : insight::run_cell(base, level[part]);
-        });
-        jobs.finish();
-        const auto results = job.take();
-        if (!*results) return results->error();
-        for (std::size_t i = 0; i < level.size(); ++i) cells.at(level[i]) = (**results)[i];
+    PartRunner runner(options.threads);
+    const auto levels = insight::map_levels(size);
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        const auto results = runner.run(
+            {levels[level].size(), part_of_level(base, level), [&] { return text_of_level(options, level); }});
+        if (!results) return results.error();
+        for (std::size_t i = 0; i < results->size(); ++i) cells.at(levels[level][i]) = cell_of_numbers((*results)[i]);
     }
     return cells;
 }
@@ -223,6 +258,20 @@ std::optional<Error> write_map(const MapOptions& options, const insight::MapQues
 
 }  // namespace
 
+Result<Part> part_of_map(std::string_view text) {
+    const auto json = nlohmann::json::parse(text);
+    MapOptions options;
+    json.at("file").get_to(options.file), json.at("x").get_to(options.x), json.at("y").get_to(options.y);
+    json.at("vehicle").get_to(options.vehicle), json.at("size").get_to(options.size);
+    json.at("seeds").get_to(options.seeds), json.at("seed").get_to(options.seed);
+    json.at("seconds").get_to(options.seconds), json.at("settings").get_to(options.settings);
+    auto question = question_of(options);
+    if (!question) return question.error();
+    const auto base = MapBase::create(std::move(*question));
+    if (!base) return base.error();
+    return part_of_level(*base, json.at("level").get<std::size_t>());
+}
+
 int map(const MapOptions& options) {
     if (const auto error = check_outputs(options)) return complain(*error);
     const auto measure = measure_named(options.measure);
@@ -233,7 +282,7 @@ int map(const MapOptions& options) {
     if (!question) return complain(question.error());
     const auto base = MapBase::create(std::move(*question));
     if (!base) return complain(base.error());
-    const auto cells = compute(*base, options.threads);
+    const auto cells = compute(options, *base);
     if (is_told_to_end()) return interrupted();
     if (!cells) return complain(cells.error());
     const insight::MapQuestion& asked = (*base)->question();

@@ -5,17 +5,18 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
+#include "app/ctl/parts.h"
 #include "app/ctl/progress.h"
 #include "app/ctl/table_file.h"
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "app/files/study_files.h"
-#include "app/jobs/jobs.h"
 #include "app/platform/platform.h"
 #include "app/reports/study_drawing.h"
 #include "core/insight/study_table.h"
@@ -30,21 +31,28 @@ using insight::StudyBase;
 using insight::StudyRow;
 using insight::StudySummary;
 
+// Another process reads the same files; the fingerprint tells whether they are the same there.
+std::string text_of_runs(const fs::path& path, const StudyBase& base, std::size_t first) {
+    return fmt::format("study\n{} {}\n{}", base.fingerprint(), first, fs::absolute(path).string());
+}
+
+Part part_of_runs(const std::shared_ptr<const StudyBase>& base, std::size_t first) {
+    return [base, first](std::size_t part) { return insight::run_of(base, first + part); };
+}
+
 // Runs those that are missing. Returns false when the user has interrupted the program.
-Result<bool> compute(const std::shared_ptr<const StudyBase>& base, int threads, StudyTable& table) {
-    Jobs jobs(threads_for(threads));
+Result<bool> compute(const fs::path& path, const std::shared_ptr<const StudyBase>& base, int threads,
+                     StudyTable& table) {
+    PartRunner runner(threads);
     Progress progress("runs", base->study().runs(), table.rows().size(), std::cerr);
-    const std::size_t batch = 4 * static_cast<std::size_t>(std::max(1, jobs.threads()));
+    const std::size_t batch = 4 * static_cast<std::size_t>(std::max(1, runner.threads()));
     while (table.rows().size() < base->study().runs()) {
         const std::size_t first = table.rows().size();
-        auto job = jobs.submit(std::min(batch, base->study().runs() - first), [base, first](std::size_t part) {
-            return is_told_to_end() ? StudyRow{} : insight::run_of(base, first + part);
-        });
-        jobs.finish();
-        if (is_told_to_end()) return false;
-        const auto results = job.take();
-        if (!*results) return results->error();
-        if (const auto error = table.add(**results)) return *error;
+        const auto results = runner.run({std::min(batch, base->study().runs() - first), part_of_runs(base, first),
+                                         [&] { return text_of_runs(path, *base, first); }});
+        if (!results) return results.error();
+        if (results->empty()) return false;
+        if (const auto error = table.add(*results)) return *error;
         progress.at(table.rows().size());
     }
     return true;
@@ -131,6 +139,19 @@ std::string summary_json(const Study& study, const std::vector<StudyRow>& rows) 
 
 }  // namespace
 
+Result<Part> part_of_study(std::string_view text) {
+    std::istringstream in{std::string(text)};
+    std::uint64_t fingerprint = 0;
+    std::size_t first = 0;
+    std::string path;
+    in >> fingerprint >> first >> std::ws;
+    std::getline(in, path, '\0');
+    const auto base = load_study(path);
+    if (!base) return base.error();
+    if ((*base)->fingerprint() != fingerprint) return Error{"the study or its scene is another one here", path};
+    return part_of_runs(*base, first);
+}
+
 int study(const StudyOptions& options) {
     const auto path = find_shipped(options.file, Shipped::study);
     if (!path) return complain(path.error());
@@ -151,7 +172,7 @@ int study(const StudyOptions& options) {
     if (kept > 0)
         std::cerr << fmt::format("braitenctl: {} of {} runs are in {}\n", kept, (*base)->study().runs(),
                                  table.unfinished().string());
-    const auto complete = compute(*base, options.threads, table);
+    const auto complete = compute(*path, *base, options.threads, table);
     if (!complete) return complain(complete.error());
     if (!*complete) {
         if (table.unfinished().empty()) return interrupted();

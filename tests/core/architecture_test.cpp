@@ -51,6 +51,7 @@ const std::map<std::string, std::vector<std::string>> libraries{
     {"<GL/", {"render/gl/", "app/window.cpp"}},
     {"<GLFW/", {"app/window.cpp"}},
     {"<imgui", {"ui/", "app/"}},
+    {"<mpi.h>", {"app/ctl/ranks.cpp"}},
     {"<nlohmann/", {"core/io/json.h", "app/"}},
     {"<tbb/", {"app/jobs/jobs.cpp"}},
     {"<toml++/", {"core/scene/toml_tree.cpp"}},  // parse_toml() limits size and depth
