@@ -3,6 +3,7 @@
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/io/run_file.h"
+#include "core/lesson/exercise_file.h"
 
 namespace braitenlab {
 

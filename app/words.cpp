@@ -5,7 +5,7 @@
 #include "app/files/data.h"
 #include "app/files/study_files.h"
 #include "app/platform/platform.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
 #include "core/scene/scene_file.h"
 #include "ui/strings.h"

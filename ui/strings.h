@@ -49,7 +49,7 @@ std::string shown_name(const Strings&, std::string_view name);
 char decimal_mark(const Strings&);
 
 // Adds the translation of each text that has one. The key is the text, so a text that the user has changed has no
-// translation. `by_id`: a file of exercises/words; ids are those of texts_of() in core/lesson/exercise.h.
+// translation. `by_id`: a file of exercises/words; ids are those of texts_of() in core/lesson/exercise_file.h.
 void add_translations(Strings&, const std::vector<TranslatableText>&, const Strings& by_id);
 
 // A language, by its file: de.toml has the code "de" and its name in the key language.name.

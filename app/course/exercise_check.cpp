@@ -7,6 +7,7 @@
 #include "app/files/disk.h"
 #include "app/jobs/grading.h"
 #include "app/lab.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "core/lesson/warnings.h"
 #include "core/scene/file_kind.h"

@@ -11,6 +11,7 @@
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
 #include "app/files/data.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/warnings.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/folder_entries.h"

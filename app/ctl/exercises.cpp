@@ -5,6 +5,7 @@
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/jobs/grading.h"
+#include "core/lesson/exercise_file.h"
 #include "core/scene/file_kind.h"
 
 namespace braitenlab {

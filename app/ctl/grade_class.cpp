@@ -15,6 +15,7 @@
 #include "app/files/safe_file.h"
 #include "app/reports/class_report.h"
 #include "app/reports/gradebook.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/nearest.h"

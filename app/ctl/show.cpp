@@ -8,7 +8,7 @@
 #include "app/files/data.h"
 #include "core/brain/recogniser.h"
 #include "core/io/run_file.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
 #include "core/scene/file_kind.h"

@@ -6,7 +6,7 @@
 
 #include "app/files/paths.h"
 #include "app/platform/platform.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
 #include "core/messages.h"
 #include "core/scene/folder_entries.h"

@@ -9,6 +9,7 @@
 #include "app/files/safe_file.h"
 #include "core/insight/study_file.h"
 #include "core/io/run_file.h"
+#include "core/lesson/exercise_file.h"
 #include "core/messages.h"
 #include "core/scene/comments.h"
 #include "core/scene/nearest.h"

@@ -18,6 +18,7 @@
 #include "core/io/link.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/exercise_id.h"
 #include "core/lesson/write_exercise.h"
 #include "core/match.h"

@@ -11,6 +11,7 @@
 #include "core/maths/random.h"
 #include "core/messages.h"
 #include "core/scene/nearest.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/toml_tree.h"
 
 namespace braitenlab::evolve {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/scene/nearest.h"
+#include "core/scene/scene_file.h"
 
 namespace braitenlab::insight {
 

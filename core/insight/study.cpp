@@ -12,6 +12,7 @@
 #include "core/maths/fnv.h"
 #include "core/messages.h"
 #include "core/scene/nearest.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/toml_tree.h"
 
 namespace braitenlab::insight {

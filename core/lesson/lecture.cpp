@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/messages.h"
 #include "core/scene/folder_entries.h"
 #include "core/scene/format_table.h"

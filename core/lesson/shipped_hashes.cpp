@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/io/json.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/folder_entries.h"
 #include "core/scene/scene_file.h"

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
 #include "core/lesson/submission.h"

@@ -13,7 +13,6 @@
 #include "core/maths/angle.h"
 #include "core/scene/arena.h"
 #include "core/scene/nearest.h"
-#include "core/scene/scene_file.h"
 
 namespace braitenlab {
 
@@ -330,19 +329,6 @@ std::optional<Fault> find_fault(const Scene& scene) {
     if (auto fault = crowd_fault(scene)) return fault;
     if (auto fault = density_fault(scene)) return fault;
     return memory_fault(scene);
-}
-
-std::optional<Error> check_scene(const Scene& scene) {
-    const auto fault = find_fault(scene);
-    if (!fault) return std::nullopt;
-    return error_of(fault->path.empty() ? fault->what : Message(fault->path + ": ") + fault->what);
-}
-
-std::optional<Error> check_look(const Look& look) {
-    if (look.label.size() > limits::name_length)
-        return error_of(message_of("longer_than", "label", limits::name_length));
-    if (!look.colour.empty() && !is_colour(look.colour)) return error_of(message_of("a_colour", "colour"));
-    return std::nullopt;
 }
 
 Message outside(std::string_view key, double value, Range range) {

@@ -9,8 +9,8 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
-#include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
+#include "core/scene/settings.h"
 
 namespace braitenlab {
 

@@ -149,17 +149,6 @@ std::optional<Error> apply(const Setting& setting, const std::string& table, Tom
 
 }  // namespace
 
-Result<Setting> parse_setting(std::string_view text) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos || equals == 0)
-        return Error{in_quotes(text) + " is no setting; write PATH=VALUE, like kind.prey.brain.LL=0.5", "--set"};
-    const auto trim = [](std::string_view part) {
-        const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
-        return first == std::string_view::npos ? std::string() : std::string(part.substr(first, last - first + 1));
-    };
-    return Setting{trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
-}
-
 ReadScene read_scene_fully(TomlFile file, const std::string& table, const std::vector<Setting>& settings) {
     const auto read = [&](Scene scene) {
         ReadScene made{std::move(scene)};
@@ -217,6 +206,19 @@ std::string describe_scene_format() {
     FormatTable<Scene> table("", "The top of the file", "");
     describe(table, Of<Scene>{});
     return table.text();
+}
+
+std::optional<Error> check_scene(const Scene& scene) {
+    const auto fault = find_fault(scene);
+    if (!fault) return std::nullopt;
+    return error_of(fault->path.empty() ? fault->what : Message(fault->path + ": ") + fault->what);
+}
+
+std::optional<Error> check_look(const Look& look) {
+    if (look.label.size() > limits::name_length)
+        return error_of(message_of("longer_than", "label", limits::name_length));
+    if (!look.colour.empty() && !is_colour(look.colour)) return error_of(message_of("a_colour", "colour"));
+    return std::nullopt;
 }
 
 }  // namespace braitenlab

@@ -9,18 +9,9 @@
 
 #include "core/result.h"
 #include "core/scene/scene.h"
+#include "core/scene/settings.h"
 
 namespace braitenlab {
-
-// One value of a scene by its path: "kind.prey.brain.LL=0.5". The value is read as TOML, else taken as text.
-struct Setting {
-    std::string path, value;
-    std::string file = "--set";  // file and line of the setting, for messages
-    int line = 0;
-};
-
-// Splits at the first '='. Error without one or without a path.
-Result<Setting> parse_setting(std::string_view text);
 
 // Reads a scene and applies the settings in order. The scene must be valid without the settings, too. Errors carry file
 // and line: syntax, unknown key (with the nearest known one), wrong type, value out of range, unknown name, and every

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/brain/four_neurons.h"
+#include "core/scene/nearest.h"
 
 namespace braitenlab {
 
@@ -13,6 +14,17 @@ bool is_dial_path(std::string_view path) {
 }
 
 }  // namespace
+
+Result<Setting> parse_setting(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+        return Error{in_quotes(text) + " is no setting; write PATH=VALUE, like kind.prey.brain.LL=0.5", "--set"};
+    const auto trim = [](std::string_view part) {
+        const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
+        return first == std::string_view::npos ? std::string() : std::string(part.substr(first, last - first + 1));
+    };
+    return Setting{trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
+}
 
 Result<JoinedSetting> parse_joined_setting(std::string_view text) {
     auto setting = parse_setting(text);

@@ -1,4 +1,4 @@
-// Settings as they are typed: "kind.prey.brain.LL=0.5".
+// Settings: values of a scene by their paths, as --set and exercises give them.
 #pragma once
 
 #include <string>
@@ -6,9 +6,18 @@
 #include <vector>
 
 #include "core/result.h"
-#include "core/scene/scene_file.h"
 
 namespace braitenlab {
+
+// One value of a scene by its path: "kind.prey.brain.LL=0.5". The value is read as TOML, else taken as text.
+struct Setting {
+    std::string path, value;
+    std::string file = "--set";  // file and line of the setting, for messages
+    int line = 0;
+};
+
+// Splits at the first '='. Error without one or without a path.
+Result<Setting> parse_setting(std::string_view text);
 
 // One value for several paths: "LR=RL=0.8" gives both dials of a brain the value 0.8. Only paths of dials can be
 // joined; of another text all after the first '=' is the value.

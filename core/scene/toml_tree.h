@@ -11,7 +11,7 @@
 
 #include "core/messages.h"
 #include "core/scene/file_kind.h"
-#include "core/scene/scene_file.h"
+#include "core/scene/settings.h"
 
 namespace braitenlab {
 

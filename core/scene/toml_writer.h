@@ -15,6 +15,7 @@
 #include "core/scene/brain_text.h"
 #include "core/scene/enums.h"
 #include "core/scene/schema.h"
+#include "core/scene/settings.h"
 
 namespace braitenlab {
 

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "core/result.h"
-#include "core/world/world.h"
+#include "core/world/command.h"
 
 namespace braitenlab::world {
+
+struct State;
 
 // True for a cosmetic edit.
 bool is_cosmetic(const Command&);

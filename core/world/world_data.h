@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/sensing/environment.h"
+#include "core/world/command.h"
 #include "core/world/free_space.h"
 #include "core/world/physics.h"
 #include "core/world/state.h"
-#include "core/world/world.h"
 
 namespace braitenlab::world {
 

@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 #include <box2d/box2d.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/grade.h"
 #include "core/scene/scene_file.h"
 #include "core/world/tick.h"

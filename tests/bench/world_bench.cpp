@@ -11,6 +11,7 @@
 #include "core/insight/predict.h"
 #include "core/insight/why.h"
 #include "core/maths/random.h"
+#include "core/scene/scene_file.h"
 #include "core/world/tick.h"
 #include "tests/bench/crowd.h"
 #include "tests/bench/limit.h"

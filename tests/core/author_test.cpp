@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/write_exercise.h"
 #include "core/maths/angle.h"

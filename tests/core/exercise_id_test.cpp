@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/scene/file_kind.h"
 
 namespace braitenlab::tests::exercise_id_test {

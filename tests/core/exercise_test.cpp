@@ -1,5 +1,3 @@
-#include "core/lesson/exercise.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/grade.h"
 #include "core/maths/random.h"
 #include "core/scene/toml_reader.h"

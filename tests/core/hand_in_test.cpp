@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/brain/four_neurons.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 
 namespace braitenlab::tests::hand_in_test {

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "core/lesson/exercise_file.h"
+
 namespace braitenlab::tests::lecture_test {
 namespace {
 

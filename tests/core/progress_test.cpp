@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "tests/tells.h"
 
 namespace braitenlab::tests::progress_test {

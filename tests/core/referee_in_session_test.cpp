@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/referee.h"
 #include "core/session/session.h"
 #include "tests/core/sessions.h"

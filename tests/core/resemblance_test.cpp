@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 
 namespace braitenlab::tests::resemblance_test {

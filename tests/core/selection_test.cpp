@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
 #include "tests/tells.h"

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
+
 namespace braitenlab::tests::submission_test {
 namespace {
 

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "core/lesson/exercise_file.h"
+
 namespace braitenlab::tests::warnings_test {
 namespace {
 

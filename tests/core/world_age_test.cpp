@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/maths/angle.h"
 #include "core/world/state.h"
 #include "core/world/world.h"

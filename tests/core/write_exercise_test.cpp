@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/exercise_schema.h"
 
 namespace braitenlab::tests::write_exercise_test {

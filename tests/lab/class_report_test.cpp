@@ -6,6 +6,7 @@
 
 #include "app/files/data.h"
 #include "core/brain/four_neurons.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "tests/languages.h"
 #include "tests/well_formed.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lesson/exercise_file.h"
+
 namespace braitenlab::tests::grading_test {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/data.h"
+#include "core/lesson/exercise_file.h"
 #include "tests/folder.h"
 #include "tests/languages.h"
 #include "tests/well_formed.h"

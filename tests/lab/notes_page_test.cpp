@@ -9,6 +9,7 @@
 #include "app/files/data.h"
 #include "app/files/disk.h"
 #include "app/lab_actions.h"
+#include "core/lesson/exercise_file.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
 #include "tests/languages.h"

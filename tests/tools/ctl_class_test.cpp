@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/data.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/hand_in.h"
 #include "core/lesson/submission.h"
 #include "tests/folder.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/io/run_file.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
 #include "core/messages.h"
 #include "core/scene/check.h"
@@ -217,7 +217,7 @@ TEST(ErrorWords, TranslateEveryMistakeInExercisesAndLectures) {
         for (const char* code : {"de", "es"})
             EXPECT_NE(text_of(error, speaking(code)), error.text()) << "not in " << code;
     }
-    for (const char* source : {"check_exercise.cpp", "exercise.cpp", "lecture.cpp"})
+    for (const char* source : {"check_exercise.cpp", "exercise_file.cpp", "lecture.cpp"})
         for (const std::string& id : messages_in(fs::path("core/lesson") / source))
             EXPECT_TRUE(seen.contains(id)) << id << " of " << source << ": add a file with this mistake";
     for (const char* id : {"no_colour", "same_name", "too_many_times", "off_before_on", "no_such_value",

@@ -1,4 +1,5 @@
 // The exercises in the file browser and in the menu: pictures, names that tell no outcome, passed marks.
+#include "core/lesson/exercise_file.h"
 #include "desk.h"
 #include "ui/imgui_compat.h"
 #include "ui/panels/course/exercise_names.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/lesson/exercise_file.h"
 #include "desk.h"
 
 namespace braitenlab::tests {

@@ -1,6 +1,7 @@
 // The card of the brain on a page of a lecture.
 #include <cmath>
 
+#include "core/lesson/exercise_file.h"
 #include "lecture_on_desk.h"
 
 namespace braitenlab::tests::lecture_sliders_test {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/insight/study_file.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"

@@ -11,7 +11,7 @@
 #include "core/export/export.h"
 #include "core/insight/compare.h"
 #include "core/lesson/author.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"

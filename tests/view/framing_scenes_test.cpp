@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 #include "render/view/framing.h"

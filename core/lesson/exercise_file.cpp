@@ -1,4 +1,4 @@
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 
 #include <algorithm>
 #include <utility>
