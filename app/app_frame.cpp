@@ -38,7 +38,7 @@ DocumentOnPage document_on_page(const Lab& lab, const LabView& view, const Strin
         on_page.lecture = lab.pages->lecture->path.string();
         on_page.page = lab.pages->page + 1, on_page.revealed = lab.pages->step;
     }
-    if (view.title_page || (!lab.pages && hides_outcome(view))) return on_page;
+    if (view.program.title_page || (!lab.pages && hides_outcome(view))) return on_page;
     const std::string title = lab.pages ? lab.pages->lecture->title : title_of(lab.document);
     on_page.title = strings.find(title, title);
     return on_page;
@@ -115,24 +115,24 @@ void App::frame(float passed) {
     const ui::KeysOfAFrame keys = window_.take_keys(panels_.keyboard.text);
     window_.begin_frame(keys);
     LabView view = view_of(lab_);
-    view.catalogue = &shipped_.scenes;
-    view.lectures = &shipped_.lectures;
-    view.study.shipped = &shipped_.studies;
-    view.languages = &words_.languages;
-    view.native_language = settings_.native_language;
-    view.type_size = reduced_type_size();
-    view.quality = facts_.quality;
-    view.recent = &settings_.state.recent;
-    view.files = &files_;
-    view.version = version_text();
-    view.uploads = is_on_page();
-    view.touch = window_.is_touched();
-    view.has_ffmpeg = can_write(ClipFormat::mp4);
-    if (clip_) view.clip_progress = clip_->progress();
-    if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
+    view.library.catalogue = &shipped_.scenes;
+    view.library.lectures = &shipped_.lectures;
+    view.features.study.shipped = &shipped_.studies;
+    view.program.languages = &words_.languages;
+    view.program.native_language = settings_.native_language;
+    view.program.type_size = reduced_type_size();
+    view.program.quality = facts_.quality;
+    view.library.recent = &settings_.state.recent;
+    view.library.files = &files_;
+    view.program.version = version_text();
+    view.program.uploads = is_on_page();
+    view.program.touch = window_.is_touched();
+    view.program.has_ffmpeg = can_write(ClipFormat::mp4);
+    if (clip_) view.program.clip_progress = clip_->progress();
+    if (autosave_.leftover()) view.library.recovery = &autosave_.leftover()->offer;
     make_pictures();
-    view.pictures = &gallery_.pictures();
-    view.title_page = title_.has_value();
+    view.library.pictures = &gallery_.pictures();
+    view.program.title_page = title_.has_value();
     if (is_on_page()) tell_page(document_on_page(lab_, view, words_.strings));
     take_reload_key(lab_.before_lecture.has_value());
     const Rect area = window_.area();
@@ -140,7 +140,7 @@ void App::frame(float passed) {
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
     constexpr float end_of_glide = 1000;  // s: the camera does not glide while the layout settles
     const float aimed = facts_.frames < frames_of_layout ? end_of_glide : passed;
-    aim(viewport_, shown_lab(), area, arena, aimed, title_ ? SlotsView{} : view.slots, cards_of_lecture());
+    aim(viewport_, shown_lab(), area, arena, aimed, title_ ? SlotsView{} : view.features.slots, cards_of_lecture());
     view.camera_view = &viewport_.camera_view;
     frame_.outbox.clear();
     bool arrows_are_free = true;
@@ -150,7 +150,7 @@ void App::frame(float passed) {
     frame_.written.clear();
     int shortened = 0;
     ui::Ui ui{.strings = words_.strings,
-              .palette = palette(view.theme),
+              .palette = palette(view.program.theme),
               .fonts = theme_.fonts(),
               .scale = theme_.scale(),
               .anchors = frame_.anchors,

@@ -52,18 +52,6 @@ struct Selecting {
     std::vector<StartResult> child_runs{};    // of its children; empty while they are computed
 };
 
-// How the present submission stands. It follows from the vehicle, the last grade and the student's progress; updated
-// once per turn.
-struct Standing {
-    bool is_graded = false;           // Lesson::graded is its grade
-    bool changed_since_done = false;  // every step was done, and the brain was changed since, or during the run
-    bool outside_offers = false;      // it changes what is not offered: it is not graded
-    bool too_many_changes = false;    // it changes more controls than Exercise::changes: it is not graded
-    bool passed_before = false;       // the student has passed the exercise, with any brain
-    bool has_kept = false;            // the student's progress has another submission
-    std::optional<std::size_t> starts_tested{};  // so far, while it is graded
-};
-
 // A place of the first vehicle, m, at a tick.
 struct RunPlace {
     std::uint64_t tick = 0;

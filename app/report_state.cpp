@@ -120,26 +120,28 @@ Json exercise_json(const Lab& lab) {
     if (!lab.document.lesson) return nullptr;
     Json steps = Json::array();
     int number = 0;
-    const LessonView view = lesson_view_of(lab);
-    for (const Verdict& verdict : view.verdicts) steps.push_back({{"id", ++number}, {"done", verdict.done}});
+    const LessonView lesson = lesson_view_of(lab);
+    const Attempt::Answers& answers = lesson.attempt.answers;
+    const Attempt::Work& work = lesson.attempt.work;
+    for (const Verdict& verdict : lesson.verdicts) steps.push_back({{"id", ++number}, {"done", verdict.done}});
     Json starts = Json::array();
-    if (view.grade)
-        for (const StartResult& start : view.grade->starts)
+    if (lesson.grade)
+        for (const StartResult& start : lesson.grade->starts)
             starts.push_back(
                 {{"seed", start.seed}, {"passed", start.passed}, {"step", start.passed ? 0 : failed_step(start) + 1}});
     return {{"id", lab.document.lesson->exercise->id},
             {"chapter", lab.document.lesson->exercise->chapter},
-            {"predicted", view.prediction},
-            {"hint", view.hints_shown},
-            {"free_play", view.free_play},
-            {"compare", view.compares},
-            {"drawn", view.drawn_path.size()},
-            {"path_difference", view.real_path.empty() ? Json(nullptr) : Json(plain(view.path_difference))},
+            {"predicted", answers.prediction},
+            {"hint", answers.hints_shown},
+            {"free_play", work.free_play},
+            {"compare", work.compares},
+            {"drawn", answers.drawn_path.size()},
+            {"path_difference", work.real_path.empty() ? Json(nullptr) : Json(plain(work.path_difference))},
             {"steps", std::move(steps)},
             {"starts", std::move(starts)},
             {"passed", has_passed(*lab.document.lesson)},
-            {"together", view.together},
-            {"notes", view.notes}};
+            {"together", lesson.together},
+            {"notes", lesson.attempt.notes}};
 }
 
 // false outside a lecture, true in one without a file.
@@ -314,16 +316,17 @@ Json robots_json(const std::optional<RobotsView>& robots) {
 
 void add_insight(Json& state, const Lab& lab) {
     const LabView view = view_of(lab);
-    state["prediction"] = prediction_json(view.prediction);
-    state["ghost"] = ghost_json(view.last_run);
-    state["why"] = why_json(view.why);
-    state["slots"] = slots_json(view.slots);
-    state["left_run"] = view.has_left_run;
-    state["mystery"] = {{"hidden", view.mystery.hidden != no_vehicle},
-                        {"score", view.mystery.score ? Json(view.mystery.score->score) : Json(nullptr)}};
-    state["map"] = map_json(view.map);
-    state["study"] = study_json(view.study);
-    state["robots"] = robots_json(view.robots);
+    state["prediction"] = prediction_json(view.features.prediction);
+    state["ghost"] = ghost_json(view.features.last_run);
+    state["why"] = why_json(view.features.why);
+    state["slots"] = slots_json(view.features.slots);
+    state["left_run"] = view.features.has_left_run;
+    state["mystery"] = {
+        {"hidden", view.features.mystery.hidden != no_vehicle},
+        {"score", view.features.mystery.score ? Json(view.features.mystery.score->score) : Json(nullptr)}};
+    state["map"] = map_json(view.features.map);
+    state["study"] = study_json(view.features.study);
+    state["robots"] = robots_json(view.features.robots);
 }
 
 }  // namespace

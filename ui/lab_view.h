@@ -18,6 +18,7 @@
 #include "core/insight/robustness.h"
 #include "core/insight/study.h"
 #include "core/insight/why.h"
+#include "core/lesson/attempt.h"
 #include "core/lesson/disclosure.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
@@ -51,46 +52,25 @@ struct SelectionView {
 
 // The open exercise and its progress.
 struct LessonView {
-    const Exercise* exercise = nullptr;        // never null
-    std::string key{};                         // in StudentProgress: Exercise::id if it ships, else its file's path
-    std::vector<Verdict> verdicts;             // one per step of the exercise
-    int prediction = -1;                       // the option chosen, 0-based; −1: none yet
-    bool has_run = false;                      // played at least once since it was opened
-    int runs = 0;                              // begun since it was opened
-    bool at_start = true;                      // of a run; in a selection by hand also before the first choice
-    bool outcome_known = false;                // a run of the scene as given has shown what was to be predicted
-    bool as_given = true;                      // every brain, sensor and body was that of the file since the start
-    int hints_shown = 0;                       // of exercise->hints
-    bool hint_ready = true;                    // the next hint, after the last one the solution, may be shown now
-    int hint_in = 0;                           // seconds until it may be without a run, while it may not be now
-    std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
-    std::optional<Grade> grade;                // of the starts, once every step has been done in a run
-    std::optional<Grade> shipped_grade;        // of the starts as shipped, for Exercise::median
-    bool changed_since_done = false;         // every step was done, and the brain was changed since, or during the run
-    bool passed_before = false;              // the student has passed it, with any brain
+    const Exercise* exercise = nullptr;  // never null
+    std::string key{};                   // in StudentProgress: Exercise::id if it ships, else its file's path
+    Attempt attempt{};
+    Standing standing{};
+    std::vector<Verdict> verdicts;           // one per step of the exercise
+    bool at_start = true;                    // of a run; in a selection by hand also before the first choice
+    bool as_given = true;                    // every brain, sensor and body was that of the file since the start
     bool by_hand = false;                    // the user has moved an object: this run is not judged
-    bool free_play = false;                  // all controls are shown, not only the offered ones
-    bool solution_shown = false;             // the solution was set for the student; Action::exercise_reset clears it
-    bool outside_offers = false;             // the submission changes what is not offered: it is not graded
-    bool too_many_changes = false;           // it changes more controls than Exercise::changes: it is not graded
-    std::string notes;                       // written by the student
-    bool compares = false;                   // the run with the solution is shown beside the student's
-    std::vector<maths::vec2> drawn_path;     // the prediction as a path on the floor, m; empty: none was drawn
-    std::vector<maths::vec2> real_path;      // what was to be drawn, m; empty until the outcome is known
-    float path_difference = 0;               // m, between both paths, see path_distance; valid with real_path
-    bool path_reversed = false;              // drawn against the way it was driven; valid with real_path
-    std::string written;                     // path of the last hand-in or lab record since it was opened; or empty
+    int hint_in = 0;                         // seconds until the next hint without a run, while it may not be shown now
+    std::optional<Grade> grade;              // of the starts, once every step has been done in a run
+    std::optional<Grade> shipped_grade;      // of the starts as shipped, for Exercise::median
     std::optional<SelectionView> selection;  // nullopt: the exercise does not offer it
     bool together = false;                   // the graded starts run at once in place of the exercise's own run
-    bool has_kept = false;                   // the student's progress has a submission that is not the present one
 };
-
-// True once an option is chosen or a path is drawn.
-inline bool has_predicted(const LessonView& lesson) { return lesson.prediction >= 0 || !lesson.drawn_path.empty(); }
 
 // True while the prediction is asked for: before the first run, and until it is made.
 inline bool awaits_prediction(const LessonView& lesson) {
-    return !lesson.has_run && !has_predicted(lesson) && is_asked(lesson.exercise->prediction);
+    return !lesson.attempt.work.has_run && !has_predicted(lesson.attempt.answers) &&
+           is_asked(lesson.exercise->prediction);
 }
 
 // A vehicle of another run at the displayed time: of the run with the exercise's solution, or of the last run before
@@ -240,6 +220,52 @@ struct Finding {
     std::vector<Measure> measures{};  // of the step that failed
 };
 
+// What the features of the lab show.
+struct FeatureViews {
+    std::optional<GhostView> ghost;            // while Attempt::Work::compares and it is known
+    std::optional<GhostView> last_run;         // the selected vehicle in the run before the reset
+    const std::vector<Pose>* path = nullptr;   // of the selected vehicle, a pose per tick of the run; null: not known
+    std::optional<PredictionView> prediction;  // while something is tried, and until it is driven
+    bool has_left_run = false;                 // the run before the reset can be returned to
+    SlotsView slots{};
+    MysteryView mystery{};
+    StudyView study{};
+    std::optional<MapView> map{};        // nullopt: not shown, or it may not be shown now
+    std::optional<RobotsView> robots{};  // the same
+    const insight::Why* why = nullptr;   // of the selected vehicle's turn; null: not asked
+};
+
+// What can be opened, and whose work is kept.
+struct LibraryView {
+    const std::vector<CatalogueEntry>* catalogue = nullptr;  // scenes and exercises; null: nothing to open
+    const std::vector<CatalogueEntry>* lectures = nullptr;   // that ship; null: none
+    const ScenePictures* pictures = nullptr;                 // null: none are rendered
+    const FilesView* files = nullptr;                        // null: no file access
+    std::string opened;                                      // name of the open file, as in the catalogue
+    const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
+    const LectureView* left_pages = nullptr;                 // the lecture that was left last; null: none
+    const RecoveryOffer* recovery = nullptr;                 // null: nothing to recover
+    std::string student;                                     // name of the student; empty: none is named
+    const StudentBook* students = nullptr;                   // null: no progress is kept
+};
+
+// The program and its window.
+struct ProgramView {
+    Preferences preferences;  // as stored; theme, type_size, quality and reduce_motion below are those in effect
+    Theme theme = Theme::dark;
+    float type_size = 0;  // in effect where the window is too small for preferences.type_size; 0: as preferred
+    Quality quality = Quality::medium;  // of the last picture
+    bool reduce_motion = false;
+    const std::vector<Language>* languages = nullptr;  // null: no choice
+    std::string native_language = "en";                // of the first start; Reset All chooses it
+    bool title_page = false;                           // first start: the name of the program over a moving scene
+    bool has_ffmpeg = false;                           // clips can be MP4 and WebM
+    std::optional<float> clip_progress;                // 0..1, of the clip that is being written; nullopt: none is
+    bool uploads = false;                              // in a browser: files of the computer come by upload
+    std::string_view version;                          // of the program: "0.1.0"
+    bool touch = false;                                // the last pointer was a finger
+};
+
 struct LabView {
     const Snapshot* now = nullptr;  // never null
     const Scene* file = nullptr;    // the scene as in its file, before all edits; null: unknown
@@ -251,54 +277,23 @@ struct LabView {
     const CameraView* camera_view = nullptr;  // the camera of the scene; null: no mouse input to the scene
     bool has_moved_camera = false;            // by the user: neither the camera that Home restores nor a slow orbit
     int undo_depth = 0, redo_depth = 0;
-    std::size_t copied_objects = 0;            // that can be pasted into the scene
-    std::shared_ptr<const LessonView> lesson;  // null outside exercises
-    Disclosure may;                            // what may be shown now
-    std::optional<GhostView> ghost;            // while LessonView::compares and it is known
-    std::optional<GhostView> last_run;         // the selected vehicle in the run before the reset
-    const std::vector<Pose>* path = nullptr;   // of the selected vehicle, a pose per tick of the run; null: not known
-    std::optional<PredictionView> prediction;  // while something is tried, and until it is driven
-    bool has_left_run = false;                 // the run before the reset can be returned to
-    SlotsView slots{};
-    MysteryView mystery{};
-    std::optional<MapView> map{};  // nullopt: not shown, or it may not be shown now
-    StudyView study{};
-    std::optional<RobotsView> robots{};                      // the same
-    const insight::Why* why = nullptr;                       // of the selected vehicle's turn; null: not asked
-    const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
-    std::string student;                                     // name of the student; empty: none is named
-    const StudentBook* students = nullptr;                   // null: no progress is kept
-    const ScenePictures* pictures = nullptr;                 // null: none are rendered
-    const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
-    const FilesView* files = nullptr;                        // null: no file access
-    std::string opened;                                      // name of the open file, as in the catalogue
+    std::size_t copied_objects = 0;                  // that can be pasted into the scene
+    std::shared_ptr<const LessonView> lesson;        // null outside exercises
+    Disclosure may;                                  // what may be shown now
     std::uint64_t run_id = 0;                        // changes with every document opened since the program started
     Notice notice;                                   // empty: none
     const std::vector<Finding>* findings = nullptr;  // null or empty: none
-    Theme theme = Theme::dark;
-    Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
-    float type_size = 0;      // in effect where the window is too small for preferences.type_size; 0: as preferred
-    Quality quality = Quality::medium;                 // of the last picture
-    const std::vector<Language>* languages = nullptr;  // null: no choice
-    std::string native_language = "en";                // of the first start; Reset All chooses it
-    bool reduce_motion = false;
-    bool title_page = false;                                // first start: the name of the program over a moving scene
-    bool lecture = false;                                   // large type, few controls
-    const LectureView* pages = nullptr;                     // the open lecture; null: none. With one, `lecture` is true
-    const LectureView* left_pages = nullptr;                // the lecture that was left last; null: none
-    const std::vector<CatalogueEntry>* lectures = nullptr;  // that ship; null: none
-    bool has_ffmpeg = false;                                // clips can be MP4 and WebM
-    std::optional<float> clip_progress;                     // 0..1, of the clip that is being written; nullopt: none is
-    bool uploads = false;                                   // in a browser: files of the computer come by upload
-    const RecoveryOffer* recovery = nullptr;                // null: nothing to recover
-    std::string_view version;                               // of the program: "0.1.0"
-    double wall_seconds = 0;                                // for easing and pulsing
-    bool touch = false;                                     // the last pointer was a finger
+    bool lecture = false;                            // large type, few controls
+    const LectureView* pages = nullptr;              // the open lecture; null: none. With one, `lecture` is true
+    double wall_seconds = 0;                         // for easing and pulsing
+    FeatureViews features{};
+    LibraryView library{};
+    ProgramView program{};
 };
 
 // Factors on the reach and the drawn size of pins and handles: a finger covers about 40 layout pixels.
-inline float finger_reach(const LabView& view) { return view.touch ? 1.75f : 1.0f; }
-inline float finger_size(const LabView& view) { return view.touch ? 1.5f : 1.0f; }
+inline float finger_reach(const LabView& view) { return view.program.touch ? 1.75f : 1.0f; }
+inline float finger_size(const LabView& view) { return view.program.touch ? 1.5f : 1.0f; }
 
 // The kind of this name as the file has it, before all edits; null when the file is unknown or has no such kind.
 inline const Kind* filed_kind(const LabView& view, const std::string& name) {
@@ -361,7 +356,7 @@ inline std::string_view why_no_comparison(bool has_both, const Disclosure& may) 
 }
 inline std::string_view why_no_comparison(const LabView& view) {
     if (const std::string_view why = why_no_slots(view); !why.empty()) return why;
-    return why_no_comparison(view.slots.slots[0].design && view.slots.slots[1].design, view.may);
+    return why_no_comparison(view.features.slots.slots[0].design && view.features.slots.slots[1].design, view.may);
 }
 
 // hides_brain() of every kind of the scene.

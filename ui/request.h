@@ -101,7 +101,7 @@ struct TogetherRequest {             // runs the graded starts at once in the sc
     bool on = true;
 };
 struct NotesRequest {
-    std::string text;  // replaces LessonView::notes
+    std::string text;  // replaces Attempt::notes
 };
 // choose: the student `index` works now. add, rename: `name`; refused unless is_free_name(). reset: forgets the
 // progress of the current student; restore: takes the last reset back. save: writes the progress of all as a CSV file.

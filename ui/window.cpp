@@ -11,6 +11,7 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/prompts.h"
 #include "ui/panels/sheets.h"
 #include "ui/panels/signal_drag.h"
 #include "ui/panels/trail_legend.h"
@@ -178,8 +179,8 @@ OpenCards open_cards(const LabView& view, const PanelState& state) {
 
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ui.keyboard = &state.keyboard;
-    ui.still = view.reduce_motion;
-    if (view.title_page) return draw_title_page(view, state, ui, layout.window);
+    ui.still = view.program.reduce_motion;
+    if (view.program.title_page) return draw_title_page(view, state, ui, layout.window);
     ui.decimal_mark = decimal_mark(ui.strings);
     ui.tooltips = &state.tooltips;
     ui.quiet = view.lecture;

@@ -193,7 +193,7 @@ void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
-    if (view.title_page) return key_for_title_page(press, outbox);
+    if (view.program.title_page) return key_for_title_page(press, outbox);
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
     if (!is_modifier) state.tooltips.hidden = true;
     if (state.lecture.blank && !is_modifier) {

@@ -69,7 +69,7 @@ bool asks_beside(const LabView& view, OpenCards open) {
     const LectureView& page = *view.pages;
     const bool is_answered = page.shows(PagePart::answer) && view.settings.revealed.brain;
     return page.shows(PagePart::question) && !page.shows(PagePart::exercise) &&
-           !(is_answered && (open.right || view.settings.watching || view.slots.seconds > 0));
+           !(is_answered && (open.right || view.settings.watching || view.features.slots.seconds > 0));
 }
 
 // In a lecture the type is large: the right column is wider where nothing else is beside the scene.

@@ -74,30 +74,19 @@ bool shows_driving_brain(const Workspace& space, const Disclosure& may, const Ve
 
 LessonView lesson_view_of(const Workspace& space) {
     const Lesson& lesson = *space.document.lesson;
-    const Attempt::Answers& answers = lesson.attempt.answers;
-    const Attempt::Work& work = lesson.attempt.work;
-    const Standing& standing = lesson.standing;
     const Referee& referee = referee_of(space.document);
-    LessonView view{.exercise = lesson.exercise.get(), .key = lesson.key};
-    view.verdicts = referee.verdicts();
-    view.by_hand = referee.by_hand();
-    view.as_given = referee.as_given();
-    view.at_start = is_at_start(space);
-    view.together = space.together.has_value();
-    view.prediction = answers.prediction, view.drawn_path = answers.drawn_path;
-    view.hints_shown = answers.hints_shown, view.hint_ready = answers.hint_ready;
-    view.hint_in = seconds_to_hint(space);
-    view.has_run = work.has_run, view.runs = work.runs, view.outcome_known = work.outcome_known;
-    view.free_play = work.free_play, view.solution_shown = work.solution_shown, view.compares = work.compares;
-    view.written = work.written;
-    view.real_path = work.real_path;
-    view.path_difference = work.path_difference, view.path_reversed = work.path_reversed;
-    view.notes = lesson.attempt.notes;
+    LessonView view{.exercise = lesson.exercise.get(),
+                    .key = lesson.key,
+                    .attempt = lesson.attempt,
+                    .standing = lesson.standing,
+                    .verdicts = referee.verdicts(),
+                    .at_start = is_at_start(space),
+                    .as_given = referee.as_given(),
+                    .by_hand = referee.by_hand(),
+                    .hint_in = seconds_to_hint(space),
+                    .shipped_grade = lesson.shipped_grade,
+                    .together = space.together.has_value()};
     if (const Grade* grade = grade_of(lesson)) view.grade = *grade;
-    view.shipped_grade = lesson.shipped_grade;
-    view.starts_tested = standing.starts_tested, view.changed_since_done = standing.changed_since_done;
-    view.outside_offers = standing.outside_offers, view.too_many_changes = standing.too_many_changes;
-    view.passed_before = standing.passed_before, view.has_kept = standing.has_kept;
     if (const auto& selecting = lesson.selecting)
         view.selection = SelectionView{.generation = static_cast<int>(selecting->parents.size()) - 1,
                                        .parent = selecting->parent_run,

@@ -12,7 +12,7 @@
 
 #include "core/result.h"
 #include "render/view/view_settings.h"
-#include "ui/panels/prompts.h"
+#include "ui/panels/prompt_state.h"
 #include "ui/request.h"
 
 namespace braitenlab {

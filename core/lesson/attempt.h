@@ -1,7 +1,9 @@
-// Attempt: what a student has done so far at the open exercise.
+// Attempt: what a student has done so far at the open exercise, and how it stands.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,18 @@ struct Attempt {
 
     // Until another exercise is opened; the progress of the student keeps them.
     std::string notes{};
+};
+
+// How the present submission stands. It follows from the vehicle, the last grade and the student's progress; updated
+// once per turn.
+struct Standing {
+    bool is_graded = false;           // it has a grade
+    bool changed_since_done = false;  // every step was done, and the brain was changed since, or during the run
+    bool outside_offers = false;      // it changes what is not offered: it is not graded
+    bool too_many_changes = false;    // it changes more controls than Exercise::changes: it is not graded
+    bool passed_before = false;       // the student has passed the exercise, with any brain
+    bool has_kept = false;            // the student's progress has another submission
+    std::optional<std::size_t> starts_tested{};  // so far, while it is graded
 };
 
 // Before anything is answered.

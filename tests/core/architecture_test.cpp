@@ -1,5 +1,6 @@
-// The include rules: a file includes only headers of its own folder or of folders below it, and internal headers are
-// included only where they are allowed.
+// The include rules: a file includes only headers of its own folder or of folders below it, internal headers are
+// included only where they are allowed, and few files include each other. The largest structs.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -190,9 +191,10 @@ std::set<std::string> largest_cycle(const Units& units) {
     return largest;
 }
 
-TEST(Architecture, NoMoreThanThreeUnitsOfTheLabIncludeEachOther) {
+TEST(Architecture, NoMoreThanThreeUnitsIncludeEachOther) {
     Units units;
-    for_each_source({"app"}, [&](const std::string& file, std::istream& text) { add_includes(units, file, text); });
+    for_each_source({"core", "render", "ui", "app"},
+                    [&](const std::string& file, std::istream& text) { add_includes(units, file, text); });
     const std::set<std::string> cycle = largest_cycle(units);
     EXPECT_LE(cycle.size(), 3u) << testing::PrintToString(cycle);
     const Units round{{"a", {"b"}}, {"b", {"c"}}, {"c", {"d"}}, {"d", {"a", "e"}}, {"e", {}}};
@@ -210,6 +212,57 @@ TEST(Architecture, AFeatureIncludesNoOtherFeatureAndNotTheLab) {
                 << file << " includes " << included;
     });
     EXPECT_GT(features, 10);
+}
+
+// The numbers of members of the structs and classes of a text that is formatted as .clang-format says; those of structs
+// inside them do not count.
+std::map<std::string, int> members_of(std::istream& text) {
+    static const std::regex begin{R"(^(?:struct|class) (\w+)[^;]*\{$)"}, comment{R"(\s*//.*)"},
+        in_brackets{R"(\{[^{}]*\}|<[^<>]*>)"}, value{"=[^,;]*"},
+        no_member{R"(^((using|friend|static|explicit|enum|struct|virtual) |\};))"};
+    std::map<std::string, int> counts;
+    std::string name, declaration;
+    std::smatch match;
+    for (std::string line; std::getline(text, line);) {
+        line = std::regex_replace(line, comment, "");
+        if (std::regex_search(line, match, begin)) name = match[1];
+        if (line == "};") name.clear();
+        if (name.empty() || line.size() < 4) continue;
+        if (declaration.empty() && (!line.starts_with("    ") || line.starts_with("     "))) continue;
+        declaration += line.substr(4);
+        const char last = declaration.back();
+        if (last != ';' && last != '{' && last != '}' && last != ':') continue;  // it goes on in the next line
+        for (std::string before; before != declaration;)
+            before = declaration, declaration = std::regex_replace(declaration, in_brackets, "");
+        declaration = std::regex_replace(declaration, value, "");
+        const bool is_function = declaration.find('(') != std::string::npos;
+        if (last == ';' && !is_function && !std::regex_search(declaration, no_member))
+            counts[name] += 1 + static_cast<int>(std::count(declaration.begin(), declaration.end(), ','));
+        declaration.clear();
+    }
+    return counts;
+}
+
+TEST(Architecture, NoStructOfTheWindowOrTheLabHasMoreThan25Members) {
+    int structs = 0;
+    for_each_source({"ui", "app"}, [&](const std::string& file, std::istream& text) {
+        for (const auto& [name, count] : members_of(text)) {
+            ++structs;
+            EXPECT_LE(count, 25) << file << ": " << name;
+        }
+    });
+    EXPECT_GT(structs, 100);
+    std::istringstream example(
+        "struct Example {\n"
+        "    int a = 0, b = f(1);  // and\n"
+        "    std::map<int, std::pair<int, int>> c{1, 2};\n"
+        "    std::array<int, 2>\n        d = {1, 2};  // too long for one line\n"
+        "    int sum(int,\n            int) const;\n"
+        "    bool any() const { return a; }\n"
+        "    struct Part {\n        int e;\n    } part;\n"
+        "    struct Other {\n        int f;\n    };\n"
+        "};\n");
+    EXPECT_EQ(members_of(example)["Example"], 5);
 }
 
 // True for a source that is compiled differently on a platform.

@@ -24,7 +24,7 @@ struct LabMap : testing::Test {
     void finish() {
         for (int i = 0; i < 40 && (!shown() || shown()->progress < 1); ++i) turn();
     }
-    std::optional<MapView> shown() const { return view_of(lab).map; }
+    std::optional<MapView> shown() const { return view_of(lab).features.map; }
     std::size_t known() const {
         return static_cast<std::size_t>(std::count_if(lab.map.cells.cells.begin(), lab.map.cells.cells.end(),
                                                       [](const auto& cell) { return cell.has_value(); }));

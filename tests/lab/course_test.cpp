@@ -58,7 +58,7 @@ TEST_P(CourseInTheLab, IsPassedThroughTheOfferedControlsAlone) {
     const LessonView view = lesson_view_of(lab);
     ASSERT_TRUE(view.grade);
     EXPECT_TRUE(view.grade->good);
-    EXPECT_FALSE(view.outside_offers || view.too_many_changes);
+    EXPECT_FALSE(view.standing.outside_offers || view.standing.too_many_changes);
 }
 
 std::vector<std::string> exercises() {

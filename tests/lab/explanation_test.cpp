@@ -16,7 +16,7 @@ struct Explanation : testing::Test {
     void run(int ticks) {
         for (int i = 0; i < ticks; ++i) tick(lab), update_explanation(lab.explanation, lab);
     }
-    const insight::Why* why() const { return view_of(lab).why; }
+    const insight::Why* why() const { return view_of(lab).features.why; }
 };
 
 TEST_F(Explanation, IsShownByItsActionForTheDisplayedTick) {
@@ -37,7 +37,7 @@ TEST_F(Explanation, IsShownByItsActionForTheDisplayedTick) {
 TEST_F(Explanation, AtAPointOfTheTrailGoesToThatMomentAndPauses) {
     handle(lab, Action::play_pause);
     run(60);
-    const std::vector<Pose>* path = view_of(lab).path;
+    const std::vector<Pose>* path = view_of(lab).features.path;
     ASSERT_TRUE(path);
     ASSERT_EQ(path->size(), 60u) << "one pose per tick before this one";
     const Pose then = (*path)[25];

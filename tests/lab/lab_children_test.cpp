@@ -168,7 +168,7 @@ TEST(LabChildren, ChoosingTheLongestSurvivorPassesTheExercise) {
         update_grading(s.lab, s.jobs);
     }
     EXPECT_TRUE(has_passed(*s.lab.document.lesson));
-    EXPECT_FALSE(lesson_view_of(s.lab).outside_offers);
+    EXPECT_FALSE(lesson_view_of(s.lab).standing.outside_offers);
 }
 
 TEST(LabChildren, AnotherStartShowsTheRunsFromThere) {

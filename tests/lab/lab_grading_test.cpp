@@ -14,14 +14,14 @@ TEST(LabGrading, GradesFromAllStartsOnceEveryStepIsDone) {
         Jobs jobs(threads);
         Lab lab = solved_exercise();
         turn(lab, jobs);
-        EXPECT_FALSE(lesson_of(lab).starts_tested) << "no step is done yet";
+        EXPECT_FALSE(lesson_of(lab).standing.starts_tested) << "no step is done yet";
         run_until_every_step_is_done(lab);
         grade_to_the_end(lab, jobs);
         ASSERT_TRUE(lesson_of(lab).grade);
         EXPECT_EQ(passed_starts(*lesson_of(lab).grade),
                   passed_starts(grade(*lab.document.lesson->exercise, with_solution(*lab.document.lesson->exercise))));
         EXPECT_TRUE(lesson_of(lab).grade->good);
-        EXPECT_FALSE(lesson_of(lab).starts_tested);
+        EXPECT_FALSE(lesson_of(lab).standing.starts_tested);
     }
 }
 
@@ -68,7 +68,7 @@ TEST(LabGrading, CountsTheTestedStarts) {
     std::vector<std::size_t> seen;
     while (!lesson_of(lab).grade) {
         turn(lab, jobs);
-        const auto tested = lesson_of(lab).starts_tested;
+        const auto tested = lesson_of(lab).standing.starts_tested;
         if (tested && (seen.empty() || *tested != seen.back())) seen.push_back(*tested);
     }
     EXPECT_EQ(seen, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
@@ -83,10 +83,10 @@ TEST(LabGrading, GradesTheEditedSubmissionWhenItIsEditedMeanwhile) {
         Lab lab = exercise_that_offers({});
         handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
         run_until_every_step_is_done(lab);
-        while (lesson_of(lab).starts_tested.value_or(0) < 4) turn(lab, jobs);
+        while (lesson_of(lab).standing.starts_tested.value_or(0) < 4) turn(lab, jobs);
         handle(lab, EditRequest{edit});
         turn(lab, jobs);
-        EXPECT_EQ(lesson_of(lab).starts_tested, 0u) << edit.index();
+        EXPECT_EQ(lesson_of(lab).standing.starts_tested, 0u) << edit.index();
         grade_to_the_end(lab, jobs);
         ASSERT_TRUE(lesson_of(lab).grade);
         EXPECT_EQ(lesson_of(lab).grade->count, 0) << edit.index();
@@ -98,22 +98,22 @@ TEST(LabGrading, TellsStepsOfAnotherBrainApart) {
     Lab lab = solved_exercise();
     run_until_every_step_is_done(lab);
     turn(lab, jobs);
-    EXPECT_FALSE(lesson_of(lab).changed_since_done);
+    EXPECT_FALSE(lesson_of(lab).standing.changed_since_done);
     grade_to_the_end(lab, jobs);
-    EXPECT_FALSE(lesson_of(lab).changed_since_done);
+    EXPECT_FALSE(lesson_of(lab).standing.changed_since_done);
     handle(lab, Action::undo);
     turn(lab, jobs);
-    EXPECT_TRUE(lesson_of(lab).changed_since_done) << "the brain is that of the file again";
+    EXPECT_TRUE(lesson_of(lab).standing.changed_since_done) << "the brain is that of the file again";
     grade_to_the_end(lab, jobs);
     EXPECT_EQ(lesson_of(lab).grade->count, 0);
-    EXPECT_TRUE(lesson_of(lab).changed_since_done);
+    EXPECT_TRUE(lesson_of(lab).standing.changed_since_done);
     handle(lab, Action::redo);
     turn(lab, jobs);
-    EXPECT_FALSE(lesson_of(lab).changed_since_done);
+    EXPECT_FALSE(lesson_of(lab).standing.changed_since_done);
     handle(lab, Action::undo);
     handle(lab, Action::reset);
     turn(lab, jobs);
-    EXPECT_FALSE(lesson_of(lab).changed_since_done) << "no step is done";
+    EXPECT_FALSE(lesson_of(lab).standing.changed_since_done) << "no step is done";
 }
 
 TEST(LabGrading, TellsThatTheBrainWasChangedDuringTheRun) {
@@ -126,7 +126,7 @@ TEST(LabGrading, TellsThatTheBrainWasChangedDuringTheRun) {
     turn(lab, jobs);
     grade_to_the_end(lab, jobs);
     turn(lab, jobs);
-    EXPECT_TRUE(lesson_of(lab).changed_since_done) << "the start of this run fails with it";
+    EXPECT_TRUE(lesson_of(lab).standing.changed_since_done) << "the start of this run fails with it";
 }
 
 TEST(LabGrading, CancelsGradingWhenTheDocumentIsReplacedOrTheExerciseRestarted) {
@@ -135,7 +135,7 @@ TEST(LabGrading, CancelsGradingWhenTheDocumentIsReplacedOrTheExerciseRestarted) 
         Lab lab = solved_exercise();
         run_until_every_step_is_done(lab);
         turn(lab, jobs), turn(lab, jobs);
-        ASSERT_TRUE(lesson_of(lab).starts_tested);
+        ASSERT_TRUE(lesson_of(lab).standing.starts_tested);
         if (replace)
             replace_document(lab, std::move(solved_exercise().document));
         else
@@ -143,7 +143,7 @@ TEST(LabGrading, CancelsGradingWhenTheDocumentIsReplacedOrTheExerciseRestarted) 
         jobs.finish();
         update_grading(lab, jobs);
         EXPECT_FALSE(lesson_of(lab).grade);
-        EXPECT_FALSE(lesson_of(lab).starts_tested);
+        EXPECT_FALSE(lesson_of(lab).standing.starts_tested);
     }
 }
 
@@ -187,13 +187,13 @@ TEST(LabGrading, DoesNotGradeWhileOtherControlsThanTheOfferedOnesHaveChanged) {
     handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
     run_until_every_step_is_done(lab);
     for (int i = 0; i < 20; ++i) turn(lab, jobs);
-    EXPECT_TRUE(lesson_of(lab).outside_offers);
+    EXPECT_TRUE(lesson_of(lab).standing.outside_offers);
     EXPECT_FALSE(lesson_of(lab).grade);
-    EXPECT_FALSE(lesson_of(lab).starts_tested);
+    EXPECT_FALSE(lesson_of(lab).standing.starts_tested);
     handle(lab, Action::undo);
     turn(lab, jobs);
     turn(lab, jobs);
-    EXPECT_FALSE(lesson_of(lab).outside_offers);
+    EXPECT_FALSE(lesson_of(lab).standing.outside_offers);
 }
 
 TEST(LabGrading, CountsTheChangedControlsWhereTheyAreLimited) {
@@ -203,8 +203,8 @@ TEST(LabGrading, CountsTheChangedControlsWhereTheyAreLimited) {
         handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
         run_until_every_step_is_done(lab);
         for (int i = 0; i < 3; ++i) turn(lab, jobs);
-        EXPECT_EQ(lesson_of(lab).too_many_changes, changes < 4) << changes;
-        EXPECT_FALSE(lesson_of(lab).outside_offers);
+        EXPECT_EQ(lesson_of(lab).standing.too_many_changes, changes < 4) << changes;
+        EXPECT_FALSE(lesson_of(lab).standing.outside_offers);
     }
 }
 
@@ -214,12 +214,12 @@ TEST(LabGrading, DropsAPoorGradeThatComesAfterAReset) {
     run_until_every_step_is_done(lab);
     handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph({.LM = 0.1f, .RM = 0.1f})}});
     turn(lab, jobs);
-    ASSERT_TRUE(lesson_of(lab).starts_tested);
+    ASSERT_TRUE(lesson_of(lab).standing.starts_tested);
     reset(lab);
     jobs.finish();
     update_grading(lab, jobs);
     EXPECT_FALSE(lesson_of(lab).grade);
-    EXPECT_FALSE(lesson_of(lab).starts_tested);
+    EXPECT_FALSE(lesson_of(lab).standing.starts_tested);
 }
 
 TEST(LabGrading, GradingRunsTheSensorsThatTheStudentTurned) {

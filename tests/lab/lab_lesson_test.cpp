@@ -14,7 +14,7 @@ namespace {
 TEST(LabLesson, ChecksStepsLive) {
     Lab lab = aggressor();
     handle(lab, PredictRequest{1});
-    EXPECT_EQ(lesson_view_of(lab).prediction, 1);
+    EXPECT_EQ(lesson_view_of(lab).attempt.answers.prediction, 1);
     handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     handle(lab, Action::play_pause);
     for (int i = 0; i < 60 * 20 && !referee_of(lab.document).passed(); ++i) tick(lab);
@@ -24,17 +24,17 @@ TEST(LabLesson, ChecksStepsLive) {
 TEST(LabLesson, OffersAHintAfterARunOrHalfAMinute) {
     Lab lab = aggressor();
     handle(lab, Action::hint);
-    EXPECT_EQ(lesson_view_of(lab).hints_shown, 1);
+    EXPECT_EQ(lesson_view_of(lab).attempt.answers.hints_shown, 1);
     handle(lab, Action::hint);
-    EXPECT_EQ(lesson_view_of(lab).hints_shown, 1);
+    EXPECT_EQ(lesson_view_of(lab).attempt.answers.hints_shown, 1);
     advance(lab, 31);
     handle(lab, Action::hint);
-    EXPECT_EQ(lesson_view_of(lab).hints_shown, 2);
+    EXPECT_EQ(lesson_view_of(lab).attempt.answers.hints_shown, 2);
     handle(lab, Action::reset);
     handle(lab, Action::play_pause);
     tick(lab);
     handle(lab, Action::hint);
-    EXPECT_EQ(lesson_view_of(lab).hints_shown, 3);
+    EXPECT_EQ(lesson_view_of(lab).attempt.answers.hints_shown, 3);
 }
 
 TEST(LabLesson, ResetRestoresTheStartAndTheShippedBrain) {
@@ -56,17 +56,17 @@ TEST(LabLesson, StartOverKeepsThePredictionAndTheHintsAndCanBeUndone) {
     handle(lab, Action::hint);
     handle(lab, Action::exercise_reset);
     EXPECT_TRUE(lab.notice.empty()) << "there is nothing to take back";
-    EXPECT_FALSE(lesson_of(lab).hint_ready) << "it is no way to the next hint";
+    EXPECT_FALSE(lesson_of(lab).attempt.answers.hint_ready) << "it is no way to the next hint";
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
     for (int i = 0; i < 100; ++i) tick(lab);
     handle(lab, Action::exercise_reset);
     EXPECT_EQ(lab.notice.key, "notice.started_over");
-    EXPECT_EQ(lesson_of(lab).prediction, 1);
-    EXPECT_EQ(lesson_of(lab).hints_shown, 1);
-    EXPECT_FALSE(lesson_of(lab).has_run);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, 1);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.hints_shown, 1);
+    EXPECT_FALSE(lesson_of(lab).attempt.work.has_run);
     handle(lab, Action::undo);
     EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
-    EXPECT_EQ(lesson_of(lab).prediction, 1);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, 1);
 }
 
 TEST(LabLesson, UndoOfStartOverBringsTheSceneAndTheRunBack) {
@@ -83,11 +83,11 @@ TEST(LabLesson, UndoOfStartOverBringsTheSceneAndTheRunBack) {
     EXPECT_EQ(lab.document.session.hash(), hash) << "also of a short run";
     EXPECT_EQ(lab.document.session.snapshot().sources[0].x, 1.5f);
     EXPECT_TRUE(lesson_of(lab).by_hand);
-    EXPECT_TRUE(lesson_of(lab).has_run);
+    EXPECT_TRUE(lesson_of(lab).attempt.work.has_run);
     handle(lab, Action::redo);
     EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
     EXPECT_NE(lab.document.session.snapshot().sources[0].x, 1.5f);
-    EXPECT_FALSE(lesson_of(lab).has_run);
+    EXPECT_FALSE(lesson_of(lab).attempt.work.has_run);
 }
 
 TEST(LabLesson, StartOverOfTwoKindsIsOneStepOfUndo) {
@@ -107,8 +107,8 @@ TEST(LabLesson, AnotherStudentBeginsWithoutThePredictionOfTheFirst) {
     handle(lab, PredictRequest{1});
     handle(lab, Action::hint);
     handle(lab, StudentRequest{StudentEdit::add, 0, "Ana"});
-    EXPECT_EQ(lesson_of(lab).prediction, -1);
-    EXPECT_EQ(lesson_of(lab).hints_shown, 0);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, -1);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.hints_shown, 0);
 }
 
 TEST(LabLesson, AResetFindsTheSubjectAgainAfterAVehicleWasAddedOrRemoved) {
@@ -239,16 +239,16 @@ TEST(LabLesson, WithoutHintsTheSolutionIsOfferedAfterARunOrHalfAMinute) {
         return std::move(*lab);
     };
     Lab lab = opened();
-    EXPECT_FALSE(lesson_of(lab).hint_ready);
+    EXPECT_FALSE(lesson_of(lab).attempt.answers.hint_ready);
     tick(lab);
-    EXPECT_TRUE(lesson_of(lab).hint_ready) << "after a run";
+    EXPECT_TRUE(lesson_of(lab).attempt.answers.hint_ready) << "after a run";
     advance(lab, 100);
     replace_document(lab, std::move(opened().document));
     advance(lab, 1);
-    EXPECT_FALSE(lesson_of(lab).hint_ready) << "time before it was opened does not count";
+    EXPECT_FALSE(lesson_of(lab).attempt.answers.hint_ready) << "time before it was opened does not count";
     EXPECT_EQ(lesson_of(lab).hint_in, 29);
     advance(lab, 30);
-    EXPECT_TRUE(lesson_of(lab).hint_ready);
+    EXPECT_TRUE(lesson_of(lab).attempt.answers.hint_ready);
 }
 
 TEST(LabLesson, ShowsTheSolutionAsOneStepOfUndo) {
@@ -267,9 +267,9 @@ TEST(LabLesson, ShowsTheSolutionAsOneStepOfUndo) {
 TEST(LabLesson, ShowsAllControlsInFreePlay) {
     Lab lab = exercise_that_offers({"LL"});
     handle(lab, FreePlayRequest{true});
-    EXPECT_TRUE(lesson_of(lab).free_play);
+    EXPECT_TRUE(lesson_of(lab).attempt.work.free_play);
     handle(lab, FreePlayRequest{false});
-    EXPECT_FALSE(lesson_of(lab).free_play);
+    EXPECT_FALSE(lesson_of(lab).attempt.work.free_play);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ TEST(LabPrediction, CanBeMadeAndChangedUntilARunBeginsAndAgainAfterAReset) {
     Lab lab = opened_lab("07-further");
     const auto predicted = [&](int option) {
         handle(lab, PredictRequest{option});
-        return lesson_of(lab).prediction;
+        return lesson_of(lab).attempt.answers.prediction;
     };
     handle(lab, Action::step);
     EXPECT_EQ(predicted(0), -1) << "an answer in the run is no prediction";
@@ -41,28 +41,28 @@ TEST(LabPrediction, OfASelectionByHandIsLockedAfterTheFirstChoice) {
     };
     let_jobs_end();
     handle(lab, PredictRequest{0});
-    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, 0);
     choose_child(lab, 0);
     ASSERT_EQ(lab.document.session.snapshot().tick, 0u);
     handle(lab, PredictRequest{1});
-    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, 0);
     take_choice_back(lab);
     handle(lab, PredictRequest{1});
-    EXPECT_EQ(lesson_of(lab).prediction, 1);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, 1);
 }
 
 TEST(LabPrediction, IsJudgedOnceARunHasShownTheOutcome) {
     Lab lab = aggressor();
     handle(lab, PredictRequest{0});
     const auto after = static_cast<int>(60 * lab.document.lesson->exercise->prediction.after);
-    while (!lesson_of(lab).outcome_known && lab.document.session.snapshot().tick < 1000) tick(lab);
+    while (!lesson_of(lab).attempt.work.outcome_known && lab.document.session.snapshot().tick < 1000) tick(lab);
     EXPECT_NEAR(static_cast<double>(lab.document.session.snapshot().tick), after, 1);
     handle(lab, PredictRequest{1});
-    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, 0);
     handle(lab, Action::exercise_reset);
-    EXPECT_FALSE(lesson_of(lab).outcome_known);
+    EXPECT_FALSE(lesson_of(lab).attempt.work.outcome_known);
     handle(lab, PredictRequest{1});
-    EXPECT_EQ(lesson_of(lab).prediction, 1);
+    EXPECT_EQ(lesson_of(lab).attempt.answers.prediction, 1);
 }
 
 TEST(LabPrediction, KnowsTheOutcomeOfTheShippedBrainAndLampOnly) {
@@ -79,12 +79,12 @@ TEST(LabPrediction, KnowsTheOutcomeOfTheShippedBrainAndLampOnly) {
     handle(turned, EditRequest{SetSensors{{.kind = 0}, kind.sensors}});
     for (Lab* lab : {&rewired, &moved, &heavier, &turned}) {
         for (int i = 0; i < 600; ++i) tick(*lab);
-        EXPECT_FALSE(lesson_of(*lab).outcome_known);
+        EXPECT_FALSE(lesson_of(*lab).attempt.work.outcome_known);
     }
     handle(rewired, EditRequest{SetBrain{{.kind = 0}, rewired.document.lesson->exercise->scene.kinds[0].brain}});
     handle(rewired, Action::reset);
     for (int i = 0; i < 600; ++i) tick(rewired);
-    EXPECT_TRUE(lesson_of(rewired).outcome_known);
+    EXPECT_TRUE(lesson_of(rewired).attempt.work.outcome_known);
 }
 
 TEST(LabPrediction, IsNotJudgedByARunWhoseChangeWasUndoneOnTheWay) {
@@ -94,12 +94,12 @@ TEST(LabPrediction, IsNotJudgedByARunWhoseChangeWasUndoneOnTheWay) {
     for (int i = 0; i < 300; ++i) tick(lab);
     handle(lab, Action::undo);
     for (int i = 0; i < 300; ++i) tick(lab);
-    EXPECT_FALSE(lesson_of(lab).outcome_known);
+    EXPECT_FALSE(lesson_of(lab).attempt.work.outcome_known);
     EXPECT_FALSE(lesson_of(lab).as_given) << "the card asks for a run of the scene as given";
     handle(lab, Action::reset);
     EXPECT_TRUE(lesson_of(lab).as_given);
     for (int i = 0; i < 600; ++i) tick(lab);
-    EXPECT_TRUE(lesson_of(lab).outcome_known);
+    EXPECT_TRUE(lesson_of(lab).attempt.work.outcome_known);
 }
 
 TEST(LabPrediction, IsNotJudgedAfterAJumpOverAChangeThatWasUndone) {
@@ -114,7 +114,7 @@ TEST(LabPrediction, IsNotJudgedAfterAJumpOverAChangeThatWasUndone) {
     EXPECT_TRUE(lesson_of(lab).as_given) << "before the change";
     handle(lab, SeekRequest{600});
     EXPECT_FALSE(lesson_of(lab).as_given);
-    EXPECT_FALSE(lesson_of(lab).outcome_known);
+    EXPECT_FALSE(lesson_of(lab).attempt.work.outcome_known);
 }
 
 TEST(LabPrediction, JudgesAPredictionAboutTwoVehiclesOnlyByARunWithBothAsGiven) {
@@ -123,10 +123,11 @@ TEST(LabPrediction, JudgesAPredictionAboutTwoVehiclesOnlyByARunWithBothAsGiven) 
         handle(lab, PredictRequest{1});
         if (changed >= 0) handle(lab, EditRequest{TurnDial{{.kind = changed}, Dial::LM, 0.4f}});
         for (int i = 0; i < 13 * 60; ++i) tick(lab);
-        EXPECT_EQ(lesson_of(lab).outcome_known, changed < 0) << "changed kind: " << changed;
+        EXPECT_EQ(lesson_of(lab).attempt.work.outcome_known, changed < 0) << "changed kind: " << changed;
         handle(lab, Action::exercise_reset);
         for (int i = 0; i < 13 * 60; ++i) tick(lab);
-        EXPECT_TRUE(lesson_of(lab).outcome_known) << "a run of the scene as given, after changed kind " << changed;
+        EXPECT_TRUE(lesson_of(lab).attempt.work.outcome_known)
+            << "a run of the scene as given, after changed kind " << changed;
     }
 }
 
@@ -160,7 +161,7 @@ TEST(LabPrediction, DoesNotKnowTheOutcomeOfARunWithoutTheKindOfTheExercise) {
     ASSERT_TRUE(lab.document.session.snapshot().kind_brains.empty());
     EXPECT_TRUE(lesson_of(lab).by_hand);
     for (int i = 0; i < 600; ++i) tick(lab);
-    EXPECT_FALSE(lesson_of(lab).outcome_known);
+    EXPECT_FALSE(lesson_of(lab).attempt.work.outcome_known);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct Attempt {
 TEST(LabProgress, KeepsNothingBeforeTheStudentDoesSomething) {
     Attempt attempt;
     EXPECT_TRUE(attempt.lab.students.student().exercises.empty());
-    EXPECT_EQ(view_of(attempt.lab).student, "");
+    EXPECT_EQ(view_of(attempt.lab).library.student, "");
 }
 
 TEST(LabProgress, KeepsPredictionHintsAndNotes) {
@@ -57,7 +57,7 @@ TEST(LabProgress, KeepsPredictionHintsAndNotes) {
     attempt.turn();
     EXPECT_EQ(attempt.progress().hints, 1) << "a new attempt takes nothing back";
     EXPECT_EQ(attempt.progress().prediction, "It turns towards the lamp");
-    EXPECT_EQ(lesson_view_of(attempt.lab).notes, "two wires");
+    EXPECT_EQ(lesson_view_of(attempt.lab).attempt.notes, "two wires");
     handle(attempt.lab, PredictRequest{0});
     attempt.turn();
     EXPECT_TRUE(attempt.progress().predicted_right);
@@ -75,7 +75,7 @@ TEST(LabProgress, KeepsThePassedBrainSoThatLeavingAsksNothing) {
     handle(attempt.lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 3}});
     attempt.turn();
     EXPECT_TRUE(has_unsaved_edits(attempt.lab)) << "something else has changed";
-    EXPECT_TRUE(lesson_view_of(attempt.lab).passed_before);
+    EXPECT_TRUE(lesson_view_of(attempt.lab).standing.passed_before);
     EXPECT_TRUE(attempt.progress().passed);
 }
 
@@ -110,11 +110,11 @@ TEST(LabProgress, GivesTheKeptBrainBack) {
     attempt.run();
     handle(attempt.lab, Action::exercise_reset);
     attempt.turn();
-    EXPECT_TRUE(lesson_view_of(attempt.lab).has_kept);
+    EXPECT_TRUE(lesson_view_of(attempt.lab).standing.has_kept);
     handle(attempt.lab, KeptRequest{});
     attempt.turn();
     EXPECT_EQ(*attempt.lab.document.session.snapshot().kind_brains[0], attempt.exercise().solution.submission.brain);
-    EXPECT_FALSE(lesson_view_of(attempt.lab).has_kept);
+    EXPECT_FALSE(lesson_view_of(attempt.lab).standing.has_kept);
     handle(attempt.lab, Action::undo);
     EXPECT_EQ(*attempt.lab.document.session.snapshot().kind_brains[0], attempt.exercise().scene.kinds[0].brain);
 }
@@ -127,11 +127,11 @@ TEST(LabProgress, TellsAPassedExerciseFromOneWhoseSolutionWasShown) {
     EXPECT_TRUE(attempt.progress().shown);
     handle(attempt.lab, Action::exercise_reset);
     handle(attempt.lab, KeptRequest{});
-    EXPECT_TRUE(lesson_view_of(attempt.lab).solution_shown) << "it is the shown one";
+    EXPECT_TRUE(lesson_view_of(attempt.lab).attempt.work.solution_shown) << "it is the shown one";
     handle(attempt.lab, Action::exercise_reset);
     handle(attempt.lab, Action::undo);  // brings the shown solution back
     attempt.run();
-    EXPECT_TRUE(lesson_view_of(attempt.lab).solution_shown);
+    EXPECT_TRUE(lesson_view_of(attempt.lab).attempt.work.solution_shown);
     EXPECT_TRUE(attempt.progress().shown);
     handle(attempt.lab, Action::exercise_reset);
     for (const auto& [dial, value] : {std::pair{Dial::LL, 0.0f}, {Dial::LR, 1.2f}, {Dial::RL, 1.2f}, {Dial::RR, 0.0f}})
@@ -151,15 +151,15 @@ TEST(LabProgress, BelongsToTheChosenStudent) {
     attempt.turn();
     handle(attempt.lab, StudentRequest{StudentEdit::add, 0, " Anna "});
     attempt.turn();
-    EXPECT_EQ(view_of(attempt.lab).student, "Anna");
-    EXPECT_EQ(lesson_view_of(attempt.lab).notes, "");
-    EXPECT_EQ(lesson_view_of(attempt.lab).prediction, -1);
+    EXPECT_EQ(view_of(attempt.lab).library.student, "Anna");
+    EXPECT_EQ(lesson_view_of(attempt.lab).attempt.notes, "");
+    EXPECT_EQ(lesson_view_of(attempt.lab).attempt.answers.prediction, -1);
     EXPECT_EQ(attempt.progress(), ExerciseProgress{});
     handle(attempt.lab, StudentRequest{StudentEdit::add, 0, "Anna"});
     EXPECT_EQ(attempt.lab.students.all.size(), 2u) << "the name is taken";
     handle(attempt.lab, StudentRequest{StudentEdit::choose, 0, {}});
     attempt.turn();
-    EXPECT_EQ(lesson_view_of(attempt.lab).notes, "without a name");
+    EXPECT_EQ(lesson_view_of(attempt.lab).attempt.notes, "without a name");
     handle(attempt.lab, StudentRequest{StudentEdit::choose, 7, {}});
     EXPECT_EQ(attempt.lab.students.current, 0u);
 }
@@ -171,9 +171,9 @@ TEST(LabProgress, GoesWithTheStudentWhoGivesHisNameLater) {
     attempt.turn();
     handle(attempt.lab, StudentRequest{StudentEdit::rename, 0, "Ben"});
     attempt.turn();
-    EXPECT_EQ(view_of(attempt.lab).student, "Ben");
+    EXPECT_EQ(view_of(attempt.lab).library.student, "Ben");
     EXPECT_EQ(attempt.progress().notes, "mine");
-    EXPECT_EQ(lesson_view_of(attempt.lab).prediction, 1) << "the attempt goes on";
+    EXPECT_EQ(lesson_view_of(attempt.lab).attempt.answers.prediction, 1) << "the attempt goes on";
     EXPECT_EQ(attempt.lab.students.all[0], StudentProgress{});
 }
 
@@ -191,13 +191,13 @@ TEST(LabProgress, IsResetAndRestored) {
     handle(attempt.lab, StudentRequest{StudentEdit::restore, 0, {}});
     attempt.turn();
     EXPECT_EQ(attempt.progress(), before);
-    EXPECT_EQ(lesson_view_of(attempt.lab).notes, "mine");
+    EXPECT_EQ(lesson_view_of(attempt.lab).attempt.notes, "mine");
 }
 
 TEST(LabProgress, CutsLongNotesBetweenTwoCharacters) {
     Lab lab = opened_lab("05-aggressor");
     handle(lab, NotesRequest{std::string(longest_notes - 1, 'n') + "ü"});
-    EXPECT_EQ(lesson_view_of(lab).notes, std::string(longest_notes - 1, 'n'));
+    EXPECT_EQ(lesson_view_of(lab).attempt.notes, std::string(longest_notes - 1, 'n'));
 }
 
 TEST(LabProgress, IsKeptForEachOwnFileOfAnExercise) {
@@ -210,7 +210,7 @@ TEST(LabProgress, IsKeptForEachOwnFileOfAnExercise) {
             replace_document(lab, std::move(*open_document(file, std::nullopt, {})));
         }
         follow_progress(lab);
-        EXPECT_EQ(lesson_view_of(lab).notes, "") << file;
+        EXPECT_EQ(lesson_view_of(lab).attempt.notes, "") << file;
         handle(lab, NotesRequest{words});
         follow_progress(lab);
     };

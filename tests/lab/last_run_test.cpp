@@ -14,7 +14,7 @@ namespace {
 struct LastRun : testing::Test {
     Lab lab = opened_lab("2a-coward");
 
-    std::optional<GhostView> ghost() const { return view_of(lab).last_run; }
+    std::optional<GhostView> ghost() const { return view_of(lab).features.last_run; }
     void run(int ticks) {
         for (int i = 0; i < ticks; ++i) tick(lab);
     }
@@ -82,7 +82,7 @@ struct ReturnToTheLastRun : LastRun {
 };
 
 TEST_F(ReturnToTheLastRun, BringsBackItsTickItsTimelineAndItsBrain) {
-    EXPECT_FALSE(view_of(lab).has_left_run);
+    EXPECT_FALSE(view_of(lab).features.has_left_run);
     handle(lab, Action::return_run);
     EXPECT_EQ(lab.notice.key, "unavailable.no_last_run");
     turn(Dial::LM, 0.2f);
@@ -97,7 +97,7 @@ TEST_F(ReturnToTheLastRun, BringsBackItsTickItsTimelineAndItsBrain) {
     handle(lab, Action::reset);
     turn(Dial::LM, 0.9f);
     run(60);
-    EXPECT_TRUE(view_of(lab).has_left_run);
+    EXPECT_TRUE(view_of(lab).features.has_left_run);
     handle(lab, Action::return_run);
     EXPECT_EQ(lab.playback.mode, Mode::paused);
     EXPECT_EQ(lab.document.session.snapshot().tick, 250u);
@@ -166,7 +166,7 @@ TEST_F(LastRun, EndsWithTheDocument) {
     handle(lab, Action::reset);
     replace_document(lab, opened_lab("2b-aggressor").document);
     EXPECT_FALSE(ghost());
-    EXPECT_FALSE(view_of(lab).has_left_run);
+    EXPECT_FALSE(view_of(lab).features.has_left_run);
 }
 
 }  // namespace

@@ -282,10 +282,10 @@ TEST_F(LabLecturePages, EscapeAndF9RestoreTheViewSettings) {
 TEST_F(LabLecturePages, StoredBrainsAndTheirCardsEndWithThePage) {
     handle(lab, Action::slot);
     lab.view.map = true;
-    ASSERT_TRUE(view_of(lab).slots.has_any());
+    ASSERT_TRUE(view_of(lab).features.slots.has_any());
     for (const int leave : {key::escape, key::f9}) {
         open("four-numbers");
-        EXPECT_FALSE(view_of(lab).slots.has_any()) << "those of the lecturer";
+        EXPECT_FALSE(view_of(lab).features.slots.has_any()) << "those of the lecturer";
         EXPECT_FALSE(lab.view.map);
         show_page(lab, 6);
         handle(lab, Action::slot);
@@ -295,12 +295,12 @@ TEST_F(LabLecturePages, StoredBrainsAndTheirCardsEndWithThePage) {
         lab.view.map = lab.view.reality = true;
         ASSERT_TRUE(lab.slots.runs.question());
         show_page(lab, 7);
-        EXPECT_FALSE(view_of(lab).slots.has_any());
+        EXPECT_FALSE(view_of(lab).features.slots.has_any());
         EXPECT_FALSE(lab.slots.runs.question());
         EXPECT_FALSE(lab.view.map || lab.view.reality);
         press({leave});
-        EXPECT_TRUE(view_of(lab).slots.slots[0].design) << "what was stored before the lecture";
-        EXPECT_FALSE(view_of(lab).slots.slots[1].design);
+        EXPECT_TRUE(view_of(lab).features.slots.slots[0].design) << "what was stored before the lecture";
+        EXPECT_FALSE(view_of(lab).features.slots.slots[1].design);
         EXPECT_TRUE(lab.view.map);
     }
 }
@@ -381,7 +381,7 @@ TEST_F(LabLecturePages, AfterAnotherFileTheMenuGoesBackAndF9IsTheLectureView) {
     open("four-numbers");
     press({key::page_down});
     open("3a-love");
-    ASSERT_TRUE(view_of(lab).left_pages) << "the row of the menu";
+    ASSERT_TRUE(view_of(lab).library.left_pages) << "the row of the menu";
     handle(lab, Action::lecture);  // leaves the lecture view
     handle(lab, Action::lecture);
     execute_file_requests(lab, files, state, folders);

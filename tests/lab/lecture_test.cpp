@@ -22,7 +22,7 @@ TEST_F(LabLecture, TypeIsLargeAndColoursAreLight) {
     handle(lab, Action::lecture);
     EXPECT_TRUE(view_of(lab).lecture);
     EXPECT_FLOAT_EQ(lab.preferences.type_size, 1.75f) << "1.4 times: body text of 22 pixels at type size 1";
-    EXPECT_EQ(view_of(lab).theme, Theme::light);
+    EXPECT_EQ(view_of(lab).program.theme, Theme::light);
 }
 
 TEST_F(LabLecture, BeginsByTellingHowToLeaveIt) {

@@ -31,7 +31,7 @@ TEST_F(LabMystery, NothingShowsAHiddenBrain) {
     EXPECT_TRUE(hides_character(view, vehicle()));
     EXPECT_FALSE(can_show_map(view, vehicle()));
     EXPECT_EQ(why_no_slots(view), "unavailable.why");
-    EXPECT_EQ(view.mystery.hidden, hidden);
+    EXPECT_EQ(view.features.mystery.hidden, hidden);
     EXPECT_EQ(write_scene(lab.document.session.edited_scene()).find("brain"), std::string::npos);
     handle(lab, MysteryRequest{MysteryEdit::reveal});
     EXPECT_FALSE(is_brain_secret(view_of(lab), vehicle().kind));
@@ -51,7 +51,7 @@ TEST_F(LabMystery, AnotherVehicleHasTheSameBodyAndAnEmptyBrain) {
     EXPECT_EQ(rebuilt.sensors, hidden.sensors);
     EXPECT_EQ(rebuilt.body, hidden.body);
     EXPECT_TRUE(brain_of(now(), vehicle())->wires.empty());
-    EXPECT_EQ(view_of(lab).mystery.rebuilt, vehicle().id);
+    EXPECT_EQ(view_of(lab).features.mystery.rebuilt, vehicle().id);
     handle(lab, Action::undo);
     EXPECT_EQ(now().vehicles.size(), 1u);
     EXPECT_EQ(now().scene->kinds.size(), 1u) << "one step of undo";
@@ -62,20 +62,21 @@ TEST_F(LabMystery, TheSameBrainScoresAllPointsAndAnEmptyOneFewer) {
     handle(lab, MysteryRequest{MysteryEdit::hide});
     handle(lab, MysteryRequest{MysteryEdit::rebuild});
     handle(lab, MysteryRequest{MysteryEdit::score});
-    EXPECT_TRUE(view_of(lab).mystery.is_computing);
+    EXPECT_TRUE(view_of(lab).features.mystery.is_computing);
     compute();
-    ASSERT_TRUE(view_of(lab).mystery.score) << (lab.mystery.score.error() ? lab.mystery.score.error()->text() : "");
-    EXPECT_LT(view_of(lab).mystery.score->score, 90);
-    EXPECT_EQ(view_of(lab).mystery.score->starts.size(), 10u);
+    ASSERT_TRUE(view_of(lab).features.mystery.score)
+        << (lab.mystery.score.error() ? lab.mystery.score.error()->text() : "");
+    EXPECT_LT(view_of(lab).features.mystery.score->score, 90);
+    EXPECT_EQ(view_of(lab).features.mystery.score->starts.size(), 10u);
     handle(lab, EditRequest{SetBrain{{.vehicle = vehicle().id}, hidden}});
     handle(lab, MysteryRequest{MysteryEdit::score});
-    EXPECT_FALSE(view_of(lab).mystery.score) << "the old one is gone";
+    EXPECT_FALSE(view_of(lab).features.mystery.score) << "the old one is gone";
     compute();
-    ASSERT_TRUE(view_of(lab).mystery.score);
-    EXPECT_EQ(view_of(lab).mystery.score->score, 100);
+    ASSERT_TRUE(view_of(lab).features.mystery.score);
+    EXPECT_EQ(view_of(lab).features.mystery.score->score, 100);
     replace_document(lab, opened_lab("2a-coward").document);
     compute();
-    EXPECT_FALSE(view_of(lab).mystery.score);
+    EXPECT_FALSE(view_of(lab).features.mystery.score);
 }
 
 }  // namespace

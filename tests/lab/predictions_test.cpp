@@ -28,7 +28,7 @@ struct Predictions : testing::Test {
         turn();
     }
     void release() { note_press(lab.predictions, lab, false), turn(); }
-    std::optional<PredictionView> shown() const { return view_of(lab).prediction; }
+    std::optional<PredictionView> shown() const { return view_of(lab).features.prediction; }
     void run(int ticks) {
         for (int i = 0; i < ticks; ++i) tick(lab);
     }

@@ -34,7 +34,7 @@ struct ReferenceRuns : testing::Test {
     // The ghost is where the solution is at this tick of a run with this seed.
     void expect_in_step() {
         const Snapshot& now = lab.document.session.snapshot();
-        const auto ghost = view_of(lab).ghost;
+        const auto ghost = view_of(lab).features.ghost;
         ASSERT_TRUE(ghost);
         const Pose solution = Reference(exercise(), now.seed).until(now.tick).at(now.tick);
         EXPECT_FLOAT_EQ(ghost->pose.x, solution.x);
@@ -46,18 +46,18 @@ struct ReferenceRuns : testing::Test {
 
 TEST_F(ReferenceRuns, TheSolutionIsComparedAfterThePredictionAndARunOnly) {
     handle(lab, CompareRequest{true});
-    EXPECT_FALSE(lesson().compares) << "before the prediction";
+    EXPECT_FALSE(lesson().attempt.work.compares) << "before the prediction";
     handle(lab, PredictRequest{0});
     handle(lab, CompareRequest{true});
-    EXPECT_FALSE(lesson().compares) << "before a run";
+    EXPECT_FALSE(lesson().attempt.work.compares) << "before a run";
     run(1);
     handle(lab, CompareRequest{true});
-    EXPECT_TRUE(lesson().compares);
+    EXPECT_TRUE(lesson().attempt.work.compares);
     handle(lab, CompareRequest{false});
-    EXPECT_FALSE(lesson().compares);
+    EXPECT_FALSE(lesson().attempt.work.compares);
     handle(lab, CompareRequest{true});
     handle(lab, Action::exercise_reset);
-    EXPECT_FALSE(lesson().compares) << "Start over";
+    EXPECT_FALSE(lesson().attempt.work.compares) << "Start over";
 }
 
 TEST_F(ReferenceRuns, TheSolutionMovesInStepWithTheTime) {
@@ -70,7 +70,7 @@ TEST_F(ReferenceRuns, TheSolutionMovesInStepWithTheTime) {
     handle(lab, Action::reset);
     expect_in_step();
     handle(lab, Action::another_start);
-    EXPECT_FALSE(view_of(lab).ghost) << "the run from another start is not known yet";
+    EXPECT_FALSE(view_of(lab).features.ghost) << "the run from another start is not known yet";
     let_jobs_end();
     expect_in_step();
     EXPECT_EQ(lab.document.session.seed(), exercise().seed + 1);
@@ -85,10 +85,10 @@ TEST_F(ReferenceRuns, TheSolutionIsContinuedWhenTheRunIsLongerThanAGradedOne) {
 
 TEST_F(ReferenceRuns, NothingIsComparedWithARunThatWasChangedByHand) {
     begin_comparison();
-    ASSERT_TRUE(view_of(lab).ghost);
+    ASSERT_TRUE(view_of(lab).features.ghost);
     handle(lab, EditRequest{MoveSource{0, 3, 3}});
     EXPECT_TRUE(lesson().by_hand);
-    EXPECT_FALSE(view_of(lab).ghost);
+    EXPECT_FALSE(view_of(lab).features.ghost);
     handle(lab, Action::reset);
     expect_in_step();
 }
@@ -105,21 +105,21 @@ TEST_F(ReferenceRuns, ADrawnPathIsComparedWithTheShippedRunOnceItsOutcomeIsKnown
     const auto ticks = static_cast<std::size_t>(60 * exercise().prediction.after);
     const std::vector<maths::vec2> right = positions(shipped.until(ticks), ticks + 1, 6);
     handle(lab, PredictPathRequest{right});
-    EXPECT_EQ(lesson().drawn_path, right);
+    EXPECT_EQ(lesson().attempt.answers.drawn_path, right);
     EXPECT_TRUE(disclosure_of(lab).outcome);
     run(static_cast<int>(ticks) - 10);
     let_jobs_end();
-    EXPECT_TRUE(lesson().real_path.empty()) << "the outcome is not known";
+    EXPECT_TRUE(lesson().attempt.work.real_path.empty()) << "the outcome is not known";
     run(20);
     let_jobs_end();
-    ASSERT_FALSE(lesson().real_path.empty());
-    EXPECT_EQ(lesson().real_path, right);
-    EXPECT_LT(lesson().path_difference, 0.01f);
+    ASSERT_FALSE(lesson().attempt.work.real_path.empty());
+    EXPECT_EQ(lesson().attempt.work.real_path, right);
+    EXPECT_LT(lesson().attempt.work.path_difference, 0.01f);
     handle(lab, SeekRequest{10});
-    EXPECT_EQ(lesson().drawn_path, right) << "it survives going back in time";
+    EXPECT_EQ(lesson().attempt.answers.drawn_path, right) << "it survives going back in time";
     handle(lab, Action::exercise_reset);
-    EXPECT_EQ(lesson().drawn_path, right) << "Start over keeps the prediction";
-    EXPECT_TRUE(lesson().real_path.empty()) << "but not what the run has shown";
+    EXPECT_EQ(lesson().attempt.answers.drawn_path, right) << "Start over keeps the prediction";
+    EXPECT_TRUE(lesson().attempt.work.real_path.empty()) << "but not what the run has shown";
     EXPECT_TRUE(disclosure_of(lab).open_prediction);
 }
 
@@ -127,13 +127,13 @@ TEST_F(ReferenceRuns, APathIsDrawnAtTheStartOfARunOfAnExerciseThatAsksForOne) {
     const std::vector<maths::vec2> path{{0, 0}, {1, 1}};
     run(1);
     handle(lab, PredictPathRequest{path});
-    EXPECT_TRUE(lesson().drawn_path.empty());
+    EXPECT_TRUE(lesson().attempt.answers.drawn_path.empty());
     handle(lab, Action::reset);
     handle(lab, PredictPathRequest{path});
-    EXPECT_EQ(lesson().drawn_path, path);
+    EXPECT_EQ(lesson().attempt.answers.drawn_path, path);
     Lab other = opened_lab("05-aggressor");
     handle(other, PredictPathRequest{path});
-    EXPECT_TRUE(lesson_view_of(other).drawn_path.empty());
+    EXPECT_TRUE(lesson_view_of(other).attempt.answers.drawn_path.empty());
 }
 
 }  // namespace

@@ -102,12 +102,12 @@ TEST(Reports, ALabRecordReplacesNoOther) {
 TEST(Reports, TheViewHasThePathOfTheLastFile) {
     const Folder documents;
     Lab lab = opened_lab("05-aggressor");
-    EXPECT_EQ(view_of(lab).lesson->written, "");
+    EXPECT_EQ(view_of(lab).lesson->attempt.work.written, "");
     request(lab, HandInRequest{"Ana"}, documents.path);
-    EXPECT_EQ(view_of(lab).lesson->written,
+    EXPECT_EQ(view_of(lab).lesson->attempt.work.written,
               (documents.path / "Braitenlab" / "05-aggressor-ana.braiten-handin.toml").string());
     request(lab, LabRecordRequest{"Ana"}, documents.path);
-    EXPECT_TRUE(view_of(lab).lesson->written.ends_with(".html"));
+    EXPECT_TRUE(view_of(lab).lesson->attempt.work.written.ends_with(".html"));
 }
 
 TEST(Reports, ALabRecordTellsNoTitleBeforeThePrediction) {

@@ -20,7 +20,7 @@ struct LabRobots : testing::Test {
         handle(lab, RobotsRequest{.reality = reality, .tries = true});
         turn();
     }
-    std::optional<RobotsView> shown() const { return view_of(lab).robots; }
+    std::optional<RobotsView> shown() const { return view_of(lab).features.robots; }
 };
 
 TEST_F(LabRobots, RunOnlyWhenTheyAreAskedFor) {

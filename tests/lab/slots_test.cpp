@@ -36,7 +36,7 @@ struct SlotsTest : testing::Test {
         update_slots(lab.slots, lab, jobs);
     }
     Pose place() const { return {vehicle().x, vehicle().y, vehicle().heading}; }
-    SlotsView shown() const { return view_of(lab).slots; }
+    SlotsView shown() const { return view_of(lab).features.slots; }
 };
 
 TEST_F(SlotsTest, OneKeyFillsAThenBThenExchanges) {
@@ -65,12 +65,12 @@ TEST_F(SlotsTest, AComparisonHasNoForecast) {
         return prediction_of(lab.predictions, lab).has_value();
     };
     ASSERT_TRUE(try_out());
-    EXPECT_TRUE(view_of(lab).prediction);
+    EXPECT_TRUE(view_of(lab).features.prediction);
     handle(lab, Action::compare);
     compute();
     ASSERT_TRUE(try_out());
     ASSERT_TRUE(shown().b);
-    EXPECT_FALSE(view_of(lab).prediction);
+    EXPECT_FALSE(view_of(lab).features.prediction);
 }
 
 TEST_F(SlotsTest, TheSameBrainIsNotStoredTwice) {
@@ -107,7 +107,7 @@ TEST_F(SlotsTest, ComparingDrivesAWithBBesideItInTime) {
     EXPECT_TRUE(shown().is_computing);
     compute();
     ASSERT_TRUE(shown().a && shown().b);
-    EXPECT_FALSE(view_of(lab).last_run) << "B is the ghost";
+    EXPECT_FALSE(view_of(lab).features.last_run) << "B is the ghost";
     run(200);
     ASSERT_TRUE(shown().a && shown().b);
     EXPECT_EQ((*shown().a->path)[200], place()) << "the run is that of A, bit for bit";

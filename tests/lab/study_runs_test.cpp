@@ -30,7 +30,7 @@ struct LabStudy : testing::Test {
         return (folder / "mine.toml").string();
     }
     void turn() { update_study(lab.study, jobs), jobs.finish(), update_study(lab.study, jobs); }
-    StudyView view() const { return view_of(lab).study; }
+    StudyView view() const { return view_of(lab).features.study; }
     void finish() {
         for (int i = 0; i < 20 && view().runs; ++i) turn();
     }

@@ -87,8 +87,8 @@ TEST(BrainCard, KeepsItsControlsInPlaceWhenTheOutcomeIsKnown) {
     desk.opened.offers = {"wiring"};
     desk.frame(4);
     const float before = desk.where("button.open_wiring").y;
-    desk.lesson.prediction = 1;
-    desk.lesson.has_run = true;
+    desk.lesson.attempt.answers.prediction = 1;
+    desk.lesson.attempt.work.has_run = true;
     desk.frame(4);
     EXPECT_EQ(desk.where("button.open_wiring").y, before);
 }

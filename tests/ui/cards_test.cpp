@@ -36,7 +36,7 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     desk.panels.charts.open = true;
     desk.view.settings.values = desk.view.settings.map = desk.view.settings.reality = true;
     const insight::Design design;
-    desk.view.slots.slots[0].design = &design;
+    desk.view.features.slots.slots[0].design = &design;
     const std::vector<Finding> findings(1);
     desk.view.findings = &findings;
     desk.frame(3);
@@ -53,8 +53,8 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
 
 // Shades at the upper and at the lower edges of cards: rectangles that begin or end without opacity.
 std::pair<int, int> shades(const Desk& desk) {
-    const ImU32 full = paint(palette(desk.view.theme).panel);
-    const ImU32 none = paint(palette(desk.view.theme).panel.with_alpha(0));
+    const ImU32 full = paint(palette(desk.view.program.theme).panel);
+    const ImU32 none = paint(palette(desk.view.program.theme).panel.with_alpha(0));
     std::pair<int, int> found{};
     const ImDrawData& data = *ImGui::GetDrawData();
     for (int l = 0; l < data.CmdListsCount; ++l) {
@@ -109,7 +109,7 @@ TEST(Cards, TellThatTheyAreTooLowForAFrameWhenTheirWordsGrow) {
     desk.frame();
     EXPECT_FALSE(desk.panels.is_unsettled) << "a lower one has room";
     desk.frame(2);
-    desk.lesson.prediction = 1, desk.lesson.has_run = true;
+    desk.lesson.attempt.answers.prediction = 1, desk.lesson.attempt.work.has_run = true;
     desk.lesson.grade = graded(std::vector<bool>(10, true), true);
     desk.frame();
     EXPECT_TRUE(desk.panels.is_unsettled);
@@ -148,8 +148,8 @@ TEST(Cards, StayInTheirColumnWhicheverAreOpen) {
         desk.now.sources.resize(1);
         desk.view.settings.selection.object = {SceneObjectKind::source, 0};
         desk.view.settings.values = desk.view.settings.map = desk.view.settings.reality = true;
-        desk.view.slots.slots[0].design = &design;
-        desk.view.robots = RobotsView{.count = 40, .is_on = true, .report = &report};
+        desk.view.features.slots.slots[0].design = &design;
+        desk.view.features.robots = RobotsView{.count = 40, .is_on = true, .report = &report};
         desk.panels.values.kinds = desk.panels.sensors.quality_open = true;
         std::vector<Card> foldable;  // folding others closes them
         for (const Card card : {Card::scene, Card::values, Card::sensors, Card::brain, Card::information})

@@ -134,8 +134,8 @@ public:
         ui::apply_theme(Theme::dark, scale);
         view.now = &now;
         view.settings.selection.vehicle = 0;
-        view.reduce_motion = true;
-        view.languages = &spoken;
+        view.program.reduce_motion = true;
+        view.program.languages = &spoken;
     }
     ~Desk() { ImGui::DestroyContext(); }
     Desk(const Desk&) = delete;
@@ -156,10 +156,11 @@ public:
         Known known{.brain_revealed = view.settings.revealed.brain,
                     .character_revealed = view.settings.revealed.character};
         if (view.lesson) {
-            known.predicted = has_predicted(lesson), known.outcome = lesson.outcome_known;
+            known.predicted = has_predicted(lesson.attempt.answers), known.outcome = lesson.attempt.work.outcome_known;
             known.passed = lesson.grade && lesson.grade->good;
-            known.has_run = lesson.has_run, known.at_start = lesson.at_start, known.as_given = lesson.as_given;
-            known.free_play = lesson.free_play, known.together = lesson.together;
+            known.has_run = lesson.attempt.work.has_run, known.at_start = lesson.at_start,
+            known.as_given = lesson.as_given;
+            known.free_play = lesson.attempt.work.free_play, known.together = lesson.together;
         }
         if (view.pages) {
             known.page_asks = !view.pages->current().question.options.empty();
@@ -175,7 +176,7 @@ public:
             follow_disclosure();
             asked.clear();
             anchors.begin();
-            ui::Ui ui{strings, palette(view.theme), fonts_, scale_, anchors, asked, {}, 1};
+            ui::Ui ui{strings, palette(view.program.theme), fonts_, scale_, anchors, asked, {}, 1};
             written.clear();
             ui.written = &written;
             shown.clear();
@@ -196,7 +197,7 @@ public:
     void show_hint(std::string_view key, std::string_view prompted = {}) {
         follow_disclosure();
         anchors.begin();
-        ui::Ui ui{strings, palette(view.theme), fonts_, scale_, anchors, asked, {}, 1};
+        ui::Ui ui{strings, palette(view.program.theme), fonts_, scale_, anchors, asked, {}, 1};
         ui.highlight = prompted;
         written.clear();
         ui.written = &written;

@@ -24,7 +24,7 @@ struct DrawInsight : SceneOnDesk {
 
 TEST_F(DrawInsight, ThePredictedPathEndsWhereTheVehicleWillBe) {
     EXPECT_FALSE(desk.anchors.find("stage.prediction"));
-    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
     desk.frame();
     const Rect at = desk.where("stage.prediction");
     const maths::vec2 end = pixel({path.back().x, path.back().y});
@@ -47,7 +47,7 @@ TEST_F(DrawInsight, TheComingPathHasADotEachHalfSecond) {
     };
     desk.frame();
     for (std::size_t i = 120; i < 240; i += between) ASSERT_FALSE(drawn_at(i)) << i;
-    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 90};
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 90};
     desk.frame();
     for (std::size_t i = 120; i < 240; i += between) {
         EXPECT_TRUE(drawn_at(i)) << i;
@@ -71,24 +71,24 @@ TEST_F(DrawInsight, ASourceOutsideThePictureHasAMarkAtTheEdge) {
 }
 
 TEST_F(DrawInsight, APathFromALaterTickIsNotDrawn) {
-    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 101};
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 101};
     desk.frame();
     EXPECT_FALSE(desk.anchors.find("stage.prediction"));
 }
 
 TEST_F(DrawInsight, TheLastRunIsDrawnUnlessASolutionIs) {
-    desk.view.last_run = GhostView{path[100], 1, 0.7f, &path, 101};
+    desk.view.features.last_run = GhostView{path[100], 1, 0.7f, &path, 101};
     desk.frame();
     const Rect at = desk.where("stage.last_run");
     EXPECT_NEAR(at.x + at.w / 2, pixel({path[100].x, path[100].y}).x, 1);
-    desk.view.ghost = desk.view.last_run;
+    desk.view.features.ghost = desk.view.features.last_run;
     desk.frame();
     EXPECT_FALSE(desk.anchors.find("stage.last_run"));
 }
 
 TEST_F(DrawInsight, TheWholeLastRunIsDrawnWhileTheNewOneWaits) {
     desk.now.tick = 0;
-    desk.view.last_run = GhostView{path[0], 1, 0.7f, &path, 1};
+    desk.view.features.last_run = GhostView{path[0], 1, 0.7f, &path, 1};
     desk.view.mode = Mode::playing;
     desk.frame();
     EXPECT_NEAR(desk.where("stage.last_run").x + 12, pixel({path[0].x, path[0].y}).x, 1) << "its present place";
@@ -100,7 +100,7 @@ TEST_F(DrawInsight, TheWholeLastRunIsDrawnWhileTheNewOneWaits) {
 }
 
 TEST_F(DrawInsight, TheWordsOfTheLastRunCoverNoVehicle) {
-    desk.view.last_run = GhostView{path[100], 1, 0.7f, &path, 101};
+    desk.view.features.last_run = GhostView{path[100], 1, 0.7f, &path, 101};
     const maths::vec2 ghost = pixel({path[100].x, path[100].y});
     int covered = 0;
     for (int k = 0; k < 12; ++k) {
@@ -123,7 +123,7 @@ TEST_F(DrawInsight, TheWordsOfTheLastRunAreNotBelowTheTools) {
             const auto floor = unproject(camera_view, {x, y});
             ASSERT_TRUE(floor);
             std::vector<Pose> ends{{floor->x, floor->y, 0}};
-            desk.view.last_run = GhostView{ends[0], 1, 0.7f, &ends, 1};
+            desk.view.features.last_run = GhostView{ends[0], 1, 0.7f, &ends, 1};
             desk.now.tick = 0, desk.view.mode = Mode::paused;
             desk.frame();
             for (const ui::Written& w : desk.written) {
@@ -139,7 +139,7 @@ TEST_F(DrawInsight, TheWordsOfBothPathsDoNotOverlap) {
     std::vector<Pose> before = path;
     for (const float apart : {-0.61f, 0.61f}) {
         before.back().y = path.back().y + apart;
-        desk.view.prediction =
+        desk.view.features.prediction =
             PredictionView{.path = &path, .fan = &no_fan, .tick = 100, .before = &before, .before_tick = 100};
         desk.frame();
         const ui::Written *coming = nullptr, *earlier = nullptr;
@@ -156,12 +156,12 @@ TEST_F(DrawInsight, WordsCoverNeitherOtherWordsNorVehiclesNorBulbs) {
     const std::vector<Pose> before = path;
     desk.now.tick = 0;
     desk.view.mode = Mode::playing;
-    desk.view.slots.a = GhostView{path[0], 1, 0.7f, &path, 1};
-    desk.view.slots.b = GhostView{{-5.7f, -3, 0}, 1, 0.7f, &path, 20};
+    desk.view.features.slots.a = GhostView{path[0], 1, 0.7f, &path, 1};
+    desk.view.features.slots.b = GhostView{{-5.7f, -3, 0}, 1, 0.7f, &path, 20};
     for (const maths::vec2 end : {maths::vec2{-3, 6}, {-4, 0}, {-2.4f, 5.4f}, {0, -4}}) {
-        desk.view.last_run = GhostView{{end.x + 0.3f, end.y, 0}, 1, 0.7f, &path, 101};
+        desk.view.features.last_run = GhostView{{end.x + 0.3f, end.y, 0}, 1, 0.7f, &path, 101};
         path.back() = {end.x, end.y, 0};
-        desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 0, .before = &before};
+        desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 0, .before = &before};
         desk.frame();
         const LabelSpace& labels = scene_input().labels;
         std::vector<Rect> words;
@@ -197,7 +197,7 @@ TEST_F(DrawInsight, TheLabelOfAPathIsBesideItsEndAndNotOnItsLine) {
             const maths::vec2 swing = maths::vec2{std::sin(6 * turn), std::cos(6 * turn) - 1} * (1 - t);
             path.push_back({end.x * t + swing.x, end.y * t + swing.y, 0});
         }
-        desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+        desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
         desk.frame();
         const ui::Written* label = label_of_path(desk);
         ASSERT_TRUE(label) << end;
@@ -215,7 +215,7 @@ TEST_F(DrawInsight, TheLabelOfAPathIsBesideItsEndAndNotOnItsLine) {
 }
 
 TEST_F(DrawInsight, ALabelWithoutAFreePlaceNearIsLeftOut) {
-    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
     desk.frame();
     EXPECT_TRUE(label_of_path(desk));
     Camera close;
@@ -227,7 +227,7 @@ TEST_F(DrawInsight, ALabelWithoutAFreePlaceNearIsLeftOut) {
 }
 
 TEST_F(DrawInsight, ThePredictionHasNoTimeWhereItEndsNow) {
-    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
     desk.frame(2);
     EXPECT_TRUE(desk.says("in 8 s"));
     path.resize(10);
@@ -240,7 +240,7 @@ TEST_F(DrawInsight, TheLettersOfTwoBrainsAreNearerToTheirOwnVehicles) {
     desk.now.vehicles.resize(1);
     VehicleView& vehicle = desk.now.vehicles[0];
     vehicle.x = path[100].x, vehicle.y = path[100].y;
-    desk.view.slots.a = GhostView{path[100], 1, 0.7f, &path, 101};
+    desk.view.features.slots.a = GhostView{path[100], 1, 0.7f, &path, 101};
     const auto label = [&](std::string_view letter) {
         const auto found = std::find_if(desk.written.begin(), desk.written.end(),
                                         [&](const ui::Written& one) { return one.words == letter; });
@@ -255,7 +255,7 @@ TEST_F(DrawInsight, TheLettersOfTwoBrainsAreNearerToTheirOwnVehicles) {
                 maths::vec2{vehicle.x, vehicle.y} + maths::from_polar(away, 0.5236f * static_cast<float>(turn));
             std::vector<Pose> other = path;
             other[100] = {place.x, place.y, 0};
-            desk.view.slots.b = GhostView{other[100], 1, 0.7f, &other, 101};
+            desk.view.features.slots.b = GhostView{other[100], 1, 0.7f, &other, 101};
             desk.frame();
             const maths::vec2 a = pixel({vehicle.x, vehicle.y}), b = pixel(place);
             EXPECT_LT(maths::distance(label("A"), a) + 6, maths::distance(label("A"), b)) << turn << " " << away;
@@ -270,7 +270,7 @@ TEST_F(DrawInsight, TheLabelOfAPathCoversNoPost) {
     desk.now.scene = scene;
     desk.now.vehicles.resize(1);
     const maths::vec2 end = pixel({path.back().x, path.back().y});
-    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
     for (const maths::vec2 away : {maths::vec2{32, 24}, {32, -24}, {-32, 24}, {-32, -24}, {24, 40}}) {
         for (const float side : {1.0f, -1.0f}) {
             const auto one = unproject(camera_view, end + away, 0.2f), other = unproject(camera_view, end - away, 0.2f);
@@ -287,7 +287,7 @@ TEST_F(DrawInsight, TheLabelOfAPathCoversNoPost) {
 
 TEST_F(DrawInsight, TheDotsOfTheLastRunHideNoVehicle) {
     desk.now.vehicles.resize(1);
-    desk.view.last_run = GhostView{path[300], 1, 0.7f, &path, 301};
+    desk.view.features.last_run = GhostView{path[300], 1, 0.7f, &path, 301};
     VehicleView& vehicle = desk.now.vehicles[0];
     const auto dots_on = [&](const Pose& place) {
         vehicle.x = place.x, vehicle.y = place.y;
@@ -325,16 +325,16 @@ TEST_F(DrawInsight, NoPathIsDrawnOverAVehicle) {
         return count;
     };
     EXPECT_EQ(drawn_over_bodies(), 0) << "without a path";
-    desk.view.prediction =
+    desk.view.features.prediction =
         PredictionView{.path = &path, .fan = &fan, .tick = 100, .before = &before, .before_tick = 100};
     EXPECT_EQ(drawn_over_bodies(), 0) << "the coming seconds, and those before the edit";
-    desk.view.prediction.reset();
-    desk.view.slots.a = GhostView{path[200], 1, 0.7f, &path, 201};
+    desk.view.features.prediction.reset();
+    desk.view.features.slots.a = GhostView{path[200], 1, 0.7f, &path, 201};
     EXPECT_EQ(drawn_over_bodies(), 0) << "the run of slot A";
 }
 
 TEST_F(DrawInsight, TheDotsOfTheLastRunAreSmallWhereVehiclesAre) {
-    desk.view.last_run = GhostView{path[300], 1, 0.7f, &path, 301};
+    desk.view.features.last_run = GhostView{path[300], 1, 0.7f, &path, 301};
     const auto size_of_dots = [&](float zoom) {
         Camera camera;
         camera.zoom = zoom;
@@ -351,7 +351,7 @@ TEST_F(DrawInsight, TheDotsOfTheLastRunAreSmallWhereVehiclesAre) {
 
 TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
     insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.4f, .right = 0.4f};
-    desk.view.why = &why;
+    desk.view.features.why = &why;
     desk.now.tick = 100;
     desk.view.mode = Mode::playing;
     desk.now.vehicles[0].speed = 0;
@@ -384,7 +384,7 @@ TEST_F(DrawInsight, ABlockedVehicleIsNotSaidToDriveOn) {
 TEST_F(DrawInsight, TheCauseOfTheTurnKeepsALampInSight) {
     insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
     why.bias = -0.35f;
-    desk.view.why = &why;
+    desk.view.features.why = &why;
     desk.now.sources.clear();
     desk.frame();
     const Rect callout = desk.where("why");
@@ -402,7 +402,7 @@ TEST_F(DrawInsight, TheCauseOfTheTurnHasABarForEachSensorAndAddsUp) {
     insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
     why.sensors = {{"SR", 0.56f, -0.28f}, {"SL", 0.2f, 0.03f}};
     why.bias = -0.06f, why.rest = -0.04f;
-    desk.view.why = &why;
+    desk.view.features.why = &why;
     desk.frame();
     ASSERT_TRUE(desk.anchors.find("why"));
     for (const char* words :
@@ -425,7 +425,7 @@ TEST_F(DrawInsight, TheCauseOfTheTurnNamesWhatItsSensorReads) {
     desk.now.sources = {{.source = 0, .x = source.x, .y = source.y}};
     insight::Why why{.vehicle = vehicle.id, .left = 0.6f, .right = 0.25f};
     why.sensors = {{"SR", 0.56f, -0.35f}};
-    desk.view.why = &why;
+    desk.view.features.why = &why;
     desk.frame(2);
     std::string all;
     for (const ui::Written& one : desk.written) all += one.words + " ";
@@ -435,7 +435,7 @@ TEST_F(DrawInsight, TheCauseOfTheTurnNamesWhatItsSensorReads) {
 TEST_F(DrawInsight, TheCauseOfTheTurnShowsWholeNamesOfSensors) {
     insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
     why.sensors = {{"a sensor with a long name", 0.56f, -0.28f}, {"SL", 0.2f, 0.03f}};
-    desk.view.why = &why;
+    desk.view.features.why = &why;
     desk.frame(2);
     ASSERT_TRUE(desk.anchors.find("why"));
     EXPECT_TRUE(desk.says("a sensor with a long name"));
@@ -543,7 +543,7 @@ TEST_F(DrawInsight, ThePathWithoutAWireIsShownBesideTheWiringEditor) {
     desk.view.mode = Mode::wiring;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("stage.prediction"));
-    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan};
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan};
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("stage.prediction"));
 }

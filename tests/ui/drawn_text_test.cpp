@@ -72,7 +72,8 @@ const std::vector<Scene>& scenes() {
         {"exercise",
          [](Desk& d) {
              d.open_exercise();
-             d.lesson.prediction = 1, d.lesson.has_run = true, d.lesson.hints_shown = 3;
+             d.lesson.attempt.answers.prediction = 1, d.lesson.attempt.work.has_run = true,
+             d.lesson.attempt.answers.hints_shown = 3;
          }},
         {"hidden neurons",
          [](Desk& d) {
@@ -110,7 +111,7 @@ const std::vector<Scene>& scenes() {
 
 void show(Desk& desk, const Window& w, const Scene& scene) {
     desk.strings = speaking(w.language);
-    desk.view.theme = w.theme;
+    desk.view.program.theme = w.theme;
     scene.set(desk);
     const bool folded = desk.panels.card(Card::brain).folded;
     desk.view.lecture = w.lecture;

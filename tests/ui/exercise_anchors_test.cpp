@@ -9,12 +9,12 @@ namespace braitenlab::tests::exercise_anchors_test {
 void (*const states[])(LessonView&){
     [](LessonView&) {},
     [](LessonView& lesson) {
-        lesson.prediction = 0, lesson.has_run = true;
+        lesson.attempt.answers.prediction = 0, lesson.attempt.work.has_run = true;
         lesson.selection.emplace();
     },
     [](LessonView& lesson) {
-        lesson.prediction = 0, lesson.has_run = true;
-        lesson.hints_shown = static_cast<int>(lesson.exercise->hints.size());
+        lesson.attempt.answers.prediction = 0, lesson.attempt.work.has_run = true;
+        lesson.attempt.answers.hints_shown = static_cast<int>(lesson.exercise->hints.size());
         lesson.grade = graded(std::vector<bool>(static_cast<std::size_t>(lesson.exercise->starts), false), false);
         lesson.shipped_grade = lesson.grade;
         lesson.shipped_grade->starts.front().verdicts = {Verdict{false, {{6, 12, "s"}}}};
@@ -30,20 +30,20 @@ void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<s
     desk.now.kind_brains = desk.now.brains;
     state(desk.lesson);
     const insight::MapCells cells(8);
-    desk.view.map = MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL")};
+    desk.view.features.map = MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL")};
     desk.view.settings.map = desk.view.settings.reality = true;
     const auto report = insight::report_of({}, std::vector<insight::RobotResult>(3), false);
-    desk.view.robots = RobotsView{.count = 3, .is_on = true, .report = &report};
+    desk.view.features.robots = RobotsView{.count = 3, .is_on = true, .report = &report};
     const insight::Design design;
-    desk.view.slots.slots[0].design = &design;
+    desk.view.features.slots.slots[0].design = &design;
     desk.view.mode = mode;
     const auto note = [&] {
         desk.frame(4);
         for (const auto& [id, rect] : desk.anchors.all()) ids.insert(id);
     };
     note();
-    desk.view.robots->is_on = false;
-    desk.lesson.has_run = desk.lesson.outcome_known = false;  // the prediction is open
+    desk.view.features.robots->is_on = false;
+    desk.lesson.attempt.work.has_run = desk.lesson.attempt.work.outcome_known = false;  // the prediction is open
     desk.lesson.grade.reset();
     note();
     desk.view.settings.map = desk.view.settings.reality = false;  // room for the whole exercise card

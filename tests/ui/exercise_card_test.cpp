@@ -30,7 +30,7 @@ TEST(ExerciseCard, ItsHeadingTellsExercisesOfOneNumberApart) {
     CatalogueEntry earlier = open;
     earlier.name = "0";
     const std::vector<CatalogueEntry> both{earlier, open};
-    desk.view.catalogue = &both;
+    desk.view.library.catalogue = &both;
     desk.frame(3);
     EXPECT_TRUE(desk.says("EXERCISE " + number + "b\n"));
 }
@@ -52,7 +52,7 @@ TEST(ExerciseCard, APageOfTheManualThatItNamesHasAButton) {
     Desk desk;
     desk.open_exercise();
     desk.opened.why = "docs/robots.md shows how to build one.";
-    desk.lesson.outcome_known = true;
+    desk.lesson.attempt.work.outcome_known = true;
     desk.frame(3);
     desk.panels.exercise.why_open = true;
     desk.frame(3);
@@ -73,7 +73,7 @@ TEST(ExerciseCard, ATextNamesPagesOfTheManualAlone) {
 TEST(ExerciseCard, TheReasonIsFoldedInTheNextExercise) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.frame(2);
     desk.panels.exercise.why_open = true;
     desk.frame(2);
@@ -91,7 +91,7 @@ TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
     desk.click("exercise.reset");
     EXPECT_EQ(desk.actions(), (std::vector{Action::hint, Action::exercise_reset}));
     desk.all.clear();
-    desk.lesson.hint_ready = false;
+    desk.lesson.attempt.answers.hint_ready = false;
     desk.click("exercise.hint");
     EXPECT_TRUE(desk.all.empty());
 }
@@ -99,12 +99,12 @@ TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
 TEST(ExerciseCard, ShowsTheSolutionAfterTheLastHint) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = true;
-    desk.lesson.hints_shown = 2;
+    desk.lesson.attempt.work.has_run = true;
+    desk.lesson.attempt.answers.hints_shown = 2;
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("exercise.hint"));
     EXPECT_FALSE(desk.anchors.find("exercise.show_me"));
-    desk.lesson.hints_shown = 3;
+    desk.lesson.attempt.answers.hints_shown = 3;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.hint"));
     desk.click("exercise.show_me");
@@ -114,8 +114,8 @@ TEST(ExerciseCard, ShowsTheSolutionAfterTheLastHint) {
 TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = true;
-    desk.lesson.hints_shown = 3;
+    desk.lesson.attempt.work.has_run = true;
+    desk.lesson.attempt.answers.hints_shown = 3;
     desk.panels.exercise.why_open = true;
     desk.lesson.grade = graded({true, false, true}, false);
     desk.frame(5);
@@ -130,7 +130,7 @@ TEST(ExerciseCard, StartOverHasItsWordsInEveryLanguage) {
             Desk desk(1024, 768, 1, true);
             desk.strings = speaking(language);
             desk.open_exercise();
-            desk.lesson.passed_before = passed_before;
+            desk.lesson.standing.passed_before = passed_before;
             desk.frame(4);
             const Rect at = desk.where("exercise.reset");
             EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& each) {
@@ -156,8 +156,8 @@ TEST(ExerciseCard, ItsFootDoesNotScroll) {
                 pass(desk);
                 if (!passed) desk.lesson.grade.reset();
                 for (int i = 0; i < 8; ++i) desk.opened.hints.push_back(desk.opened.hints.front());
-                desk.lesson.hints_shown = 11;
-                desk.lesson.notes = "Two wires.";
+                desk.lesson.attempt.answers.hints_shown = 11;
+                desk.lesson.attempt.notes = "Two wires.";
                 desk.panels.exercise.why_open = desk.panels.exercise.hand_in.asks = true;
                 desk.frame(6);
                 const Rect card = desk.where("card.exercise");
@@ -176,7 +176,7 @@ TEST(ExerciseCard, TheNoteFieldIsInSightOnceItIsUnfolded) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();
     for (int i = 0; i < 12; ++i) desk.opened.hints.push_back(desk.opened.hints.front());
-    desk.lesson.hints_shown = 15;
+    desk.lesson.attempt.answers.hints_shown = 15;
     desk.panels.exercise.why_open = true;
     desk.frame(5);
     desk.click("exercise.note");
@@ -191,15 +191,15 @@ TEST(ExerciseCard, TitleAndGoalStayInSightAndTheNewestHintIsBelowThemInTheWiring
         desk.strings = speaking(language);
         desk.open_exercise();
         desk.opened.offers = {"wiring"};
-        desk.lesson.prediction = 1;
-        desk.lesson.has_run = desk.lesson.outcome_known = true;
+        desk.lesson.attempt.answers.prediction = 1;
+        desk.lesson.attempt.work.has_run = desk.lesson.attempt.work.outcome_known = true;
         desk.frame(6);
         for (const Mode mode : {Mode::paused, Mode::wiring}) {
             desk.view.mode = mode;
-            desk.lesson.hints_shown = 0;
+            desk.lesson.attempt.answers.hints_shown = 0;
             desk.frame(6);
             for (int hint = 1; hint <= 3; ++hint) {
-                desk.lesson.hints_shown = hint;
+                desk.lesson.attempt.answers.hints_shown = hint;
                 desk.frame(6);
                 const Written* goal = written(desk, desk.opened.goal);
                 const Written* newest = written(desk, desk.opened.hints[static_cast<std::size_t>(hint - 1)].text);

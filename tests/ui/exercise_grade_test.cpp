@@ -11,12 +11,12 @@ TEST(ExerciseGrade, CountsTheTestedStartsUntilTheGradeIsComplete) {
     Desk desk;
     pass(desk);
     desk.lesson.grade.reset();
-    desk.lesson.starts_tested = 4;
+    desk.lesson.standing.starts_tested = 4;
     desk.frame(3);
     EXPECT_TRUE(desk.says("Testing the starts: 4 of 10"));
     EXPECT_FALSE(desk.anchors.find("exercise.grade"));
     pass(desk);
-    desk.lesson.starts_tested.reset();
+    desk.lesson.standing.starts_tested.reset();
     desk.frame(3);
     EXPECT_FALSE(desk.says("Testing"));
     EXPECT_TRUE(desk.anchors.find("exercise.grade"));
@@ -82,7 +82,7 @@ TEST(ExerciseGrade, SaysWhichRunTheTicksAreOf) {
     desk.lesson.verdicts[0].done = false;  // after a reset
     desk.frame(3);
     EXPECT_TRUE(desk.says("The ticks are of the present run"));
-    desk.lesson.changed_since_done = true;
+    desk.lesson.standing.changed_since_done = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says("The brain has changed since these ticks"));
 }
@@ -92,7 +92,7 @@ TEST(ExerciseGrade, SaysThatThePassedSolutionWasShown) {
     pass(desk);
     desk.frame(3);
     EXPECT_TRUE(desk.says("Well done"));
-    desk.lesson.solution_shown = true;
+    desk.lesson.attempt.work.solution_shown = true;
     desk.frame(3);
     EXPECT_FALSE(desk.says("Well done"));
     EXPECT_TRUE(desk.says("do it yourself"));
@@ -104,7 +104,7 @@ TEST(ExerciseGrade, EveryStepAndTheNextButtonAreVisibleOnceItIsPassed) {
         desk.strings = speaking(language);
         pass(desk);
         desk.panels.exercise.why_open = true;
-        desk.lesson.hints_shown = 3;
+        desk.lesson.attempt.answers.hints_shown = 3;
         desk.frame(5);
         const Rect card = desk.where("card.exercise"), buttons = desk.where("exercise.next");
         EXPECT_TRUE(inside(buttons, card)) << language;
@@ -143,7 +143,7 @@ TEST(ExerciseGrade, KeepsItsMarkAndTheNextButtonOnceItWasPassed) {
         desk.frame(3);
         EXPECT_FALSE(desk.anchors.find("exercise.next"));
         EXPECT_FALSE(desk.anchors.find("exercise.passed_mark"));
-        desk.lesson.passed_before = true;
+        desk.lesson.standing.passed_before = true;
         desk.frame(3);
         EXPECT_TRUE(inside(desk.where("exercise.passed_mark"), desk.where("card.exercise"))) << language;
         EXPECT_TRUE(inside(desk.where("exercise.next"), desk.where("card.exercise"))) << language;
@@ -168,7 +168,7 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
                                            {"06-love", "6.toml", "Love", "", 6},
                                            {"2a-coward", "2a.toml", "Coward", "It turns away."}};
     pass(desk);
-    desk.view.catalogue = &more;
+    desk.view.library.catalogue = &more;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.hint")) << "a passed exercise needs no hint";
     desk.click("exercise.next");
@@ -182,7 +182,7 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     desk.opened.number = 5;
     desk.panels.sheet = Sheet::none;
     const std::vector<CatalogueEntry> last{more[0], more[3]};
-    desk.view.catalogue = &last;
+    desk.view.library.catalogue = &last;
     desk.click("exercise.next");
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
 }
@@ -190,7 +190,7 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
 TEST(ExerciseGrade, EnterOpensTheNextExerciseOnceItIsPassed) {
     Desk desk;
     const std::vector<CatalogueEntry> more{{"06-love", "6.toml", "Love", "", 6}};
-    desk.view.catalogue = &more;
+    desk.view.library.catalogue = &more;
     pass(desk);
     desk.panels.keyboard.focus = "slider.LL";
     desk.panels.keyboard.shown = false;

@@ -10,7 +10,7 @@ TEST(ExerciseHandIn, HandInAsksForANameOnceAndIsThereAfterARun) {
     desk.open_exercise();
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.hand_in")) << "before the first run";
-    desk.lesson.has_run = true;
+    desk.lesson.attempt.work.has_run = true;
     desk.frame(3);
     desk.click("exercise.hand_in");
     desk.frame(3);
@@ -33,10 +33,10 @@ TEST(ExerciseHandIn, HandInAsksForANameOnceAndIsThereAfterARun) {
 TEST(ExerciseHandIn, ANameTypedAtHandInBecomesTheNameOfTheStudent) {
     Desk desk;
     desk.open_exercise();
-    desk.lesson.has_run = true;
+    desk.lesson.attempt.work.has_run = true;
     StudentBook book;
     book.all.push_back({"Bo", {}});
-    desk.view.students = &book;
+    desk.view.library.students = &book;
     desk.frame(3);
     desk.click("exercise.hand_in");
     desk.frame(3);
@@ -60,8 +60,8 @@ TEST(ExerciseHandIn, ANameTypedAtHandInBecomesTheNameOfTheStudent) {
 TEST(ExerciseHandIn, HandInUsesTheNameOfTheNamedStudent) {
     Desk desk;
     desk.open_exercise();
-    desk.lesson.has_run = true;
-    desk.view.student = "Bo";
+    desk.lesson.attempt.work.has_run = true;
+    desk.view.library.student = "Bo";
     desk.frame(3);
     desk.click("exercise.hand_in");
     ASSERT_EQ(desk.all.size(), 1u);
@@ -71,14 +71,14 @@ TEST(ExerciseHandIn, HandInUsesTheNameOfTheNamedStudent) {
 TEST(ExerciseHandIn, TheFileHandedInIsNamedAndItsPathCanBeCopied) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = true;
+    desk.lesson.attempt.work.has_run = true;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.copy_path"));
-    desk.lesson.written = "/home/ana/Documents/Braitenlab/05-ana.toml";
+    desk.lesson.attempt.work.written = "/home/ana/Documents/Braitenlab/05-ana.toml";
     desk.frame(3);
     EXPECT_TRUE(desk.says("05-ana.toml"));
     desk.click("exercise.copy_path");
-    EXPECT_STREQ(ImGui::GetClipboardText(), desk.lesson.written.c_str());
+    EXPECT_STREQ(ImGui::GetClipboardText(), desk.lesson.attempt.work.written.c_str());
 }
 
 }  // namespace braitenlab::tests::exercise_hand_in_test

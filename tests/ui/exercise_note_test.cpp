@@ -13,12 +13,12 @@ struct Note : testing::Test {
 
     Note() {
         desk.open_exercise();
-        desk.view.students = &students;
+        desk.view.library.students = &students;
         desk.frame(3);
     }
     // What the lab does with a request.
     void take_notes() {
-        if (const auto* notes = desk.last<NotesRequest>()) desk.lesson.notes = notes->text;
+        if (const auto* notes = desk.last<NotesRequest>()) desk.lesson.attempt.notes = notes->text;
         desk.frame(2);
     }
     void press(KeyPress key) {
@@ -38,13 +38,13 @@ TEST_F(Note, IsTypedBelowItsRowAndIsNoShortcut) {
     desk.type("row 1");
     desk.frame(3);
     take_notes();
-    EXPECT_EQ(desk.lesson.notes, "row 1");
+    EXPECT_EQ(desk.lesson.attempt.notes, "row 1");
     EXPECT_TRUE(desk.actions().empty());
     press({key::escape});
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     press({' '});
     EXPECT_FALSE(desk.panels.exercise.note.active);
-    EXPECT_EQ(desk.lesson.notes, "row 1") << "Escape ends typing and keeps the text";
+    EXPECT_EQ(desk.lesson.attempt.notes, "row 1") << "Escape ends typing and keeps the text";
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
 }
 
@@ -54,18 +54,18 @@ TEST_F(Note, BreaksALineThatIsTooWide) {
     desk.type("The right wheel runs faster when the lamp is on the right, so it turns left and away from it");
     desk.frame(3);
     take_notes();
-    EXPECT_NE(desk.lesson.notes.find('\n'), std::string::npos);
-    std::string joined = desk.lesson.notes;
+    EXPECT_NE(desk.lesson.attempt.notes.find('\n'), std::string::npos);
+    std::string joined = desk.lesson.attempt.notes;
     std::replace(joined.begin(), joined.end(), '\n', ' ');
     EXPECT_EQ(joined, "The right wheel runs faster when the lamp is on the right, so it turns left and away from it");
 }
 
 TEST_F(Note, ShowsTheNotesOfTheStudent) {
-    desk.lesson.notes = "of Anna";
+    desk.lesson.attempt.notes = "of Anna";
     desk.panels.exercise.note_open = true;
     desk.frame(2);
     EXPECT_EQ(desk.panels.exercise.note.text, "of Anna");
-    desk.lesson.notes = "of Ben";
+    desk.lesson.attempt.notes = "of Ben";
     desk.frame(2);
     EXPECT_EQ(desk.panels.exercise.note.text, "of Ben");
     EXPECT_FALSE(desk.last<NotesRequest>());
@@ -75,16 +75,16 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     press({'2'});
     ASSERT_TRUE(desk.last<PredictRequest>()) << "wherever the focus is";
     EXPECT_EQ(desk.last<PredictRequest>()->option, 1);
-    desk.lesson.prediction = 1;
+    desk.lesson.attempt.answers.prediction = 1;
     desk.panels.keyboard.focus.clear();
     press({'1'});
     EXPECT_EQ(desk.last<PredictRequest>()->option, 0) << "it can be corrected until the first run";
-    desk.lesson.has_run = true, desk.lesson.at_start = false;
+    desk.lesson.attempt.work.has_run = true, desk.lesson.at_start = false;
     desk.panels.keyboard.focus.clear();
     press({'2'});
     EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "after it has begun, a digit takes a slider";
-    desk.lesson.has_run = false, desk.lesson.at_start = true;
-    desk.lesson.prediction = -1;
+    desk.lesson.attempt.work.has_run = false, desk.lesson.at_start = true;
+    desk.lesson.attempt.answers.prediction = -1;
     desk.panels.keyboard.focus = "exercise.predict.1";
     desk.panels.keyboard.shown = true;
     press({'3'});
@@ -96,7 +96,7 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     EXPECT_EQ(desk.last<PredictRequest>()->option, 2) << "and choose none";
     for (int i = 0; i < 3; ++i) press({key::down});
     EXPECT_EQ(desk.panels.keyboard.focus, "exercise.predict.3") << "the last one";
-    desk.lesson.prediction = 2;
+    desk.lesson.attempt.answers.prediction = 2;
     press({' '});
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "it is chosen already";
     desk.panels.keyboard.focus = "exercise.predict.1";
@@ -105,10 +105,10 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     EXPECT_EQ(desk.last<PredictRequest>()->option, 0);
     EXPECT_EQ(desk.actions().size(), 1u);
     desk.panels.keyboard.shown = false;
-    desk.lesson.prediction = 2;
+    desk.lesson.attempt.answers.prediction = 2;
     press({' '});
     EXPECT_EQ(desk.actions().size(), 2u) << "Space plays where no focus is visible";
-    desk.lesson.outcome_known = true;
+    desk.lesson.attempt.work.outcome_known = true;
     desk.panels.keyboard.focus = "exercise.hint";
     const auto before = desk.all.size();
     press({'1'});
@@ -117,7 +117,7 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
 }
 
 TEST_F(Note, AHintSaysHowLongItTakes) {
-    desk.lesson.hint_ready = false;
+    desk.lesson.attempt.answers.hint_ready = false;
     desk.lesson.hint_in = 12;
     desk.frame(2);
     bool said = false;
@@ -127,7 +127,7 @@ TEST_F(Note, AHintSaysHowLongItTakes) {
 
 TEST_F(Note, APassedExerciseRunsItsStartsAtOnceAndComesBack) {
     EXPECT_FALSE(desk.anchors.find("exercise.together"));
-    desk.lesson.has_run = true;
+    desk.lesson.attempt.work.has_run = true;
     Grade grade;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) grade.starts.push_back({seed, true, {}, {}});
     grade.count = 10, grade.good = true;
@@ -145,11 +145,11 @@ TEST_F(Note, APassedExerciseRunsItsStartsAtOnceAndComesBack) {
 TEST_F(Note, TheKeptBrainIsOfferedUntilItIsPassed) {
     desk.lesson.key = "own.toml";
     students.student().exercises["own.toml"] = {.passed = true, .best = 9, .starts = 10};
-    desk.lesson.has_kept = true;
+    desk.lesson.standing.has_kept = true;
     desk.frame(3);
     desk.click("exercise.kept");
     EXPECT_TRUE(desk.last<KeptRequest>());
-    desk.lesson.has_kept = false;
+    desk.lesson.standing.has_kept = false;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("exercise.kept"));
 }

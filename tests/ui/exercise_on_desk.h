@@ -12,10 +12,10 @@ inline bool inside(Rect inner, Rect outer) {
            inner.y + inner.h <= outer.y + outer.h + 0.5f;
 }
 
-inline void begin_run(Desk& desk) { desk.lesson.has_run = true, desk.lesson.at_start = false; }
+inline void begin_run(Desk& desk) { desk.lesson.attempt.work.has_run = true, desk.lesson.at_start = false; }
 
 inline void predict_and_run(Desk& desk, int option) {
-    desk.lesson.prediction = option;
+    desk.lesson.attempt.answers.prediction = option;
     begin_run(desk);
 }
 

@@ -13,18 +13,18 @@ TEST(ExerciseOutcome, APredictionIsMadeAndChangedAtTheStartOfARunUntilTheOutcome
     ASSERT_EQ(desk.all.size(), 1u);
     EXPECT_EQ(std::get<PredictRequest>(desk.all[0]).option, 1);
     EXPECT_FALSE(desk.says("It can be changed until the run begins.")) << "nothing is chosen";
-    desk.lesson.prediction = 1;
+    desk.lesson.attempt.answers.prediction = 1;
     desk.frame(3);
     EXPECT_TRUE(desk.says("It can be changed until the run begins."));
-    desk.lesson.has_run = true;  // and was reset
+    desk.lesson.attempt.work.has_run = true;  // and was reset
     desk.frame(3);
     desk.click("exercise.predict.1");
     ASSERT_EQ(desk.all.size(), 2u);
     EXPECT_EQ(std::get<PredictRequest>(desk.all[1]).option, 0);
-    desk.lesson.outcome_known = true;
+    desk.lesson.attempt.work.outcome_known = true;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "a prediction cannot be changed";
-    desk.lesson.prediction = -1;
+    desk.lesson.attempt.answers.prediction = -1;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "and not be made";
 }
@@ -35,7 +35,7 @@ TEST(ExerciseOutcome, APredictionIsLockedWhileItRuns) {
     desk.frame(3);
     desk.click("exercise.predict.1");
     EXPECT_TRUE(desk.last<PredictRequest>());
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     begin_run(desk);
     desk.panels.keyboard.focus = "exercise.predict.1";
     desk.all.clear();
@@ -46,7 +46,7 @@ TEST(ExerciseOutcome, APredictionIsLockedWhileItRuns) {
     EXPECT_TRUE(desk.says("Locked until the run has shown the outcome. Reset (R) unlocks it."));
     desk.key({'2'});
     EXPECT_FALSE(desk.last<PredictRequest>());
-    desk.lesson.prediction = -1;
+    desk.lesson.attempt.answers.prediction = -1;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "an answer in the run is no prediction";
     EXPECT_TRUE(desk.says("The run has begun. Reset (R), then answer."));
@@ -69,10 +69,10 @@ TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("brain.picture"));
     const Rect answer = desk.where("exercise.predict.2");
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.frame(3);
     EXPECT_EQ(desk.where("exercise.predict.2"), answer) << "a second click chooses the same answer";
-    desk.lesson.has_run = true;  // a run without an answer, and a reset
+    desk.lesson.attempt.work.has_run = true;  // a run without an answer, and a reset
     desk.frame(3);
     EXPECT_EQ(desk.where("exercise.predict.2"), answer);
     desk.lesson.at_start = false;
@@ -87,12 +87,12 @@ TEST(ExerciseOutcome, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfThe
         Desk desk(1024, 768, 1, true);
         desk.open_exercise();
         desk.panels.exercise.why_open = true;
-        desk.lesson.hints_shown = 3;
+        desk.lesson.attempt.answers.hints_shown = 3;
         if (passed) pass(desk);
-        desk.lesson.prediction = 0;
+        desk.lesson.attempt.answers.prediction = 0;
         desk.frame(4);
         EXPECT_FALSE(desk.says("What happened"));
-        desk.lesson.outcome_known = true;
+        desk.lesson.attempt.work.outcome_known = true;
         desk.frame(4);
         bool visible = false;
         for (const Written& w : desk.written)
@@ -105,7 +105,7 @@ TEST(ExerciseOutcome, SaysThatTheOutcomeIsOlderThanTheChangesOfTheBrain) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     predict_and_run(desk, 0);
-    desk.lesson.outcome_known = true;
+    desk.lesson.attempt.work.outcome_known = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says("What happened: It turned away."));
     desk.lesson.as_given = false;
@@ -119,7 +119,7 @@ TEST(ExerciseOutcome, ShowsTheStepsAboveTheOutcomeAlsoWhenTheBrainIsChanged) {
     predict_and_run(desk, 0);
     desk.frame(3);
     EXPECT_LT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y) << "first the question";
-    desk.lesson.outcome_known = true;
+    desk.lesson.attempt.work.outcome_known = true;
     desk.frame(3);
     EXPECT_GT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y);
     desk.lesson.as_given = false;
@@ -130,7 +130,7 @@ TEST(ExerciseOutcome, ShowsTheStepsAboveTheOutcomeAlsoWhenTheBrainIsChanged) {
 TEST(ExerciseOutcome, ASecretBrainIsNotShown) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.opened.hides = {desk.now.scene->kinds[static_cast<std::size_t>(desk.now.vehicles[0].kind)].name};
     desk.frame(3);
     for (const char* id : {"slider.LL", "equations", "brain.picture"}) EXPECT_FALSE(desk.anchors.find(id)) << id;

@@ -49,13 +49,13 @@ struct LongExercise : ::testing::Test {
         desk.open_exercise();
         desk.opened.prediction.outcome = sentences("It turned away from the lamp and left it behind. ", 7);
         for (Step& step : desk.opened.steps) step.text += ", wherever the vehicle starts and however far away it is";
-        desk.lesson.prediction = 0;
-        desk.lesson.has_run = true;
+        desk.lesson.attempt.answers.prediction = 0;
+        desk.lesson.attempt.work.has_run = true;
         for (std::size_t i = 0; i < done; ++i) desk.lesson.verdicts[i].done = true;
         desk.frame(6);
     }
     static void end_run(Desk& desk) {
-        desk.lesson.outcome_known = true;
+        desk.lesson.attempt.work.outcome_known = true;
         desk.frame(6);
     }
 };
@@ -121,7 +121,7 @@ TEST_F(LongExercise, NoLetterIsCutWhereverTheCardIsScrolledAndHoweverLowItIs) {
         Desk desk(1024, height, 1, true);
         begin(desk, 1);
         end_run(desk);
-        desk.lesson.hints_shown = 2;
+        desk.lesson.attempt.answers.hints_shown = 2;
         desk.frame(6);
         const Rect card = desk.where("card.exercise");
         desk.point(card.x + card.w / 2, card.y + card.h / 2);
@@ -171,7 +171,7 @@ TEST_F(LongExercise, NoLineIsCutAboveANewHint) {
             begin(desk, 1);
             end_run(desk);
             for (int hint = 1; hint <= 3; ++hint) {
-                desk.lesson.hints_shown = hint;
+                desk.lesson.attempt.answers.hints_shown = hint;
                 desk.frame(6);
                 const std::string& newest = desk.opened.hints[static_cast<std::size_t>(hint - 1)].text;
                 EXPECT_TRUE(is_in_sight(text_of(desk, newest))) << language << height << ": hint " << hint;

@@ -17,7 +17,7 @@ struct ExerciseSteps : testing::Test {
 
     ExerciseSteps() {
         desk.open_exercise();
-        desk.lesson.has_run = true;
+        desk.lesson.attempt.work.has_run = true;
     }
 };
 
@@ -155,7 +155,7 @@ TEST(ExerciseValues, AreOneLineWithTheirNeedInsideTheCard) {
         Desk low(1024, 768, 1, true);
         low.strings = speaking(language);
         low.open_exercise();
-        low.lesson.has_run = true;
+        low.lesson.attempt.work.has_run = true;
         Measure far{10.44f, 0.25f, "m", true, true}, between{11.25f, 10.25f, "m", false, false, 12.25f};
         low.lesson.verdicts[0] = {false, {far, between}};
         low.frame(4);

@@ -19,10 +19,10 @@ struct FilesSheet : testing::Test {
                           {"other.toml", false, FileKind::scene}},
                          ""};
         files.suggested = "Coward";
-        desk.view.catalogue = &catalogue;
-        desk.view.recent = &recent;
-        desk.view.files = &files;
-        desk.view.opened = "05-aggressor";
+        desk.view.library.catalogue = &catalogue;
+        desk.view.library.recent = &recent;
+        desk.view.library.files = &files;
+        desk.view.library.opened = "05-aggressor";
         desk.frame(2);
     }
     template <class R>
@@ -75,7 +75,7 @@ TEST_F(FilesSheet, ShowsTheReasonForARefusedFileAndStaysOpen) {
 TEST_F(FilesSheet, OffersAnUploadInABrowserOnly) {
     press({'O', true});
     EXPECT_FALSE(desk.anchors.find("files.upload"));
-    desk.view.uploads = true;
+    desk.view.program.uploads = true;
     desk.frame(2);
     desk.click("files.upload");
     desk.frame(2);

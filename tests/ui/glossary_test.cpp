@@ -179,7 +179,7 @@ TEST(Glossary, MentionsAreTheFirstWholeWordsAndTheLongestForms) {
 TEST(Glossary, PicturesAreStillWhereMotionIsReduced) {
     const auto drawn_at = [](bool still, double seconds) {
         Desk desk;
-        desk.view.reduce_motion = still;
+        desk.view.program.reduce_motion = still;
         desk.panels.sheet = Sheet::glossary;
         desk.panels.glossary.shown = "weight";
         desk.frame(3);

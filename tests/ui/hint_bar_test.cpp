@@ -87,8 +87,8 @@ TEST(HintBar, SaysHowToPlayWhileAPausedSliderHasTheFocus) {
     };
     Desk desk(1280, 800, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = desk.lesson.outcome_known = true;
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.work.has_run = desk.lesson.attempt.work.outcome_known = true;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.key({'1'});
     desk.view.mode = Mode::playing;
     EXPECT_TRUE(says(desk, "types a number"));
@@ -97,7 +97,7 @@ TEST(HintBar, SaysHowToPlayWhileAPausedSliderHasTheFocus) {
     EXPECT_TRUE(says(desk, "·  Reset")) << "after Reset the run is paused";
     EXPECT_TRUE(says(desk, "types a number"));
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
-    desk.lesson.changed_since_done = true;
+    desk.lesson.standing.changed_since_done = true;
     EXPECT_TRUE(says(desk, "The brain was changed")) << "more urgent than the keys";
 }
 

@@ -55,9 +55,9 @@ TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
     Walk walk;
     for (const bool exercise : {false, true}) {
         Desk desk(1280, 1400);
-        desk.view.catalogue = &catalogue;
-        desk.view.recent = &recent;
-        desk.view.files = &files;
+        desk.view.library.catalogue = &catalogue;
+        desk.view.library.recent = &recent;
+        desk.view.library.files = &files;
         if (exercise) desk.open_exercise();
         walk.look(desk);
         desk.view.mode = Mode::wiring;
@@ -75,9 +75,9 @@ TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
         desk.click("button.presets");
         walk.look(desk);
         desk.key({key::escape});
-        desk.view.recovery = &offer;
+        desk.view.library.recovery = &offer;
         walk.look(desk);
-        desk.view.recovery = nullptr;
+        desk.view.library.recovery = nullptr;
         files.leaving = Leaving{"Coward", "/y/mine.toml"};
         walk.look(desk);
         files.leaving.reset();
@@ -130,7 +130,7 @@ TEST(Item, HasATargetOfAtLeast24PixelsOnEveryScreen) {
         files.listing = {"/home/me", {{"pictures", true}, {"mine.toml", false, FileKind::scene}}, ""};
         const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "5.toml", "Aggressor", "", 5}};
         const std::vector<RecentFile> recent{{"/y/mine.toml"}};
-        desk.view.files = &files, desk.view.catalogue = &catalogue, desk.view.recent = &recent;
+        desk.view.library.files = &files, desk.view.library.catalogue = &catalogue, desk.view.library.recent = &recent;
         desk.view.timeline.latest = 600, desk.view.timeline.bookmarks = {60};
         if (exercise) desk.open_exercise();
         look(desk);
@@ -296,11 +296,11 @@ TEST(Item, WhatAHintPointsAtHasALightBulbAndTheKeyboardFocusHasNone) {
     ASSERT_EQ(desk.panels.keyboard.focus, "slider.LL");
     EXPECT_FALSE(has_bulb(desk));
     desk.open_exercise();
-    desk.lesson.has_run = true;
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.work.has_run = true;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.view.mode = Mode::playing;
     desk.opened.hints = {{"Lower it.", "slider.LL"}};
-    desk.lesson.hints_shown = 1;
+    desk.lesson.attempt.answers.hints_shown = 1;
     desk.frame(3);
     EXPECT_TRUE(has_bulb(desk)) << "in the margin of the card, where it covers no number";
 }
@@ -315,12 +315,12 @@ TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
             desk.open_exercise();
             const std::string id = asked;
             if (id.starts_with("slider")) {
-                desk.lesson.has_run = true, desk.lesson.prediction = 0;
+                desk.lesson.attempt.work.has_run = true, desk.lesson.attempt.answers.prediction = 0;
                 desk.view.mode = Mode::playing;
                 desk.opened.hints = {{"Lower it.", asked}};
-                desk.lesson.hints_shown = 1;
+                desk.lesson.attempt.answers.hints_shown = 1;
             } else if (id == "button.play") {
-                desk.lesson.prediction = 0;
+                desk.lesson.attempt.answers.prediction = 0;
             }
             desk.frame(4);
             ASSERT_EQ(desk.panels.highlight.anchor, id) << window.width;

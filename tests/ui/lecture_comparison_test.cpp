@@ -21,17 +21,17 @@ struct LectureComparison : LectureOnDesk {
         show(call_four_numbers, 0);
     }
     void store() {
-        for (SlotView& slot : desk.view.slots.slots) slot = {.design = &design, .kind = "vehicle"};
+        for (SlotView& slot : desk.view.features.slots.slots) slot = {.design = &design, .kind = "vehicle"};
         desk.frame(4);
     }
     void compare() {
-        desk.view.slots.seconds = 30;
-        desk.view.slots.slots[0].numbers = &of_a, desk.view.slots.slots[1].numbers = &of_b;
-        desk.view.slots.a = desk.view.slots.b = GhostView{.path = &path, .count = 2};
+        desk.view.features.slots.seconds = 30;
+        desk.view.features.slots.slots[0].numbers = &of_a, desk.view.features.slots.slots[1].numbers = &of_b;
+        desk.view.features.slots.a = desk.view.features.slots.b = GhostView{.path = &path, .count = 2};
         desk.frame(4);
     }
     void end_runs() {
-        desk.view.slots.a.reset(), desk.view.slots.b.reset();
+        desk.view.features.slots.a.reset(), desk.view.features.slots.b.reset();
         desk.frame(4);
     }
     float width_of_scene() const { return desk.where("viewport").w / desk.layout.window.w; }

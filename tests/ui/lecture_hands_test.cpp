@@ -72,7 +72,7 @@ TEST_F(LectureHands, TheBarOfAnOptionHasTheShareOfAllHands) {
     const ImDrawData& data = *ImGui::GetDrawData();
     for (int l = 0; l < data.CmdListsCount; ++l)
         for (const ImDrawVert& v : data.CmdLists[l]->VtxBuffer)
-            if (bar.contains(v.pos.x, v.pos.y) && v.col == paint(palette(desk.view.theme).accent))
+            if (bar.contains(v.pos.x, v.pos.y) && v.col == paint(palette(desk.view.program.theme).accent))
                 from = std::min(from, v.pos.x), to = std::max(to, v.pos.x);
     EXPECT_NEAR((to - from) / bar.w, 12.0f / 16, 0.02f);
 }

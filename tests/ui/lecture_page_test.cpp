@@ -59,7 +59,7 @@ struct RevealedPage {
         desk.now = first_moment(pages.current());
         desk.view.pages = &pages;
         desk.view.lecture = true;
-        desk.view.theme = Theme::light;
+        desk.view.program.theme = Theme::light;
         desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
         desk.view.settings.watching = pages.shows(PagePart::wiring);
         desk.frame(5);

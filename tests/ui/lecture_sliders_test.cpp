@@ -28,7 +28,7 @@ TEST_F(LectureSliders, TheCardOfTheBrainIsShownWholeWithItsNamesApart) {
             World::create(exercise->scene, 1)->capture(desk.now);
             desk.lesson.exercise = &*exercise;
             desk.lesson.verdicts.assign(exercise->steps.size(), Verdict{});
-            desk.lesson.prediction = 0, desk.lesson.has_run = true;
+            desk.lesson.attempt.answers.prediction = 0, desk.lesson.attempt.work.has_run = true;
             desk.show_lesson();
             desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
             desk.panels.card(Card::brain).folded = false;

@@ -326,7 +326,7 @@ TEST(Lecture, TellsNoOutcomeBeforeThePrediction) {
     const std::string_view title = desk.opened.title, character = "?";
     EXPECT_FALSE(writes(title));
     EXPECT_TRUE(writes(character));
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.frame(3);
     EXPECT_TRUE(writes(title));
     EXPECT_FALSE(writes(character));

@@ -31,13 +31,13 @@ struct MapCard : SceneOnDesk {
             for (int x = 0; x < 8; ++x)
                 cells.at({x, y}) = MapCell{{.behaviour = y > 3 ? Behaviour::touches : Behaviour::flees,
                                             .closest = 0.5f * static_cast<float>(x)}};
-        desk.view.map =
+        desk.view.features.map =
             MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
         desk.frame(4);
     }
     void show(const char* x, const char* y, MapRange across, MapRange up) {
-        desk.view.map->x = {.path = x, .from = across.from, .to = across.to};
-        desk.view.map->y = {.path = y, .from = up.from, .to = up.to};
+        desk.view.features.map->x = {.path = x, .from = across.from, .to = across.to};
+        desk.view.features.map->y = {.path = y, .from = up.from, .to = up.to};
         desk.frame(2);
     }
     // Points at a share of the field, from its lower left corner.
@@ -63,7 +63,7 @@ TEST_F(MapCard, SaysThatTheKindOfACoarseCellMayChange) {
     MapCells coarse{8};
     const auto levels = insight::map_levels(8);
     for (const insight::MapPlace place : levels.front()) coarse.at(place) = cells.at(place);
-    desk.view.map->cells = &coarse;
+    desk.view.features.map->cells = &coarse;
     ASSERT_TRUE(coarse.shown({6, 4})) << "the cell of the dot";
     ASSERT_FALSE(coarse.at({6, 4}));
     desk.frame(2);
@@ -142,7 +142,7 @@ TEST_F(MapCard, NamesTheKindUnderThePointerAndElseThatOfTheBrain) {
 TEST_F(MapCard, HasALegendOfEveryKindOrOfTheNumbers) {
     for (const auto& row : insight::behaviour_table)
         EXPECT_TRUE(desk.says(desk.strings("map.kind." + std::string(row.word)))) << row.word;
-    desk.view.map->measure = MapMeasure::closest;
+    desk.view.features.map->measure = MapMeasure::closest;
     desk.frame(2);
     EXPECT_FALSE(desk.says(desk.strings("map.kind.circles")));
     EXPECT_TRUE(desk.says("3.5 m"));
@@ -158,7 +158,7 @@ TEST(MapLegend, ShowsWholeWordsInEveryLanguageAndInALecture) {
             for (const auto& row : insight::behaviour_table) cells.at({i++ % 8, 0}) = MapCell{{.behaviour = row.value}};
             desk.now = snapshot(0);
             desk.view.lecture = lecture, desk.view.settings.map = true;
-            desk.view.map = MapView{
+            desk.view.features.map = MapView{
                 .cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
             desk.frame(5);
             std::string all;
@@ -250,9 +250,9 @@ TEST(MapAxes, HaveTheirNumbersAtBothEndsBesideTheFieldAndTheName) {
                 desk.now = snapshot(0);
                 desk.strings = speaking(language);
                 desk.view.lecture = size.lecture, desk.view.settings.map = true;
-                desk.view.map = MapView{
+                desk.view.features.map = MapView{
                     .cells = &cells, .x = *insight::axis_of(path), .y = *insight::axis_of("LM=RM"), .progress = 1};
-                desk.view.map->x.from = -1.25f, desk.view.map->y.to = 2.5f;
+                desk.view.features.map->x.from = -1.25f, desk.view.features.map->y.to = 2.5f;
                 desk.frame(5);
                 const Rect field = desk.where("map"), card = desk.where("card.map");
                 const Rect low = desk.where("map.x.low"), high = desk.where("map.x.high"), name = desk.where("map.x");

@@ -106,9 +106,9 @@ TEST_F(MenuBar, HasARowWithItsKeyForEachShortcutInOneMenu) {
 TEST_F(MenuBar, RequestsTheActionOfEachRow) {
     desk.view.timeline = {0, 900, {60}};
     desk.now.tick = 600;
-    desk.view.preferences.type_size = 1.5f;
+    desk.view.program.preferences.type_size = 1.5f;
     desk.open_exercise();
-    desk.lesson.prediction = 0;  // else Play asks for it first
+    desk.lesson.attempt.answers.prediction = 0;  // else Play asks for it first
     desk.now.tick = 600;
     desk.frame(2);
     int chosen = 0;
@@ -161,8 +161,8 @@ TEST_F(MenuBar, RequestsTheActionOfEachRow) {
 
 TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
     FilesView files;
-    desk.view.files = &files;
-    desk.view.version = "9.8.7";
+    desk.view.library.files = &files;
+    desk.view.program.version = "9.8.7";
     std::map<std::string, FileKind> kinds;
     for (const auto& [menu, row, sheet] : {std::tuple{"file", "open", Sheet::files},
                                            {"file", "save", Sheet::files},
@@ -198,8 +198,8 @@ TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/5.toml", "Aggressor", "", 5},
                                                 {"2a-coward", "/x/2a.toml", "Coward", "It turns away."},
                                                 {"empty", "/x/empty.toml", "Empty scene", ""}};
-    desk.view.recent = &recent;
-    desk.view.catalogue = &catalogue;
+    desk.view.library.recent = &recent;
+    desk.view.library.catalogue = &catalogue;
     for (const auto& [menu, row, path] : {std::tuple{"file", "recent.2", "/y/old.run"},
                                           {"file", "new_scene", "/x/empty.toml"},
                                           {"exercises", "05-aggressor", "/x/5.toml"},
@@ -214,7 +214,7 @@ TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
 
 TEST_F(MenuBar, ListsTheLecturesAboveTheRowsOfAnOpenOne) {
     const std::vector<CatalogueEntry> lectures{{"four-numbers", "/x/four.toml", "Four numbers", ""}};
-    desk.view.lectures = &lectures;
+    desk.view.library.lectures = &lectures;
     desk.rest();
     desk.click("menu.lecture"), desk.rest();
     EXPECT_GT(desk.where("menu.lecture.four-numbers").y, desk.where("menu.lecture.lecture").y);
@@ -225,7 +225,7 @@ TEST_F(MenuBar, ALongNameOfAnExerciseIsItsFirstSentenceOrEndsBeforeAComma) {
     const std::string rest = " and so on without an end that fits into any menu of this window, however wide it is";
     const std::vector<CatalogueEntry> catalogue{{"a", "/a", "It rests at the lamp. It turns" + rest, "", 1},
                                                 {"b", "/b", "It circles the red lamp, 3.5 m away" + rest, "", 2}};
-    desk.view.catalogue = &catalogue;
+    desk.view.library.catalogue = &catalogue;
     desk.frame(2);
     open("exercises");
     const auto is_written = [&](std::string_view words) {
@@ -383,8 +383,8 @@ TEST(MenuBarInEachWindow, KeepsEveryRowInsideTheWindow) {
         for (const Size size : {Size{940, 570, 1}, {1024, 768, 1}, {2048, 1536, 2}, {1880, 1140, 2}}) {
             Desk small(size.width, size.height, size.scale, true);
             small.strings = speaking(code);
-            small.view.catalogue = &catalogue;
-            small.view.recent = &recent;
+            small.view.library.catalogue = &catalogue;
+            small.view.library.recent = &recent;
             small.frame(2);
             EXPECT_LT(small.where("menu.help").x + small.where("menu.help").w, size.width);
             for (const std::string& menu : menus) {

@@ -12,7 +12,7 @@ struct MysterySheet : SceneOnDesk {
     MysterySheet() {
         for (int i = 0; i < 10; ++i)
             score.starts.push_back({{{0, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {1, 0, 0}}, 0.6f, 2.1f});
-        desk.view.mystery.rebuilt = 0;
+        desk.view.features.mystery.rebuilt = 0;
         desk.panels.sheet = Sheet::mystery;
         desk.frame(3);
     }
@@ -32,7 +32,7 @@ TEST_F(MysterySheet, FirstOffersToHideABrain) {
 }
 
 TEST_F(MysterySheet, WithAHiddenBrainOffersToRebuildAndToCompare) {
-    desk.view.mystery.hidden = 1;
+    desk.view.features.mystery.hidden = 1;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("mystery.hide"));
     desk.click("mystery.compare");
@@ -44,7 +44,7 @@ TEST_F(MysterySheet, WithAHiddenBrainOffersToRebuildAndToCompare) {
 
 TEST_F(MysterySheet, AnExerciseOffersToCompareOnly) {
     desk.open_exercise();
-    desk.view.mystery.hidden = 0;
+    desk.view.features.mystery.hidden = 0;
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("mystery.compare"));
     for (const char* none : {"mystery.hide", "mystery.reveal", "mystery.rebuild"})
@@ -52,14 +52,14 @@ TEST_F(MysterySheet, AnExerciseOffersToCompareOnly) {
 }
 
 TEST_F(MysterySheet, ShowsTheScoreAndBothPathsOfEachStart) {
-    desk.view.mystery.hidden = 1;
-    desk.view.mystery.score = &score, desk.view.mystery.scene = desk.now.scene.get();
+    desk.view.features.mystery.hidden = 1;
+    desk.view.features.mystery.score = &score, desk.view.features.mystery.scene = desk.now.scene.get();
     desk.frame(3);
     EXPECT_TRUE(desk.says("72 of 100"));
     EXPECT_TRUE(desk.says("0.60 m"));
     EXPECT_TRUE(desk.says("2.15 m"));
     for (int i = 1; i <= 10; ++i) EXPECT_TRUE(desk.anchors.find("mystery.start." + std::to_string(i))) << i;
-    desk.view.mystery.is_computing = true;
+    desk.view.features.mystery.is_computing = true;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("mystery.score")) << "an outdated score";
 }

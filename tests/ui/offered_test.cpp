@@ -12,7 +12,7 @@ struct Offering : Desk {
     explicit Offering(std::vector<std::string> offers) : Desk(1280, 1000, 1, true) {
         opened.offers = std::move(offers);
         open_exercise();
-        lesson.prediction = 0;
+        lesson.attempt.answers.prediction = 0;
         frame(3);
     }
     bool has(std::string_view anchor) const { return anchors.find(anchor) != nullptr; }
@@ -104,7 +104,7 @@ TEST(Offered, FreePlayShowsAllControls) {
     desk.click("button.free_play");
     ASSERT_TRUE(desk.last<FreePlayRequest>());
     EXPECT_TRUE(desk.last<FreePlayRequest>()->on);
-    desk.lesson.free_play = true;
+    desk.lesson.attempt.work.free_play = true;
     desk.frame(3);
     for (const char* id : {"slider.LR", "button.thresholds", "bias.RM", "button.presets", "card.sensors"})
         EXPECT_TRUE(desk.has(id)) << id;

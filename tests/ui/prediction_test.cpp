@@ -94,7 +94,7 @@ TEST_F(PathPrediction, ArrowKeysDrawFromTheVehicleAndEnterMakesItThePrediction) 
 TEST_F(PathPrediction, ADrawnPathIsAPrediction) {
     desk.follow_disclosure();
     EXPECT_TRUE(hides_outcome(desk.view));
-    desk.lesson.drawn_path = {{0, 0}, {1, 0}};
+    desk.lesson.attempt.answers.drawn_path = {{0, 0}, {1, 0}};
     desk.follow_disclosure();
     EXPECT_FALSE(hides_outcome(desk.view));
     EXPECT_TRUE(desk.view.may.open_prediction);
@@ -109,21 +109,21 @@ TEST(PredictionPart, SaysWhetherTheChosenOptionCameTrueAndHowFarAPathIsOff) {
     predict_and_run(desk, 1);
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "the outcome is not known";
-    desk.lesson.outcome_known = true;
+    desk.lesson.attempt.work.outcome_known = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says("Your prediction came true."));
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.frame(3);
     EXPECT_TRUE(desk.says("Your prediction did not come true."));
     EXPECT_FALSE(desk.says("on average"));
-    desk.lesson.prediction = -1;
-    desk.lesson.drawn_path = desk.lesson.real_path = {{0, 0}, {1, 0}};
-    desk.lesson.path_difference = 0.62f;
+    desk.lesson.attempt.answers.prediction = -1;
+    desk.lesson.attempt.answers.drawn_path = desk.lesson.attempt.work.real_path = {{0, 0}, {1, 0}};
+    desk.lesson.attempt.work.path_difference = 0.62f;
     desk.frame(3);
     EXPECT_TRUE(desk.says("differ by 0.6\u00a0m on average"));
     EXPECT_TRUE(desk.says("the vehicle is 1.0\u00a0m long")) << "what the number means";
     EXPECT_FALSE(desk.says("the other way round"));
-    desk.lesson.path_reversed = true;
+    desk.lesson.attempt.work.path_reversed = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says("the other way round"));
     EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "no option was chosen";
@@ -141,7 +141,7 @@ TEST(PredictionPart, AsksForARunOfTheSceneAsGivenOnceTheStudentHasChangedIt) {
     desk.frame(3);
     EXPECT_TRUE(desk.says("Start over, then Play"));
     EXPECT_FALSE(desk.anchors.find("exercise.came_true"));
-    desk.lesson.outcome_known = true;
+    desk.lesson.attempt.work.outcome_known = true;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.as_given"));
 }
@@ -161,7 +161,7 @@ TEST(PredictionPart, TheFirstPlayPointsToTheQuestionAndTheSecondSkipsIt) {
         EXPECT_GT(desk.where("exercise.predict.3").h, 30) << "the whole question is in sight";
         desk.key(key);
         EXPECT_EQ(desk.actions().size(), 1u);
-        desk.lesson.has_run = true;
+        desk.lesson.attempt.work.has_run = true;
         desk.frame(2);
         EXPECT_FALSE(desk.anchors.find("exercise.answer_first"));
         desk.key(key);
@@ -187,12 +187,12 @@ TEST(PredictionPart, PlayOfTheToolbarAsksOnceToo) {
     desk.click("button.play");
     EXPECT_TRUE(desk.actions().empty());
     desk.key({'2'});
-    desk.lesson.prediction = 1;
+    desk.lesson.attempt.answers.prediction = 1;
     desk.frame(2);
     desk.click("button.play");
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "it is answered";
     desk.all.clear();
-    desk.lesson.prediction = -1;
+    desk.lesson.attempt.answers.prediction = -1;
     desk.frame(2);
     desk.click("button.play");
     EXPECT_TRUE(desk.actions().empty());
@@ -215,7 +215,7 @@ TEST(PredictionPart, PlayDoesNotWaitInALectureInFreePlayAndWithoutAnExercise) {
     };
     EXPECT_FALSE(plays([](Desk&) {}));
     EXPECT_TRUE(plays([](Desk& desk) { desk.view.lecture = true; }));
-    EXPECT_TRUE(plays([](Desk& desk) { desk.lesson.free_play = true; }));
+    EXPECT_TRUE(plays([](Desk& desk) { desk.lesson.attempt.work.free_play = true; }));
     EXPECT_TRUE(plays([](Desk& desk) { desk.view.lesson = nullptr; }));
     EXPECT_TRUE(plays([](Desk& desk) { desk.opened.prediction = {}; }));
 }
@@ -247,7 +247,7 @@ TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {
     desk.click("exercise.compare");
     ASSERT_TRUE(desk.last<CompareRequest>());
     EXPECT_TRUE(desk.last<CompareRequest>()->on);
-    desk.lesson.compares = true;
+    desk.lesson.attempt.work.compares = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says("Dashed outline"));
     desk.lesson.by_hand = true;
@@ -259,8 +259,8 @@ TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {
 
 TEST_F(PathPrediction, TheGhostIsDrawnAndCannotBeSelected) {
     ReferencePath path(200, Pose{3, -3, 0});
-    desk.lesson.prediction = 0;
-    desk.view.ghost = GhostView{path.back(), 1, 0.7f, &path, path.size()};
+    desk.lesson.attempt.answers.prediction = 0;
+    desk.view.features.ghost = GhostView{path.back(), 1, 0.7f, &path, path.size()};
     desk.frame(2);
     ASSERT_TRUE(desk.anchors.find("stage.ghost"));
     const Rect at = desk.where("stage.ghost");

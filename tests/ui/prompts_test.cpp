@@ -45,8 +45,8 @@ struct LessonPrompts : Prompts {
     LessonPrompts() {
         desk.open_exercise();
         desk.now.vehicles[0].speed = 1;
-        desk.lesson.prediction = 0;
-        desk.lesson.has_run = true;
+        desk.lesson.attempt.answers.prediction = 0;
+        desk.lesson.attempt.work.has_run = true;
     }
     void all_done() {
         for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
@@ -137,7 +137,7 @@ TEST_F(Prompts, DoNotRepeatTheSliderInTheSameScene) {
     EXPECT_NE(anchor(), "slider.LR");
     at(5);
     EXPECT_NE(anchor(), "slider.LR");
-    desk.view.opened = "another scene";
+    desk.view.library.opened = "another scene";
     EXPECT_EQ(anchor(), "slider.LR");
 }
 
@@ -148,7 +148,7 @@ TEST_F(Prompts, DoNotSuggestInAnotherSceneWhatThePersonHasDone) {
     next();
     EXPECT_TRUE(memory.followed.slider);
     desk.view.undo_depth = 0;
-    desk.view.opened = "another scene";
+    desk.view.library.opened = "another scene";
     EXPECT_NE(anchor(), "slider.LR");
     PromptMemory at_the_next_start;
     at_the_next_start.followed = memory.followed;
@@ -245,17 +245,17 @@ TEST_F(Prompts, PointToResetIfASingleVehicleIsStuck) {
 }
 
 TEST_F(LessonPrompts, RequestAPredictionBeforeTheFirstPlay) {
-    desk.lesson.has_run = false;
-    desk.lesson.prediction = -1;
+    desk.lesson.attempt.work.has_run = false;
+    desk.lesson.attempt.answers.prediction = -1;
     EXPECT_EQ(anchor(), "exercise.predict");
     EXPECT_EQ(next().hint, "hint.predict");
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.answers.prediction = 0;
     EXPECT_EQ(anchor(), "button.play");
 }
 
 TEST_F(LessonPrompts, PointToTheAnchorOfTheNewestHintUntilItIsUsed) {
     at(5), see(0);
-    desk.lesson.hints_shown = 3;
+    desk.lesson.attempt.answers.hints_shown = 3;
     EXPECT_EQ(anchor(), "slider.LR");
     at(9);
     EXPECT_EQ(anchor(), "slider.LR") << "before the prompt to reset";
@@ -274,7 +274,7 @@ TEST_F(LessonPrompts, OfferAHintAfterAFailedRun) {
     EXPECT_NE(anchor(), "exercise.hint");
     at(21);
     EXPECT_EQ(anchor(), "exercise.hint");
-    desk.lesson.hint_ready = false;
+    desk.lesson.attempt.answers.hint_ready = false;
     EXPECT_NE(anchor(), "exercise.hint");
 }
 
@@ -282,7 +282,7 @@ TEST_F(LessonPrompts, PointToResetAfterAChangeInARunInWhichTheVehicleSensesNothi
     desk.now.vehicles.resize(1);
     desk.now.vehicles[0].speed = 0;  // at the wall
     desk.opened.seconds = 40;
-    desk.lesson.has_run = true;
+    desk.lesson.attempt.work.has_run = true;
     desk.now.tick = 0;
     at(0), next();
     desk.now.tick = 1;
@@ -336,7 +336,7 @@ TEST_F(LessonPrompts, AskForNoChangeWhileWaitingCompletesEveryStep) {
 TEST_F(LessonPrompts, AskForNoResetWhileAStepIsStillToBeJudged) {
     desk.now.vehicles.resize(1);
     desk.now.vehicles[0].speed = 0;
-    desk.lesson.has_run = true;
+    desk.lesson.attempt.work.has_run = true;
     desk.opened.seconds = 60;
     desk.opened.steps.resize(1);
     desk.opened.steps[0].check.earliest = 40;
@@ -354,9 +354,9 @@ TEST_F(LessonPrompts, AHintThatNamesAHiddenWidgetSaysNotThatItPulses) {
         return std::any_of(desk.written.begin(), desk.written.end(),
                            [&](const Written& w) { return w.words.find(words) != std::string::npos; });
     };
-    desk.lesson.has_run = true;
-    desk.lesson.prediction = 0;
-    desk.lesson.hints_shown = 1;
+    desk.lesson.attempt.work.has_run = true;
+    desk.lesson.attempt.answers.prediction = 0;
+    desk.lesson.attempt.answers.hints_shown = 1;
     desk.opened.hints = {{"Raise it.", "slider.LL"}};
     at(3);
     EXPECT_TRUE(says("Try what pulses"));
@@ -368,7 +368,7 @@ TEST_F(LessonPrompts, AHintThatNamesAHiddenWidgetSaysNotThatItPulses) {
 TEST_F(LessonPrompts, PointToNoButtonThatWouldUndoWhatTheHintAsksFor) {
     const auto with = [&](const char* button) {
         desk.opened.hints = {{"Open it.", button}};
-        desk.lesson.hints_shown = 1;
+        desk.lesson.attempt.answers.hints_shown = 1;
         return next();
     };
     at(5);
@@ -381,7 +381,7 @@ TEST_F(LessonPrompts, PointToNoButtonThatWouldUndoWhatTheHintAsksFor) {
     at(5, Mode::paused);
     EXPECT_EQ(with("button.play").anchor, "button.play");
     EXPECT_EQ(with("exercise.compare").anchor, "exercise.compare");
-    desk.lesson.compares = true;
+    desk.lesson.attempt.work.compares = true;
     EXPECT_EQ(with("exercise.compare").anchor, "");
     at(5, Mode::wiring);
     EXPECT_EQ(with("button.wiring").anchor, "");
@@ -389,7 +389,7 @@ TEST_F(LessonPrompts, PointToNoButtonThatWouldUndoWhatTheHintAsksFor) {
 
 TEST_F(LessonPrompts, PointAtPartsOfTheDiagramInTheWiringEditor) {
     desk.opened.hints = {{"Click it.", "wire.LR"}};
-    desk.lesson.hints_shown = 1;
+    desk.lesson.attempt.answers.hints_shown = 1;
     at(5, Mode::wiring);
     EXPECT_EQ(anchor(), "wire.LR");
     EXPECT_TRUE(next().hint.empty()) << "the words of the mode stay";
@@ -400,13 +400,13 @@ TEST_F(LessonPrompts, PointAtPartsOfTheDiagramInTheWiringEditor) {
 TEST(PromptsInALowWindow, ACardScrollsOnceToTheWidgetOfAHint) {
     Desk low(1024, 330, 1, true);  // the brain card has room for some of its sliders
     low.open_exercise();
-    low.lesson.has_run = low.lesson.outcome_known = true;
-    low.lesson.prediction = 0;
+    low.lesson.attempt.work.has_run = low.lesson.attempt.work.outcome_known = true;
+    low.lesson.attempt.answers.prediction = 0;
     low.view.mode = Mode::playing;
     low.opened.hints = {{"Raise it.", "bias.RM"}};
     low.frame(4);
     ASSERT_FALSE(low.anchors.find("bias.RM")) << "below the fold";
-    low.lesson.hints_shown = 1;
+    low.lesson.attempt.answers.hints_shown = 1;
     low.frame(4);
     EXPECT_TRUE(low.anchors.find("bias.RM"));
     low.point("bias.RM");
@@ -425,15 +425,15 @@ TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
         EXPECT_EQ(next_change(desk.view), "hint.change." + std::string(what));
     }
     desk.opened.offers = {"wiring"};
-    desk.lesson.free_play = true;
+    desk.lesson.attempt.work.free_play = true;
     EXPECT_EQ(next_change(desk.view), "hint.change.slider") << "free play offers all";
-    desk.lesson.free_play = false;
-    desk.lesson.prediction = -1;
+    desk.lesson.attempt.work.free_play = false;
+    desk.lesson.attempt.answers.prediction = -1;
     desk.follow_disclosure();
     EXPECT_EQ(next_change(desk.view), "hint.change.answer");
     for (const char* language : {"en", "de", "es"}) {
         desk.strings = speaking(language);
-        desk.lesson.prediction = 0;
+        desk.lesson.attempt.answers.prediction = 0;
         at(1);
         desk.frame(2);
         std::string bar;
@@ -462,20 +462,20 @@ TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     EXPECT_EQ(next().hint, "hint.steps_done") << "the other starts have no dots yet";
     desk.lesson.grade = graded({true, false}, false);
     EXPECT_EQ(next().hint, "hint.other_starts");
-    desk.lesson.changed_since_done = true;
+    desk.lesson.standing.changed_since_done = true;
     EXPECT_EQ(next().hint, "hint.changed_since") << "the steps say nothing about the present brain";
     EXPECT_EQ(anchor(), "button.reset");
-    desk.lesson.changed_since_done = false;
+    desk.lesson.standing.changed_since_done = false;
     desk.lesson.grade = graded({true, true}, true);
     EXPECT_EQ(anchor(), "exercise.next");
     EXPECT_EQ(next().hint, "hint.passed");
 }
 
 TEST_F(Prompts, DoNotPulseWithReducedMotion) {
-    desk.view.reduce_motion = true;
+    desk.view.program.reduce_motion = true;
     desk.view.wall_seconds = 0;
     EXPECT_EQ(pulse(desk.view), 1);
-    desk.view.reduce_motion = false;
+    desk.view.program.reduce_motion = false;
     EXPECT_NEAR(pulse(desk.view), 0, 1e-6f);
 }
 

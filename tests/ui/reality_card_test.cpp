@@ -24,11 +24,11 @@ struct RealityCard : SceneOnDesk {
         RobotResult ideal;
         ideal.outcome = {.behaviour = Behaviour::touches, .closest = 0};
         report = insight::report_of(std::move(ideal), std::move(robots), false);
-        desk.view.robots = RobotsView{.count = 10, .figures = insight::typical_robot, .is_typical = true};
+        desk.view.features.robots = RobotsView{.count = 10, .figures = insight::typical_robot, .is_typical = true};
         desk.frame(4);
     }
     void tried() {
-        desk.view.robots->is_on = true, desk.view.robots->report = &report;
+        desk.view.features.robots->is_on = true, desk.view.features.robots->report = &report;
         desk.frame(4);
     }
 };
@@ -74,7 +74,7 @@ TEST_F(RealityCard, ReplaysARobotTheWeakestOrAll) {
     desk.rest();
     desk.click("reality.all");
     EXPECT_EQ(asked(), std::optional<int>(every_robot));
-    desk.view.robots->replayed = 6;
+    desk.view.features.robots->replayed = 6;
     desk.frame(4);
     EXPECT_TRUE(desk.says("Replay of robot 7"));
     desk.click("reality.back");

@@ -13,7 +13,7 @@ struct RobotSheet : ::testing::Test {
     RobotSheet() {
         desk.now = shipped_scene("2a-coward");
         files.suggested = "mine";
-        desk.view.files = &files;
+        desk.view.library.files = &files;
         open();
     }
     void open() {
@@ -117,7 +117,7 @@ TEST_F(RobotSheet, NeedsAVehicleWhoseBrainIsShown) {
 
 TEST_F(RobotSheet, AnnouncesDownloadsInABrowser) {
     EXPECT_FALSE(desk.says("The browser downloads"));
-    desk.view.uploads = true;
+    desk.view.program.uploads = true;
     desk.frame(2);
     EXPECT_TRUE(desk.says("The browser downloads"));
 }

@@ -522,7 +522,7 @@ TEST_F(SceneInput, TakesAHandleFartherAwayWithAFinger) {
         return scene_input().hovered.handle;
     };
     EXPECT_FALSE(beside());
-    desk.view.touch = true;
+    desk.view.program.touch = true;
     EXPECT_TRUE(beside());
     EXPECT_GT(desk.where("stage.knob").w, 1.5f * knob.w);
 }

@@ -3,6 +3,7 @@
 
 #include "core/maths/angle.h"
 #include "desk.h"
+#include "ui/scene_input/scene_input.h"
 #include "ui/scene_input/tools.h"
 
 namespace braitenlab::tests::scene_input_tools_test {

@@ -28,9 +28,9 @@ struct SettingsCard : testing::Test {
     const Preferences& wanted() {
         for (const Request& request : desk.all)
             if (const auto* asked = std::get_if<PreferencesRequest>(&request))
-                desk.view.preferences = asked->preferences;
+                desk.view.program.preferences = asked->preferences;
         desk.all.clear();
-        return desk.view.preferences;
+        return desk.view.program.preferences;
     }
 };
 
@@ -55,7 +55,7 @@ TEST(SettingsCardWithFonts, ShowsTheTypeSizeInEffectWhereTheWindowIsTooSmallForT
     for (const char* code : {"en", "de", "es"}) {
         Desk desk(1024, 768, 1, true);
         desk.strings = speaking(code);
-        desk.view.preferences.type_size = 1.5f;
+        desk.view.program.preferences.type_size = 1.5f;
         desk.frame(2);
         desk.key({',', true});
         desk.frame(3);
@@ -67,7 +67,7 @@ TEST(SettingsCardWithFonts, ShowsTheTypeSizeInEffectWhereTheWindowIsTooSmallForT
         const std::string words = fill(desk.strings("settings.type_reduced"), {"125", "150"});
         EXPECT_NE(words.find("125 %"), std::string::npos);
         EXPECT_FALSE(shown(words));
-        desk.view.type_size = 1.25f;
+        desk.view.program.type_size = 1.25f;
         desk.frame(3);
         EXPECT_TRUE(shown(words)) << code;
     }
@@ -76,11 +76,11 @@ TEST(SettingsCardWithFonts, ShowsTheTypeSizeInEffectWhereTheWindowIsTooSmallForT
 TEST_F(SettingsCard, TellsTheQualityThatIsMeasured) {
     for (const auto& [quality, words] :
          {std::pair{Quality::low, "Auto now uses: Low"}, {Quality::high, "Auto now uses: High"}}) {
-        desk.view.quality = quality;
+        desk.view.program.quality = quality;
         desk.frame(2);
         EXPECT_TRUE(desk.says(words));
     }
-    desk.view.preferences.quality = Quality::high;
+    desk.view.program.preferences.quality = Quality::high;
     desk.frame(2);
     EXPECT_FALSE(desk.says("Auto now uses: High"));
     EXPECT_TRUE(desk.says("Every vehicle rounded, smooth edges"));
@@ -88,20 +88,20 @@ TEST_F(SettingsCard, TellsTheQualityThatIsMeasured) {
 
 TEST_F(SettingsCard, ResetsEverythingAndCanUndoIt) {
     const Preferences mine{Theme::light, "es", 1.5f, true, Quality::low};
-    desk.view.native_language = "de";
-    desk.view.preferences = mine;
+    desk.view.program.native_language = "de";
+    desk.view.program.preferences = mine;
     desk.panels.card(Card::brain).folded = true;
     desk.frame(2);
     click_and_obey("settings.reset");
-    EXPECT_EQ(desk.view.preferences, (Preferences{.language = "de"}));
+    EXPECT_EQ(desk.view.program.preferences, (Preferences{.language = "de"}));
     EXPECT_FALSE(desk.panels.card(Card::brain).folded);
     desk.frame(2);
     click_and_obey("settings.restore");
-    EXPECT_EQ(desk.view.preferences, mine);
+    EXPECT_EQ(desk.view.program.preferences, mine);
 }
 
 TEST_F(SettingsCard, ResetsTheFoldOfEachCardOfTheTable) {
-    desk.view.preferences.type_size = 1.5f;
+    desk.view.program.preferences.type_size = 1.5f;
     for (const CardTraits& row : cards()) desk.panels.card(row.card).folded = !row.folded;
     desk.frame(2);
     click_and_obey("settings.reset");
@@ -126,7 +126,7 @@ TEST_F(SettingsCard, BlocksKeyboardAndMouseForTheWindowBelow) {
 TEST(Sheets, PassNoKeyOfTheLab) {
     Desk desk;
     FilesView files;
-    desk.view.files = &files;
+    desk.view.library.files = &files;
     desk.frame(2);
     const std::set<Action> of_window{Action::exit, Action::full_screen, Action::screenshot, Action::larger,
                                      Action::smaller};

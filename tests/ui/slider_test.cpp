@@ -376,8 +376,8 @@ TEST(Slider, TellsForASecondThatKeysHaveChangedIt) {
 TEST(Slider, DigitsFocusTheSlidersThatTheExerciseOffersFromTopToBottom) {
     Desk desk(1280, 800, 1, true);
     desk.open_exercise();
-    desk.lesson.has_run = true, desk.lesson.at_start = false;
-    desk.lesson.prediction = 0;
+    desk.lesson.attempt.work.has_run = true, desk.lesson.at_start = false;
+    desk.lesson.attempt.answers.prediction = 0;
     desk.opened.offers = {"LL=RR", "LM=RM"};
     desk.frame(3);
     desk.key({'2'});
@@ -394,7 +394,7 @@ TEST(Slider, DigitsFocusTheSlidersThatTheExerciseOffersFromTopToBottom) {
     desk.frame(3);
     desk.key({'4'});
     EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.no_slider_offered");
-    desk.lesson.free_play = true;
+    desk.lesson.attempt.work.free_play = true;
     desk.frame(3);
     desk.key({'4'});
     EXPECT_EQ(desk.panels.keyboard.focus, "slider.RR");

@@ -19,15 +19,15 @@ struct SlotsCard : SceneOnDesk {
     SlotsCard() {
         desk.now = snapshot(0);
         design.brain = *desk.now.brains[0];
-        desk.view.slots.slots[0] = {.design = &design, .kind = "vehicle", .character = Character::aggressor};
+        desk.view.features.slots.slots[0] = {.design = &design, .kind = "vehicle", .character = Character::aggressor};
     }
     void fill_both() {
-        desk.view.slots.slots[1] = {.design = &design, .kind = "vehicle", .character = Character::coward};
+        desk.view.features.slots.slots[1] = {.design = &design, .kind = "vehicle", .character = Character::coward};
     }
     void compared() {
         fill_both();
-        desk.view.slots.seconds = 30;
-        desk.view.slots.slots[0].numbers = &of_a, desk.view.slots.slots[1].numbers = &of_b;
+        desk.view.features.slots.seconds = 30;
+        desk.view.features.slots.slots[0].numbers = &of_a, desk.view.features.slots.slots[1].numbers = &of_b;
     }
 };
 
@@ -38,7 +38,7 @@ TEST_F(SlotsCard, IsThereOnceABrainIsStored) {
     EXPECT_TRUE(desk.anchors.find("card.slots"));
     EXPECT_TRUE(desk.says("aggressor"));
     EXPECT_TRUE(desk.says("empty"));
-    desk.view.slots = {};
+    desk.view.features.slots = {};
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.slots"));
 }
@@ -48,8 +48,9 @@ TEST(SlotsCardInALecture, TellsInLargerTypeHowTheRunsAreMeasured) {
         const insight::Design design;
         const CompareNumbers of_a{0.4f, 5.3f, 0.5f, 7, 3};
         Desk desk(1280, 800, 1, true);
-        for (auto& slot : desk.view.slots.slots) slot = {.design = &design, .kind = "vehicle", .numbers = &of_a};
-        desk.view.slots.seconds = 30;
+        for (auto& slot : desk.view.features.slots.slots)
+            slot = {.design = &design, .kind = "vehicle", .numbers = &of_a};
+        desk.view.features.slots.seconds = 30;
         desk.view.lecture = lecture;
         desk.frame(4);
         float size = 0;
@@ -109,14 +110,14 @@ TEST_F(SlotsCard, BothPathsAndTheVehicleOfBAreOverTheScene) {
         path_a.push_back({-6 + 0.02f * static_cast<float>(i), -3, 0});
         path_b.push_back({-6 + 0.02f * static_cast<float>(i), 3, 0});
     }
-    desk.view.slots.a = GhostView{path_a[60], 1, 0.7f, &path_a, 61};
-    desk.view.slots.b = GhostView{path_b[60], 1, 0.7f, &path_b, 61};
+    desk.view.features.slots.a = GhostView{path_a[60], 1, 0.7f, &path_a, 61};
+    desk.view.features.slots.b = GhostView{path_b[60], 1, 0.7f, &path_b, 61};
     desk.frame(2);
     const Rect a = desk.where("stage.slot_a"), b = desk.where("stage.slot_b");
     EXPECT_NEAR(a.x + a.w / 2, pixel({path_a[60].x, -3}).x, 1);
     EXPECT_NEAR(b.x + b.w / 2, pixel({path_b[60].x, 3}).x, 1);
     EXPECT_GT(a.y, b.y);
-    desk.view.slots.a.reset(), desk.view.slots.b.reset();
+    desk.view.features.slots.a.reset(), desk.view.features.slots.b.reset();
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("stage.slot_a"));
     EXPECT_FALSE(desk.anchors.find("stage.slot_b"));

@@ -12,7 +12,7 @@ struct StudentSheet : testing::Test {
 
     StudentSheet() {
         students.all.push_back({"Anna", {{"01-drive", {.passed = true}}}});
-        desk.view.students = &students;
+        desk.view.library.students = &students;
         desk.frame(2);
         desk.choose("exercises", "students");
         desk.frame(3);

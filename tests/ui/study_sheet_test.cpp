@@ -27,16 +27,16 @@ struct StudyDesk : testing::Test {
             const auto path = shipped / "studies" / (std::string(id) + ".toml");
             studies.push_back(*insight::parse_study(*read_text(path), path.string()));
         }
-        desk.view.study.shipped = &studies;
+        desk.view.features.study.shipped = &studies;
         desk.panels.sheet = Sheet::study;
     }
     void open(std::size_t count) {
         const auto scene = read_text(shipped / "scenes" / "predator-prey.toml");
-        desk.view.study.base = *insight::StudyBase::create(studies.front(), *scene, "scene");
+        desk.view.features.study.base = *insight::StudyBase::create(studies.front(), *scene, "scene");
         rows.clear();
         for (std::size_t run = 0; run < count; ++run)
             rows.push_back({static_cast<double>(run % 40 + 10 * (run / 40)), INFINITY});
-        desk.view.study.rows = &rows;
+        desk.view.features.study.rows = &rows;
         desk.frame(3);
     }
     bool is_written(const std::string& words) const {
@@ -57,7 +57,7 @@ TEST_F(StudyDesk, TheMenuOpensItAndTheFirstStudyIsOpened) {
 }
 
 TEST_F(StudyDesk, OpensTheStudyOfTheLastStart) {
-    desk.view.study.last = "/home/mine.toml";
+    desk.view.features.study.last = "/home/mine.toml";
     desk.frame(2);
     ASSERT_TRUE(desk.last<StudyRequest>());
     EXPECT_EQ(desk.last<StudyRequest>()->path, "/home/mine.toml");
@@ -68,7 +68,7 @@ TEST_F(StudyDesk, RunStopAndAnotherStudyAreRequests) {
     desk.click("study.run");
     ASSERT_TRUE(desk.last<StudyRequest>());
     EXPECT_EQ(desk.last<StudyRequest>()->edit, StudyEdit::run);
-    desk.view.study.runs = true;
+    desk.view.features.study.runs = true;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("study.run"));
     desk.click("study.stop");
@@ -80,11 +80,11 @@ TEST_F(StudyDesk, RunStopAndAnotherStudyAreRequests) {
 
 TEST_F(StudyDesk, OtherButtonsStayInPlaceWhenTheLastRunEnds) {
     open(239);
-    desk.view.study.runs = true;
+    desk.view.features.study.runs = true;
     desk.frame(2);
     const Rect stop = desk.where("study.stop"), close = desk.where("study.close");
     open(240);
-    desk.view.study.runs = false;
+    desk.view.features.study.runs = false;
     desk.frame(2);
     EXPECT_EQ(desk.where("study.complete").x, stop.x);
     EXPECT_GT(desk.where("study.save").x, stop.x + 0.5f * stop.w) << "not under a pointer on Stop";
@@ -190,13 +190,14 @@ TEST_F(StudyDesk, AStudyWithoutAMeasureCannotBeRun) {
 
 TEST_F(StudyDesk, SavesAStudyOfItsOwnOnce) {
     open(2);
-    desk.view.study.is_built = true;
+    desk.view.features.study.is_built = true;
     desk.frame(2);
     desk.click("study.save");
     ASSERT_TRUE(desk.last<StudyRequest>());
     EXPECT_EQ(desk.last<StudyRequest>()->edit, StudyEdit::save);
     EXPECT_FALSE(desk.last<ExportRequest>());
-    desk.view.study.is_built = false, desk.view.study.has_file = true, desk.view.study.table = "/home/study.csv";
+    desk.view.features.study.is_built = false, desk.view.features.study.has_file = true,
+    desk.view.features.study.table = "/home/study.csv";
     desk.frame(2);
     EXPECT_TRUE(is_written("/home/study.csv"));
     const std::size_t before = desk.all.size();
@@ -208,7 +209,7 @@ TEST_F(StudyDesk, AFileThatIsOpenedShowsIt) {
     desk.panels.sheet = Sheet::none;
     open(0);
     EXPECT_EQ(desk.panels.sheet, Sheet::none);
-    ++desk.view.study.shown;
+    ++desk.view.features.study.shown;
     desk.frame(2);
     EXPECT_EQ(desk.panels.sheet, Sheet::study);
     desk.key({key::escape});

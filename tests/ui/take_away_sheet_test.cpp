@@ -84,7 +84,7 @@ TEST_F(TakeAwayDesk, OffersTheLastTenSecondsAsAGif) {
 }
 
 TEST_F(TakeAwayDesk, OffersVideosWhereFfmpegIs) {
-    desk.view.has_ffmpeg = true;
+    desk.view.program.has_ffmpeg = true;
     desk.click("take.page.2");
     desk.click("take.format.3");
     desk.click("take.size.2");
@@ -124,18 +124,18 @@ TEST_F(TakeAwayDesk, SaysWhyThereCanBeNoClip) {
 }
 
 TEST_F(TakeAwayDesk, ShowsTheProgressAndClosesWhenTheClipIsWritten) {
-    desk.view.clip_progress = 0.375f;
+    desk.view.program.clip_progress = 0.375f;
     desk.frame(2);
     EXPECT_TRUE(is_written("37 %"));
     EXPECT_FALSE(desk.anchors.find("button.clip"));
-    desk.view.clip_progress.reset();
+    desk.view.program.clip_progress.reset();
     desk.frame(2);
     EXPECT_EQ(desk.panels.sheet, Sheet::none);
     EXPECT_FALSE(desk.last<CancelClipRequest>());
 }
 
 TEST_F(TakeAwayDesk, CancelsTheClipByTheButtonAndByEscape) {
-    desk.view.clip_progress = 0.5f;
+    desk.view.program.clip_progress = 0.5f;
     desk.frame(2);
     desk.click("take.cancel");
     desk.frame(1);

@@ -16,7 +16,7 @@ TEST(TitlePage, ShowsTheNameASentenceAndOneButtonAndNothingElse) {
             SCOPED_TRACE(std::string(code) + " " + std::to_string(width));
             Desk desk(width, height, scale, true);
             desk.strings = speaking(code);
-            desk.view.title_page = true;
+            desk.view.program.title_page = true;
             desk.frame(2);
             ASSERT_EQ(desk.shown.size(), 1u);
             EXPECT_EQ(desk.shown[0].id, "title.begin");
@@ -33,14 +33,14 @@ TEST(TitlePage, ShowsTheNameASentenceAndOneButtonAndNothingElse) {
 TEST(TitlePage, BeginsByItsButtonEnterSpaceAndEscape) {
     for (const int key : {key::enter, static_cast<int>(' '), key::escape}) {
         Desk desk;
-        desk.view.title_page = true;
+        desk.view.program.title_page = true;
         desk.frame(2);
         desk.key({key});
         EXPECT_TRUE(begins(desk)) << key;
         EXPECT_TRUE(desk.actions().empty()) << key;
     }
     Desk desk;
-    desk.view.title_page = true;
+    desk.view.program.title_page = true;
     desk.frame(2);
     desk.click("title.begin");
     EXPECT_TRUE(begins(desk));
@@ -48,7 +48,7 @@ TEST(TitlePage, BeginsByItsButtonEnterSpaceAndEscape) {
 
 TEST(TitlePage, OnlyKeysOfTheWindowWorkOnIt) {
     Desk desk;
-    desk.view.title_page = true;
+    desk.view.program.title_page = true;
     desk.frame(2);
     for (const KeyPress press : {KeyPress{'R'}, {'W'}, {key::f9}, {'O', true}, {key::f1}, {'A'}}) desk.key(press);
     desk.frame(2);

@@ -16,7 +16,7 @@ struct TrailMoments : SceneOnDesk {
         for (int i = 0; i <= 120; ++i) path.push_back({vehicle.x, vehicle.y + 6 - 0.05f * static_cast<float>(i)});
         desk.now.tick = 120;
         desk.view.settings.selection.vehicle = vehicle.id;
-        desk.view.path = &path;
+        desk.view.features.path = &path;
     }
     maths::vec2 at(std::size_t tick) const { return {path[tick].x, path[tick].y}; }
 };

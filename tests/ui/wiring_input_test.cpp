@@ -289,7 +289,7 @@ TEST_F(WiringInput, APinReachesFartherForAFingerThanForTheMouse) {
     const vec2 beside{0, 19}, from = middle("pin.SL.out") + beside, to = middle("pin.ML.in") + beside;
     move(from);
     EXPECT_FALSE(state.hovered.is_pin());
-    view.touch = true;
+    view.program.touch = true;
     frames();
     EXPECT_TRUE(state.hovered.is_pin());
     drag(from, to);

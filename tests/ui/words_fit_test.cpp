@@ -38,9 +38,9 @@ void with_findings(Desk& desk) {
 
 void late_in_lesson(Desk& desk) {
     desk.open_exercise();
-    desk.lesson.has_run = true;
-    desk.lesson.prediction = 1;
-    desk.lesson.hints_shown = 3;
+    desk.lesson.attempt.work.has_run = true;
+    desk.lesson.attempt.answers.prediction = 1;
+    desk.lesson.attempt.answers.hints_shown = 3;
     desk.panels.exercise.why_open = true;
     desk.lesson.grade = graded({true, false, true, true, true, true, true, true, true, true}, true);
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
@@ -89,9 +89,9 @@ const CatalogueEntry catalogue_entries[]{
 void with_slots(Desk& d) {
     static const insight::Design design;
     static const insight::CompareNumbers a{0.4f, 5.3f, 0.5f, 27.4f, 13}, b{13.1f, INFINITY, 19.5f, 112.2f, NAN};
-    d.view.slots.seconds = 30;
-    for (SlotView& slot : d.view.slots.slots) slot.design = &design, slot.character = Character::aggressor;
-    d.view.slots.slots[0].numbers = &a, d.view.slots.slots[1].numbers = &b;
+    d.view.features.slots.seconds = 30;
+    for (SlotView& slot : d.view.features.slots.slots) slot.design = &design, slot.character = Character::aggressor;
+    d.view.features.slots.slots[0].numbers = &a, d.view.features.slots.slots[1].numbers = &b;
 }
 
 void with_chart(Desk& desk, Chart chart) {
@@ -115,7 +115,7 @@ void with_files(Desk& desk) {
     files.listing = {
         "/home/student/Braitenberg", {{"pictures", true}, {"a hunt of mine.toml", false, FileKind::scene, true}}, ""};
     files.suggested = "2a-coward";
-    desk.view.files = &files;
+    desk.view.library.files = &files;
 }
 
 std::vector<Screen> screens() {
@@ -138,7 +138,7 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              static const std::vector<CatalogueEntry> catalogue(std::begin(catalogue_entries),
                                                                 std::end(catalogue_entries));
-             d.view.catalogue = &catalogue, d.key({'O', true});
+             d.view.library.catalogue = &catalogue, d.key({'O', true});
          }},
         {"presets", [](Desk& d) { d.click("button.presets"); }},
         {"a lamp",
@@ -181,11 +181,11 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              static const std::vector<CatalogueEntry> catalogue(std::begin(catalogue_entries),
                                                                 std::end(catalogue_entries));
-             d.view.catalogue = &catalogue, d.panels.menu_bar.open = "exercises";
+             d.view.library.catalogue = &catalogue, d.panels.menu_bar.open = "exercises";
          }},
         {"lecture menu", [](Desk& d) { d.panels.menu_bar.open = "lecture"; }},
         {"help menu", [](Desk& d) { d.panels.menu_bar.open = "help"; }},
-        {"about", [](Desk& d) { d.view.version = "0.1.0", d.panels.sheet = Sheet::about; }},
+        {"about", [](Desk& d) { d.view.program.version = "0.1.0", d.panels.sheet = Sheet::about; }},
         {"glossary", [](Desk& d) { d.panels.sheet = Sheet::glossary; }},
         {"a term of the glossary",
          [](Desk& d) {
@@ -195,7 +195,7 @@ std::vector<Screen> screens() {
          }},
         {"children",
          [](Desk& d) {
-             with_lesson(d), d.lesson.prediction = 0;
+             with_lesson(d), d.lesson.attempt.answers.prediction = 0;
              const StartResult run{1, false, {}, {{0, 0}, {1, 1}}, 12.5f};
              d.lesson.selection = SelectionView{.generation = 12, .parent = run, .children = {9, run}};
              d.panels.sheet = Sheet::children;
@@ -206,8 +206,8 @@ std::vector<Screen> screens() {
              static const auto path = folder / "studies" / "weight-and-mismatch.toml";
              static const std::vector<insight::Study> studies{*insight::parse_study(*read_text(path), path.string())};
              static const std::vector<insight::StudyRow> rows(300, {12.5, 0.65});
-             d.view.study.shipped = &studies, d.view.study.rows = &rows;
-             d.view.study.base = *insight::StudyBase::create(
+             d.view.features.study.shipped = &studies, d.view.features.study.rows = &rows;
+             d.view.features.study.base = *insight::StudyBase::create(
                  studies.front(), *read_text(folder / "scenes" / "2b-aggressor.toml"), "scene");
              d.panels.sheet = Sheet::study;
          }},
@@ -220,22 +220,25 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              d.panels.sheet = Sheet::take, d.panels.sheets.take.page = TakePage::clip, d.view.timeline = {};
          }},
-        {"a clip that is written", [](Desk& d) { d.panels.sheet = Sheet::take, d.view.clip_progress = 0.99f; }},
+        {"a clip that is written", [](Desk& d) { d.panels.sheet = Sheet::take, d.view.program.clip_progress = 0.99f; }},
         {"exercise, not from every start",
          [](Desk& d) {
              late_in_lesson(d);
              d.lesson.grade = graded({true, false, false}, false);
          }},
         {"exercise, graded now",
-         [](Desk& d) { late_in_lesson(d), d.lesson.grade.reset(), d.lesson.starts_tested = 4; }},
+         [](Desk& d) { late_in_lesson(d), d.lesson.grade.reset(), d.lesson.standing.starts_tested = 4; }},
         {"exercise, on the way",
-         [](Desk& d) { with_lesson(d), d.lesson.has_run = true, d.lesson.prediction = 0, d.now.seconds = 90; }},
-        {"mystery brain", [](Desk& d) { d.view.mystery.rebuilt = 0, d.panels.sheet = Sheet::mystery; }},
+         [](Desk& d) {
+             with_lesson(d), d.lesson.attempt.work.has_run = true, d.lesson.attempt.answers.prediction = 0,
+                             d.now.seconds = 90;
+         }},
+        {"mystery brain", [](Desk& d) { d.view.features.mystery.rebuilt = 0, d.panels.sheet = Sheet::mystery; }},
         {"mystery brain, score",
          [](Desk& d) {
              static const insight::MysteryScore score{
                  .score = 100, .gap = 10.25f, .random_gap = 12.15f, .starts = {10, insight::MysteryStart{}}};
-             d.view.mystery = {.hidden = 1, .rebuilt = 0, .score = &score, .scene = d.now.scene.get()};
+             d.view.features.mystery = {.hidden = 1, .rebuilt = 0, .score = &score, .scene = d.now.scene.get()};
              d.panels.sheet = Sheet::mystery;
          }},
         {"slots A and B", with_slots},
@@ -265,7 +268,7 @@ std::vector<Screen> screens() {
         {"findings of a check", with_findings},
         {"lecture on a hunt", [](Desk& d) { d.view.lecture = true; }},
         {"lecture on an exercise", [](Desk& d) { with_lesson(d), d.view.lecture = true; }},
-        {"after a crash", [](Desk& d) { d.view.recovery = &offer; }},
+        {"after a crash", [](Desk& d) { d.view.library.recovery = &offer; }},
         {"saving",
          [](Desk& d) {
              with_files(d), d.key({'S', true, true});
@@ -283,7 +286,7 @@ std::vector<Screen> screens() {
          }},
         {"settings in a small window",
          [](Desk& d) {
-             d.view.preferences.type_size = 2, d.view.type_size = 1.125f;
+             d.view.program.preferences.type_size = 2, d.view.program.type_size = 1.125f;
              d.key({',', true});
          }},
         {"no vehicle to follow",
@@ -416,7 +419,7 @@ TEST_P(EveryLanguage, ShowsNumbersWithItsDecimalMark) {
         desk.strings = speaking(GetParam());
         desk.frame(3);
         screen.set(desk);
-        desk.view.version = {};
+        desk.view.program.version = {};
         desk.now.inactivity_left = 12.5f;
         desk.frame(5);
         for (const Written& w : desk.written) {

@@ -43,7 +43,7 @@ constexpr std::array<UsedWork, 14> used_works{{{"Box2D", "MIT"},
 
 void about_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     SheetState& sheet = open_sheet(state, ui, Sheet::about, window, "Braitenlab");
-    paragraph(ui, fill(ui.strings("about.version"), {view.version}), ui.palette.text);
+    paragraph(ui, fill(ui.strings("about.version"), {view.program.version}), ui.palette.text);
     paragraph(ui, ui.strings("about.what"), ui.palette.text);
     paragraph(ui, ui.strings("about.licence"), ui.palette.text);
     gap(ui, 12);

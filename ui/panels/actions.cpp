@@ -8,6 +8,7 @@
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
+#include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::ui {
 
@@ -68,13 +69,14 @@ std::string_view no_node_to_join(const LabView& view, const PanelState& state) {
 
 std::string_view no_hint(const LabView& view, const PanelState&) {
     if (!view.lesson) return "unavailable.no_exercise";
-    if (view.lesson->hints_shown >= static_cast<int>(view.lesson->exercise->hints.size())) return "exercise.hint_none";
-    return view.lesson->hint_ready ? "" : "exercise.hint_wait";
+    if (view.lesson->attempt.answers.hints_shown >= static_cast<int>(view.lesson->exercise->hints.size()))
+        return "exercise.hint_none";
+    return view.lesson->attempt.answers.hint_ready ? "" : "exercise.hint_wait";
 }
 
 // The brain must drive, and it must not be hidden.
 std::string_view no_cause(const LabView& view, const PanelState&) {
-    if (!has_vehicle(view)) return view.why ? "" : "unavailable.no_vehicle";
+    if (!has_vehicle(view)) return view.features.why ? "" : "unavailable.no_vehicle";
     return can_tell_why(view) ? "" : "unavailable.why";
 }
 
@@ -135,7 +137,7 @@ bool open_empty_scene(const Acting& at) {
 
 // False for a scene that has a file: the lab saves it there.
 bool save_under_a_name(const Acting& at) {
-    if (at.view.files && !at.view.files->save_to.empty()) return false;
+    if (at.view.library.files && !at.view.library.files->save_to.empty()) return false;
     open_files(at.state, true);
     return true;
 }
@@ -221,10 +223,10 @@ bool act_on_panels(const Acting& at, Action action) {
 }
 
 const CatalogueEntry* empty_scene(const LabView& view) {
-    if (!view.catalogue) return nullptr;
+    if (!view.library.catalogue) return nullptr;
     const auto is_empty_scene = [](const CatalogueEntry& entry) { return entry.name == "empty"; };
-    const auto found = std::find_if(view.catalogue->begin(), view.catalogue->end(), is_empty_scene);
-    return found == view.catalogue->end() ? nullptr : &*found;
+    const auto found = std::find_if(view.library.catalogue->begin(), view.library.catalogue->end(), is_empty_scene);
+    return found == view.library.catalogue->end() ? nullptr : &*found;
 }
 
 }  // namespace braitenlab::ui

@@ -306,7 +306,7 @@ void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float wi
 void free_play_row(const LabView& view, Ui& ui) {
     if (!view.lesson || offers_all(*view.lesson->exercise)) return;
     gap(ui, spacing::tight);
-    const bool free = view.lesson->free_play;
+    const bool free = view.lesson->attempt.work.free_play;
     const Item at = small_button(
         ui, {"button.free_play", {}, ui.strings(free ? "exercise.offered_only" : "exercise.free_play"), free});
     tooltip(ui, at, ui.strings("exercise.free_play_how"));

@@ -63,7 +63,7 @@ constexpr CardTraits card_traits[]{
      .heading = "slots.heading",
      .column = Column::left,
      .in_lecture = InLecture::restored,
-     .shown = [](const LabView& view) { return view.slots.has_any(); },
+     .shown = [](const LabView& view) { return view.features.slots.has_any(); },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
                 Rect) { slots_card(view, state, ui, place); },
      .least_share = 0.4f},

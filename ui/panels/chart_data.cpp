@@ -98,7 +98,7 @@ History::Population counted(const Snapshot& now, double seconds) {
 }  // namespace
 
 void record(History& history, const LabView& view) {
-    if ((view.lesson && view.lesson->together) || (view.robots && view.robots->replayed))
+    if ((view.lesson && view.lesson->together) || (view.features.robots && view.features.robots->replayed))
         return;  // other runs than the one that is recorded
     const Snapshot& now = *view.now;
     const double seconds = static_cast<double>(now.tick) / 60;

@@ -273,7 +273,7 @@ struct Analysis {
 
 std::array<Analysis, 3> analyses(const LabView& view, const Ui& ui) {
     return {
-        Analysis{{"button.why", icon::notice, ui.strings("why.button"), view.why != nullptr},
+        Analysis{{"button.why", icon::notice, ui.strings("why.button"), view.features.why != nullptr},
                  Action::why,
                  "tooltip.button_why"},
         Analysis{

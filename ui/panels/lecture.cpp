@@ -241,7 +241,7 @@ void follow_page(const LabView& view, PanelState& state) {
 // Folds the cards of the brain and of the slots while the runs of both slots are shown, so that these have the room.
 // After the runs the card of the slots unfolds: it has their numbers.
 void follow_comparison(const LabView& view, PanelState& state) {
-    const bool compares = view.lecture && view.slots.a && view.slots.b;
+    const bool compares = view.lecture && view.features.slots.a && view.features.slots.b;
     if (std::exchange(state.lecture.compares, compares) == compares || !view.lecture) return;
     if (compares) state.card(Card::brain).folded = true;
     state.card(Card::slots).folded = compares;

@@ -66,12 +66,13 @@ void follow_map(const LabView& view, PanelState& state) {
 void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const bool open = open_card(state, ui, Card::map, place);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (open && view.map && vehicle) {
+    if (open && view.features.map && vehicle) {
         const insight::ValueSubject subject{*view.now, *vehicle, target_of(view, *vehicle), shown_pair(view, *vehicle)};
         const std::vector<insight::AxisValue> values = axis_values(subject);
-        const insight::AxisValue *x = find_value(values, view.map->x.path), *y = find_value(values, view.map->y.path);
+        const insight::AxisValue *x = find_value(values, view.features.map->x.path),
+                                 *y = find_value(values, view.features.map->y.path);
         if (x && y)
-            draw_map({view, *view.map, state.map, state.sliders, ui, subject, values, x, y},
+            draw_map({view, *view.features.map, state.map, state.sliders, ui, subject, values, x, y},
                      column.h - (view.lecture ? 0 : folded_height(ui) + ui.px(12)));  // of the card below
     } else if (open) {
         paragraph(ui, ui.strings(vehicle ? "unavailable.map" : "unavailable.no_vehicle"), ui.palette.second_text,

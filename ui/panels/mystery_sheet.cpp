@@ -120,7 +120,7 @@ void progress_of_mystery(const MysteryView& view, Ui& ui) {
 
 // True if the sheet closes.
 bool mystery_buttons(const LabView& lab, Ui& ui) {
-    const MysteryView& view = lab.mystery;
+    const MysteryView& view = lab.features.mystery;
     const bool may_edit = !lab.lesson;
     const auto offer = [&](const char* id, std::string_view sign, MysteryEdit edit, bool enabled, bool primary) {
         ButtonLook look{sign, ui.strings(id), primary ? Emphasis::primary : Emphasis::plain};
@@ -150,7 +150,7 @@ bool mystery_buttons(const LabView& lab, Ui& ui) {
 }  // namespace
 
 void mystery_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
-    const MysteryView& view = lab.mystery;
+    const MysteryView& view = lab.features.mystery;
     SheetState& sheet = open_sheet(state, ui, Sheet::mystery, window);
     paragraph(ui, ui.strings(view.hidden == no_vehicle ? "mystery.story" : "mystery.steps"), ui.palette.text);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);

@@ -8,7 +8,7 @@ namespace braitenlab::ui {
 
 // False outside an exercise, in free play, and in an exercise that offers all controls.
 inline bool offers_some(const LabView& view) {
-    return view.lesson && !view.lesson->free_play && !offers_all(*view.lesson->exercise);
+    return view.lesson && !view.lesson->attempt.work.free_play && !offers_all(*view.lesson->exercise);
 }
 
 // True for a control that is shown: a dial, or offer_parts::curves and ::sensors. The wiring editor is always

@@ -16,7 +16,7 @@
 #include "ui/panels/course/glossary.h"
 #include "ui/panels/course/marks.h"
 #include "ui/panels/file_lists.h"
-#include "ui/panels/prompts.h"
+#include "ui/panels/prompt_state.h"
 #include "ui/panels/robot_state.h"
 #include "ui/panels/study_draft.h"
 #include "ui/scene_input/scene_input.h"

@@ -64,7 +64,7 @@ void switch_menu(MenuBarState&, int step);  // opens the menu `step` titles to t
 // lecture.cpp: shown during a lecture in place of toolbar and hint bar.
 void lecture_bar(const LabView&, PanelState&, Ui&, Rect);
 void live_brain(const LabView&, PanelState&, Ui&, const VehicleView&, Rect);  // eyes, wires and wheels, live_brain.cpp
-void title_page(const LabView&, Ui&, Rect window);                            // LabView::title_page
+void title_page(const LabView&, Ui&, Rect window);                            // ProgramView::title_page
 void lecture_figures(const LabView&, PanelState&, Ui&, Rect bar);
 void blank_window(const LabView&, PanelState&, Ui&, Rect window);  // black, while LectureState::blank
 void follow_lecture(const LabView&, PanelState&);  // saves and restores the cards; call once a frame, before them
@@ -91,7 +91,7 @@ void take_away_sheet(const LabView&, PanelState&, Ui&, Rect window);  // picture
 void follow_take_away(const LabView&, PanelState&, Ui&);  // closes it once a clip is written; closed, cancels the clip
 
 // unsaved_sheets.cpp
-// After a crash, while LabView::recovery is set.
+// After a crash, while LibraryView::recovery is set.
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);
 void follow_recovery(const LabView&, PanelState&, Ui&);
 // While FilesView::leaving is set.
@@ -129,7 +129,7 @@ void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float l
 // The height of the picture whose height for a pair of sensors is `of_pair`: the whole brain needs more. Layout pixels.
 float brain_picture_height(const LabView&, const VehicleView&, float of_pair);
 
-// LabView::why beside the vehicle, over the scene and below the cards, within `area`. Anchor: why.
+// FeatureViews::why beside the vehicle, over the scene and below the cards, within `area`. Anchor: why.
 void why_callout(const LabView&, const Ui&, Rect area);
 
 // Lesions outside the brain picture: sets state.brain.lesion_under_pointer to the sensor or motor under the pointer in

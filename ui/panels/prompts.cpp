@@ -148,15 +148,15 @@ bool is_pressed_already(const LabView& view, std::string_view button) {
     if (button == "button.watch") return view.settings.watching || view.mode == Mode::wiring;
     if (button == "button.wiring" || button == "button.open_wiring") return view.mode == Mode::wiring;
     if (button == "button.play") return view.mode == Mode::playing;
-    return button == "exercise.compare" && view.lesson->compares;
+    return button == "exercise.compare" && view.lesson->attempt.work.compares;
 }
 
 // Anchor of the newest hint, until the next edit.
 std::string_view hinted(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
-    if (memory.hint != lesson.hints_shown)
-        memory.hint = lesson.hints_shown, memory.edits_before_hint = edit_count(view);
-    const int newest = std::min(lesson.hints_shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
+    const int shown = lesson.attempt.answers.hints_shown;
+    if (memory.hint != shown) memory.hint = shown, memory.edits_before_hint = edit_count(view);
+    const int newest = std::min(shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
     if (newest < 0 || edit_count(view) != memory.edits_before_hint) return {};
     return lesson.exercise->hints[static_cast<std::size_t>(newest)].anchor;
 }
@@ -172,8 +172,9 @@ Prompt of_hint(PromptMemory& memory, const LabView& view) {
 
 bool may_ask_for_a_hint(const LabView& view) {
     const LessonView& lesson = *view.lesson;
-    const bool left = lesson.hints_shown < static_cast<int>(lesson.exercise->hints.size());
-    return left && lesson.hint_ready && view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
+    const Attempt::Answers& answers = lesson.attempt.answers;
+    const bool left = answers.hints_shown < static_cast<int>(lesson.exercise->hints.size());
+    return left && answers.hint_ready && view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
 }
 
 // True if the run alone completes a step within the next seconds, or every step in the end: then no hint asks for a
@@ -216,9 +217,9 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
     if (awaits_prediction(lesson)) return {"exercise.predict", "hint.predict"};
-    if (!lesson.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
+    if (!lesson.attempt.work.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
-    if (all_steps_done(lesson) && lesson.changed_since_done) return {"button.reset", "hint.changed_since"};
+    if (all_steps_done(lesson) && lesson.standing.changed_since_done) return {"button.reset", "hint.changed_since"};
     if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
     if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
     if (at_start) return {"button.play", "hint.press_play"};
@@ -284,7 +285,7 @@ Prompt of_free_play(PromptMemory& memory, const LabView& view) {
 }  // namespace
 
 Prompt next_prompt(PromptMemory& memory, const LabView& view) {
-    if (memory.opened != view.opened) memory = {view.opened, memory.followed};
+    if (memory.opened != view.library.opened) memory = {view.library.opened, memory.followed};
     remember_what_is_done(memory, view);
     memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
@@ -295,7 +296,7 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (view.lesson)
         if (const Prompt prompt = of_lesson(memory, view); !prompt.anchor.empty() || !prompt.hint.empty())
             return prompt;
-    if (view.lesson && (!view.lesson->has_run || view.lesson->hints_shown > 0)) return {};
+    if (view.lesson && (!view.lesson->attempt.work.has_run || view.lesson->attempt.answers.hints_shown > 0)) return {};
     if (!view.lesson)
         if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
     return of_free_play(memory, view);
@@ -311,7 +312,7 @@ std::string_view next_change(const LabView& view) {
 }
 
 float pulse(const LabView& view) {
-    if (view.reduce_motion) return 1;
+    if (view.program.reduce_motion) return 1;
     return static_cast<float>(0.5 - 0.5 * std::cos(view.wall_seconds * 2 * 3.14159265358979 / 1.5));
 }
 

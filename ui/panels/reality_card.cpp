@@ -42,7 +42,7 @@ std::vector<int> ranked(const RobotsReport& report) {
 class RealityCard {
 public:
     RealityCard(const LabView& view, PanelState& panels, Ui& ui)
-        : view_(view), robots_(*view.robots), state_(panels.reality), sliders_(panels.sliders), ui_(ui) {}
+        : view_(view), robots_(*view.features.robots), state_(panels.reality), sliders_(panels.sliders), ui_(ui) {}
 
     void draw() {
         how_real();
@@ -261,7 +261,7 @@ private:
 
 void reality_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     if (open_card(state, ui, Card::reality, place)) {
-        if (view.robots)
+        if (view.features.robots)
             RealityCard(view, state, ui).draw();
         else
             paragraph(ui, ui.strings("unavailable.reality"), ui.palette.second_text, Face::small);

@@ -249,7 +249,7 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     const std::vector<SceneMenuRow> rows = SceneMenuRows(view, menu, ui).of_page();
     const float w = ui.px(scene_menu_width), most = window.h - ui.px(16), frame = menu_frame_height(ui, rows);
     const float count = static_cast<float>(rows.size());
-    const float row_height = scene_row_of(ui, view.touch, (most - frame) / std::max(1.0f, count));
+    const float row_height = scene_row_of(ui, view.program.touch, (most - frame) / std::max(1.0f, count));
     const float h = std::min(frame + count * row_height, most);
     const auto within = [](float at, float low, float size, float room) {
         return std::clamp(at, low, std::max(low, low + room - size));

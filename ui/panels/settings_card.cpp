@@ -31,16 +31,16 @@ int choose(Ui& ui, std::string_view id, std::string_view heading, std::span<cons
 }
 
 void language_choice(const LabView& view, Ui& ui, Preferences& wanted) {
-    if (!view.languages || view.languages->empty()) return;
+    if (!view.program.languages || view.program.languages->empty()) return;
     std::vector<std::string_view> names;
     int chosen = -1;
-    for (const Language& each : *view.languages) {
+    for (const Language& each : *view.program.languages) {
         if (each.code == wanted.language) chosen = static_cast<int>(names.size());
         names.push_back(each.name);
     }
     const int clicked = choose(ui, "settings.language", ui.strings("settings.language"), names, chosen,
                                ui.strings("settings.language_how"));
-    if (clicked >= 0) wanted.language = (*view.languages)[static_cast<std::size_t>(clicked)].code;
+    if (clicked >= 0) wanted.language = (*view.program.languages)[static_cast<std::size_t>(clicked)].code;
 }
 
 void theme_choice(Ui& ui, Preferences& wanted) {
@@ -59,9 +59,10 @@ void type_size_choice(const LabView& view, Ui& ui, Preferences& wanted) {
         if (wanted.type_size == type_sizes[i]) chosen = static_cast<int>(i);
     const int clicked =
         choose(ui, "settings.type", ui.strings("settings.type"), words, chosen, ui.strings("settings.type_how"));
-    if (view.type_size > 0) {
-        paragraph(ui, fill(ui.strings("settings.type_reduced"), {percent(view.type_size), percent(wanted.type_size)}),
-                  colour_of(NoticeKind::notice, ui.palette), Face::small);
+    if (view.program.type_size > 0) {
+        paragraph(
+            ui, fill(ui.strings("settings.type_reduced"), {percent(view.program.type_size), percent(wanted.type_size)}),
+            colour_of(NoticeKind::notice, ui.palette), Face::small);
         gap(ui, 12);
     }
     if (clicked >= 0) wanted.type_size = type_sizes[static_cast<std::size_t>(clicked)];
@@ -85,9 +86,10 @@ void quality_choice(const LabView& view, Ui& ui, Preferences& wanted) {
     const std::array<std::string_view, 3> levels{ui.strings("settings.quality_is_low"),
                                                  ui.strings("settings.quality_is_medium"),
                                                  ui.strings("settings.quality_is_high")};
-    const std::string about = wanted.quality ? std::string(levels[static_cast<std::size_t>(*wanted.quality)])
-                                             : fill(ui.strings("settings.quality_now"),
-                                                    {std::string(words[1 + static_cast<std::size_t>(view.quality)])});
+    const std::string about = wanted.quality
+                                  ? std::string(levels[static_cast<std::size_t>(*wanted.quality)])
+                                  : fill(ui.strings("settings.quality_now"),
+                                         {std::string(words[1 + static_cast<std::size_t>(view.program.quality)])});
     gap(ui, 4);
     paragraph(ui, about, ui.palette.second_text, Face::small);
     gap(ui, 12);
@@ -97,7 +99,7 @@ void quality_choice(const LabView& view, Ui& ui, Preferences& wanted) {
 // Resets preferences and cards to their state at the first start. A second button restores the preferences.
 void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& wanted) {
     Preferences fresh;
-    fresh.language = view.native_language;
+    fresh.language = view.program.native_language;
     if (wanted != fresh) state.sheets.before_reset.reset();  // changed since the reset
     ImGui::SameLine(0, ui.px(spacing::small));
     if (state.sheets.before_reset) {
@@ -123,7 +125,7 @@ void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& want
 }  // namespace
 
 void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    Preferences wanted = view.preferences;
+    Preferences wanted = view.program.preferences;
     SheetState& sheet = open_sheet(state, ui, Sheet::settings, window);
     language_choice(view, ui, wanted);
     theme_choice(ui, wanted);
@@ -135,7 +137,7 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     const bool closed = close.pressed;
     reset_all(view, state, ui, wanted);
-    if (wanted != view.preferences) ui.outbox.push_back(PreferencesRequest{wanted});
+    if (wanted != view.program.preferences) ui.outbox.push_back(PreferencesRequest{wanted});
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 

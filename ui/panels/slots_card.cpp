@@ -40,7 +40,7 @@ std::string content_of(const LabView& view, const Ui& ui, const SlotView& slot) 
 
 // The letter as a button that puts the brain into the vehicle, its content, and a button that stores.
 void slot_row(const LabView& view, Ui& ui, std::size_t slot) {
-    const SlotView& shown = view.slots.slots[slot];
+    const SlotView& shown = view.features.slots.slots[slot];
     const std::string letter(letters[slot]);
     const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
     const Item put_it = small_button(ui, {slot_anchors[slot], {}, letters[slot], shown.is_in_vehicle});
@@ -142,7 +142,7 @@ void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         for (std::size_t slot = 0; slot < 2; ++slot) slot_row(view, ui, slot);
         gap(ui, 4);
         compare_row(view, ui);
-        const SlotsView& slots = view.slots;
+        const SlotsView& slots = view.features.slots;
         if (slots.slots[0].numbers && slots.slots[1].numbers) {
             gap(ui, 8);
             table(slots, ui);

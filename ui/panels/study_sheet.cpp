@@ -201,7 +201,7 @@ private:
 
 // The shipped studies, and the one from a file of the user.
 void study_choice(const LabView& lab, StudyDraft& draft, Ui& ui, float right) {
-    const StudyView& view = lab.study;
+    const StudyView& view = lab.features.study;
     const auto choice = [&](const Study& study, bool first) {
         const bool is_open = view.base && view.base->study().id == study.id, on = is_open && !draft.open;
         const std::string id = "study.open." + study.id;
@@ -313,11 +313,12 @@ bool study_buttons(const StudyView& view, Ui& ui) {
 }  // namespace
 
 void follow_study(const LabView& lab, PanelState& state, Ui&) {
-    if (std::exchange(state.sheets.study.shown, lab.study.shown) != lab.study.shown) state.sheet = Sheet::study;
+    if (std::exchange(state.sheets.study.shown, lab.features.study.shown) != lab.features.study.shown)
+        state.sheet = Sheet::study;
 }
 
 void study_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
-    const StudyView& view = lab.study;
+    const StudyView& view = lab.features.study;
     if (!view.base && !view.error && view.shipped && !view.shipped->empty())
         ui.outbox.emplace_back(StudyRequest{StudyEdit::open, view.last.empty() ? view.shipped->front().id : view.last});
     SheetState& sheet = open_sheet(state, ui, Sheet::study, window);

@@ -86,7 +86,7 @@ TakeKind format_choice(const LabView& view, TakeAwayState& state, Ui& ui) {
     std::vector<TakeKind> kinds;
     std::vector<std::string_view> words;
     for (const TakeKindTraits& row : take_kinds) {
-        if (!row.is_clip || (row.by_ffmpeg && !view.has_ffmpeg)) continue;
+        if (!row.is_clip || (row.by_ffmpeg && !view.program.has_ffmpeg)) continue;
         kinds.push_back(row.value);
         words.push_back(row.value == TakeKind::gif ? "GIF" : row.value == TakeKind::mp4 ? "MP4" : "WebM");
     }
@@ -95,7 +95,7 @@ TakeKind format_choice(const LabView& view, TakeAwayState& state, Ui& ui) {
     const int clicked = segments(ui, "take.format", words, static_cast<int>(state.format), card_width(ui),
                                  ui.strings("take.format_how"));
     if (clicked >= 0) state.format = static_cast<std::size_t>(clicked);
-    if (kinds.size() == 1 && !view.uploads)
+    if (kinds.size() == 1 && !view.program.uploads)
         paragraph(ui, ui.strings("take.needs_ffmpeg"), ui.palette.second_text, Face::small);
     gap(ui, 8);
     return kinds[state.format];
@@ -178,9 +178,9 @@ void begin_take(const LabView& view, TakeAwayState& state) {
 
 void follow_take_away(const LabView& view, PanelState& panels, Ui& ui) {
     TakeAwayState& state = panels.sheets.take;
-    const bool is_written = std::exchange(state.writes, view.clip_progress.has_value()) && !state.writes;
+    const bool is_written = std::exchange(state.writes, view.program.clip_progress.has_value()) && !state.writes;
     if (panels.sheet == Sheet::take && is_written) panels.sheet = Sheet::none;
-    if (panels.sheet != Sheet::take && std::exchange(state.open, false) && view.clip_progress)
+    if (panels.sheet != Sheet::take && std::exchange(state.open, false) && view.program.clip_progress)
         ui.outbox.emplace_back(CancelClipRequest{});
 }
 
@@ -189,8 +189,8 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
     if (!state.open) begin_take(view, state);
     SheetState& sheet = open_sheet(panels, ui, Sheet::take, window);
     TakeAway wanted;
-    if (view.clip_progress) {
-        clip_progress(*view.clip_progress, ui);
+    if (view.program.clip_progress) {
+        clip_progress(*view.program.clip_progress, ui);
     } else {
         const std::array<std::string_view, 2> pages{ui.strings("take.picture"), ui.strings("take.clip")};
         const int clicked = segments(ui, "take.page", pages, static_cast<int>(state.page), card_width(ui));
@@ -199,12 +199,12 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
         wanted = state.page == TakePage::picture ? picture_page(view, state, ui) : clip_page(view, panels, ui);
     }
     sheet_buttons(ui, sheet);
-    if (!view.clip_progress) {
+    if (!view.program.clip_progress) {
         ButtonLook look{icon::save, ui.strings("take.save"), Emphasis::primary};
         look.enabled =
             (state.page == TakePage::picture ? why_no_picture(view, state) : why_no_clip(view, state)).empty();
         const Item save = button(ui, "button.clip", look);
-        tooltip(ui, save, ui.strings(view.uploads ? "take.save_page_how" : "take.save_how"));
+        tooltip(ui, save, ui.strings(view.program.uploads ? "take.save_page_how" : "take.save_how"));
         if (save.pressed) {
             ui.outbox.emplace_back(TakeAwayRequest{wanted});
             if (!row_of(wanted.kind).is_clip) panels.sheet = Sheet::none;
@@ -214,7 +214,7 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
     const Item cancel = button(ui, "take.cancel", {{}, ui.strings("files.cancel"), Emphasis::quiet});
     tooltip(ui, cancel, ui.strings("take.cancel_how"), key_name({key::escape}, ui.strings));
     const bool beside = end_sheet(sheet);
-    if (cancel.pressed || (beside && !view.clip_progress)) panels.sheet = Sheet::none;
+    if (cancel.pressed || (beside && !view.program.clip_progress)) panels.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

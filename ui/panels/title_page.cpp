@@ -73,7 +73,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     const Item begin = button(ui, "title.begin", look);
     tooltip(ui, begin, ui.strings("title.begin_how"), key_name({key::enter}, ui.strings));
     if (begin.pressed) ui.outbox.push_back(BeginRequest{});
-    put(ui, {x, window.y + window.h - ui.px(32)}, view.version, ui.palette.second_text, Face::small);
+    put(ui, {x, window.y + window.h - ui.px(32)}, view.program.version, ui.palette.second_text, Face::small);
     ImGui::End();
 }
 

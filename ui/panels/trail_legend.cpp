@@ -87,8 +87,8 @@ void trail_legend(const LabView& view, const Ui& ui, Rect area) {
     for (int i = 0; i < steps; ++i) {
         const float from = inner * static_cast<float>(i) / steps, to = inner * static_cast<float>(i + 1) / steps;
         const float share = (static_cast<float>(i) + 0.5f) / steps;
-        fill_box(ui, {x + from, y, to - from, ui.px(scale_height)}, render::colour_of_share(value, share, view.theme),
-                 Corner::square);
+        fill_box(ui, {x + from, y, to - from, ui.px(scale_height)},
+                 render::colour_of_share(value, share, view.program.theme), Corner::square);
     }
     y += ui.px(scale_height) + space / 2;
     const float middle = x + (inner - text_width(ui, Face::small, numbers[1])) / 2;

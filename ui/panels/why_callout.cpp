@@ -223,18 +223,18 @@ Rect place_beside(maths::vec2 vehicle, bool heads_right, maths::vec2 size, float
 }  // namespace
 
 void why_callout(const LabView& view, const Ui& ui, Rect area) {
-    if (!view.why || !view.camera_view || view.mode == Mode::wiring) return;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.why->vehicle);
+    if (!view.features.why || !view.camera_view || view.mode == Mode::wiring) return;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.features.why->vehicle);
     if (!vehicle) return;
     const auto middle = project(*view.camera_view, {vehicle->x, vehicle->y}, render::deck_height);
     if (!middle) return;
     constexpr float share = 0.45f;  // of the area, so that there is room beside the vehicle
     const float border = ui.px(2 * callout_pad);
     float w = std::clamp(share * area.w, ui.px(narrowest_callout), ui.px(widest_callout));
-    WhyCallout callout = callout_of(view, ui, *vehicle, *view.why, w - border);
+    WhyCallout callout = callout_of(view, ui, *vehicle, *view.features.why, w - border);
     if (const float wanted = bars_width(ui, callout) + border; wanted > w) {
         w = std::max(w, std::min(wanted, 0.9f * area.w));
-        callout = callout_of(view, ui, *vehicle, *view.why, w - border);
+        callout = callout_of(view, ui, *vehicle, *view.features.why, w - border);
     }
     const float h = callout_height(ui, callout), away = ui.px(from_vehicle);
     const auto ahead =

@@ -179,15 +179,19 @@ void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slo
 // Names are placed beside all paths that are drawn.
 void keep_paths_free(const SceneInputFrame& frame, const Ui& ui) {
     const LabView& view = frame.view;
-    if (view.prediction) {
-        keep_line_free(frame, ui, coming(*view.prediction->path, view.prediction->tick, view.now->tick));
-        if (view.prediction->before)
-            keep_line_free(frame, ui, coming(*view.prediction->before, view.prediction->before_tick, view.now->tick));
+    if (view.features.prediction) {
+        keep_line_free(frame, ui,
+                       coming(*view.features.prediction->path, view.features.prediction->tick, view.now->tick));
+        if (view.features.prediction->before)
+            keep_line_free(
+                frame, ui,
+                coming(*view.features.prediction->before, view.features.prediction->before_tick, view.now->tick));
     }
     if (view.mode == Mode::wiring) return;
-    for (const auto& slot : {view.slots.a, view.slots.b})
+    for (const auto& slot : {view.features.slots.a, view.features.slots.b})
         if (slot) keep_line_free(frame, ui, driven(*slot));
-    if (const auto ghost = picture_of_ghost(frame, view.slots.b); ghost && is_beside(view, view.slots.b->pose))
+    if (const auto ghost = picture_of_ghost(frame, view.features.slots.b);
+        ghost && is_beside(view, view.features.slots.b->pose))
         frame.labels->keep_free(*ghost);
 }
 
@@ -197,18 +201,20 @@ void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
     const LabView& view = frame.view;
     keep_paths_free(frame, ui);
     if (view.mode == Mode::wiring) {
-        if (view.prediction) draw_prediction(frame, ui, *view.prediction);
+        if (view.features.prediction) draw_prediction(frame, ui, *view.features.prediction);
         return;
     }
     const bool waits = view.now->tick == 0 && view.mode == Mode::paused;
-    if (view.last_run && !view.ghost && waits) draw_last_path(frame, ui, *view.last_run);
-    if (view.last_run && !view.ghost && !waits && is_beside(view, view.last_run->pose))
-        draw_ghost(frame, ui, *view.last_run,
+    if (view.features.last_run && !view.features.ghost && waits) draw_last_path(frame, ui, *view.features.last_run);
+    if (view.features.last_run && !view.features.ghost && !waits && is_beside(view, view.features.last_run->pose))
+        draw_ghost(frame, ui, *view.features.last_run,
                    {ui.palette.second_text, ui.palette.line, ui.strings("scene_input.last_run"), "stage.last_run"});
-    draw_slots(frame, ui, view.slots);
-    if (view.robots && view.robots->report) return draw_robots(frame, ui, *view.robots);
-    if (view.map && view.map->hovered && view.map->path) return draw_map_path(frame, ui, *view.map);
-    if (view.prediction && view.prediction->tick <= view.now->tick) draw_prediction(frame, ui, *view.prediction);
+    draw_slots(frame, ui, view.features.slots);
+    if (view.features.robots && view.features.robots->report) return draw_robots(frame, ui, *view.features.robots);
+    if (view.features.map && view.features.map->hovered && view.features.map->path)
+        return draw_map_path(frame, ui, *view.features.map);
+    if (view.features.prediction && view.features.prediction->tick <= view.now->tick)
+        draw_prediction(frame, ui, *view.features.prediction);
 }
 
 }  // namespace braitenlab::ui

@@ -9,6 +9,7 @@
 #include "core/maths/angle.h"
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/floor_lines.h"
+#include "ui/scene_input/path_drawing.h"
 #include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
@@ -30,10 +31,10 @@ public:
         if (state_.path.on) draw_start();
         if (state_.path.points.size() > 1)
             dashes(state_.path.points, ui_.palette.accent);
-        else if (!view.ghost && !(view.lesson->grade && view.lesson->grade->good))
+        else if (!view.features.ghost && !(view.lesson->grade && view.lesson->grade->good))
             draw_paths(*view.lesson);
-        if (view.ghost)
-            draw_ghost(frame_, ui_, *view.ghost,
+        if (view.features.ghost)
+            draw_ghost(frame_, ui_, *view.features.ghost,
                        {ui_.palette.text, ui_.palette.second_text, ui_.strings("scene_input.solution"), "stage.ghost"});
     }
 
@@ -66,16 +67,18 @@ private:
     }
 
     void draw_paths(const LessonView& lesson) const {
-        if (lesson.drawn_path.empty()) return;
-        keep_line_free(frame_, ui_, lesson.real_path);
-        keep_line_free(frame_, ui_, lesson.drawn_path);
-        line(lesson.real_path, ui_.palette.text, path_width);
-        dashes(lesson.drawn_path, ui_.palette.accent);
-        const vec2 end = lesson.drawn_path.back();
+        const std::vector<vec2>& drawn = lesson.attempt.answers.drawn_path;
+        const std::vector<vec2>& real = lesson.attempt.work.real_path;
+        if (drawn.empty()) return;
+        keep_line_free(frame_, ui_, real);
+        keep_line_free(frame_, ui_, drawn);
+        line(real, ui_.palette.text, path_width);
+        dashes(drawn, ui_.palette.accent);
+        const vec2 end = drawn.back();
         name(end, "scene_input.predicted_path", ui_.palette.accent);
-        if (lesson.real_path.empty()) return;
+        if (real.empty()) return;
         // Far from the other name.
-        const auto place = std::max_element(lesson.real_path.begin(), lesson.real_path.end(), [&](vec2 a, vec2 b) {
+        const auto place = std::max_element(real.begin(), real.end(), [&](vec2 a, vec2 b) {
             return maths::distance(a, end) < maths::distance(b, end);
         });
         name(*place, "scene_input.real_path", ui_.palette.text);

@@ -1,7 +1,7 @@
 // Marks at the edge of the scene for what acts on a vehicle from outside the picture.
 #pragma once
 
-#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/state.h"
 
 namespace braitenlab::ui {
 

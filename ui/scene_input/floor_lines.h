@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/state.h"
 
 namespace braitenlab::ui {
 

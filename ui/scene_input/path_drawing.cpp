@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/lesson/path_distance.h"
-#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/state.h"
 #include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::ui {

@@ -1,26 +1,9 @@
 // A path drawn freehand on the floor: the prediction of an exercise that asks for one. Without Dear ImGui.
 #pragma once
 
-#include <vector>
-
-#include "core/maths/vec.h"
-#include "ui/request.h"
-
-namespace braitenlab {
-struct LabView;
-struct VehicleView;
-}  // namespace braitenlab
+#include "ui/scene_input/state.h"
 
 namespace braitenlab::ui {
-
-struct SceneInputState;
-struct SceneInputFrame;
-
-struct PathDrawing {
-    bool on = false;                  // the next drag draws the path
-    bool held = false;                // the button is down since the line was begun
-    std::vector<maths::vec2> points;  // m; the first is the vehicle's position. Drawn by keys if the button is up
-};
 
 // The vehicle whose path the exercise asks for. Null while no path can be drawn: without such an exercise, once the
 // prediction is closed, later than the start of the run, and in the wiring editor.

@@ -2,48 +2,12 @@
 // of the selected vehicle's kind if it follows its path. Without Dear ImGui, except draw_point_handles().
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "core/maths/vec.h"
-#include "core/world/command.h"
-#include "render/view/pick.h"
-#include "ui/request.h"
+#include "ui/scene_input/state.h"
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
-struct LabView;
-}
-
 namespace braitenlab::ui {
-
-struct SceneInputState;
-struct SceneInputFrame;
-
-enum class PointKind { none, corner, waypoint };
-
-struct PointHandle {
-    PointKind kind = PointKind::none;
-    std::size_t index = 0;  // of the corner or the waypoint
-    explicit operator bool() const { return kind != PointKind::none; }
-    friend bool operator==(const PointHandle&, const PointHandle&) = default;
-};
-
-struct PointDrag {
-    PointHandle handle;               // none: no drag
-    SceneObject object;               // that has the corner
-    int kind = -1;                    // that has the waypoint
-    std::vector<maths::vec2> points;  // all corners or waypoints at the press, m
-    maths::vec2 offset;               // m, from the pointer's position on the floor to the point
-    maths::vec2 put;                  // m, the last position requested
-    Command restored;                 // by Esc
-    std::uint64_t gesture = 0;
-};
-
-struct PointHandleState {
-    PointHandle hovered;
-    PointDrag drag;
-};
 
 // Positions on the floor, m; empty while none are shown.
 struct PointHandlePlaces {

@@ -7,7 +7,7 @@
 
 #include "core/maths/vec.h"
 #include "core/scene/scene.h"
-#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/state.h"
 
 namespace braitenlab::ui {
 

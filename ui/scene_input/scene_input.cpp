@@ -13,9 +13,13 @@
 #include "ui/scene_input/draw_outside.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/interaction.h"
+#include "ui/scene_input/path_drawing.h"
+#include "ui/scene_input/point_handles.h"
 #include "ui/scene_input/polygon_tool.h"
+#include "ui/scene_input/sensor_handles.h"
 #include "ui/scene_input/tools.h"
 #include "ui/scene_input/trail_moments.h"
+#include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::ui {
 

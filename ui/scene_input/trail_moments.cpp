@@ -24,8 +24,9 @@ vec2 position(const Pose& pose) { return {pose.x, pose.y}; }
 
 // The poses up to the displayed tick; 0 where no trail is shown.
 std::size_t shown_poses(const LabView& view) {
-    if (!view.path || !view.settings.overlays.trails || view.mode == Mode::wiring || !can_tell_why(view)) return 0;
-    return std::min(view.path->size(), static_cast<std::size_t>(view.now->tick) + 1);
+    if (!view.features.path || !view.settings.overlays.trails || view.mode == Mode::wiring || !can_tell_why(view))
+        return 0;
+    return std::min(view.features.path->size(), static_cast<std::size_t>(view.now->tick) + 1);
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ std::optional<std::uint64_t> trail_moment_at_pointer(const SceneInputState& stat
     if (!frame.pointer.over || state.tool != SceneInputTool::hand) return std::nullopt;
     const std::size_t count = shown_poses(frame.view);
     if (count == 0) return std::nullopt;
-    const std::vector<Pose>& path = *frame.view.path;
+    const std::vector<Pose>& path = *frame.view.features.path;
     if (pixels_from(frame, position(path[count - 1])) < from_the_vehicle * frame.scale) return std::nullopt;
     std::optional<std::uint64_t> nearest;
     float least = trail_reach * frame.scale * finger_reach(frame.view);
@@ -45,7 +46,7 @@ std::optional<std::uint64_t> trail_moment_at_pointer(const SceneInputState& stat
 
 void draw_trail_moment(const SceneInputFrame& frame, const Ui& ui, std::uint64_t tick) {
     if (tick >= shown_poses(frame.view) || frame.view.lecture) return;  // a lecture has no tooltips
-    const auto at = project(frame.camera_view, position((*frame.view.path)[static_cast<std::size_t>(tick)]));
+    const auto at = project(frame.camera_view, position((*frame.view.features.path)[static_cast<std::size_t>(tick)]));
     if (!at) return;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.AddCircle({at->x, at->y}, ui.px(7), paint(ui.palette.panel), 0, ui.px(5));

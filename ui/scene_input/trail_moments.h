@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/state.h"
 
 namespace braitenlab::ui {
 
@@ -13,7 +13,7 @@ namespace braitenlab::ui {
 // be told.
 std::optional<std::uint64_t> trail_moment_at_pointer(const SceneInputState&, const SceneInputFrame&);
 
-// A ring on the trail at LabView::path[tick].
+// A ring on the trail at FeatureViews::path[tick].
 void draw_trail_moment(const SceneInputFrame&, const Ui&, std::uint64_t tick);
 
 }  // namespace braitenlab::ui

@@ -3,9 +3,13 @@
 
 #include <optional>
 
-#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/state.h"
 
 namespace braitenlab::ui {
+
+// The object that Delete, Ctrl+D, the arrow keys and the handle act on: the selected lamp, obstacle or zone, else the
+// selected vehicle.
+SceneObject chosen(const LabView&);
 
 // The pointer's position on the floor, m; nullopt above the horizon.
 std::optional<maths::vec2> floor_at(const SceneInputFrame&);

@@ -16,11 +16,9 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float side_padding = spacing::large, bottom_padding = spacing::medium, above_footer = spacing::small,
-                below_head = spacing::small;
-constexpr float card_heading = 36;         // layout pixels
-constexpr float unmeasured_head = 200;     // at most, layout pixels
-constexpr float card_scrollbar_inset = 3;  // from the card's edge
+constexpr float bottom_padding = spacing::medium, above_footer = spacing::small, below_head = spacing::small;
+constexpr float card_heading = 36;      // layout pixels
+constexpr float unmeasured_head = 200;  // at most, layout pixels
 constexpr ImGuiWindowFlags plain_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
@@ -213,8 +211,6 @@ void end_overlay() {
     ImGui::End();
     ImGui::PopStyleVar();
 }
-
-float card_width(const Ui& ui) { return ImGui::GetWindowWidth() - ui.px(side_padding - card_scrollbar_inset); }
 
 float card_width(const Ui& ui, Rect card) { return card.w - 2 * ui.px(side_padding); }
 

@@ -62,10 +62,7 @@ void end_bar();
 void begin_overlay(const Ui&, const char* name, Rect, Colour border);
 void end_overlay();
 
-// The width of the body without padding and scrollbar, window pixels.
-float card_width(const Ui&);
-
-// The same for the card in this rectangle, also outside its body.
+// card_width() of the card in this rectangle, also outside its body.
 float card_width(const Ui&, Rect card);
 
 // A vertical gap; a small heading within a card.

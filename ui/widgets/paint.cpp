@@ -6,7 +6,6 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/widgets/card.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
 
@@ -281,5 +280,7 @@ Colour colour_of_weight(const Palette& p, float weight) {
     constexpr float nothing = 0.005f;  // would be written as 0.00
     return weight >= nothing ? p.excites : weight <= -nothing ? p.inhibits : p.second_text;
 }
+
+float card_width(const Ui& ui) { return ImGui::GetWindowWidth() - ui.px(side_padding - card_scrollbar_inset); }
 
 }  // namespace braitenlab::ui

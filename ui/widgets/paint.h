@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "core/scene/scene.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
@@ -108,5 +109,11 @@ Colour colour_of_weight(const Palette&, float weight);
 // The text with its arrows replaced by those of the icon font, which have the size of other key names. Unchanged
 // without the icon font.
 std::string with_large_arrows(const Ui&, std::string text);
+
+inline constexpr float side_padding = spacing::large;  // layout pixels, of a card
+inline constexpr float card_scrollbar_inset = 3;       // layout pixels, from the edge of a card
+
+// The width of the body of the card that is drawn, without padding and scrollbar, window pixels.
+float card_width(const Ui&);
 
 }  // namespace braitenlab::ui

@@ -4,6 +4,7 @@
 #include "core/brain/four_neurons.h"
 #include "ui/wiring/edits.h"
 #include "ui/wiring/input.h"
+#include "ui/wiring/menu.h"
 
 namespace braitenlab::wiring {
 

@@ -12,6 +12,7 @@
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/input.h"
+#include "ui/wiring/menu.h"
 
 namespace braitenlab::wiring {
 
@@ -20,12 +21,6 @@ using namespace ui;
 using maths::vec2;
 
 namespace {
-
-float value_of(const Snapshot& now, const VehicleView& vehicle, const Node& node, const NodeShape& shape) {
-    if (node.kind != NodeKind::neuron) return node_value(now, vehicle, node.id);
-    // By rank: faster than a search for each of many neurons.
-    return now.neurons[static_cast<std::size_t>(vehicle.first_neuron + shape.unit)];
-}
 
 Pointer read_pointer(bool over) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -204,7 +199,7 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     std::vector<CornerButton> buttons;
     if (frame.has_buttons) buttons = corner_buttons(ui, area, frame.pointer);
     handle_input(state, frame, ui.outbox);
-    if (state.hovered != state.rested) state.rested = state.hovered, state.rested_since = view.wall_seconds;
+    if (state.hovered != state.rest.on) state.rest.on = state.hovered, state.rest.since = view.wall_seconds;
     const auto pressed = [&](std::string_view anchor) {
         return std::any_of(buttons.begin(), buttons.end(),
                            [&](const CornerButton& button) { return button.anchor == anchor && button.pressed; });
@@ -232,33 +227,12 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     for (const CornerButton& button : buttons) draw_button(ui, button);
     draw_minimap(pen, picture, area);
     draw_cursor(pen, picture, after);
-    state.menu.for_finger = view.touch;
+    state.menu.for_finger = view.program.touch;
     draw_menu(pen, state.menu, area);
     set_cursor(state);
 }
 
 }  // namespace
-
-void update(Readings& readings, const Snapshot& now, const VehicleView& vehicle, const BrainGraph& graph,
-            const Layout& layout) {
-    readings.nodes.clear();
-    readings.learned.clear();
-    readings.carried.clear();
-    for (const NodeShape& shape : layout.nodes)
-        readings.nodes.push_back(value_of(now, vehicle, graph.nodes[shape.node], shape));
-    for (const WireShape& shape : layout.wires) {
-        if (shape.wire < 0) {
-            readings.learned.push_back(0);
-            readings.carried.push_back(0);
-            continue;
-        }
-        const auto learner = static_cast<std::size_t>(vehicle.first_neuron + vehicle.neuron_count + shape.learner);
-        const bool learnt = shape.learner >= 0 && learner < now.neurons.size();
-        readings.learned.push_back(learnt ? now.neurons[learner] : 0);
-        readings.carried.push_back(signal(graph.wires[static_cast<std::size_t>(shape.wire)], readings.nodes[shape.from],
-                                          readings.learned.back()));
-    }
-}
 
 void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     if (area.w <= 0 || area.h <= 0) return;

@@ -11,7 +11,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/paint.h"
-#include "ui/wiring/canvas.h"
+#include "ui/wiring/canvas_state.h"
 
 namespace braitenlab::wiring {
 

@@ -162,7 +162,7 @@ void draw_joining(const Pen& pen, const Picture& picture, const CanvasFrame& fra
 void draw_description(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
     constexpr double rest_seconds = 0.5;
     const CanvasState& state = picture.state;
-    const bool rests = !pen.ui.quiet && frame.wall_seconds - state.rested_since >= rest_seconds;
+    const bool rests = !pen.ui.quiet && frame.wall_seconds - state.rest.since >= rest_seconds;
     if (!rests || state.hovered.part != Part::node) return;
     const Node* node = find_node(picture.graph, state.hovered.node);
     const NodeShape* shape = find_shape(picture.layout, state.hovered.node);

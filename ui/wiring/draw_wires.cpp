@@ -148,7 +148,7 @@ void draw_dots(const Stroke& stroke, const Picture& picture, float carried, Colo
     const float strength = std::min(std::abs(carried), 1.0f);
     if (strength < 0.01f) return;
     const Pen& pen = stroke.pen;
-    const bool dark = picture.view.theme == Theme::dark, map = detail_of(pen) == Detail::map;
+    const bool dark = picture.view.program.theme == Theme::dark, map = detail_of(pen) == Detail::map;
     const bool plain = picture.layout.wires.size() > many_wires;
     const float radius = pen.stroke(2.2f + 3.4f * std::sqrt(strength));
     const ImU32 core =
@@ -188,7 +188,8 @@ void draw_wire(const Pen& pen, const Picture& picture, std::size_t index) {
     const bool plain = detail_of(pen) == Detail::map;
     if (!plain) stroke.line(width + 1.5f, p.ground);  // separates crossing wires
     if (!plain && strength > 0.01f) stroke.line(width + 7 * strength, colour.with_alpha(0.18f * strength));
-    const float resting = picture.view.theme == Theme::dark ? 0.55f : 0.85f;  // pale lines are hard to see on white
+    const float resting =
+        picture.view.program.theme == Theme::dark ? 0.55f : 0.85f;  // pale lines are hard to see on white
     stroke.line(width, mix(p.ground, colour, resting + (1 - resting) * strength));
     draw_dots(stroke, picture, look.carried, colour);
     draw_end_sign(pen, shape.bezier[3] - vec2{pin_gap, 0}, sign_size + width * 0.6f, look.weight > 0, colour);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "ui/wiring/canvas.h"
+#include "ui/wiring/canvas_state.h"
 
 namespace braitenlab::wiring {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/wiring/edits.h"
+#include "ui/wiring/menu.h"
 
 namespace braitenlab::wiring {
 
@@ -23,15 +24,15 @@ float rounded(float weight) { return std::clamp(std::round(weight * 100) / 100, 
 void use_wheel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const Pointer& pointer = frame.pointer;
     const bool over_label = state.hovered.part == Part::label;
-    if (!over_label || state.hovered.wire != state.wheel_wire) state.wheel_gesture = 0;
+    if (!over_label || state.hovered.wire != state.wheel.wire) state.wheel.gesture = 0;
     if (pointer.wheel == 0) return;
     if (!over_label)
         return zoom_at(state.camera, frame.area, frame.ui_scale, pointer.at, std::pow(1.15f, pointer.wheel));
-    state.wheel_wire = state.hovered.wire;
-    if (state.wheel_gesture == 0) state.wheel_gesture = state.next_gesture++;
-    const float now = weight_of(frame.graph, state.wheel_wire);
+    state.wheel.wire = state.hovered.wire;
+    if (state.wheel.gesture == 0) state.wheel.gesture = state.next_gesture++;
+    const float now = weight_of(frame.graph, state.wheel.wire);
     const float then = rounded(now + pointer.wheel * (pointer.shift ? fine : coarse));
-    if (then != now) send_weight(frame, frame.graph, state.wheel_wire, then, state.wheel_gesture, outbox);
+    if (then != now) send_weight(frame, frame.graph, state.wheel.wire, then, state.wheel.gesture, outbox);
 }
 
 std::optional<Minimap> minimap_now(const CanvasState& state, const CanvasFrame& frame) {
@@ -58,7 +59,7 @@ void press(CanvasState& state, const CanvasFrame& frame) {
     drag.gesture = state.next_gesture++;
     state.refusal = {};
     state.joining.reset();
-    state.wheel_gesture = 0;
+    state.wheel.gesture = 0;
 }
 
 // A new wire from a pin, or the end of a wire that is nearer to the press.

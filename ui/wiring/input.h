@@ -3,7 +3,7 @@
 // idle → pending (pressed, moved less than 4 px) → pan | map | box | move_nodes | drag_wire | drag_weight → idle.
 #pragma once
 
-#include "ui/wiring/canvas.h"
+#include "ui/wiring/canvas_state.h"
 
 namespace braitenlab::wiring {
 

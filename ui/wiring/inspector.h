@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/slider.h"
-#include "ui/wiring/canvas.h"
+#include "ui/wiring/canvas_state.h"
 
 namespace braitenlab::wiring {
 

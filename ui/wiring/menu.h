@@ -4,57 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/brain/edit.h"
-#include "ui/request.h"
-#include "ui/wiring/view.h"
+#include "ui/wiring/canvas_state.h"
 
 namespace braitenlab::wiring {
-
-enum class MenuCommand {
-    add,  // a neuron of MenuRow::kind
-    edit_numbers,
-    probe,
-    chart,  // shows the nodes' signals on the chart card
-    join,   // begins a wire that is drawn with keys
-    insert,
-    flip,  // the sign of a weight
-    lesion,
-    copy,
-    cut,
-    paste,
-    duplicate,
-    detach,
-    erase,
-    column,
-    row,
-    even_down,
-    even_across,
-    select_all,
-    tidy,
-    fit,
-};
-
-struct MenuRow {
-    MenuCommand command{};
-    std::string_view words;          // string key
-    std::optional<Action> action{};  // the action with the same effect, for its shortcut
-    std::size_t kind = 0;            // of add: index in neuron_kinds
-    bool begins_group = false;       // a line above it
-};
-
-struct CanvasMenu {
-    std::vector<MenuRow> rows;       // empty: the menu is closed
-    std::string_view heading, note;  // string keys; empty: none
-    int current = -1;                // row under the pointer or chosen with arrow keys; −1: none
-    maths::vec2 at;                  // window pixel where it was opened
-    maths::vec2 canvas_at;           // the same in canvas units: position of an added neuron
-    Hit loose;                       // pin that a dropped wire starts from; Part::nothing: no wire
-    Rect rect;                       // window pixels; set by place_menu()
-    float ui_scale = 1;
-    bool for_finger = false;  // rows have the height for a finger
-    float row_height = 0;     // layout pixels; set by place_menu()
-    bool open() const { return !rows.empty(); }
-};
 
 // The string key of a row of neuron_kinds: "wiring.kind.hump".
 std::string_view kind_key(std::size_t kind);

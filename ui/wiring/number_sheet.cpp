@@ -13,6 +13,7 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/inspector.h"
+#include "ui/wiring/menu.h"
 
 namespace braitenlab::wiring {
 

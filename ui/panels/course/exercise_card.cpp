@@ -93,10 +93,11 @@ void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& u
     ImGui::Indent(left);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::hair)});
     paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
-    if (known && lesson.has_run && !(done && has_passed(lesson)))  // then the result has the room of the values
+    const bool has_verdict = known && lesson.attempt.work.has_run;
+    if (has_verdict && !(done && has_passed(lesson)))  // then the result has the room of the values
         for (const Measure& measure : lesson.verdicts[index].measures)
             if (std::isfinite(measure.value)) step_value(measure, done, !lesson.at_start, start.x, ui);
-    if (known && lesson.has_run && lesson.verdicts[index].lost)
+    if (has_verdict && lesson.verdicts[index].lost)
         paragraph(ui, ui.strings("exercise.lost"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     ImGui::PopStyleVar();
     ImGui::Unindent(left);
@@ -121,8 +122,8 @@ void together_button(const LessonView& lesson, Ui& ui) {
 // The brain that the student's progress has, while the vehicle has another one.
 void kept_button(const LabView& view, Ui& ui) {
     const LessonView& lesson = *view.lesson;
-    if (!lesson.has_kept || has_passed(lesson) || !view.students) return;
-    const ExerciseProgress* kept = find_progress(view.students->student(), lesson.key);
+    if (!lesson.standing.has_kept || has_passed(lesson) || !view.library.students) return;
+    const ExerciseProgress* kept = find_progress(view.library.students->student(), lesson.key);
     if (!kept) return;
     paragraph(ui,
               fill(ui.strings(kept->passed ? "exercise.passed_before" : "exercise.tried_before"),
@@ -138,15 +139,15 @@ void kept_button(const LabView& view, Ui& ui) {
 std::string_view next_words(const LessonView& lesson) {
     const Grade& grade = *lesson.grade;
     if (!grade.good) return grade.count == 0 ? "exercise.not_yet_none" : "exercise.not_yet_next";
-    if (lesson.solution_shown) return "exercise.passed_shown";
+    if (lesson.attempt.work.solution_shown) return "exercise.passed_shown";
     return static_cast<std::size_t>(grade.count) == grade.starts.size() ? "exercise.passed_all"
                                                                         : "exercise.passed_next";
 }
 
 void result(const LabView& view, Ui& ui) {
     const LessonView& lesson = *view.lesson;
-    if (lesson.starts_tested) {
-        const std::string tested = std::to_string(*lesson.starts_tested), of = std::to_string(lesson.exercise->starts);
+    if (const auto& count = lesson.standing.starts_tested) {
+        const std::string tested = std::to_string(*count), of = std::to_string(lesson.exercise->starts);
         paragraph(ui, fill(ui.strings("exercise.testing"), {tested, of}), ui.palette.text, Face::strong);
         gap(ui, 12);
     }
@@ -161,7 +162,7 @@ void result(const LabView& view, Ui& ui) {
         const std::string needed = std::to_string(lesson.exercise->needed);
         paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
     }
-    if (!grade.good && lesson.passed_before)
+    if (!grade.good && lesson.standing.passed_before)
         paragraph(ui, ui.strings("exercise.stays_passed"), ui.palette.second_text, Face::small);
     start_pictures(view, ui);
     median_rows(lesson, ui);
@@ -189,11 +190,11 @@ void hint_text(const LessonView& lesson, std::size_t index, PanelState& state, U
 void hints(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const std::size_t count = lesson.exercise->hints.size();
-    const auto shown = std::min(static_cast<std::size_t>(std::max(0, lesson.hints_shown)), count);
+    const auto shown = std::min(static_cast<std::size_t>(std::max(0, lesson.attempt.answers.hints_shown)), count);
     const bool newest_first = view.mode == Mode::wiring;
     for (std::size_t i = 0; i < shown; ++i) hint_text(lesson, newest_first ? shown - 1 - i : i, state, ui);
     // While the button is not available, how long that lasts.
-    if (!lesson.hint_ready && lesson.hint_in > 0 && !has_passed(lesson))
+    if (!lesson.attempt.answers.hint_ready && lesson.hint_in > 0 && !has_passed(lesson))
         paragraph(ui,
                   fill(ui.strings(shown < count ? "exercise.hint_in" : "exercise.show_me_in"),
                        {std::to_string(lesson.hint_in)}),
@@ -210,31 +211,31 @@ void hints(const LabView& view, PanelState& state, Ui& ui) {
 // After the last hint: gives the vehicle the solution.
 void show_me_button(const LessonView& lesson, Ui& ui) {
     ButtonLook look{icon::hint, ui.strings("exercise.show_me")};
-    look.enabled = lesson.hint_ready;
+    look.enabled = lesson.attempt.answers.hint_ready;
     const Item at = button(ui, "exercise.show_me", look);
     if (at.pressed) ui.outbox.emplace_back(ShowMeRequest{});
-    tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.show_me_how" : "exercise.hint_wait"));
+    tooltip(ui, at, ui.strings(look.enabled ? "exercise.show_me_how" : "exercise.hint_wait"));
 }
 
 void hint_button(const LessonView& lesson, Ui& ui) {
     const std::size_t count = lesson.exercise->hints.size();
-    const bool left = static_cast<std::size_t>(lesson.hints_shown) < count;
+    const bool left = static_cast<std::size_t>(lesson.attempt.answers.hints_shown) < count;
     if (!left) return show_me_button(lesson, ui);
     ButtonLook look{icon::hint, ui.strings("exercise.hint")};
-    look.enabled = lesson.hint_ready;
+    look.enabled = lesson.attempt.answers.hint_ready;
     const Item at = button(ui, "exercise.hint", look);
     if (at.pressed) ui.outbox.push_back(Action::hint);
-    tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.hint_how" : "exercise.hint_wait"),
+    tooltip(ui, at, ui.strings(look.enabled ? "exercise.hint_how" : "exercise.hint_wait"),
             key_name(Action::hint, ui.strings));
 }
 
 // The exercise after this one, by number and then by name; or null.
 const CatalogueEntry* next_exercise(const LabView& view) {
     const CatalogueEntry* next = nullptr;
-    if (!view.catalogue || view.lesson->exercise->number == 0) return next;  // one's own is in no order
+    if (!view.library.catalogue || view.lesson->exercise->number == 0) return next;  // one's own is in no order
     const auto order = [](const CatalogueEntry& entry) { return std::tie(entry.number, entry.name); };
     const auto now = std::tie(view.lesson->exercise->number, view.lesson->exercise->id);
-    for (const CatalogueEntry& entry : *view.catalogue)
+    for (const CatalogueEntry& entry : *view.library.catalogue)
         if (entry.number > 0 && order(entry) > now && (!next || order(entry) < order(*next))) next = &entry;
     return next;
 }
@@ -260,7 +261,7 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
         next_button(view, state, ui);
     else
         hint_button(*view.lesson, ui);
-    if (!passed && view.lesson->passed_before) {  // with another brain, or at another time
+    if (!passed && view.lesson->standing.passed_before) {  // with another brain, or at another time
         const ButtonLook next{{}, ui.strings(next_exercise(view) ? "exercise.next" : "exercise.more")};
         beside_or_below(ui, button_width(ui, next), right);
         next_button(view, state, ui);
@@ -303,12 +304,13 @@ void steps(const LabView& view, PanelState& state, Ui& ui) {
     comparison(view, ui, heading);
     if (lesson.by_hand && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
-    if (lesson.too_many_changes && !lesson.outside_offers)
+    const Standing& standing = lesson.standing;
+    if (standing.too_many_changes && !standing.outside_offers)
         paragraph(ui, fill(ui.strings("exercise.too_many_changes"), {std::to_string(lesson.exercise->changes)}),
                   colour_of(NoticeKind::notice, ui.palette), Face::small);
-    if (lesson.outside_offers)
+    if (standing.outside_offers)
         paragraph(ui, ui.strings("exercise.outside_offers"), ui.palette.second_text, Face::small);
-    if (lesson.changed_since_done)
+    if (standing.changed_since_done)
         paragraph(ui, ui.strings("exercise.ticks_before"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     else if (has_passed(lesson) && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.ticks_of_run"), ui.palette.second_text, Face::small);
@@ -363,7 +365,7 @@ bool shows_title(const LabView& view) {
 // the goal is below the result and scrolls.
 void head(const LabView& view, PanelState& state, Ui& ui) {
     if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
-    if (!has_passed(*view.lesson) && view.lesson->passed_before) passed_mark(ui);
+    if (!has_passed(*view.lesson) && view.lesson->standing.passed_before) passed_mark(ui);
     if (!has_passed(*view.lesson)) goal(*view.lesson, state, ui);
 }
 
@@ -407,7 +409,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
         reason(view, state, ui);
         if (!hides_outcome(view)) selection_button(view, state, ui);
-        const bool steps_first = (!lesson.as_given || lesson.outcome_known) && !hides_outcome(view);
+        const bool steps_first = (!lesson.as_given || lesson.attempt.work.outcome_known) && !hides_outcome(view);
         if (!passed && steps_first) steps(view, state, ui);
         const bool hints_last = passed || !steps_first || state.exercise.outcome_newest;
         if (!hints_first && !hints_last) hints(view, state, ui);

@@ -19,7 +19,7 @@ namespace {
 
 // The name in the view, else the typed one without spaces at its ends.
 std::string student_of(const LabView& view, const HandInState& state) {
-    const std::string& typed = view.student.empty() ? state.name.text : view.student;
+    const std::string& typed = view.library.student.empty() ? state.name.text : view.library.student;
     const std::size_t first = typed.find_first_not_of(' '), last = typed.find_last_not_of(' ');
     return first == std::string::npos ? std::string() : typed.substr(first, last - first + 1);
 }
@@ -27,23 +27,24 @@ std::string student_of(const LabView& view, const HandInState& state) {
 // A name given at hand-in is that of the present student from then on. A name that another student has stays with that
 // student, and only the file has it.
 void name_student(const LabView& view, Ui& ui, const std::string& name) {
-    if (view.student.empty() && view.students && is_free_name(*view.students, name))
+    if (view.library.student.empty() && view.library.students && is_free_name(*view.library.students, name))
         ui.outbox.emplace_back(StudentRequest{StudentEdit::rename, 0, name});
 }
 
 // The name of the last written file, and a button that copies its path.
 void written_file(const LessonView& lesson, Ui& ui, float width) {
-    if (lesson.written.empty()) return;
+    const std::string& written = lesson.attempt.work.written;
+    if (written.empty()) return;
     const SmallButton copy{"exercise.copy_path", {}, ui.strings("exercise.copy_path")};
     const float beside = width - small_button_width(ui, copy, true) - ui.px(8);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string name = lesson.written.substr(lesson.written.find_last_of('/') + 1);
+    const std::string name = written.substr(written.find_last_of('/') + 1);
     put(ui, {at.x, at.y + (ui.px(small_button_height) - line_height(ui, Face::small)) / 2},
         shortened(ui, name, Face::small, beside), ui.palette.second_text, Face::small);
     ImGui::SetCursorScreenPos({at.x + beside + ui.px(8), at.y});
     const Item button = small_button(ui, copy);
-    tooltip(ui, button, fill(ui.strings("exercise.copy_path_how"), {lesson.written}));
-    if (button.pressed) ImGui::SetClipboardText(lesson.written.c_str());
+    tooltip(ui, button, fill(ui.strings("exercise.copy_path_how"), {written}));
+    if (button.pressed) ImGui::SetClipboardText(written.c_str());
 }
 
 }  // namespace
@@ -51,8 +52,8 @@ void written_file(const LessonView& lesson, Ui& ui, float width) {
 void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width) {
     HandInState& asked = state.exercise.hand_in;
     const float right = ImGui::GetCursorScreenPos().x + width;
-    const bool is_shown = view.lesson->has_run;
-    if (is_shown && asked.asks && view.student.empty()) {
+    const bool is_shown = view.lesson->attempt.work.has_run;
+    if (is_shown && asked.asks && view.library.student.empty()) {
         if (std::exchange(asked.begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.student";
         text_field(ui, asked.name, "exercise.student", width, ui.strings("exercise.student"),
                    ui.strings("exercise.student_how"));

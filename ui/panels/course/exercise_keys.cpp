@@ -40,7 +40,7 @@ bool is_asked(const LabView& view, const PanelState& state) {
 
 // True if Play waits for the prediction, unless it is skipped.
 bool asks_before_play(const LabView& view) {
-    if (view.lecture || !view.lesson || view.lesson->free_play || view.mode == Mode::playing) return false;
+    if (view.lecture || !view.lesson || view.lesson->attempt.work.free_play || view.mode == Mode::playing) return false;
     return awaits_prediction(*view.lesson) && hides_outcome(view);
 }
 
@@ -53,7 +53,8 @@ bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, 
     int wanted = -1;
     if (press.key >= '1' && press.key <= '9' && !view.lecture) wanted = press.key - '1';
     if (press.key == ' ' && state.keyboard.shown) wanted = focused_answer(state, count);
-    if (wanted < 0 || wanted >= count || (press.key == ' ' && wanted == view.lesson->prediction)) return false;
+    if (wanted < 0 || wanted >= count || (press.key == ' ' && wanted == view.lesson->attempt.answers.prediction))
+        return false;
     outbox.emplace_back(PredictRequest{wanted});
     state.keyboard.focus = std::string(answer_stem) + std::to_string(wanted + 1);
     state.keyboard.shown = state.keyboard.revealed = true;

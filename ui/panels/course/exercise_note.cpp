@@ -15,7 +15,7 @@ namespace braitenlab::ui {
 void note_field(const LabView& view, PanelState& state, Ui& ui) {
     constexpr int rows = 5;
     if (!state.exercise.note_open) return;
-    const std::string& notes = view.lesson->notes;
+    const std::string& notes = view.lesson->attempt.notes;
     if (!state.exercise.note.active) state.exercise.note.text = notes;
     if (std::exchange(state.exercise.note_begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.note.text";
     text_area(ui, state.exercise.note, "exercise.note.text", card_width(ui), rows, ui.strings("exercise.note_empty"),
@@ -25,7 +25,7 @@ void note_field(const LabView& view, PanelState& state, Ui& ui) {
 }
 
 void note_button(const LabView& view, PanelState& state, Ui& ui) {
-    const bool empty = view.lesson->notes.empty();
+    const bool empty = view.lesson->attempt.notes.empty();
     const Item at = small_button(
         ui, {"exercise.note", empty ? std::string_view{} : icon::check,
              ui.strings(empty || has_icons(ui) ? "exercise.note" : "exercise.note_written"), state.exercise.note_open});

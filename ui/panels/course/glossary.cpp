@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
-#include "ui/panels/panels.h"
+#include "ui/panels/panel_state.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -134,7 +134,7 @@ void draw_entry(const LabView& view, Ui& ui, const GlossaryTerm& term, float wid
     ImGui::PushClipRect({frame.x, frame.y}, {frame.x + frame.w, frame.y + frame.h}, true);
     const float inset = ui.px(spacing::small);
     term.draw(ui, {frame.x + inset, frame.y + inset, frame.w - 2 * inset, frame.h - 2 * inset},
-              view.reduce_motion ? still_seconds : view.wall_seconds);
+              view.program.reduce_motion ? still_seconds : view.wall_seconds);
     ImGui::PopClipRect();
     mark(ui, "glossary.picture", frame);
     ImGui::Dummy({frame.w, frame.h});

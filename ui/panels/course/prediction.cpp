@@ -26,7 +26,7 @@ namespace {
 // A sign and a sentence: whether the chosen option is the one that the run has shown. It is not graded, so that neither
 // colour is a warning.
 void came_true(const LessonView& lesson, Ui& ui) {
-    const bool right = lesson.prediction == lesson.exercise->prediction.answer;
+    const bool right = lesson.attempt.answers.prediction == lesson.exercise->prediction.answer;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float left = ui.px(26), radius = ui.px(8);
     const ImVec2 middle{start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2};
@@ -51,7 +51,7 @@ void came_true(const LessonView& lesson, Ui& ui) {
 void draw_button(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
-    const bool drawn = !lesson.drawn_path.empty(), enabled = vehicle_to_draw_for(view) != nullptr;
+    const bool drawn = !lesson.attempt.answers.drawn_path.empty(), enabled = vehicle_to_draw_for(view) != nullptr;
     const std::string seconds = fixed(ui, asked.after, 0);
     paragraph(ui, fill(ui.strings(asked.options.empty() ? "exercise.draw_only" : "exercise.draw_or"), {seconds}),
               ui.palette.second_text, Face::small);
@@ -88,7 +88,7 @@ void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
     if (!asked.path_of.empty()) draw_button(view, state, ui);
     for (std::size_t i = 0; i < asked.options.size(); ++i) {
-        const bool is_chosen = static_cast<int>(i) == lesson.prediction;
+        const bool is_chosen = static_cast<int>(i) == lesson.attempt.answers.prediction;
         const std::string id = "exercise.predict." + std::to_string(i + 1);
         const std::string key = view.lecture ? "" : std::to_string(i + 1);
         if (radio_row(ui, id, translated(ui, asked.options[i]), is_chosen, true, ui.strings("exercise.predict_how"),
@@ -111,19 +111,21 @@ float length_of_vehicle(const Exercise& exercise) {
 
 // The prediction is shown beside the outcome. It is not graded.
 void made_prediction(const LessonView& lesson, Ui& ui) {
+    const Attempt::Answers& answers = lesson.attempt.answers;
+    const Attempt::Work& work = lesson.attempt.work;
     const Prediction& asked = lesson.exercise->prediction;
-    const auto chosen = static_cast<std::size_t>(lesson.prediction);
-    if (lesson.prediction >= 0 && chosen < asked.options.size()) {
+    const auto chosen = static_cast<std::size_t>(answers.prediction);
+    if (answers.prediction >= 0 && chosen < asked.options.size()) {
         paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
                   ui.palette.second_text);
-        if (lesson.outcome_known) came_true(lesson, ui);
+        if (work.outcome_known) came_true(lesson, ui);
     }
-    if (lesson.real_path.empty()) return;
+    if (work.real_path.empty()) return;
     paragraph(ui,
               fill(ui.strings("exercise.path_differs"),
-                   {fixed(ui, lesson.path_difference, 1), fixed(ui, length_of_vehicle(*lesson.exercise), 1)}),
+                   {fixed(ui, work.path_difference, 1), fixed(ui, length_of_vehicle(*lesson.exercise), 1)}),
               ui.palette.text);
-    if (lesson.path_reversed) paragraph(ui, ui.strings("exercise.path_reversed"), ui.palette.text);
+    if (work.path_reversed) paragraph(ui, ui.strings("exercise.path_reversed"), ui.palette.text);
 }
 
 // Runs with the student's changes do not judge the prediction.
@@ -142,7 +144,7 @@ void locked_prediction(const LessonView& lesson, bool asks_for_a_run, Ui& ui) {
     made_prediction(lesson, ui);
     if (asks_for_a_run) return ask_for_a_run_as_given(ui);
     if (offers_selection(*lesson.exercise)) return;
-    note(ui, has_predicted(lesson) ? "exercise.locked" : "exercise.locked_unanswered");
+    note(ui, has_predicted(lesson.attempt.answers) ? "exercise.locked" : "exercise.locked_unanswered");
 }
 
 }  // namespace
@@ -163,8 +165,9 @@ void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) 
 void prediction(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
-    const bool passed = lesson.grade && lesson.grade->good, is_open = !lesson.outcome_known && !passed;
-    if (!is_asked(asked) || (!is_open && !has_predicted(lesson) && !lesson.outcome_known)) return;
+    const bool is_known = lesson.attempt.work.outcome_known, has_answer = has_predicted(lesson.attempt.answers);
+    const bool passed = lesson.grade && lesson.grade->good, is_open = !is_known && !passed;
+    if (!is_asked(asked) || (!is_open && !has_answer && !is_known)) return;
     const bool asks_for_a_run = !lesson.as_given && is_open && !offers_selection(*lesson.exercise);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ExerciseRows& rows = state.exercise.rows;
@@ -176,14 +179,14 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
         open_prediction(view, state, ui);
         if (asks_for_a_run)
             ask_for_a_run_as_given(ui);
-        else if (has_predicted(lesson))
+        else if (has_answer)
             note(ui, "exercise.changeable");
     } else if (is_open) {
         locked_prediction(lesson, asks_for_a_run, ui);
     } else {
         made_prediction(lesson, ui);
     }
-    if (lesson.outcome_known && !asked.outcome.empty())
+    if (is_known && !asked.outcome.empty())
         paragraph_with_terms(ui, state.glossary,
                              fill(ui.strings(lesson.as_given ? "exercise.outcome" : "exercise.outcome_before"),
                                   {translated(ui, asked.outcome)}),
@@ -191,7 +194,7 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     const ImVec2 end = ImGui::GetCursorScreenPos();
     if (std::exchange(state.exercise.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
-    if (!std::exchange(state.exercise.outcome_seen, lesson.outcome_known) && lesson.outcome_known)
+    if (!std::exchange(state.exercise.outcome_seen, is_known) && is_known)
         aim_at(rows, ExerciseRows::Aim::outcome), state.exercise.outcome_newest = true;
     rows.outcome = {rows.first_open_step.value_or(top), ImGui::GetCursorPosY()};
     gap(ui, 12);
@@ -201,14 +204,15 @@ void comparison(const LabView& view, Ui& ui, ImVec2 heading) {
     if (!can_compare(view)) return;
     const LessonView& lesson = *view.lesson;
     const ImVec2 below = ImGui::GetCursorScreenPos();
-    const SmallButton look{"exercise.compare", icon::outlines, ui.strings("exercise.compare"), lesson.compares};
+    const SmallButton look{"exercise.compare", icon::outlines, ui.strings("exercise.compare"),
+                           lesson.attempt.work.compares};
     const float w = small_button_width(ui, look, true), h = ui.px(small_button_height);
     ImGui::SetCursorScreenPos({heading.x + card_width(ui) - w, heading.y + (line_height(ui, Face::small) - h) / 2});
     const Item at = small_button(ui, look);
-    if (at.pressed) ui.outbox.push_back(CompareRequest{!lesson.compares});
+    if (at.pressed) ui.outbox.push_back(CompareRequest{!lesson.attempt.work.compares});
     tooltip(ui, at, ui.strings("exercise.compare_how"));
     ImGui::SetCursorScreenPos(below);
-    if (lesson.compares)
+    if (lesson.attempt.work.compares)
         paragraph(ui, ui.strings(lesson.by_hand ? "exercise.compare_by_hand" : "exercise.compare_legend"),
                   ui.palette.second_text, Face::small);
 }

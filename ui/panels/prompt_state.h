@@ -1,0 +1,37 @@
+// What the prompts store between frames.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/brain/graph.h"
+
+namespace braitenlab::ui {
+
+// A suggestion is shown once, for a limited time.
+struct Suggested {
+    bool known = false;  // followed or timed out
+    double since = -1;   // wall seconds of its start; negative: not shown yet
+};
+
+// What the person has done at least once, in any file and at any earlier start: it is not suggested again.
+struct PromptsFollowed {
+    bool slider = false, lamp = false, wiring = false, timeline = false;
+    friend bool operator==(const PromptsFollowed&, const PromptsFollowed&) = default;
+};
+
+// State of the prompts for one opened file.
+struct PromptMemory {
+    std::string opened;
+    PromptsFollowed followed{};  // kept when another file is opened
+    bool played = false;
+    bool slider_known = false;                  // a slider was turned, or the run is long enough
+    Suggested lamp, wiring, timeline;           // of free play, in this order
+    int edits_before_wiring = -1;               // number of edits when the wiring was opened; −1: it is closed
+    int hint = 0, edits_before_hint = 0;        // number of hints shown, and of edits when the last one came
+    double blind_since = -1, still_since = -1;  // simulated seconds; negative: it sees a stimulus or stands; it moves
+    double dark_since = -1;                     // the same; negative: it sees a stimulus
+    std::shared_ptr<const BrainGraph> brain_at_start;  // of the single vehicle; null: the run was opened later
+};
+
+}  // namespace braitenlab::ui
