@@ -75,8 +75,8 @@ std::future<std::optional<Error>> start_or_run(const Task& task, const Launch& l
 
 class Autosave {
 public:
-    static constexpr double period = 19.5;  // s between two writes; a crash loses at most 20 s
-    static constexpr double soon = 1.5;     // s after the first edit
+    static constexpr double period = 19.5;  // s between two writes of a run; a crash loses at most 20 s of it
+    static constexpr double soon = 0.5;     // s after an edit; a crash, or a lost display, loses at most 1 s of edits
 
     // frame: writes when due. now: the file is on the disk before keep() returns. end: the same, as the last call.
     enum class Occasion { frame, now, end };
@@ -100,9 +100,10 @@ public:
     void forget_work_on(const std::filesystem::path& saved);
 
     // Writes if there are edits or ticks that are neither in the document's file nor in the autosave: `soon` after the
-    // first of them, at least `period` after the last write, and at once when the mode changes. Edits that are undone
-    // do not count; their autosave is removed when the next write is due. Writing happens on another thread. An error
-    // is returned once until writing succeeds again; every period it is tried again.
+    // first edit of them; without edits `soon` after the first tick and at least `period` after the last write; and at
+    // once when the mode changes. Edits that are undone do not count; their autosave is removed when the next write is
+    // due. Writing happens on another thread; where there is none, edits also wait for the period. An error is returned
+    // once until writing succeeds again; every period it is tried again.
     std::optional<Error> keep(const Lab&, double wall_seconds, Occasion = Occasion::frame);
 
     // Waits until the write that keep() has started is on the disk.
@@ -125,7 +126,7 @@ private:
         friend bool operator==(const Reached&, const Reached&) = default;
     };
     Reached written_;
-    double dirty_since_ = -1;  // wall seconds; negative: nothing to write
+    double dirty_since_ = -1, edited_since_ = -1;  // wall seconds; negative: nothing to write, no edits
     double written_at_ = -period;
     Mode mode_ = Mode::paused;
     bool due_ = false;                           // write as soon as the current write has finished

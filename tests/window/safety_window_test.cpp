@@ -1,5 +1,6 @@
 // Lecture mode, crashes, unsaved edits and keyboard control in the real window.
 #include "tests/window/lab_window.h"
+#include "tests/x_server.h"
 
 namespace braitenlab::tests::safety_window_test {
 namespace {
@@ -16,6 +17,16 @@ std::filesystem::file_time_type written(const Home& home) {
          entry.increment(none))
         if (entry->path().extension() == ".autosave") return entry->last_write_time(none);
     return {};
+}
+
+// Waits until the autosave exists and has not changed for a second, in which each edit is written.
+bool wait_for_the_last_edit(const Home& home) {
+    for (int i = 0; i < 20; ++i) {
+        const auto before = written(home);
+        LabWindow::wait(1);
+        if (before != std::filesystem::file_time_type{} && written(home) == before) return true;
+    }
+    return false;
 }
 
 TEST(LectureWindow, F9TwiceRestoresEverything) {
@@ -63,7 +74,7 @@ TEST(CrashWindow, OffersTheWorkAfterACrash) {
         lab.key("2");
         for (int i = 0; i < 10; ++i) lab.key("Right");
         ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.5; }));
-        ASSERT_TRUE(wait_for([&] { return written(home) != std::filesystem::file_time_type{}; }));
+        ASSERT_TRUE(wait_for_the_last_edit(home));
         lab.kill_at_once();
     }
     {
@@ -81,6 +92,34 @@ TEST(CrashWindow, OffersTheWorkAfterACrash) {
     LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
     lab.draw_frames();
     EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "no recovery is offered after a normal end";
+}
+
+TEST(CrashWindow, OffersTheWorkAfterTheDisplayIsLost) {
+    if (!windows_program().empty()) GTEST_SKIP() << "Windows has no X server";
+    const Home home;
+    const std::string usual = std::getenv("DISPLAY");
+    {
+        XServer server;
+        setenv("DISPLAY", server.display().c_str(), 1);
+        LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+        const auto set_to = [&](const char* key, double value) {
+            lab.key(key);
+            ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == value; }));
+        };
+        lab.key("2");
+        set_to("Right", 0.05);
+        ASSERT_TRUE(wait_for([&] { return written(home) != std::filesystem::file_time_type{}; }));
+        const auto first = written(home);
+        set_to("Right", 0.1);
+        ASSERT_TRUE(wait_for([&] { return written(home) != first; })) << "the second edit, too";
+        server.end();
+        EXPECT_EQ(lab.exit_code(), 1);
+        setenv("DISPLAY", usual.c_str(), 1);
+    }
+    LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("recovery.take"); }));
+    lab.key("Return");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.1; })) << lab.state().dump(1);
 }
 
 TEST(CrashWindow, OffersARunWithoutEdits) {
