@@ -338,7 +338,10 @@ Kind BreedingBase::kind_of(Side side, const Genome& genome) const {
     const auto index = static_cast<std::size_t>(at(kinds_, side));
     const Breed* own = breed(side);
     if (!own || genome.empty()) return scene_.kinds[index];
-    return std::move(read_scene(*file_, "", settings_of(breeding_, *own, genome))->kinds[index]);
+    // create() has checked the paths; read_scene() would list all paths of the scene for that, twice as long.
+    TomlFile file = *file_;
+    for (const Setting& setting : settings_of(breeding_, *own, genome)) put(file.root, setting);
+    return std::move(read_scene(std::move(file), "", {})->kinds[index]);
 }
 
 BreedingState begin_breeding(const BreedingBase& base) {
