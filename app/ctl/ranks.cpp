@@ -36,24 +36,35 @@ struct Chunk {
     std::size_t first = 0, count = 0;
 };
 
-// Open MPI 5 lets ranks run on when its launcher is killed. Such a rank ends without a message, since nothing reads it.
+// Open MPI ends the ranks of a killed launcher a second later, and with 5.0 only those that call MPI. A rank ends
+// before, without a message, since nothing reads it.
 void end_without_launcher() {
     if (getppid() != mpi_job.launcher) std::_Exit(exit_code::failed);
 }
 
-// Between two looks for messages. A rank that waits inside MPI would take a whole processor.
-void pause_rank() {
-    end_without_launcher();
-    std::this_thread::sleep_for(std::chrono::microseconds(500));
-}
+// The wait between two looks for messages: short after one, longer while nothing happens. A rank that waits inside MPI
+// would take a whole processor.
+class Pause {
+public:
+    void wait() {
+        end_without_launcher();
+        std::this_thread::sleep_for(next_);
+        next_ = std::min(2 * next_, longest);
+    }
+    void be_short() { next_ = shortest; }
+
+private:
+    static constexpr std::chrono::microseconds shortest{250}, longest{2000};
+    std::chrono::microseconds next_ = shortest;
+};
 
 void send_bytes(const void* data, std::size_t bytes, int rank, Tag tag) {
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Isend(data, static_cast<int>(bytes), MPI_BYTE, rank, tag, MPI_COMM_WORLD, &request);
-    for (int done = 0;;) {
+    Pause pause;
+    for (int done = 0;; pause.wait()) {
         MPI_Test(&request, &done, MPI_STATUS_IGNORE);
         if (done) return;
-        pause_rank();
     }
 }
 
@@ -180,8 +191,10 @@ void serve() {
     std::optional<Jobs> jobs;
     std::optional<OwnChunks> chunks;
     int wanted_before = -1;
+    Pause pause;
     for (;;) {
         const auto message = receive();
+        if (message) pause.be_short();
         if (message && message->tag == end_tag) return;
         if (message && message->tag == list_tag) {
             const std::string_view text = message->bytes;
@@ -196,16 +209,15 @@ void serve() {
             chunks.emplace(*jobs, std::move(*part));
         }
         if (message && message->tag == chunk_tag) chunks->add(message->as<Chunk>());
-        if (!chunks) {
-            if (!message) pause_rank();
-            continue;
+        if (chunks) {
+            const auto error = chunks->take([&](Chunk chunk, const std::vector<Numbers>& numbers) {
+                const std::string bytes = packed(chunk, numbers);
+                send_bytes(bytes.data(), bytes.size(), 0, numbers_tag);
+                pause.be_short();
+            });
+            if (error) fail_all(*error);
         }
-        const auto error = chunks->take([](Chunk chunk, const std::vector<Numbers>& numbers) {
-            const std::string bytes = packed(chunk, numbers);
-            send_bytes(bytes.data(), bytes.size(), 0, numbers_tag);
-        });
-        if (error) fail_all(*error);
-        if (!message) pause_rank();
+        if (!message) pause.wait();
     }
 }
 
@@ -277,6 +289,7 @@ Result<std::vector<Numbers>> run_on_ranks(Jobs& jobs, int wanted_threads, const 
         for (int rank = 1; rank < mpi_job.size; ++rank) give(rank);
 
     OwnChunks own(jobs, parts.part);
+    Pause pause;
     for (std::size_t missing = parts.count; missing > 0;) {
         if (is_told_to_end()) return std::vector<Numbers>{};
         while (own.size() < chunks_of_rank) {
@@ -287,14 +300,16 @@ Result<std::vector<Numbers>> run_on_ranks(Jobs& jobs, int wanted_threads, const 
         const auto error = own.take([&](Chunk chunk, const std::vector<Numbers>& made) {
             std::copy(made.begin(), made.end(), numbers.begin() + static_cast<std::ptrdiff_t>(chunk.first));
             missing -= chunk.count;
+            pause.be_short();
         });
         if (error) fail_all(*error);
         const auto message = receive();
         if (message) {
             missing -= unpack(*message, numbers);
             give(message->rank);
+            pause.be_short();
         } else if (missing > 0) {
-            pause_rank();
+            pause.wait();
         }
     }
     return numbers;
@@ -313,9 +328,9 @@ int run_in_ranks(const std::function<int()>& command) {
     MPI_Comm_rank(MPI_COMM_WORLD, &mpi_job.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &mpi_job.size);
     if (mpi_job.size != told || provided < MPI_THREAD_FUNNELED) {
-        const int code = refuse(fmt::format(
-            "{} processes were started, but {} have found each other; use the launcher of the MPI of this program",
-            told, mpi_job.size));
+        const int code = refuse(
+            fmt::format("{} processes were started, but MPI connects {}; use the launcher of the MPI of this program",
+                        told, mpi_job.size));
         MPI_Finalize();
         return code;
     }

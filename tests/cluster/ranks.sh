@@ -52,6 +52,8 @@ status=0 && ranks 3 breed smal.toml --out none 2>errors || status=$?
 pass "only the first rank prints; bad input has exit code 2"
 status=0 && SLURM_STEP_NUM_TASKS=3 "$mpi" breed small.toml --out none 2>errors || status=$?
 [[ $status == 2 ]] && grep -q "mpi=pmix" errors || fail "processes without an MPI are not refused"
+status=0 && OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=0 "$mpi" breed small.toml --out none 2>errors || status=$?
+[[ $status == 2 ]] && grep -q "but MPI connects 1;" errors || fail "the ranks of another MPI are not refused"
 pass "processes that do not know each other are refused"
 "$mpi" breed small.toml --threads 2 --out alone >/dev/null
 same reference alone
@@ -101,6 +103,7 @@ began=$(date +%s%N)
 gone killed-launcher 5
 ended=$((($(date +%s%N) - began) / 1000000))
 wait $launcher 2>/dev/null || true
+((ended < 1000)) || fail "ranks end $ended ms after a SIGKILL of mpirun, as Open MPI itself ends some of them"
 finish killed-launcher
 pass "ranks end $ended ms after a SIGKILL of mpirun; --continue completes it"
 begin told-launcher
