@@ -60,7 +60,8 @@ private:
 
 void send_bytes(const void* data, std::size_t bytes, int rank, Tag tag) {
     MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Isend(data, static_cast<int>(bytes), MPI_BYTE, rank, tag, MPI_COMM_WORLD, &request);
+    // MPI_Test() completes the request, which the analyzer does not know.
+    MPI_Isend(data, static_cast<int>(bytes), MPI_BYTE, rank, tag, MPI_COMM_WORLD, &request);  // NOLINT(*MPI-Checker)
     Pause pause;
     for (int done = 0;; pause.wait()) {
         MPI_Test(&request, &done, MPI_STATUS_IGNORE);
