@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/brain/brain.h"
 #include "core/scene/schema.h"
 
 namespace braitenlab::insight {
