@@ -133,6 +133,13 @@ std::string write_breeding(const Breeding& breeding) {
     return "format = 1\n" + writer.text("", true);
 }
 
+std::vector<TranslatableText> texts_of(const Breeding& breeding) {
+    const std::string begin = "breeding." + breeding.id + ".";
+    std::vector<TranslatableText> texts{{begin + "title", breeding.title}};
+    if (!breeding.story.empty()) texts.push_back({begin + "story", breeding.story});
+    return texts;
+}
+
 std::string describe_breeding_format() {
     FormatTable<Breeding> table("", "The top of the file", "");
     describe(table, Of<Breeding>{});

@@ -13,6 +13,7 @@
 #include "core/enum_table.h"
 #include "core/insight/study_file.h"
 #include "core/result.h"
+#include "core/scene/translatable.h"
 
 namespace braitenlab::evolve {
 
@@ -92,6 +93,8 @@ Result<Breeding> parse_breeding(std::string_view toml, const std::string& file_n
 
 // The file of a breeding, without values at their defaults.
 std::string write_breeding(const Breeding&);
+
+std::vector<TranslatableText> texts_of(const Breeding&);
 
 // The tables of docs/breeding.md, in Markdown.
 std::string describe_breeding_format();

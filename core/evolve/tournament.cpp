@@ -20,6 +20,20 @@ std::vector<int> tournament_generations(const BreedingBase& base, const Breeding
     return generations;
 }
 
+using KindPtr = std::shared_ptr<const Kind>;
+
+KindPtr champion_kind(const BreedingBase& base, const BreedingState& state, Side side, int generation) {
+    return std::make_shared<const Kind>(
+        base.kind_of(side, at(state.main.generations, side)[static_cast<std::size_t>(generation)].champion));
+}
+
+void add_match(std::vector<Trial>& trials, const BreedingBase& base, const BySide<KindPtr>& kinds, int predator,
+               int prey) {
+    for (int repeat = 0; repeat < tournament_trials; ++repeat)
+        trials.push_back(
+            {kinds, maths::fnv(fmt::format("tournament {} {} {} {}", base.breeding().seed, predator, prey, repeat))});
+}
+
 float mean_of_range(const std::vector<float>& numbers, std::size_t from, std::size_t to) {
     return std::accumulate(numbers.begin() + static_cast<std::ptrdiff_t>(from),
                            numbers.begin() + static_cast<std::ptrdiff_t>(to), 0.0F) /
@@ -34,33 +48,39 @@ float Tournament::master_score(Side side, std::size_t own) const {
     return sum / static_cast<float>(size());
 }
 
+std::vector<Trial> trials_of_match(const BreedingBase& base, const BreedingState& state, int predator, int prey) {
+    std::vector<Trial> trials;
+    add_match(trials, base,
+              {champion_kind(base, state, Side::predator, predator), champion_kind(base, state, Side::prey, prey)},
+              predator, prey);
+    return trials;
+}
+
+float score_of_match(const BreedingBase& base, const std::vector<float>& numbers) {
+    float sum = 0;
+    for (const float each : numbers) sum += score_of(base.breeding(), Side::predator, each);
+    return sum / static_cast<float>(numbers.size());
+}
+
 std::vector<Trial> trials_of_tournament(const BreedingBase& base, const BreedingState& state, int most) {
-    BySide<std::vector<std::shared_ptr<const Kind>>> kinds;
+    BySide<std::vector<KindPtr>> kinds;
     const std::vector<int> generations = tournament_generations(base, state, most);
     for (const Side side : {Side::predator, Side::prey})
         for (const int generation : generations)
-            at(kinds, side)
-                .push_back(std::make_shared<const Kind>(base.kind_of(
-                    side, at(state.main.generations, side)[static_cast<std::size_t>(generation)].champion)));
+            at(kinds, side).push_back(champion_kind(base, state, side, generation));
     std::vector<Trial> trials;
     for (std::size_t predator = 0; predator < generations.size(); ++predator)
         for (std::size_t prey = 0; prey < generations.size(); ++prey)
-            for (int repeat = 0; repeat < tournament_trials; ++repeat)
-                trials.push_back({{at(kinds, Side::predator)[predator], at(kinds, Side::prey)[prey]},
-                                  maths::fnv(fmt::format("tournament {} {} {} {}", base.breeding().seed,
-                                                         generations[predator], generations[prey], repeat))});
+            add_match(trials, base, {at(kinds, Side::predator)[predator], at(kinds, Side::prey)[prey]},
+                      generations[predator], generations[prey]);
     return trials;
 }
 
 Tournament tournament_of(const BreedingBase& base, const BreedingState& state, int most,
                          const std::vector<float>& numbers) {
     Tournament tournament{.generations = tournament_generations(base, state, most), .scores = {}};
-    for (std::size_t next = 0; next < numbers.size(); next += tournament_trials) {
-        float sum = 0;
-        for (std::size_t i = 0; i < tournament_trials; ++i)
-            sum += score_of(base.breeding(), Side::predator, numbers[next + i]);
-        tournament.scores.push_back(sum / tournament_trials);
-    }
+    for (auto next = numbers.begin(); next != numbers.end(); next += tournament_trials)
+        tournament.scores.push_back(score_of_match(base, {next, next + tournament_trials}));
     return tournament;
 }
 

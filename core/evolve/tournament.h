@@ -26,6 +26,11 @@ struct Tournament {
 
 inline constexpr int tournament_trials = 4;  // of each pair
 
+// The runs of champions of these two generations, and the score of the predator by run_of() each of them in their
+// order. Precondition: both generations are complete.
+std::vector<Trial> trials_of_match(const BreedingBase&, const BreedingState&, int predator, int prey);
+float score_of_match(const BreedingBase&, const std::vector<float>& numbers);
+
 // At most this many generations of each side, at equal distances. Precondition: a generation is complete.
 std::vector<Trial> trials_of_tournament(const BreedingBase&, const BreedingState&, int most);
 // `numbers`: run_of() each of these trials in their order.

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "core/evolve/breeding_json.h"
+#include "core/evolve/duel.h"
 #include "core/evolve/generalist.h"
 #include "core/evolve/tournament.h"
 #include "core/maths/fnv.h"
@@ -359,6 +360,48 @@ TEST(Tournament, EveryChampionMeetsEveryOne) {
     EXPECT_NEAR(
         t.master_score(Side::predator, 0) + t.master_score(Side::predator, 1) + t.master_score(Side::predator, 2),
         sum / 3, 1e-5F);
+}
+
+TEST(Tournament, AMatchIsACellOfIt) {
+    const auto base = base_of(top + alone + both);
+    const BreedingState state = bred(*base, 2);
+    const Tournament t = tournament_of(*base, state, 3, results_of(*base, trials_of_tournament(*base, state, 3)));
+    for (std::size_t predator = 0; predator < 3; ++predator)
+        for (std::size_t prey = 0; prey < 3; ++prey) {
+            const auto trials = trials_of_match(*base, state, static_cast<int>(predator), static_cast<int>(prey));
+            EXPECT_EQ(score_of_match(*base, results_of(*base, trials)), t.score(Side::predator, predator, prey));
+        }
+}
+
+TEST(Duel, IsTheRunOfItsTrial) {
+    const auto base = base_of(top + alone + both);
+    int eaten = 0;
+    const auto trials = next_trials(*base, begin_breeding(*base), 3);
+    for (const Trial& trial : trials) {
+        DuelRun run(*base, trial);
+        while (!run.advance(7)) {
+        }
+        const Duel& duel = run.duel();
+        EXPECT_EQ(duel.seconds(), run_of(*base, trial));
+        EXPECT_EQ(duel.is_eaten, duel.seconds() < 4);
+        ASSERT_EQ(duel.paths[0].size(), duel.paths[1].size());
+        auto world = World::create(scene_of(*base, trial), trial.seed);
+        for (std::size_t tick = 0; tick < duel.paths[0].size(); ++tick, world->step()) {
+            const Snapshot now = snapshot_of(*world);
+            if (duel.is_eaten && tick + 1 == duel.paths[0].size()) break;  // the prey is gone, another vehicle came
+            for (const VehicleView& vehicle : now.vehicles) {
+                const Side side = vehicle.role == Role::predator ? Side::predator : Side::prey;
+                EXPECT_EQ(at(duel.paths, side)[tick], (Pose{vehicle.x, vehicle.y, vehicle.heading}));
+            }
+        }
+        if (!duel.is_eaten) continue;
+        ++eaten;
+        const auto& prey = at(duel.paths, Side::prey);
+        EXPECT_LT(std::hypot(prey.back().x - prey[prey.size() - 2].x, prey.back().y - prey[prey.size() - 2].y), 0.5F)
+            << "where it was eaten";
+    }
+    EXPECT_GT(eaten, 0);
+    EXPECT_LT(eaten, static_cast<int>(trials.size()));
 }
 
 TEST(Tournament, ATrendIsThatOfItsQuartersAndItsCorrelation) {
