@@ -9,6 +9,7 @@
 
 #include "app/applied_theme.h"
 #include "app/files/autosave.h"
+#include "app/files/breeding_files.h"
 #include "app/files/data.h"
 #include "app/files/settings.h"
 #include "app/files/student_files.h"
@@ -158,6 +159,7 @@ private:
     struct Shipped {
         std::vector<CatalogueEntry> scenes = read_catalogue(), lectures = read_lecture_catalogue();
         std::vector<insight::Study> studies = shipped_study_list();
+        std::vector<evolve::Breeding> breedings = shipped_breeding_list();
     };
 
     // What the last frame has drawn and found.

@@ -118,6 +118,7 @@ void App::frame(float passed) {
     view.library.catalogue = &shipped_.scenes;
     view.library.lectures = &shipped_.lectures;
     view.features.study.shipped = &shipped_.studies;
+    view.features.breeding.shipped = &shipped_.breedings;
     view.program.languages = &words_.languages;
     view.program.native_language = settings_.native_language;
     view.program.type_size = reduced_type_size();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/features/behaviour_map.h"
+#include "app/features/breeding.h"
 #include "app/features/explanation.h"
 #include "app/features/last_run.h"
 #include "app/features/mystery_runs.h"
@@ -66,6 +67,7 @@ struct Lab : Workspace {
     MysteryRuns mystery{};
     BehaviourMap map{};       // of the selected vehicle's brains
     StudyRuns study{};        // on its sheet
+    BreedingRuns breeding{};  // on its sheet
     RobotTrial robots{};      // of the selected vehicle's brain
     std::string link_base{};  // address before the '#' of a copied link; empty: unknown
     ForWindow window{};

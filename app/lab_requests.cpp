@@ -6,6 +6,8 @@
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
+#include "app/files/breeding_files.h"
+#include "app/files/data.h"
 #include "app/files/pages.h"
 #include "app/lab_actions.h"
 #include "app/lab_edits.h"
@@ -21,12 +23,22 @@ namespace {
 
 bool acts_on_own_run(const Request& request) {
     if (const auto* action = std::get_if<Action>(&request)) return acts_on_own_run(*action);
+    const auto* breeding = std::get_if<BreedingRequest>(&request);
+    if (breeding && breeding->edit == BreedingEdit::take) return true;
     return std::holds_alternative<EditRequest>(request) || std::holds_alternative<PasteRequest>(request) ||
            std::holds_alternative<SeedRequest>(request) || std::holds_alternative<SeekRequest>(request) ||
            std::holds_alternative<BookmarkRequest>(request) || std::holds_alternative<ShowMeRequest>(request) ||
            std::holds_alternative<KeptRequest>(request) || std::holds_alternative<StudentRequest>(request) ||
            std::holds_alternative<ChooseChildRequest>(request) ||
            std::holds_alternative<EarlierGenerationRequest>(request) || std::holds_alternative<SlotRequest>(request);
+}
+
+void handle_breeding(Lab& lab, const BreedingRequest& wanted) {
+    if (wanted.edit == BreedingEdit::open) {
+        const auto path = find_shipped(wanted.path, Shipped::breeding);
+        return open_breeding(lab.breeding, path ? load_breeding(*path) : path.error());
+    }
+    if (auto match = handle_breeding(lab.breeding, lab, wanted)) lab.window.files.push_back(std::move(*match));
 }
 
 // While the graded starts run at once, their vehicles cannot be selected.
@@ -68,6 +80,7 @@ void handle(Lab& lab, const Request& request) {
                          if (r.edit == StudyEdit::save) return lab.window.files.push_back(r);
                          handle_study(lab.study, lab, r);
                      },
+                     [&](const BreedingRequest& r) { handle_breeding(lab, r); },
                      [&](const RobotsRequest& r) { handle_robots(lab.robots, lab, r); },
                      [&](const SeekRequest& r) { seek(lab, r); },
                      [&](const WhyRequest& r) { explain_at(lab.explanation, lab, r.tick); },

@@ -304,6 +304,21 @@ Json study_json(const StudyView& study) {
     return {{"id", of.id}, {"runs", of.runs()}, {"done", study.rows->size()}, {"running", study.runs}};
 }
 
+// The last complete generation, -1 before the first, and the scores of its champions against the panel.
+Json breeding_json(const BreedingView& breeding) {
+    if (!breeding.base) return nullptr;
+    const int last = last_generation(breeding);
+    Json panel = nullptr;
+    for (const evolve::Side side : {evolve::Side::predator, evolve::Side::prey}) {
+        if (last < 0) break;
+        const float score = at(breeding.state->main.generations, side)[static_cast<std::size_t>(last)].panel;
+        if (score >= 0) panel[std::string(word(side))] = plain(score);
+    }
+    Json cell = nullptr;
+    if (!breeding.watched.empty()) cell = {breeding.watched.front().predator, breeding.watched.front().prey};
+    return {{"generation", last}, {"running", breeding.runs}, {"cell", std::move(cell)}, {"panel", std::move(panel)}};
+}
+
 Json robots_json(const std::optional<RobotsView>& robots) {
     if (!robots) return nullptr;
     Json json{{"reality", robots->reality}, {"on", robots->is_on}, {"done", robots->report && robots->progress >= 1},
@@ -326,6 +341,7 @@ void add_insight(Json& state, const Lab& lab) {
         {"score", view.features.mystery.score ? Json(view.features.mystery.score->score) : Json(nullptr)}};
     state["map"] = map_json(view.features.map);
     state["study"] = study_json(view.features.study);
+    state["breeding"] = breeding_json(view.features.breeding);
     state["robots"] = robots_json(view.features.robots);
 }
 

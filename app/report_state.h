@@ -41,10 +41,11 @@ struct FrameFacts {
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
 // generation, camera, language, focus, menu, typed, probes [names], strips [names], overlays {…}, draw_calls,
 // quality, resolution, text {smallest_px, clipped}, graphics_watched, graphics_errors, frame_ms, frames, pointer [x,
-// y], pressed, exercise, student {name, students, passed, exercises}, thing {kind, index}, hovered {kind, index,
-// handle}, cursor, tool, corners, vehicles, sources, obstacles}. The last three are lists of at most 64; `at` is the
-// position in the window in pixels, or null behind the camera. `probes` (of the diagram) and `strips` (on the chart's
-// tab "Chosen") may have names that the selected vehicle lacks.
+// y], pressed, exercise, student {name, students, passed, exercises}, breeding {generation, running, cell [predator,
+// prey], panel {predator, prey}}, thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles,
+// sources, obstacles}. The last three are lists of at most 64; `at` is the position in the window in pixels, or null
+// behind the camera. `probes` (of the diagram) and `strips` (on the chart's tab "Chosen") may have names that the
+// selected vehicle lacks.
 std::string state_json(const Lab&, const ui::SceneInputState&, const FrameFacts&);
 
 // A file that is replaced as a whole when its text changes, so that a reader always gets a complete file. The first

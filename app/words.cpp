@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/files/breeding_files.h"
 #include "app/files/data.h"
 #include "app/files/study_files.h"
 #include "app/platform/platform.h"
@@ -31,6 +32,7 @@ Result<Strings> load_strings(const std::filesystem::path& folder, const std::str
     for (const auto& path : shipped_lectures())
         if (const auto lecture = read_lecture(path)) add_translations(*strings, texts_of(*lecture), *words);
     for (const insight::Study& study : shipped_study_list()) add_translations(*strings, texts_of(study), *words);
+    for (const evolve::Breeding& each : shipped_breeding_list()) add_translations(*strings, texts_of(each), *words);
     return strings;
 }
 

@@ -1,6 +1,7 @@
 // Files as the file browser shows them; app/files/disk.h reads the disk.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,8 +45,9 @@ struct Leaving {
     std::string title;         // of the edited scene or exercise
     std::string next{};        // the file or link to open next; empty: the program ends
     std::string next_title{};  // of the scene or exercise in it
-    bool resume = false;       // of OpenRequest
+    bool resume = false;       // of OpenRequest, as is `seed`
     bool passed = false;       // an exercise that the student has passed: its progress is kept
+    std::uint64_t seed = 1;
 };
 
 // State of file operations, for the panels.

@@ -32,6 +32,7 @@
 #include "render/view/camera.h"
 #include "render/view/palette.h"
 #include "render/view/view_settings.h"
+#include "ui/breeding_view.h"
 #include "ui/files.h"
 #include "ui/request.h"
 #include "ui/strings.h"
@@ -230,6 +231,7 @@ struct FeatureViews {
     SlotsView slots{};
     MysteryView mystery{};
     StudyView study{};
+    BreedingView breeding{};
     std::optional<MapView> map{};        // nullopt: not shown, or it may not be shown now
     std::optional<RobotsView> robots{};  // the same
     const insight::Why* why = nullptr;   // of the selected vehicle's turn; null: not asked

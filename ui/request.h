@@ -18,6 +18,10 @@
 #include "ui/files.h"
 #include "ui/take_away.h"
 
+namespace braitenlab::evolve {
+struct Breeding;  // core/evolve/breeding_file.h
+}  // namespace braitenlab::evolve
+
 namespace braitenlab::robots {
 struct ExportedFile;  // core/export/export.h
 }  // namespace braitenlab::robots
@@ -155,6 +159,23 @@ struct StudyRequest {
     std::string path{};
     std::shared_ptr<const insight::Study> study{};  // its id, scene and first seed are set by the lab
 };
+// Two generations whose champions meet.
+struct BreedingCell {
+    int predator = 0, prey = 0;
+    friend bool operator==(const BreedingCell&, const BreedingCell&) = default;
+};
+// open: a file or the name of a shipped breeding. choose: `choice`, the open one with other numbers or opponents; what
+// was bred with an earlier choice is kept. run: goes on to the last generation. stop: keeps complete generations.
+// watch: the match of the cell, beside the one watched before. match: opens its scene, at its first start. take: its
+// champions replace predator and prey of the open scene, else as match.
+enum class BreedingEdit { open, choose, run, stop, watch, match, take };
+struct BreedingRequest {
+    BreedingEdit edit = BreedingEdit::open;
+    std::string path{};
+    std::shared_ptr<const evolve::Breeding> choice{};
+    BreedingCell cell{};
+    std::string title{}, story{};  // of the scene of a match
+};
 struct RobotsRequest {               // of the trial with real robots; nullopt: as before
     std::optional<float> reality{};  // insight::RobotsQuestion
     std::optional<bool> tries{};     // begins the trial; false: ends it
@@ -192,6 +213,7 @@ struct OpenRequest {
     bool dropped = false;        // dropped onto the window, not chosen in the file browser
     bool next_exercise = false;  // requested by the button of a passed exercise, whose edited brain may be lost
     bool resume = false;         // a lecture that was left: at the page where it was left
+    std::uint64_t seed = 1;      // of the run of a link
 };
 struct UploadRequest {};  // in a browser: the user chooses files of the computer
 struct BrowseRequest {
@@ -251,7 +273,7 @@ struct Request
                    EarlierGenerationRequest, KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest,
                    HandInRequest, LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest,
                    MysteryRequest, WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest,
-                   HideFindingsRequest> {
+                   HideFindingsRequest, BreedingRequest> {
     using variant::variant;
     Request() = default;
     Request(const Request&);

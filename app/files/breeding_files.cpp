@@ -1,5 +1,6 @@
 #include "app/files/breeding_files.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -21,6 +22,15 @@ namespace {
 fs::path state_in(const fs::path& folder) { return folder / "state.json"; }
 
 }  // namespace
+
+std::vector<Breeding> shipped_breeding_list() {
+    std::vector<Breeding> breedings;
+    for (const fs::path& path : shipped_breedings())
+        if (const auto text = read_text(path))
+            if (auto breeding = evolve::parse_breeding(*text, path.string())) breedings.push_back(std::move(*breeding));
+    std::sort(breedings.begin(), breedings.end(), [](const Breeding& a, const Breeding& b) { return a.id < b.id; });
+    return breedings;
+}
 
 fs::path breeding_in(const fs::path& folder) { return folder / "breeding.toml"; }
 

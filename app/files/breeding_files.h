@@ -5,11 +5,15 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/evolve/breeding.h"
 #include "core/result.h"
 
 namespace braitenlab {
+
+// The breedings that ship with the program; a broken file is left out.
+std::vector<evolve::Breeding> shipped_breeding_list();
 
 // The breeding and its scene: a path relative to the breeding's file, or the name of a shipped scene.
 Result<std::shared_ptr<const evolve::BreedingBase>> load_breeding(const std::filesystem::path&);

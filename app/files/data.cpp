@@ -125,6 +125,11 @@ std::vector<fs::path> shipped_studies() {
     return data ? toml_files(*data / "exercises" / "studies") : std::vector<fs::path>{};
 }
 
+std::vector<fs::path> shipped_breedings() {
+    const auto data = data_folder();
+    return data ? toml_files(*data / "exercises" / "breeding") : std::vector<fs::path>{};
+}
+
 bool ships(const fs::path& path) {
     const auto data = data_folder();
     if (!data) return false;

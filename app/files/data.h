@@ -27,11 +27,12 @@ enum class Shipped { any, exercise, study, breeding };
 // with the nearest shipped name of what is wanted.
 Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Shipped wanted = Shipped::any);
 
-// The shipped exercises, scenes, lectures and studies, each sorted by file name.
+// The shipped exercises, scenes, lectures, studies and breedings, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();
 std::vector<std::filesystem::path> shipped_scenes();
 std::vector<std::filesystem::path> shipped_lectures();
 std::vector<std::filesystem::path> shipped_studies();
+std::vector<std::filesystem::path> shipped_breedings();
 
 // True for a file that ships with the program.
 bool ships(const std::filesystem::path&);

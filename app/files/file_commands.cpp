@@ -67,8 +67,9 @@ struct FileCommands {
         view.refused.reset();
     }
 
-    void open(const std::string& typed, bool discard = false, bool dropped = false, bool resume = false) const {
-        if (io::is_link(typed)) return open_link(typed, discard);
+    void open(const std::string& typed, bool discard = false, bool dropped = false, bool resume = false,
+              std::uint64_t seed = 1) const {
+        if (io::is_link(typed)) return open_link(typed, discard, seed);
         const fs::path path = resolved(typed, folder(), folders.home);
         std::error_code none;
         if (fs::is_directory(path, none)) {
@@ -106,17 +107,18 @@ struct FileCommands {
         if (dropped) check_exercise_for_author(lab, CheckVoice::quiet);
     }
 
-    void open_link(const std::string& link, bool discard) const {
+    void open_link(const std::string& link, bool discard, std::uint64_t seed) const {
         auto linked = io::decode_link(link);
         if (!linked) return fail(linked.error());
         if (!linked->exercise.empty()) {
             const auto path = linked_exercise(linked->exercise);
             return path ? open(path->string(), discard) : fail(path.error());
         }
-        auto opened = linked_document(std::move(linked->scene));
+        auto opened = linked_document(std::move(linked->scene), seed);
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{title_of(lab.document), link, title_of(*opened)};
+            view.leaving =
+                Leaving{.title = title_of(lab.document), .next = link, .next_title = title_of(*opened), .seed = seed};
             return view.refused.reset();
         }
         leave_pages(lab);
@@ -144,7 +146,7 @@ struct FileCommands {
         if (answer == Leave::save) save({view.save_to, FileKind::scene});
         if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // not written: the sheet stays open
         const Leaving left = *std::exchange(view.leaving, std::nullopt);
-        if (!left.next.empty()) return open(left.next, true, false, left.resume);
+        if (!left.next.empty()) return open(left.next, true, false, left.resume, left.seed);
         lab.document.saved_edits = lab.document.edits;
         lab.window.exit = true;
     }
@@ -269,7 +271,7 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
     const FileCommands commands{lab, view, state, folders};
     for (const Request& request : std::exchange(lab.window.files, {})) {
         if (const auto* open = std::get_if<OpenRequest>(&request))
-            commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped, open->resume);
+            commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped, open->resume, open->seed);
         if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);
         if (const auto* save = std::get_if<SaveExerciseRequest>(&request)) commands.save_exercise(*save);
         if (const auto* files = std::get_if<WriteFilesRequest>(&request)) commands.write_files(*files);

@@ -46,8 +46,8 @@ void copy_link(Lab& lab) {
         say(lab, {NoticeKind::done, "notice.link", characters});
 }
 
-Result<Document> linked_document(Scene scene) {
-    auto session = Session::open(scene, 1);
+Result<Document> linked_document(Scene scene, std::uint64_t seed) {
+    auto session = Session::open(scene, seed);
     if (!session) return session.error();
     Document document{.session = std::move(*session)};
     document.name = name_of_title(scene.title);

@@ -1,6 +1,7 @@
 // Links to the open document, and documents from links (core/io/link.h).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -13,8 +14,8 @@ namespace braitenlab {
 // of anything else its scene with all edits.
 void copy_link(Lab&);
 
-// The document of a link's scene: without a file, named like its title.
-Result<Document> linked_document(Scene);
+// The document of a link's scene, its run with this seed: without a file, named like its title.
+Result<Document> linked_document(Scene, std::uint64_t seed = 1);
 
 // The file of the shipped exercise of a link.
 Result<std::filesystem::path> linked_exercise(const std::string& name);

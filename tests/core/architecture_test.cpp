@@ -74,9 +74,9 @@ const std::map<std::string, std::vector<std::string>> internal_headers{
 };
 
 // Files directly in ui/ that every layer of ui may include; they form the layer "ui/shared".
-const std::vector<std::string> shared_in_ui{"actions",  "files",        "imgui_compat", "lab_view",
-                                            "map_look", "measure_text", "take_away",    "number_text",
-                                            "request",  "shortcuts",    "strings"};
+const std::vector<std::string> shared_in_ui{"actions",     "breeding_view", "files",        "imgui_compat",
+                                            "lab_view",    "map_look",      "measure_text", "take_away",
+                                            "number_text", "request",       "shortcuts",    "strings"};
 
 std::string folder_of(const std::string& file) {
     for (const std::string& name : shared_in_ui)

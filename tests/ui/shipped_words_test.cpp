@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/evolve/breeding_file.h"
 #include "core/insight/study_file.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
@@ -46,6 +47,12 @@ std::vector<TranslatableText> all_texts() {
         const auto study = insight::parse_study(*read_text(entry.path()), entry.path().string());
         EXPECT_TRUE(study) << entry.path();
         if (study) add(texts_of(*study));
+    }
+    for (const auto& entry : fs::directory_iterator(shipped / "breeding")) {
+        if (!entry.is_regular_file()) continue;
+        const auto breeding = evolve::parse_breeding(*read_text(entry.path()), entry.path().string());
+        EXPECT_TRUE(breeding) << entry.path();
+        if (breeding) add(texts_of(*breeding));
     }
     return texts;
 }

@@ -8,6 +8,7 @@
 #include "core/brain/edit.h"
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
+#include "core/evolve/breeding_file.h"
 #include "core/export/export.h"
 #include "core/insight/compare.h"
 #include "core/lesson/author.h"
@@ -166,6 +167,10 @@ std::set<std::string> composed() {
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     for (const auto& row : insight::behaviour_table) keys.insert("map.kind." + std::string(row.word));
     for (const auto& row : insight::study_measure_table) keys.insert("study.measure." + std::string(row.word));
+    for (const auto& row : evolve::opponents_table)  // ui/panels/breeding_sheet.cpp
+        for (const char* end : {"", "_how"}) keys.insert("breeding.opponents_" + std::string(row.word) + end);
+    for (const char* number : {"generations", "population", "seed"})
+        for (const char* end : {"", "_how"}) keys.insert("breeding." + std::string(number) + end);
     for (const auto& row : insight::map_measure_table) keys.insert("map.measure." + std::string(row.word));
     for (const char* group : {"brain", "body", "scene"}) keys.insert("map.group." + std::string(group));
     for (const char* value :  // ui/panels/map_choices.cpp

@@ -2,6 +2,7 @@
 #include <functional>
 #include <regex>
 
+#include "breeding_on_desk.h"
 #include "core/insight/study.h"
 #include "core/scene/file_kind.h"
 #include "desk.h"
@@ -210,6 +211,16 @@ std::vector<Screen> screens() {
              d.view.features.study.base = *insight::StudyBase::create(
                  studies.front(), *read_text(folder / "scenes" / "2b-aggressor.toml"), "scene");
              d.panels.sheet = Sheet::study;
+         }},
+        {"breeding",
+         [](Desk& d) {
+             static BredOnDesk bred(41, 2);
+             bred.show(d), bred.watch(d, {38, 36}, {40, 0});
+         }},
+        {"breeding, not begun",
+         [](Desk& d) {
+             static BredOnDesk bred(0);
+             bred.show(d), d.view.features.breeding.runs = true;
          }},
         {"a picture to save", [](Desk& d) { d.panels.sheet = Sheet::take; }},
         {"a clip to save",

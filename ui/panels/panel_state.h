@@ -64,6 +64,7 @@ enum class Sheet {
     children,
     students,
     study,
+    breeding,
     mystery,
     take,
     glossary,
@@ -224,6 +225,12 @@ struct StudyState {
     StudyDraft draft;
 };
 
+// The sheet of the breeding.
+struct BreedingSheetState {
+    std::vector<BreedingCell> watched;  // BreedingView::watched at the last frame
+    double began = 0;                   // wall seconds when these matches began
+};
+
 // The sheets about unsaved edits.
 struct UnsavedState {
     bool recovery_asked = false, leaving_asked = false;
@@ -238,6 +245,7 @@ struct SheetStates {
     RobotState robot;
     TakeAwayState take;
     StudyState study;
+    BreedingSheetState breeding;
     UnsavedState unsaved;
     TextField student_name;
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed

@@ -1,0 +1,316 @@
+#include "app/features/breeding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/lab_edits.h"
+#include "app/workspace.h"
+#include "core/io/link.h"
+#include "core/scene/scene_file.h"
+#include "ui/breeding_view.h"
+
+namespace braitenlab {
+
+namespace {
+
+using evolve::BySide;
+using evolve::Duel;
+using evolve::Side;
+using evolve::Tournament;
+
+constexpr std::size_t ticks_per_piece = 300;  // about half a millisecond
+constexpr auto both_sides_of_duel = std::to_array({Side::predator, Side::prey});
+
+Bred& bred_of(BreedingRuns& runs) { return runs.bred.at(runs.base->fingerprint()); }
+const Bred& bred_of(const BreedingRuns& runs) { return runs.bred.at(runs.base->fingerprint()); }
+
+int complete(const BreedingRuns& runs) { return complete_generations(*runs.base, *bred_of(runs).state); }
+
+// The score of one cell of the matrix as a part of a job: a run a step.
+class CellOfBreeding {
+public:
+    CellOfBreeding(BreedingBasePtr base, std::vector<evolve::Trial> trials)
+        : base_(std::move(base)), trials_(std::move(trials)) {}
+    std::optional<float> operator()() {
+        seconds_.push_back(evolve::run_of(*base_, trials_[seconds_.size()]));
+        if (seconds_.size() < trials_.size()) return std::nullopt;
+        return evolve::score_of_match(*base_, seconds_);
+    }
+
+private:
+    BreedingBasePtr base_;
+    std::vector<evolve::Trial> trials_;
+    std::vector<float> seconds_;
+};
+
+// A match to watch as a part of a job.
+class DuelPiece {
+public:
+    DuelPiece(const BreedingBasePtr& base, const evolve::Trial& trial) : base_(base), run_(*base, trial) {}
+    std::optional<Duel> operator()() {
+        if (!run_.advance(ticks_per_piece)) return std::nullopt;
+        return run_.duel();
+    }
+
+private:
+    BreedingBasePtr base_;
+    evolve::DuelRun run_;
+};
+
+void stop_breeding(BreedingRuns& runs) {
+    runs.runs = false;
+    runs.trials = {}, runs.generation = {}, runs.scores = {};
+}
+
+// The first run of a match, at the start of another cell.
+evolve::Trial first_trial(const BreedingRuns& runs, BreedingCell cell, BreedingCell start) {
+    const evolve::BreedingState& state = *bred_of(runs).state;
+    evolve::Trial trial = trials_of_match(*runs.base, state, cell.predator, cell.prey).front();
+    trial.seed = trials_of_match(*runs.base, state, start.predator, start.prey).front().seed;
+    return trial;
+}
+
+// Its first generations, as many as have all of their scores: the words about it do not change while a row is computed.
+Tournament known_part(const Tournament& matrix) {
+    const auto is_known = [&](std::size_t size) {
+        for (std::size_t i = 0; i < size; ++i)
+            if (std::isnan(matrix.score(Side::predator, i, size - 1)) ||
+                std::isnan(matrix.score(Side::predator, size - 1, i)))
+                return false;
+        return true;
+    };
+    std::size_t size = 0;
+    while (size < matrix.size() && is_known(size + 1)) ++size;
+    Tournament known{{matrix.generations.begin(), matrix.generations.begin() + static_cast<std::ptrdiff_t>(size)}, {}};
+    for (std::size_t predator = 0; predator < size; ++predator)
+        for (std::size_t prey = 0; prey < size; ++prey)
+            known.scores.push_back(matrix.score(Side::predator, predator, prey));
+    return known;
+}
+
+void fill_matrix(BreedingRuns& runs) {
+    const Bred& bred = bred_of(runs);
+    Tournament& matrix = runs.matrix;
+    matrix = {.generations = matrix_generations(complete(runs), runs.base->breeding().generations), .scores = {}};
+    for (const int predator : matrix.generations)
+        for (const int prey : matrix.generations) {
+            const auto found = bred.scores.find({predator, prey});
+            matrix.scores.push_back(found == bred.scores.end() ? NAN : found->second);
+        }
+    const Tournament known = known_part(matrix);
+    for (const Side side : both_sides_of_duel) at(runs.verdicts, side) = evolve::verdict_of(known, side);
+}
+
+void begin_breeding_of(BreedingRuns& runs, BreedingBasePtr base) {
+    // More generations of the same breeding: what is known stays, and a breeding that runs goes on.
+    const bool is_same = runs.base && runs.base->fingerprint() == base->fingerprint();
+    const bool goes_on = is_same && runs.runs;
+    stop_breeding(runs);
+    runs.runs = goes_on;
+    runs.error.reset();
+    runs.base = std::move(base);
+    if (!runs.bred.contains(runs.base->fingerprint()))
+        runs.bred[runs.base->fingerprint()].state =
+            std::make_shared<const evolve::BreedingState>(evolve::begin_breeding(*runs.base));
+    if (!is_same) runs.duels.forget();
+    fill_matrix(runs);
+}
+
+// The choice is read from the text of a file, so that its checks are those of a file.
+void choose_breeding(BreedingRuns& runs, const evolve::Breeding& choice) {
+    auto read = evolve::parse_breeding(evolve::write_breeding(choice), choice.file);
+    auto base = read ? evolve::BreedingBase::create(std::move(*read), write_scene(runs.base->scene()), choice.scene)
+                     : read.error();
+    base ? begin_breeding_of(runs, std::move(*base)) : void(runs.error = base.error());
+}
+
+bool is_complete(const BreedingRuns& runs, BreedingCell cell) {
+    return std::min(cell.predator, cell.prey) >= 0 && std::max(cell.predator, cell.prey) < complete(runs);
+}
+
+void watch_match(BreedingRuns& runs, BreedingCell cell) {
+    DuelsQuestion question{runs.base->fingerprint(), {cell}};
+    if (const DuelsQuestion* last = runs.duels.question())
+        for (const BreedingCell& each : last->cells)
+            if (each != cell && question.cells.size() < 2) question.cells.push_back(each);
+    if (!runs.duels.is_about(question)) runs.duels.forget(), runs.duels.ask(std::move(question));
+}
+
+OpenRequest scene_of_match(const BreedingRuns& runs, const BreedingRequest& wanted) {
+    const evolve::Trial trial = first_trial(runs, wanted.cell, wanted.cell);
+    Scene scene = scene_of(*runs.base, trial);
+    if (!wanted.title.empty()) scene.title = wanted.title;
+    if (!wanted.story.empty()) scene.story = wanted.story;
+    return {.path = io::encode_link(scene), .seed = trial.seed};
+}
+
+int kind_with_role(const Scene& scene, Role role) {
+    const auto found =
+        std::find_if(scene.kinds.begin(), scene.kinds.end(), [&](const Kind& kind) { return kind.role == role; });
+    return found == scene.kinds.end() ? -1 : static_cast<int>(found - scene.kinds.begin());
+}
+
+// True if predator and prey of the open scene have got body, sensors and brain of the champions.
+bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cell) {
+    if (space.document.lesson || space.pages) return false;
+    const evolve::Trial trial = first_trial(runs, cell, cell);
+    const Scene& scene = *space.document.session.snapshot().scene;
+    BySide<int> kinds{};
+    for (const Side side : both_sides_of_duel) {
+        const int kind = kind_with_role(scene, at(trial.kinds, side)->role);
+        if (kind < 0 || scene.kinds[static_cast<std::size_t>(kind)].hidden) return false;
+        at(kinds, side) = kind;
+    }
+    const std::uint64_t gesture = new_gesture(space);
+    for (const Side side : both_sides_of_duel) {
+        if (!runs.base->breed(side)) continue;
+        const int index = at(kinds, side);
+        const Kind& champion = *at(trial.kinds, side);
+        Kind kind = space.document.session.snapshot().scene->kinds[static_cast<std::size_t>(index)];
+        kind.body = champion.body;
+        if (!apply(space, EditKind{index, kind}, gesture)) return true;
+        if (!apply(space, SetSensors{{no_vehicle, index}, champion.sensors}, gesture)) return true;
+        if (!apply(space, SetBrain{{no_vehicle, index}, champion.brain}, gesture)) return true;
+    }
+    say(space, {NoticeKind::done, "notice.champions", std::to_string(cell.predator), std::to_string(cell.prey)});
+    return true;
+}
+
+void take_generation(BreedingRuns& runs, Jobs& jobs) {
+    if (auto ended = runs.generation.take()) {
+        if (!*ended) return runs.error = ended->error(), stop_breeding(runs);
+        bred_of(runs).state = std::move(**ended);
+        fill_matrix(runs);
+    }
+    auto trials = runs.trials.take();
+    if (!trials) return;
+    if (!*trials) return runs.error = trials->error(), stop_breeding(runs);
+    if ((**trials)->empty()) return;
+    runs.generation = jobs.submit(
+        (**trials)->size(),
+        [base = runs.base, all = **trials](std::size_t part) { return evolve::run_of(*base, (*all)[part]); },
+        [base = runs.base, state = bred_of(runs).state](const std::vector<float>& seconds) {
+            evolve::BreedingState next = *state;
+            advance(*base, next, seconds);
+            return BreedingStatePtr(std::make_shared<const evolve::BreedingState>(std::move(next)));
+        });
+}
+
+void take_scores(BreedingRuns& runs) {
+    const auto done = runs.scores.take();
+    if (!done) return;
+    if (!*done) return runs.error = done->error(), stop_breeding(runs);
+    for (std::size_t i = 0; i < runs.cells.size(); ++i)
+        bred_of(runs).scores[{runs.cells[i].predator, runs.cells[i].prey}] = (**done)[i];
+    fill_matrix(runs);
+}
+
+// False if the matrix has a score for each of its cells.
+bool submit_scores(BreedingRuns& runs, Jobs& jobs) {
+    if (runs.scores.active()) return true;
+    runs.cells.clear();
+    const Tournament& matrix = runs.matrix;
+    for (std::size_t predator = 0; predator < matrix.size(); ++predator)
+        for (std::size_t prey = 0; prey < matrix.size(); ++prey)
+            if (std::isnan(matrix.score(Side::predator, predator, prey)))
+                runs.cells.push_back({matrix.generations[predator], matrix.generations[prey]});
+    if (runs.cells.empty()) return false;
+    runs.scores = jobs.submit(
+        runs.cells.size(), [base = runs.base, state = bred_of(runs).state, cells = runs.cells](std::size_t part) {
+            return CellOfBreeding(base, trials_of_match(*base, *state, cells[part].predator, cells[part].prey));
+        });
+    return true;
+}
+
+// False if no generation is missing.
+bool submit_generation(BreedingRuns& runs, Jobs& jobs) {
+    if (runs.trials.active() || runs.generation.active()) return true;
+    const int last = runs.base->breeding().generations;
+    if (complete(runs) > last) return false;
+    runs.trials = jobs.submit([base = runs.base, state = bred_of(runs).state, last]() -> std::optional<TrialsPtr> {
+        return std::make_shared<const std::vector<evolve::Trial>>(next_trials(*base, *state, last));
+    });
+    return true;
+}
+
+}  // namespace
+
+std::vector<int> matrix_generations(int complete, int last) {
+    int distance = 1;
+    while ((complete - 1) / distance + 1 > most_in_matrix) distance *= 2;
+    std::vector<int> generations;
+    for (int generation = 0; generation < complete; generation += distance) generations.push_back(generation);
+    if (last < complete && !generations.empty() && generations.back() != last && last == complete - 1)
+        generations.push_back(last);
+    return generations;
+}
+
+void open_breeding(BreedingRuns& runs, Result<BreedingBasePtr> base) {
+    if (base) return begin_breeding_of(runs, std::move(*base));
+    stop_breeding(runs);
+    runs.error = base.error();
+}
+
+std::optional<OpenRequest> handle_breeding(BreedingRuns& runs, Workspace& space, const BreedingRequest& wanted) {
+    if (!runs.base) return std::nullopt;
+    switch (wanted.edit) {
+        case BreedingEdit::open:
+            return std::nullopt;
+        case BreedingEdit::choose:
+            if (wanted.choice) choose_breeding(runs, *wanted.choice);
+            return std::nullopt;
+        case BreedingEdit::run:
+            runs.runs = true;
+            return std::nullopt;
+        case BreedingEdit::stop:
+            stop_breeding(runs);
+            return std::nullopt;
+        case BreedingEdit::watch:
+            if (is_complete(runs, wanted.cell)) watch_match(runs, wanted.cell);
+            return std::nullopt;
+        case BreedingEdit::take:
+            if (!is_complete(runs, wanted.cell) || take_champions(runs, space, wanted.cell)) return std::nullopt;
+            return scene_of_match(runs, wanted);
+        case BreedingEdit::match:
+            if (!is_complete(runs, wanted.cell)) return std::nullopt;
+            return scene_of_match(runs, wanted);
+    }
+    return std::nullopt;
+}
+
+void update_breeding(BreedingRuns& runs, Jobs& jobs) {
+    if (!runs.base) return;
+    take_generation(runs, jobs);
+    take_scores(runs);
+    if (runs.runs) {
+        const bool breeds = submit_generation(runs, jobs), compares = submit_scores(runs, jobs);
+        runs.runs = breeds || compares;
+    }
+    runs.duels.follow([&](const DuelsQuestion& question) -> Result<Job<std::vector<Duel>>> {
+        std::vector<evolve::Trial> trials;
+        for (const BreedingCell& cell : question.cells)
+            trials.push_back(first_trial(runs, cell, question.cells.front()));
+        const std::size_t count = trials.size();
+        return jobs.submit(count, [base = runs.base, all = std::move(trials)](std::size_t part) {
+            return DuelPiece(base, all[part]);
+        });
+    });
+}
+
+bool is_computing(const BreedingRuns& runs) { return runs.runs || runs.duels.is_computing(); }
+
+BreedingView breeding_of(const BreedingRuns& runs) {
+    BreedingView view{.error = runs.error};
+    if (!runs.base) return view;
+    view.base = runs.base;
+    view.state = bred_of(runs).state.get();
+    view.runs = runs.runs;
+    view.progress = runs.generation.progress().fraction;
+    view.matrix = &runs.matrix;
+    view.verdicts = runs.verdicts;
+    if (const DuelsQuestion* asked = runs.duels.question()) view.watched = asked->cells;
+    view.duels = runs.duels.answer();
+    return view;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,73 @@
+// The breeding on its sheet: while it runs, its generations are bred in the background and their champions meet in a
+// matrix. Two of these matches can be watched, opened as a scene, or taken into the open scene.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/jobs/asked.h"
+#include "core/evolve/duel.h"
+#include "core/evolve/verdict.h"
+#include "ui/request.h"
+
+namespace braitenlab {
+
+struct Workspace;
+struct BreedingView;
+
+using BreedingBasePtr = std::shared_ptr<const evolve::BreedingBase>;
+using BreedingStatePtr = std::shared_ptr<const evolve::BreedingState>;
+using TrialsPtr = std::shared_ptr<const std::vector<evolve::Trial>>;
+
+// What has been bred with one choice of scheme and numbers.
+struct Bred {
+    BreedingStatePtr state;                         // never null
+    std::map<std::pair<int, int>, float> scores{};  // of the predator, by its generation and that of the prey
+};
+
+// The matches to watch. All begin at the first start of the first one.
+struct DuelsQuestion {
+    std::uint64_t fingerprint = 0;  // of the breeding
+    std::vector<BreedingCell> cells;
+    friend bool operator==(const DuelsQuestion&, const DuelsQuestion&) = default;
+};
+
+struct BreedingRuns {
+    BreedingBasePtr base{};                // null: none is open
+    std::optional<Error> error{};          // why the last one could not be opened
+    std::map<std::uint64_t, Bred> bred{};  // since the start of the program, by fingerprint; has that of `base`
+    bool runs = false;
+    Job<TrialsPtr> trials{};             // those of the next generation
+    Job<BreedingStatePtr> generation{};  // its end
+    Job<std::vector<float>> scores{};    // of `cells`
+    std::vector<BreedingCell> cells{};
+    evolve::Tournament matrix{};  // of the complete generations, see matrix_generations()
+    evolve::BySide<evolve::Verdict> verdicts{};
+    Asked<DuelsQuestion, std::vector<evolve::Duel>> duels{};
+};
+
+// The generations of the matrix while `complete` of them exist and `last` is the one to end with: at distances of 1, 2,
+// 4 … at most 21, and `last`. So no score is computed in vain when the matrix grows.
+std::vector<int> matrix_generations(int complete, int last);
+
+// Opens a breeding, or keeps why it could not be opened. What is running stops.
+void open_breeding(BreedingRuns&, Result<BreedingBasePtr>);
+
+// Executes a request, except BreedingEdit::open, which needs files. Returns the request that opens the scene of a
+// match.
+std::optional<OpenRequest> handle_breeding(BreedingRuns&, Workspace&, const BreedingRequest&);
+
+// Call once per turn, after Jobs::deliver.
+void update_breeding(BreedingRuns&, Jobs&);
+
+bool is_computing(const BreedingRuns&);
+
+// Points into the runs.
+BreedingView breeding_of(const BreedingRuns&);
+
+}  // namespace braitenlab

@@ -1,0 +1,244 @@
+// A breeding in the lab: bred in the background, stopped and continued, its matches watched, opened and taken.
+#include "app/features/breeding.h"
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "app/files/breeding_files.h"
+#include "app/files/data.h"
+#include "app/files/file_commands.h"
+#include "app/lab_requests.h"
+#include "core/evolve/breeding_json.h"
+#include "core/scene/file_kind.h"
+#include "tests/folder.h"
+#include "tests/lab/opened_lab.h"
+
+namespace braitenlab::tests::breeding_test {
+namespace {
+
+using evolve::BreedingState;
+using evolve::Side;
+
+struct LabBreeding : testing::Test {
+    Folder folder;
+    Jobs jobs{0};
+    Lab lab = opened_lab("2a-coward");
+    FilesView files;
+    StoredState stored;
+
+    LabBreeding() {
+        const std::filesystem::path shipped = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "breeding";
+        std::string text = *read_text(shipped / "chase.toml");
+        const std::string scene = "scenes/chase-arena.toml\"";
+        text.replace(text.find(scene), scene.size(),
+                     (shipped / "scenes" / "chase-arena.toml").generic_string() +
+                         "\"\nseconds = 3\npopulation = 6\nparents = 2\ntrials = 2\ngenerations = 3\npanel = 2\n"
+                         "panel_generations = 1");
+        put_text(folder / "mine.toml", text);
+        handle(lab, BreedingRequest{.path = (folder / "mine.toml").string()});
+    }
+    BreedingView view() const { return view_of(lab).features.breeding; }
+    void ask(BreedingEdit edit, BreedingCell cell = {}) { handle(lab, BreedingRequest{.edit = edit, .cell = cell}); }
+    void turn() { update_breeding(lab.breeding, jobs), jobs.finish(), update_breeding(lab.breeding, jobs); }
+    void breed_to_the_end() {
+        ask(BreedingEdit::run);
+        for (int i = 0; i < 100 && view().runs; ++i) turn();
+        ASSERT_FALSE(view().runs);
+    }
+    void open_what_was_asked() { execute_file_requests(lab, files, stored, {.documents = folder.path}); }
+
+    // As the command line breeds.
+    BreedingState bred(int generations) const {
+        const evolve::BreedingBase& base = *view().base;
+        BreedingState state = begin_breeding(base);
+        for (auto trials = next_trials(base, state, generations); !trials.empty();
+             trials = next_trials(base, state, generations)) {
+            std::vector<float> seconds;
+            for (const evolve::Trial& trial : trials) seconds.push_back(run_of(base, trial));
+            advance(base, state, seconds);
+        }
+        return state;
+    }
+    evolve::Trial first_trial(BreedingCell cell) const {
+        return trials_of_match(*view().base, *view().state, cell.predator, cell.prey).front();
+    }
+    // The open run is that of the trial, bit for bit.
+    void expect_run_of(const evolve::Trial& trial) {
+        auto world = World::create(scene_of(*view().base, trial), trial.seed);
+        for (int i = 0; i < 90; ++i) world->step(), lab.document.session.step();
+        EXPECT_EQ(lab.document.session.hash(), world->hash());
+        EXPECT_EQ(lab.document.session.seed(), trial.seed);
+    }
+};
+
+TEST_F(LabBreeding, BreedsAsTheCommandLineDoes) {
+    ASSERT_TRUE(view().base) << view().error->text();
+    turn();
+    EXPECT_EQ(last_generation(view()), -1) << "runs only when asked to";
+    breed_to_the_end();
+    EXPECT_EQ(last_generation(view()), 3);
+    EXPECT_EQ(write_state(*view().base, *view().state), write_state(*view().base, bred(3)));
+    const auto again = load_breeding(folder / "mine.toml");
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(evolve::read_state(**again, write_state(*view().base, *view().state), "state.json"))
+        << "the command line can go on with it";
+}
+
+TEST_F(LabBreeding, BreedsTheSameInTimeSlices) {
+    ask(BreedingEdit::run);
+    int turns = 0;
+    for (; last_generation(view()) < 2 && turns < 10'000; ++turns)
+        jobs.deliver(std::chrono::nanoseconds(1)), update_breeding(lab.breeding, jobs);
+    EXPECT_GT(turns, 100) << "no turn computes a generation";
+    ask(BreedingEdit::stop);
+    EXPECT_EQ(*view().state, bred(2));
+    EXPECT_FALSE(view().runs);
+}
+
+TEST_F(LabBreeding, TheMatrixGrowsToThatOfTheTournament) {
+    ask(BreedingEdit::run);
+    std::vector<std::size_t> sizes;
+    for (int i = 0; i < 100 && view().runs; ++i) {
+        turn();
+        if (sizes.empty() || sizes.back() != view().matrix->size()) sizes.push_back(view().matrix->size());
+    }
+    EXPECT_EQ(sizes, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+    const evolve::BreedingBase& base = *view().base;
+    std::vector<float> seconds;
+    for (const evolve::Trial& trial : trials_of_tournament(base, *view().state, 40))
+        seconds.push_back(run_of(base, trial));
+    const evolve::Tournament all = tournament_of(base, *view().state, 40, seconds);
+    EXPECT_EQ(view().matrix->generations, all.generations);
+    EXPECT_EQ(view().matrix->scores, all.scores);
+}
+
+TEST_F(LabBreeding, AnotherChoiceKeepsWhatWasBred) {
+    breed_to_the_end();
+    const BreedingState before = *view().state;
+    const auto choose = [&](const auto& change) {
+        evolve::Breeding choice = view().base->breeding();
+        change(choice);
+        handle(lab, BreedingRequest{.edit = BreedingEdit::choose,
+                                    .choice = std::make_shared<const evolve::Breeding>(choice)});
+    };
+    choose([](evolve::Breeding& b) { b.opponents = evolve::Opponents::archive; });
+    EXPECT_EQ(last_generation(view()), -1);
+    EXPECT_EQ(view().matrix->size(), 0u);
+    choose([](evolve::Breeding& b) { b.opponents = evolve::Opponents::best_of_last, b.generations = 4; });
+    EXPECT_EQ(*view().state, before);
+    EXPECT_EQ(view().matrix->size(), 4u);
+    breed_to_the_end();
+    EXPECT_EQ(*view().state, bred(4)) << "one more generation";
+    choose([](evolve::Breeding& b) { b.population = 1; });
+    EXPECT_EQ(last_generation(view()), 4) << "fewer individuals than parents";
+    ASSERT_TRUE(view().error);
+    EXPECT_NE(view().error->text().find("parents"), std::string::npos);
+}
+
+TEST_F(LabBreeding, MoreGenerationsDoNotStopIt) {
+    ask(BreedingEdit::run);
+    turn();
+    evolve::Breeding choice = view().base->breeding();
+    choice.generations = 2;
+    handle(lab,
+           BreedingRequest{.edit = BreedingEdit::choose, .choice = std::make_shared<const evolve::Breeding>(choice)});
+    EXPECT_TRUE(view().runs);
+    for (int i = 0; i < 100 && view().runs; ++i) turn();
+    EXPECT_EQ(last_generation(view()), 2);
+    EXPECT_EQ(*view().state, bred(2));
+}
+
+TEST_F(LabBreeding, TwoMatchesAreWatchedFromTheSameStart) {
+    breed_to_the_end();
+    ask(BreedingEdit::watch, {0, 3});
+    ask(BreedingEdit::watch, {9, 9});
+    EXPECT_EQ(view().watched, (std::vector<BreedingCell>{{0, 3}})) << "there is no generation 9";
+    ask(BreedingEdit::watch, {3, 1});
+    turn();
+    EXPECT_EQ(view().watched, (std::vector<BreedingCell>{{3, 1}, {0, 3}}));
+    ASSERT_TRUE(view().duels);
+    ASSERT_EQ(view().duels->size(), 2u);
+    const auto& newest = (*view().duels)[0];
+    EXPECT_EQ(newest.seconds(), run_of(*view().base, first_trial({3, 1})));
+    for (const Side side : {Side::predator, Side::prey})
+        EXPECT_EQ(at(newest.paths, side)[0], at((*view().duels)[1].paths, side)[0]);
+}
+
+TEST_F(LabBreeding, AMatchOpensAndDrivesAsItWasBred) {
+    breed_to_the_end();
+    handle(lab, BreedingRequest{.edit = BreedingEdit::match, .cell = {2, 1}, .title = "A match"});
+    open_what_was_asked();
+    EXPECT_EQ(title_of(lab.document), "A match");
+    expect_run_of(first_trial({2, 1}));
+}
+
+TEST_F(LabBreeding, UnsavedWorkIsAskedAboutBeforeAMatchOpens) {
+    breed_to_the_end();
+    handle(lab, EditRequest{MoveSource{0, 5, 2}});
+    ask(BreedingEdit::match, {1, 3});
+    open_what_was_asked();
+    ASSERT_TRUE(files.leaving);
+    EXPECT_EQ(lab.document.name, "2a-coward");
+    handle(lab, LeaveRequest{Leave::discard});
+    open_what_was_asked();
+    EXPECT_NE(lab.document.name, "2a-coward");
+    expect_run_of(first_trial({1, 3}));
+}
+
+TEST_F(LabBreeding, ChampionsAreTakenIntoASceneWithPredatorAndPrey) {
+    breed_to_the_end();
+    auto hunt = open_document(*find_shipped("predator-prey"), std::nullopt, {});
+    ASSERT_TRUE(hunt);
+    replace_document(lab, std::move(*hunt));
+    const auto kinds = [&] { return lab.document.session.edited_scene().kinds; };
+    const std::vector<Kind> before = kinds();
+    ask(BreedingEdit::take, {3, 2});
+    EXPECT_TRUE(lab.window.files.empty());
+    const evolve::Trial trial = first_trial({3, 2});
+    int taken = 0;
+    for (const Kind& kind : kinds())
+        for (const Side side : {Side::predator, Side::prey}) {
+            const Kind& champion = *at(trial.kinds, side);
+            if (kind.role != champion.role) continue;
+            ++taken;
+            EXPECT_EQ(kind.sensors, champion.sensors);
+            EXPECT_EQ(kind.body, champion.body);
+            EXPECT_EQ(read_dials(kind.brain), read_dials(champion.brain));
+        }
+    EXPECT_EQ(taken, 2);
+    handle(lab, Action::undo);
+    EXPECT_EQ(kinds(), before) << "one step of undo";
+}
+
+TEST_F(LabBreeding, ASceneWithoutRolesGetsTheMatchInstead) {
+    breed_to_the_end();
+    ask(BreedingEdit::take, {3, 2});
+    ASSERT_EQ(lab.window.files.size(), 1u);
+    open_what_was_asked();
+    expect_run_of(first_trial({3, 2}));
+}
+
+TEST_F(LabBreeding, OfAnUnknownNameSaysWhichThereAre) {
+    handle(lab, BreedingRequest{.path = "chaes"});
+    ASSERT_TRUE(view().error);
+    EXPECT_NE(view().error->text().find("chase"), std::string::npos);
+    handle(lab, BreedingRequest{.path = "flee"});
+    EXPECT_FALSE(view().error);
+    EXPECT_EQ(view().base->breed(Side::predator), nullptr);
+}
+
+TEST(MatrixGenerations, AreAtMost21AtDistancesOf1Or2Or4) {
+    EXPECT_TRUE(matrix_generations(0, 40).empty());
+    EXPECT_EQ(matrix_generations(3, 40), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(matrix_generations(21, 40).size(), 21u);
+    EXPECT_EQ(matrix_generations(22, 40).size(), 11u);
+    EXPECT_EQ(matrix_generations(41, 40).size(), 21u);
+    EXPECT_EQ(matrix_generations(41, 40).back(), 40);
+    EXPECT_EQ(matrix_generations(26, 25).back(), 25) << "the last one is always among them";
+    for (int complete = 1; complete < 300; ++complete)
+        EXPECT_LE(matrix_generations(complete, complete - 1).size(), 22u);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::breeding_test

@@ -1,0 +1,190 @@
+// The sheet of a breeding (ui/panels/breeding_sheet.cpp).
+#include <algorithm>
+#include <string>
+
+#include "breeding_on_desk.h"
+#include "desk.h"
+
+namespace braitenlab::tests::breeding_sheet_test {
+
+using namespace ui;
+
+namespace {
+
+struct BreedingDesk : testing::Test {
+    Desk desk;
+
+    const BreedingRequest* asked_for(BreedingEdit edit) const {
+        const auto* last = desk.last<BreedingRequest>();
+        return last && last->edit == edit ? last : nullptr;
+    }
+};
+
+TEST_F(BreedingDesk, TheMenuOpensItAndTheFirstBreedingIsOpened) {
+    BredOnDesk bred(0);
+    desk.view.features.breeding.shipped = &bred.shipped;
+    desk.panels.menu_bar.open = "simulation";
+    desk.frame(3);
+    desk.click("menu.simulation.breeding");
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.sheet, Sheet::breeding);
+    ASSERT_TRUE(asked_for(BreedingEdit::open));
+    EXPECT_EQ(desk.last<BreedingRequest>()->path, "chase");
+}
+
+TEST_F(BreedingDesk, StartStopAndContinueAreRequests) {
+    BredOnDesk none(0);
+    none.show(desk);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Start"));
+    desk.click("breeding.start");
+    EXPECT_TRUE(asked_for(BreedingEdit::run));
+    desk.view.features.breeding.runs = true;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("breeding.start"));
+    desk.click("breeding.stop");
+    EXPECT_TRUE(asked_for(BreedingEdit::stop));
+    BredOnDesk some(7);
+    some.show(desk);
+    desk.view.features.breeding.runs = false;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("Continue"));
+    EXPECT_TRUE(desk.says("Generation 6 of 40"));
+    BredOnDesk all(41, 2);
+    all.show(desk);
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("breeding.complete"));
+}
+
+TEST_F(BreedingDesk, OtherOpponentsAndNumbersAreAChoice) {
+    BredOnDesk bred(3);
+    bred.show(desk);
+    desk.frame(3);
+    desk.click("breeding.against.best_of_last");
+    EXPECT_FALSE(asked_for(BreedingEdit::choose)) << "those of the file";
+    desk.click("breeding.against.archive");
+    ASSERT_TRUE(asked_for(BreedingEdit::choose));
+    EXPECT_EQ(desk.last<BreedingRequest>()->choice->opponents, evolve::Opponents::archive);
+    desk.type_into("breeding.generations", "60");
+    EXPECT_EQ(desk.last<BreedingRequest>()->choice->generations, 60);
+    EXPECT_EQ(desk.last<BreedingRequest>()->choice->opponents, evolve::Opponents::best_of_last) << "of the open one";
+    desk.type_into("breeding.seed", "7");
+    EXPECT_EQ(desk.last<BreedingRequest>()->choice->seed, 7u);
+    desk.type_into("breeding.population", "12");
+    EXPECT_EQ(desk.last<BreedingRequest>()->choice->population, 12);
+    desk.click("breeding.open.flee");
+    ASSERT_TRUE(asked_for(BreedingEdit::open));
+    EXPECT_EQ(desk.last<BreedingRequest>()->path, "flee");
+}
+
+TEST_F(BreedingDesk, AClickOnACellWatchesItsMatchInEveryLanguage) {
+    BredOnDesk bred(41, 2);
+    bred.show(desk);
+    for (const Language& language : shipped_languages()) {
+        SCOPED_TRACE(language.code);
+        desk.strings = speaking(language.code);
+        desk.frame(4);
+        EXPECT_FALSE(desk.anchors.find("breeding.cell.1.0")) << "every second generation";
+        for (const BreedingCell cell : {BreedingCell{0, 0}, {40, 0}, {0, 40}, {18, 6}, {40, 40}}) {
+            desk.click("breeding.cell." + std::to_string(cell.predator) + "." + std::to_string(cell.prey));
+            ASSERT_TRUE(asked_for(BreedingEdit::watch));
+            EXPECT_EQ(desk.last<BreedingRequest>()->cell, cell);
+        }
+    }
+}
+
+TEST_F(BreedingDesk, ThePredatorsAreUpwardsAndThePreyAcross) {
+    BredOnDesk bred(5);
+    bred.show(desk);
+    desk.frame(3);
+    const Rect first = desk.where("breeding.cell.0.0"), up = desk.where("breeding.cell.1.0"),
+               across = desk.where("breeding.cell.0.1");
+    EXPECT_LT(up.y, first.y);
+    EXPECT_EQ(up.x, first.x);
+    EXPECT_GT(across.x, first.x);
+    EXPECT_EQ(across.y, first.y);
+    BredOnDesk more(9);
+    more.show(desk);
+    desk.frame(2);
+    EXPECT_EQ(desk.where("breeding.cell.0.0").x, first.x) << "cells keep their size while it grows";
+    EXPECT_EQ(desk.where("breeding.cell.0.0").w, first.w);
+}
+
+TEST_F(BreedingDesk, ArrowKeysWatchTheNextMatch) {
+    BredOnDesk bred(5);
+    bred.show(desk);
+    bred.watch(desk, {2, 3}, {0, 0});
+    desk.frame(3);
+    desk.panels.keyboard.focus = "breeding.matrix";
+    desk.frame(2);
+    desk.panels.keyboard.presses.push_back({key::left});
+    desk.frame(1);
+    ASSERT_TRUE(asked_for(BreedingEdit::watch));
+    EXPECT_EQ(desk.last<BreedingRequest>()->cell, (BreedingCell{2, 2}));
+    desk.panels.keyboard.presses.push_back({key::right});
+    desk.frame(1);
+    EXPECT_EQ(desk.last<BreedingRequest>()->cell, (BreedingCell{2, 4}));
+}
+
+TEST_F(BreedingDesk, TheWatchedMatchIsOpenedOrTaken) {
+    BredOnDesk bred(5);
+    bred.show(desk);
+    desk.frame(3);
+    desk.click("breeding.match");
+    ASSERT_TRUE(asked_for(BreedingEdit::match));
+    EXPECT_EQ(desk.last<BreedingRequest>()->cell, (BreedingCell{4, 4})) << "without one that of the last champions";
+    EXPECT_EQ(desk.panels.sheet, Sheet::none);
+    desk.panels.sheet = Sheet::breeding;
+    bred.watch(desk, {3, 1}, {0, 0});
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("Predator 3 · prey 1"));
+    EXPECT_TRUE(desk.says("eaten after 5.0 s"));
+    EXPECT_TRUE(desk.says("lives for 5.0 s"));
+    desk.click("breeding.take");
+    ASSERT_TRUE(asked_for(BreedingEdit::take));
+    EXPECT_EQ(desk.last<BreedingRequest>()->cell, (BreedingCell{3, 1}));
+    EXPECT_EQ(desk.last<BreedingRequest>()->title, "Chase, against the last champions: predator 3, prey 1");
+}
+
+TEST_F(BreedingDesk, WithoutAGenerationNothingCanBeTaken) {
+    BredOnDesk none(0);
+    none.show(desk);
+    desk.frame(3);
+    const std::size_t before = desk.all.size();
+    desk.click("breeding.take");
+    desk.click("breeding.match");
+    EXPECT_EQ(desk.all.size(), before);
+    EXPECT_EQ(desk.panels.sheet, Sheet::breeding);
+}
+
+TEST_F(BreedingDesk, SaysWhatTheMatrixShows) {
+    BredOnDesk few(3);
+    few.show(desk);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("From 8 generations on"));
+    BredOnDesk race(41, 2);
+    race.show(desk);
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("The last predators (generations 30–40) do better against all earlier prey"));
+    EXPECT_TRUE(desk.says("at least 0.1 of the score"));
+    desk.view.features.breeding.verdicts[1] = {evolve::Course::circles, {30, 40}, {10, 18}, -0.3f};
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("do worse against the predators of generations 10–18"));
+    desk.view.features.breeding.verdicts[1].course = evolve::Course::unclear;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("no clear change against earlier predators"));
+}
+
+TEST_F(BreedingDesk, OneSideAloneHasNoPanelAndOneSentence) {
+    BredOnDesk flee(21, 1, "flee");
+    flee.show(desk);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Best score against its own opponents"));
+    EXPECT_FALSE(desk.says("Best score against the panel"));
+    EXPECT_FALSE(desk.says("The last predators"));
+    EXPECT_TRUE(desk.says("The last prey"));
+}
+
+}  // namespace
+
+}  // namespace braitenlab::tests::breeding_sheet_test

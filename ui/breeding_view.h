@@ -1,0 +1,34 @@
+// The breeding on its sheet, for the panels (LabView::breeding).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/evolve/duel.h"
+#include "core/evolve/verdict.h"
+#include "ui/request.h"
+
+namespace braitenlab {
+
+inline constexpr int most_in_matrix = 21;  // generations of each side
+
+struct BreedingView {
+    const std::vector<evolve::Breeding>* shipped = nullptr;  // null: none
+    std::shared_ptr<const evolve::BreedingBase> base{};      // null: none is open
+    const evolve::BreedingState* state = nullptr;            // null with `base`
+    bool runs = false;
+    float progress = 0;                                // 0..1, of the generation that is bred, also of the panel
+    const evolve::Tournament* matrix = nullptr;        // null with `base`; NaN: a score that is not known yet
+    evolve::BySide<evolve::Verdict> verdicts{};        // of the matrix
+    std::vector<BreedingCell> watched{};               // at most two, the newest first
+    const std::vector<evolve::Duel>* duels = nullptr;  // of these, from the same start; null: not known yet
+    std::optional<Error> error{};                      // why it could not be opened
+};
+
+// The last generation that is complete, with its score against the panel; −1: none is.
+inline int last_generation(const BreedingView& view) {
+    return view.base ? complete_generations(*view.base, *view.state) - 1 : -1;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,248 @@
+// The sheet of the breeding: what is bred, the scores by generation, the matrix of the champions, two matches to watch,
+// and what the matrix shows in words.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <imgui.h>
+
+#include "ui/panels/breeding_parts.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/sheets.h"
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/slider.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+using evolve::Breeding;
+
+// Layout pixels. `chrome`: what is above and below the curves, the matrix and the matches.
+constexpr float column_gap_of_breeding = spacing::wide, chrome = 440, least_height = 300, most_height = 460;
+constexpr float least_of_columns = 720;  // narrower, they are below each other
+
+void choose(const Breeding& choice, Ui& ui) {
+    ui.outbox.emplace_back(
+        BreedingRequest{.edit = BreedingEdit::choose, .choice = std::make_shared<const Breeding>(choice)});
+}
+
+void shipped_choice(const BreedingView& view, Ui& ui, float right) {
+    for (const Breeding& each : *view.shipped) {
+        const bool on = view.base && view.base->breeding().id == each.id;
+        const std::string id = "breeding.open." + each.id;
+        const SmallButton which{id, {}, translated(ui, each.title), on};
+        if (&each != &view.shipped->front()) beside_or_below(ui, small_button_width(ui, which, true), right);
+        if (small_button(ui, which).pressed && !on)
+            ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::open, .path = each.id});
+    }
+}
+
+void opponents_choice(const Breeding& now, Ui& ui, float right) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string_view words = ui.strings("breeding.opponents");
+    const float height = ui.px(small_button_height), width = text_width(ui, Face::small, words);
+    put(ui, {at.x, at.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text, Face::small);
+    ImGui::Dummy({width, height});
+    for (const evolve::OpponentsTraits& row : evolve::opponents_table) {
+        const std::string stem = "breeding.opponents_" + std::string(row.word),
+                          id = "breeding.against." + std::string(row.word);
+        const SmallButton which{id, {}, ui.strings(stem), row.value == now.opponents};
+        beside_or_below(ui, small_button_width(ui, which, true), right);
+        const Item item = small_button(ui, which);
+        tooltip(ui, item, ui.strings(stem + "_how"));
+        if (!item.pressed || row.value == now.opponents) continue;
+        Breeding choice = now;
+        choice.opponents = row.value;
+        choose(choice, ui);
+    }
+}
+
+// Three numbers side by side; below each other on a narrow sheet.
+void numbers_of_breeding(const LabView& lab, const Breeding& now, SliderState& sliders, Ui& ui) {
+    struct Number {
+        const char* id;
+        float low, high;
+    };
+    const Number numbers[]{{"generations", 5, 200}, {"population", 6, 60}, {"seed", 1, 20}};
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float all = card_width(ui), space = ui.px(column_gap_of_breeding);
+    const bool is_wide = all >= ui.px(least_of_columns);
+    const float width = is_wide ? (all - 2 * space) / 3 : all;
+    Breeding choice = now;
+    for (std::size_t i = 0; i < std::size(numbers); ++i) {
+        const Number& number = numbers[i];
+        const std::string id = "breeding." + std::string(number.id);
+        const auto step = static_cast<float>(i);
+        ImGui::SetCursorScreenPos(is_wide ? ImVec2{at.x + step * (width + space), at.y}
+                                          : ImVec2{at.x, at.y + step * ui.px(slider_height)});
+        const std::string_view words = ui.strings(id);
+        SliderLook look{.words = words,
+                        .tooltip = ui.strings(id + "_how"),
+                        .low = number.low,
+                        .high = number.high,
+                        .home = number.low,
+                        .step = 1,
+                        .mouse = 1,
+                        .nudge = 1,
+                        .decimals = 0,
+                        .whole = true,
+                        .signed_number = false,
+                        .meaning = false,
+                        .words_width = text_width(ui, Face::text, words) / ui.px(1) + 12};
+        const float value = i == 0   ? static_cast<float>(now.generations)
+                            : i == 1 ? static_cast<float>(now.population)
+                                     : static_cast<float>(now.seed);
+        const auto edit = slider(ui, sliders, id, value, width, lab.wall_seconds, look);
+        if (!edit) continue;
+        const int wanted = std::max(1, static_cast<int>(std::lround(edit->value)));
+        if (i == 0) choice.generations = wanted;
+        if (i == 1) choice.population = std::max(wanted, now.parents);
+        if (i == 2) choice.seed = static_cast<std::uint64_t>(wanted);
+    }
+    ImGui::SetCursorScreenPos({at.x, at.y + (is_wide ? 1 : 3) * ui.px(slider_height) + ui.px(spacing::tight)});
+    ImGui::Dummy({1, 1});
+    if (choice.generations != now.generations || choice.population != now.population || choice.seed != now.seed)
+        choose(choice, ui);
+}
+
+// "Generation 12 of 40", with a bar of all generations, those of the panel included.
+void progress_of_breeding(const BreedingView& view, Ui& ui) {
+    const Breeding& breeding = view.base->breeding();
+    const int of_panel = breeding.panel > 0 ? breeding.panel_generations + 1 : 0;
+    const int panel = static_cast<int>(view.state->panel.generations.front().size());
+    const int done = last_generation(view) + 1, all = breeding.generations + 1;
+    if (panel < of_panel && (panel > 0 || view.runs))
+        paragraph(ui, fill(ui.strings("breeding.panel"), {std::to_string(panel), std::to_string(of_panel)}),
+                  ui.palette.second_text, Face::small);
+    else if (done == 0 && !view.runs)
+        paragraph(ui, ui.strings("breeding.not_begun"), ui.palette.second_text, Face::small);
+    else
+        paragraph(ui,
+                  fill(ui.strings("breeding.progress"),
+                       {std::to_string(std::max(0, done - 1)), std::to_string(breeding.generations),
+                        std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)}),
+                  ui.palette.second_text, Face::small);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui), height = ui.px(4);
+    const float share = (static_cast<float>(std::min(panel, of_panel) + std::min(done, all)) + view.progress) /
+                        static_cast<float>(of_panel + all);
+    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
+    if (share > 0) fill_box(ui, {at.x, at.y, width * std::min(1.0f, share), height}, ui.palette.accent, Corner::bar);
+    ImGui::Dummy({width, height + ui.px(spacing::small)});
+}
+
+// Curves, matrix and matches side by side; below each other on a narrow sheet.
+void figures_of_breeding(const LabView& lab, PanelState& state, Ui& ui, float height) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float all = card_width(ui), space = ui.px(column_gap_of_breeding);
+    const bool is_wide = all >= ui.px(least_of_columns);
+    const float matrix = is_wide ? std::min(0.38f * all, breeding_matrix_width(ui, height)) : all;
+    const float curves = is_wide ? (all - matrix - 2 * space) * 0.48f : all;
+    const float duels = is_wide ? all - matrix - curves - 2 * space : all;
+    const float x = is_wide ? curves + space : 0, down = is_wide ? 0 : height + space;
+    breeding_curves(lab.features.breeding, ui, {at.x, at.y, curves, height});
+    breeding_matrix(lab.features.breeding, ui, {at.x + x, at.y + down, matrix, height});
+    const Rect place{is_wide ? at.x + x + matrix + space : at.x, at.y + 2 * down, duels, height};
+    breeding_duels(lab, state.sheets.breeding, ui, place);
+    ImGui::SetCursorScreenPos({at.x, at.y});
+    ImGui::Dummy({all, 2 * down + height});
+}
+
+// The watched match, else that of the last champions.
+BreedingCell chosen_cell(const BreedingView& view) {
+    const int last = last_generation(view);
+    return view.watched.empty() ? BreedingCell{last, last} : view.watched.front();
+}
+
+bool match_button(const BreedingView& view, BreedingEdit edit, const char* id, Ui& ui) {
+    const BreedingCell cell = chosen_cell(view);
+    ButtonLook look{edit == BreedingEdit::take ? icon::load : icon::open, ui.strings(id)};
+    look.enabled = cell.predator >= 0;
+    const Item item = button(ui, id, look);
+    const std::string predator = std::to_string(cell.predator), prey = std::to_string(cell.prey);
+    if (wants_tooltip(ui, item)) {
+        const bool takes = edit == BreedingEdit::take;
+        tooltip(ui, item,
+                look.enabled ? fill(ui.strings(takes ? "breeding.take_how" : "breeding.match_how"), {predator, prey})
+                             : std::string(ui.strings("breeding.no_champion")));
+    }
+    ImGui::SameLine();
+    if (!item.pressed || !look.enabled) return false;
+    BreedingRequest request{.edit = edit, .cell = cell};
+    request.title =
+        fill(ui.strings("breeding.match_title"), {translated(ui, view.base->breeding().title), predator, prey});
+    request.story = ui.strings("breeding.match_story");
+    ui.outbox.emplace_back(std::move(request));
+    return true;
+}
+
+// True if the sheet closes.
+bool breeding_buttons(const BreedingView& view, Ui& ui) {
+    const bool is_complete = view.base && last_generation(view) >= view.base->breeding().generations &&
+                             std::none_of(view.matrix->scores.begin(), view.matrix->scores.end(),
+                                          [](float score) { return std::isnan(score); });
+    if (view.base && view.runs) {
+        const Item stop = button(ui, "breeding.stop", {icon::pause, ui.strings("breeding.stop"), Emphasis::primary});
+        tooltip(ui, stop, ui.strings("breeding.stop_how"));
+        if (stop.pressed) ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::stop});
+        ImGui::SameLine();
+    } else if (view.base && !is_complete) {
+        const bool has_begun = !view.state->panel.generations.front().empty() || last_generation(view) >= 0;
+        const std::string_view words = ui.strings(has_begun ? "breeding.go_on" : "breeding.start");
+        const Item start = button(ui, "breeding.start", {icon::play, words, Emphasis::primary});
+        tooltip(ui, start, ui.strings("breeding.start_how"));
+        if (start.pressed) ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::run});
+        ImGui::SameLine();
+    } else if (view.base) {  // keeps the place of Stop
+        ButtonLook complete{icon::check, ui.strings("breeding.complete"), Emphasis::primary};
+        complete.enabled = false;
+        const Item item = button(ui, "breeding.complete", complete);
+        tooltip(ui, item, ui.strings("breeding.complete_how"));
+        ImGui::SameLine();
+    }
+    bool closes = false;
+    if (view.base) {
+        closes |= match_button(view, BreedingEdit::match, "breeding.match", ui);
+        closes |= match_button(view, BreedingEdit::take, "breeding.take", ui);
+    }
+    const Item close = button(ui, "breeding.close", {{}, ui.strings("keys.close")});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    return closes || close.pressed;
+}
+
+}  // namespace
+
+void breeding_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
+    const BreedingView& view = lab.features.breeding;
+    if (!view.base && !view.error && view.shipped && !view.shipped->empty())
+        ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::open, .path = view.shipped->front().id});
+    SheetState& sheet = open_sheet(state, ui, Sheet::breeding, window);
+    const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    if (view.shipped) shipped_choice(view, ui, right);
+    if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
+    if (view.base) {
+        const Breeding& breeding = view.base->breeding();
+        if (!breeding.story.empty()) paragraph(ui, translated(ui, breeding.story), ui.palette.text);
+        opponents_choice(breeding, ui, right);
+        numbers_of_breeding(lab, breeding, state.sliders, ui);
+        progress_of_breeding(view, ui);
+        const float height = std::clamp(window.h - ui.px(chrome), ui.px(least_height), ui.px(most_height));
+        figures_of_breeding(lab, state, ui, height);
+        breeding_words(view, ui);
+    }
+    sheet_buttons(ui, sheet);
+    const bool closed = breeding_buttons(view, ui);
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab::ui
