@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "core/maths/angle.h"
 #include "core/scene/arena.h"
 #include "core/scene/nearest.h"
+#include "core/scene/size_limits.h"
 
 namespace braitenlab {
 
@@ -226,72 +226,6 @@ std::optional<Fault> on_times_fault(const Source& source) {
     return std::nullopt;
 }
 
-// A world keeps about a dozen copies of its state; the limit keeps an untrusted file from filling the memory.
-std::optional<Fault> memory_fault(const Scene& scene) {
-    constexpr double most = 1 << 24;  // numbers, in all brains and all sensors' latencies
-    double largest = 0;
-    const auto numbers_of = [](const BrainGraph* brain, const std::vector<Sensor>* sensors) {
-        double numbers = brain ? static_cast<double>(brain->nodes.size() + brain->wires.size()) : 0;
-        if (sensors)
-            for (const Sensor& sensor : *sensors) numbers += 1 + static_cast<double>(sensor.latency) / tick_seconds;
-        return numbers;
-    };
-    for (const Kind& kind : scene.kinds) largest = std::max(largest, numbers_of(&kind.brain, &kind.sensors));
-    const auto count_own = [&](const auto& own) {
-        largest =
-            std::max(largest, numbers_of(own.brain ? &*own.brain : nullptr, own.sensors ? &*own.sensors : nullptr));
-    };
-    for (const Start& start : scene.starts) count_own(start);
-    for (const Member& member : scene.members) count_own(member);
-    const double vehicles = static_cast<double>(scene.starts.size()) + scene.ecology.population;
-    if (vehicles * largest <= most) return std::nullopt;
-    return Fault{"ecology.population", message_of("too_much_memory", std::llround(vehicles), std::llround(largest),
-                                                  static_cast<long>(most / largest))};
-}
-
-double floor_area(const Body& body) { return static_cast<double>(body.length) * body.width; }
-
-// Vehicles that cannot stand side by side overlap, and physics pushes each away from all the others in it: a tick of
-// 20,000 in 20 × 20 m would take longer than half a minute. Scenes of a few vehicles are not judged.
-std::optional<Fault> density_fault(const Scene& scene) {
-    constexpr int always_allowed = 100;
-    const int vehicles = static_cast<int>(scene.starts.size()) + scene.ecology.population;
-    if (vehicles <= always_allowed) return std::nullopt;
-    double shares = 0, of_one = 0, placed = 0;
-    for (const Kind& kind : scene.kinds)
-        shares += static_cast<double>(kind.share), of_one += static_cast<double>(kind.share) * floor_area(kind.body);
-    of_one = shares > 0 ? of_one / shares : scene.kinds.empty() ? 0 : floor_area(scene.kinds.front().body);
-    for (const Start& start : scene.starts)
-        placed += floor_area(scene.kinds[static_cast<std::size_t>(find_kind(scene, start.kind))].body);
-    const double round = scene.arena.round ? maths::pi_d / 4 : 1;
-    const double floor = static_cast<double>(scene.arena.width) * static_cast<double>(scene.arena.height) * round;
-    const double covered = placed + of_one * scene.ecology.population;
-    if (covered <= floor) return std::nullopt;
-    const int most = std::max(always_allowed, static_cast<int>(vehicles * floor / covered));
-    return Fault{"ecology.population",
-                 message_of("too_dense", vehicles, std::llround(covered), std::llround(floor), most)};
-}
-
-// The same for vehicles that the file places: only so many on the floor of one.
-std::optional<Fault> crowd_fault(const Scene& scene) {
-    constexpr std::size_t most = 32;
-    float side = 0;  // m
-    for (const Kind& kind : scene.kinds) side = std::max({side, kind.body.length, kind.body.width});
-    std::vector<std::pair<std::int64_t, std::int64_t>> squares;
-    const auto place = [&](const auto& own) {
-        squares.emplace_back(std::llround(own.x / side), std::llround(own.y / side));
-    };
-    for (const Start& start : scene.starts) place(start);
-    for (const Member& member : scene.members)
-        if (member.placed) place(member);
-    if (squares.size() <= most) return std::nullopt;
-    std::sort(squares.begin(), squares.end());
-    for (std::size_t i = most; i < squares.size(); ++i)
-        if (squares[i - most] == squares[i])
-            return Fault{"", message_of("too_crowded", most, fmt::format("{:.3g}", side))};
-    return std::nullopt;
-}
-
 }  // namespace
 
 std::optional<Fault> find_fault(const BrainGraph& graph) {
@@ -326,9 +260,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
     if (scene.ecology.population > 0 && scene.kinds.empty())
         return Fault{"ecology.population", message_of("no_kind_to_populate")};
     if (scene.goal.role == Role::wiring) return Fault{"goal.role", message_of("no_role_to_count")};
-    if (auto fault = crowd_fault(scene)) return fault;
-    if (auto fault = density_fault(scene)) return fault;
-    return memory_fault(scene);
+    return size_fault(scene);
 }
 
 Message outside(std::string_view key, double value, Range range) {

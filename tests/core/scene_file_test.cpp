@@ -499,6 +499,35 @@ TEST(SceneFile, RefusesMoreVehiclesThanTheFloorHasRoomFor) {
     read(pile.substr(0, pile.rfind("[vehicle")));
 }
 
+TEST(SceneFile, RefusesSensorsThatCompareMoreThanATickHasTimeFor) {
+    const auto crowd = [](int population, const std::string& channel, int range) {
+        return "format = 1\n[arena]\nwidth = 400\nheight = 400\n[ecology]\npopulation = " + std::to_string(population) +
+               "\n[kind.k.sensor.S]\nchannel = \"" + channel + "\"\nrange = " + std::to_string(range) + "\n";
+    };
+    const std::string of_ecology = "test.toml:6: the sensors and wheels of ";
+    expect_in(of_ecology + "20000 vehicles compare up to 400 million things in a tick, and the most are 40 million",
+              complaint(crowd(20000, "vehicle", 100)));
+    read(crowd(20000, "vehicle", 20));
+    read(crowd(6300, "vehicle", 100));
+    std::string lamps = crowd(5000, "light", 10);
+    for (int i = 0; i < 100; ++i) lamps += "[source.s" + std::to_string(i) + "]\n";
+    std::string zones;
+    const auto boxes = [](int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += "[obstacle.o" + std::to_string(i) + "]\n";
+        return text;
+    };
+    for (int i = 0; i < 400; ++i) zones += "[zone.z" + std::to_string(i) + "]\n";
+    read(lamps);
+    expect_in(of_ecology + "5000 vehicles compare up to 126 million", complaint(lamps + boxes(250)));
+    read(crowd(20000, "energy", 10) + zones);
+    read(crowd(20000, "obstacle", 10) + boxes(30));
+    expect_in(of_ecology + "20000 vehicles compare up to 51 million",
+              complaint(crowd(20000, "obstacle", 10) + boxes(30) + zones));
+    expect_in(of_ecology + "20000 vehicles compare up to 400 million",
+              complaint(crowd(20000, "light", 100) + "[kind.k.lamp.l]\n"));
+}
+
 TEST(SceneFile, ReadsTheTableOfASensorAndRefusesOneThatIsNoTable) {
     const std::string head = "format = 1\n[kind.k.sensor.S]\nresponse = \"table\"\n";
     const std::string first = "[[kind.k.sensor.S.point]]\ndistance = 0.01\nreading = 0.9\n";
