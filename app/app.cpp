@@ -231,9 +231,10 @@ bool App::moves() const {
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
     const bool predicts = is_computing(lab_.predictions);
     const bool shows_duels = panels_.sheet == ui::Sheet::breeding && lab_.breeding.duels.answer();
-    return frame_.got_input || plays || orbits || predicts || is_computing(lab_.map) || is_computing(lab_.robots) ||
-           is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs || is_computing(lab_.breeding) ||
-           shows_duels || frame_.makes_pictures || clip_ || (lesson && lesson->grading) || !lab_.window.files.empty();
+    return frame_.got_input || plays || orbits || predicts || lab_.playback.seeks || is_computing(lab_.map) ||
+           is_computing(lab_.robots) || is_computing(lab_.slots) || is_computing(lab_.mystery) || lab_.study.runs ||
+           is_computing(lab_.breeding) || shows_duels || frame_.makes_pictures || clip_ ||
+           (lesson && lesson->grading) || !lab_.window.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

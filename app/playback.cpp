@@ -7,6 +7,7 @@
 
 #include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
+#include "app/seeking.h"
 
 namespace braitenlab {
 
@@ -81,6 +82,7 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
     if (lab.wall_seconds >= lab.notice_until) lab.notice = {};
     if (lab.document.lesson) follow_hint(*lab.document.lesson, lab.wall_seconds);
     Playback& playback = lab.playback;
+    if (continue_seeking(lab, stepping_budget)) return;
     if (playback.mode != Mode::playing || playback.held || lab.sheet_open) return;
 
     using Clock = std::chrono::steady_clock;
@@ -98,7 +100,8 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
             say(lab, {NoticeKind::notice, "notice.page_pauses"});
         return;
     }
-    measure_pace(playback, wall_seconds, shown_snapshot(lab).seconds - before);
+    // A long frame counts as a shorter one, so that the run does not jump; its ticks take their time all the same.
+    measure_pace(playback, std::max(wall_seconds, spent()), shown_snapshot(lab).seconds - before);
     if (playback.debt >= tick_length) playback.debt = 0;
 }
 

@@ -11,9 +11,10 @@ namespace braitenlab {
 // Runs one tick in any mode.
 void tick(Lab&);
 
-// Advances by wall time: runs the ticks that are due while playing and no sheet is open, for at most 12 ms. Ticks that
-// exceed this time are dropped, so that a slow computer runs in slow motion and the debt does not grow. `seen` gets the
-// shown snapshot after each tick.
+// Advances by wall time: runs the ticks that are due while playing and no sheet is open. No tick begins after 12 ms;
+// those that are due then are dropped, so that a slow computer runs in slow motion and the debt does not grow. A tick
+// that has begun is finished: what one may cost is limited by size_fault() (core/scene/size_limits.h). On the way to a
+// recorded tick the run goes on there first. `seen` gets the shown snapshot after each tick.
 void advance(Lab&, double wall_seconds, const std::function<void(const Snapshot&)>& seen = {});
 
 }  // namespace braitenlab

@@ -1,6 +1,7 @@
 #include "app/seeking.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace braitenlab {
 namespace {
 
 constexpr std::size_t most_bookmarks = 20;
-constexpr std::size_t most_for_exact_drag = 300;  // vehicles; above, a dragged playhead moves between keyframes
+constexpr std::size_t most_at_once = 300;  // vehicles whose ticks since a keyframe are repeated within a frame
 
 void arrive(Workspace& space) {
     forget_motion(space);
@@ -21,18 +22,26 @@ void arrive(Workspace& space) {
     watch(space);
 }
 
+bool has_many(const Workspace& space) { return space.document.session.snapshot().vehicles.size() > most_at_once; }
+
 void go_to_tick(Workspace& space, std::uint64_t tick) {
-    space.document.session.seek(tick);
+    Session& session = space.document.session;
+    if (!has_many(space)) {
+        session.seek(tick);
+        return arrive(space);
+    }
+    tick = std::clamp(tick, session.earliest(), session.latest());
+    const std::uint64_t now = session.snapshot().tick;
+    if (tick < now || session.keyframe_before(tick) > now) session.seek_roughly(tick);
     arrive(space);
+    space.playback.seeks = tick;
 }
 
 }  // namespace
 
 void seek(Workspace& space, const SeekRequest& request) {
     space.playback.held = request.held;
-    const bool roughly = request.held && space.document.session.snapshot().vehicles.size() > most_for_exact_drag &&
-                         !space.document.lesson;
-    if (roughly) {
+    if (request.held && has_many(space) && !space.document.lesson) {
         space.document.session.seek_roughly(request.tick);
         arrive(space);
     } else {
@@ -43,6 +52,22 @@ void seek(Workspace& space, const SeekRequest& request) {
 void seek_by(Workspace& space, std::int64_t ticks) {
     const auto now = static_cast<std::int64_t>(space.document.session.snapshot().tick);
     go_to_tick(space, static_cast<std::uint64_t>(std::max<std::int64_t>(0, now + ticks)));
+}
+
+bool continue_seeking(Workspace& space, double budget) {
+    if (!space.playback.seeks) return false;
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(budget);
+    Session& session = space.document.session;
+    // An edit on the way removes the later ticks.
+    const std::uint64_t to = std::min(*space.playback.seeks, session.latest());
+    while (session.snapshot().tick < to) {
+        session.step();
+        if (Clock::now() >= end) break;
+    }
+    arrive(space);
+    if (session.snapshot().tick < to) space.playback.seeks = to;
+    return true;
 }
 
 void set_bookmark(Workspace& space) {

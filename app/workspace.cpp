@@ -54,6 +54,7 @@ void set_mode(Workspace& space, Mode mode) {
 void forget_motion(Workspace& space) {
     space.playback.previous.clear();
     space.playback.debt = 0;
+    space.playback.seeks.reset();
 }
 
 float between_ticks(const Workspace& space) {

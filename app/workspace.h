@@ -40,7 +40,8 @@ struct Playback {
     Pace pace;
     std::int64_t toggles = 0;  // changes between playing and not playing
     std::vector<TimeMark> bookmarks;
-    bool held = false;  // true while the playhead is dragged; the simulation is paused
+    bool held = false;                   // true while the playhead is dragged; the simulation is paused
+    std::optional<std::uint64_t> seeks;  // the recorded tick on the way to which the run is, a part of it a frame
 };
 
 // The values that lecture mode changes, saved when it starts.

@@ -130,6 +130,32 @@ TEST(Playback, GoesBackAndForwardExactly) {
     EXPECT_EQ(lab.document.session.hash(), hash);
 }
 
+TEST(Playback, GoesBackInPartsWithManyVehicles) {
+    Lab lab = opened_lab("predator-prey");
+    for (const int kind : {0, 1}) handle(lab, EditRequest{SetPopulation{kind, 160}});
+    ASSERT_EQ(lab.document.session.snapshot().vehicles.size(), 320u) << lab.notice.words;
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 250; ++i) hashes.push_back(lab.document.session.hash()), tick(lab);
+    const auto arrive_at = [&](std::uint64_t wanted) {
+        int frames = 0;
+        for (; lab.playback.seeks && frames < 1000; ++frames) advance(lab, 1.0 / 60);
+        EXPECT_EQ(lab.document.session.snapshot().tick, wanted);
+        EXPECT_EQ(lab.document.session.hash(), hashes[wanted]);
+        return frames;
+    };
+    handle(lab, SeekRequest{200, false});
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u) << "the keyframe; no tick is repeated yet";
+    EXPECT_GT(arrive_at(200), 0);
+    handle(lab, Action::step_back);
+    arrive_at(199);
+    handle(lab, SeekRequest{240, false});
+    EXPECT_EQ(lab.document.session.snapshot().tick, 199u) << "it goes on from here";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 1}});
+    advance(lab, 1.0 / 60);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 199u) << "an edit ends the way";
+    EXPECT_FALSE(lab.playback.seeks);
+}
+
 TEST(Playback, ReportsTheFutureThatAnEditDropsAndUndoRestores) {
     Lab lab = opened_lab("predator-prey");
     for (int i = 0; i < 700; ++i) tick(lab);
