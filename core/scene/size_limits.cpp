@@ -154,11 +154,8 @@ std::optional<Fault> work_fault(const Scene& scene) {
     for (const Member& member : scene.members)
         if (member.sensors) largest = std::max(largest, work.of(*member.sensors));
     if (vehicles * largest <= most) return std::nullopt;
-    return Fault{
-        "ecology.population",
-        Message(fmt::format("the sensors and wheels of {} vehicles compare up to {} million things in a tick, and "
-                            "the most are {} million; take fewer vehicles, sensors or obstacles, or shorter ranges",
-                            std::llround(vehicles), std::llround(vehicles * largest / 1e6), std::llround(most / 1e6)))};
+    return Fault{"ecology.population", message_of("too_much_work", std::llround(vehicles),
+                                                  std::llround(vehicles * largest / 1e6), std::llround(most / 1e6))};
 }
 
 }  // namespace
