@@ -266,6 +266,14 @@ public:
 
     void send(int signal) const { kill(pid_, signal); }
 
+    // Memory of the program that is in use, in MB; on Linux.
+    double resident_megabytes() const {
+        std::ifstream file(fmt::format("/proc/{}/statm", pid_));
+        double pages = 0;
+        file >> pages >> pages;
+        return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+    }
+
     // The exit code once the program has ended; −1 if it does not end.
     int exit_code(double patience = 5) {
         int status = 0;
