@@ -54,7 +54,7 @@ void BM_BareTrials(benchmark::State& state) {
     const auto trials = next_trials(*bred.base, bred.state, bred_generations);
     for (const evolve::Trial& trial : trials) scenes.push_back(scene_of(*bred.base, trial));
     const auto ticks = static_cast<std::uint64_t>(bred.base->breeding().seconds * 60);
-    for (auto _ : state)
+    while (state.KeepRunning())
         for (std::size_t i = 0; i < trials.size(); ++i) {
             auto world = World::create(scenes[i], trials[i].seed);
             while (world->tick() < ticks && world->events().captures == 0) world->step();
@@ -65,7 +65,7 @@ BENCHMARK(BM_BareTrials)->Unit(benchmark::kMillisecond);
 
 void BM_Generation(benchmark::State& state) {
     const Bred& bred = tenth_generation();
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         evolve::BreedingState next = bred.state;
         advance(*bred.base, next, numbers_of(bred, next_trials(*bred.base, next, bred_generations)));
         benchmark::DoNotOptimize(next);
@@ -78,7 +78,7 @@ void BM_Checkpoint(benchmark::State& state) {
     const Bred& bred = tenth_generation();
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "braitenlab-bench-breeding";
     std::filesystem::create_directory(folder);
-    for (auto _ : state)
+    while (state.KeepRunning())
         if (write_breeding_state(*bred.base, bred.state, folder)) return state.SkipWithError("cannot be written");
     std::filesystem::remove_all(folder);
 }
