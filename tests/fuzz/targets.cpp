@@ -12,7 +12,7 @@
 #include "core/insight/study_file.h"
 #include "core/io/link.h"
 #include "core/io/run_file.h"
-#include "core/lesson/exercise.h"
+#include "core/lesson/exercise_file.h"
 #include "core/lesson/hand_in.h"
 #include "core/lesson/lecture.h"
 #include "core/scene/scene_file.h"
