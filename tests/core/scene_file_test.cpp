@@ -400,9 +400,10 @@ TEST(Check, FindsTheErrorsOfAnEditedScene) {
     scene.arena.width = scene.arena.height = 2000;  // m: so many need much room
     EXPECT_FALSE(check_scene(scene));
     for (int i = 0; i < 60; ++i) {
-        scene.kinds[1].sensors.push_back({.name = fmt::format("s{}", i), .latency = 1});
+        scene.kinds[1].sensors.push_back({.name = fmt::format("s{}", i), .range = 1, .latency = 1});
         if (i == 10) {
-            EXPECT_FALSE(check_scene(scene)) << "eleven slow sensors each fit";
+            const auto fault = check_scene(scene);
+            EXPECT_FALSE(fault) << "eleven slow sensors each fit: " << fault->text();
         }
     }
     expect_in("ecology.population: 20002 vehicles", check_scene(scene)->text());

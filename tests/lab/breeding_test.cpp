@@ -130,7 +130,7 @@ TEST_F(LabBreeding, AnotherChoiceKeepsWhatWasBred) {
     EXPECT_EQ(view().matrix->size(), 4u);
     breed_to_the_end();
     EXPECT_EQ(*view().state, bred(4)) << "one more generation";
-    choose([](evolve::Breeding& b) { b.population = 1; });
+    choose([](evolve::Breeding& b) { b.population = b.parents, b.parents = b.population + 1; });
     EXPECT_EQ(last_generation(view()), 4) << "fewer individuals than parents";
     ASSERT_TRUE(view().error);
     EXPECT_NE(view().error->text().find("parents"), std::string::npos);
