@@ -250,7 +250,9 @@ bool App::draws_scene() const {
     return options_.screenshot.empty() || facts_.frames + 1 >= frames_of_layout;
 }
 
-std::string App::anchors_text() const { return anchors_json(frame_.anchors); }
+std::string App::anchors_text() const {
+    return anchors_json(frame_.held_back ? frame_.anchors_before : frame_.anchors);
+}
 std::string App::state_text() const { return state_json(lab_, panels_.scene_input, facts_); }
 
 void App::write_reports() {

@@ -164,8 +164,8 @@ private:
 
     // What the last frame has drawn and found.
     struct Frame {
-        ui::Anchors anchors;
-        std::vector<ui::Written> written;  // texts, recorded for the file of the state only
+        ui::Anchors anchors, anchors_before;  // of this frame, and of the last one before it that was shown
+        std::vector<ui::Written> written;     // texts, recorded for the file of the state only
         Outbox outbox;
         Snapshot shown;  // interpolated between the last two ticks
         bool got_input = false;

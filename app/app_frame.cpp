@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 #include <imgui.h>
 
@@ -147,6 +148,7 @@ void App::frame(float passed) {
     bool arrows_are_free = true;
     for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, frame_.outbox);
 
+    if (!frame_.held_back) std::swap(frame_.anchors, frame_.anchors_before);
     frame_.anchors.begin();
     frame_.written.clear();
     int shortened = 0;

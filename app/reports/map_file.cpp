@@ -109,7 +109,7 @@ std::string kinds_legend(const MapCells& cells, const Strings& strings) {
 }
 
 std::string scale_legend(const MapCells& cells, MapMeasure measure, const ui::MapScale& scale, const Strings& strings) {
-    const std::string out = scale_svg(scale, strings);
+    std::string out = scale_svg(scale, strings);
     const bool has_none = std::any_of(cells.cells.begin(), cells.cells.end(), [&](const auto& cell) {
         return !std::isfinite(insight::number_of(cell->outcome, measure));
     });
