@@ -34,7 +34,6 @@ using evolve::Side;
 using evolve::Trial;
 using Base = std::shared_ptr<const BreedingBase>;
 
-constexpr auto sides = std::to_array({Side::predator, Side::prey});
 constexpr int matrix_generations = 40;  // at most, of each side
 
 // A list of trials: those of the next generation, or of a tournament.
@@ -114,7 +113,7 @@ std::vector<float> panel_scores(const BreedingState& state, Side side) {
 
 std::string summary_text(const BreedingBase& base, const BreedingState& state) {
     std::string text = fmt::format("{:>10}", "generation");
-    for (const Side side : sides)
+    for (const Side side : evolve::both_sides)
         if (base.breed(side))
             for (const char* column : {"best", "median", "diversity", "panel"})
                 text += fmt::format("  {:>18}", fmt::format("{} {}", word(side), column));
@@ -123,7 +122,7 @@ std::string summary_text(const BreedingBase& base, const BreedingState& state) {
     for (int row = 0; row < rows; ++row) {
         const auto generation = static_cast<std::size_t>(rows == 1 ? 0 : row * (count - 1) / (rows - 1));
         text += fmt::format("{:>10}", generation);
-        for (const Side side : sides) {
+        for (const Side side : evolve::both_sides) {
             if (!base.breed(side)) continue;
             const Generation& g = at(state.main.generations, side)[generation];
             for (const float number : {g.best, g.median, g.diversity, g.panel})
@@ -136,7 +135,7 @@ std::string summary_text(const BreedingBase& base, const BreedingState& state) {
         "progress by itself.\n";
     if (base.breeding().panel == 0) return text;
     text += "panel: score of the best against opponents that were bred apart and never decided who had children.\n";
-    for (const Side side : sides) {
+    for (const Side side : evolve::both_sides) {
         if (!base.breed(side)) continue;
         const evolve::Trend trend = evolve::trend_of(panel_scores(state, side));
         text += fmt::format(
@@ -151,7 +150,7 @@ std::string summary_json(const BreedingBase& base, const Bred& bred, double seco
     const int generation = complete_generations(base, bred.state) - 1;
     nlohmann::ordered_json json;
     json["generation"] = generation;
-    for (const Side side : sides) {
+    for (const Side side : evolve::both_sides) {
         if (!base.breed(side)) continue;
         const Generation& last = at(bred.state.main.generations, side)[static_cast<std::size_t>(generation)];
         const std::string name(word(side));
@@ -192,7 +191,7 @@ int breed_into(const BreedOptions& options, const Base& base, const fs::path& fo
 // One line a pair.
 std::string matrix_csv(const evolve::Tournament& tournament, MatrixKind kind) {
     std::string text = "side,generation,opponent_generation,score\n";
-    for (const Side side : sides)
+    for (const Side side : evolve::both_sides)
         for (std::size_t own = 0; own < tournament.size(); ++own)
             for (std::size_t opponent = 0; opponent < opponents_of(tournament, kind, own); ++opponent)
                 text += fmt::format("{},{},{},{:.4f}\n", word(side), tournament.generations[own],
@@ -202,7 +201,7 @@ std::string matrix_csv(const evolve::Tournament& tournament, MatrixKind kind) {
 
 std::string matrix_text(const evolve::Tournament& tournament) {
     std::string text;
-    for (const Side side : sides) {
+    for (const Side side : evolve::both_sides) {
         std::vector<float> scores;
         for (std::size_t own = 0; own < tournament.size(); ++own) scores.push_back(tournament.master_score(side, own));
         const evolve::Trend trend = evolve::trend_of(scores);
@@ -261,8 +260,9 @@ int write_champion(const BreedOptions& options, const BreedingBase& base, const 
     const std::string option = "--champion";
     const std::size_t colon = options.champion.find(':');
     const std::string name = options.champion.substr(0, colon);
-    const auto side = std::find_if(sides.begin(), sides.end(), [&](Side s) { return word(s) == name; });
-    if (side == sides.end() || colon == std::string::npos)
+    const auto side =
+        std::find_if(evolve::both_sides.begin(), evolve::both_sides.end(), [&](Side s) { return word(s) == name; });
+    if (side == evolve::both_sides.end() || colon == std::string::npos)
         return complain({"write predator:GENERATION or prey:GENERATION", option});
     const auto generation =
         generation_of(option, std::string_view(options.champion).substr(colon + 1), complete_generations(base, state));
@@ -278,7 +278,7 @@ int write_match(const BreedOptions& options, const BreedingBase& base, const Bre
     const std::size_t colon = options.match.find(':');
     if (colon == std::string::npos) return complain({"write two generations, PREDATOR:PREY", option});
     Trial trial;
-    for (const Side side : sides) {
+    for (const Side side : evolve::both_sides) {
         const std::string_view text = options.match;
         const auto generation =
             generation_of(option, side == Side::predator ? text.substr(0, colon) : text.substr(colon + 1),

@@ -19,7 +19,6 @@ using evolve::Side;
 using evolve::Tournament;
 
 constexpr std::size_t ticks_per_piece = 300;  // about half a millisecond
-constexpr auto both_sides_of_duel = std::to_array({Side::predator, Side::prey});
 
 Bred& bred_of(BreedingRuns& runs) { return runs.bred.at(runs.base->fingerprint()); }
 const Bred& bred_of(const BreedingRuns& runs) { return runs.bred.at(runs.base->fingerprint()); }
@@ -98,7 +97,7 @@ void fill_matrix(BreedingRuns& runs) {
             matrix.scores.push_back(found == bred.scores.end() ? NAN : found->second);
         }
     const Tournament known = known_part(matrix);
-    for (const Side side : both_sides_of_duel) at(runs.verdicts, side) = evolve::verdict_of(known, side);
+    for (const Side side : evolve::both_sides) at(runs.verdicts, side) = evolve::verdict_of(known, side);
 }
 
 void begin_breeding_of(BreedingRuns& runs, BreedingBasePtr base) {
@@ -156,13 +155,13 @@ bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cel
     const evolve::Trial trial = first_trial(runs, cell, cell);
     const Scene& scene = *space.document.session.snapshot().scene;
     BySide<int> kinds{};
-    for (const Side side : both_sides_of_duel) {
+    for (const Side side : evolve::both_sides) {
         const int kind = kind_with_role(scene, at(trial.kinds, side)->role);
         if (kind < 0 || scene.kinds[static_cast<std::size_t>(kind)].hidden) return false;
         at(kinds, side) = kind;
     }
     const std::uint64_t gesture = new_gesture(space);
-    for (const Side side : both_sides_of_duel) {
+    for (const Side side : evolve::both_sides) {
         if (!runs.base->breed(side)) continue;
         const int index = at(kinds, side);
         const Kind& champion = *at(trial.kinds, side);

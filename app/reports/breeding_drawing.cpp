@@ -21,7 +21,6 @@ using evolve::Tournament;
 
 constexpr float curves_width = 520, curves_height = 220, curves_step = 330;                 // px
 constexpr float matrix_side = 400, matrix_step = 560, drawing_left = 92, drawing_top = 84;  // px
-constexpr auto both_drawn = std::to_array({Side::predator, Side::prey});
 
 std::string side_name(Side side, const Strings& strings) {
     return std::string(strings(side == Side::predator ? "kind.predator" : "kind.prey"));
@@ -112,7 +111,7 @@ std::string curves_drawing(const BreedingBase& base, const BreedingState& state,
     const bool has_panel = base.breeding().panel > 0;
     std::string drawn;
     float top = drawing_top;
-    for (const Side side : both_drawn) {
+    for (const Side side : evolve::both_sides) {
         if (!base.breed(side)) continue;
         const std::vector<Generation>& all = at(state.main.generations, side);
         const PlotFrame frame{curves_width, curves_height, generation_axis(0, static_cast<int>(count) - 1), {0, 1}};
@@ -138,7 +137,7 @@ std::string matrix_drawing(const BreedingBase& base, const Tournament& tournamen
                           matrix_side / static_cast<float>(tournament.size()) / 2};
     std::string drawn;
     float left = drawing_left;
-    for (const Side side : both_drawn) {
+    for (const Side side : evolve::both_sides) {
         if (!base.breed(side)) continue;
         const bool is_first = left == drawing_left;
         const auto label = [&](const std::string& given, Side of) {

@@ -18,10 +18,7 @@ namespace braitenlab::evolve {
 
 namespace {
 
-constexpr auto both_sides = std::to_array({Side::predator, Side::prey});
 constexpr int panel_trials = 4;  // of a champion with each opponent of the panel
-
-Role role_of(Side side) { return side == Side::predator ? Role::predator : Role::prey; }
 
 std::vector<Setting> settings_of(const Breeding& breeding, const Breed& breed, const Genome& genome) {
     std::vector<Setting> settings;
@@ -305,9 +302,7 @@ Result<std::shared_ptr<const BreedingBase>> BreedingBase::create(Breeding breedi
 
     for (std::size_t i = 0; i < breeding.breeds.size(); ++i) {
         const Breed& breed = breeding.breeds[i];
-        const auto is_kind = [&](Side side) {
-            return base->scene_.kinds[static_cast<std::size_t>(at(base->kinds_, side))].name == breed.kind;
-        };
+        const auto is_kind = [&](Side side) { return base->kind(side).name == breed.kind; };
         const auto side = std::find_if(both_sides.begin(), both_sides.end(), is_kind);
         if (side == both_sides.end())
             return error_of(message_of("breed_without_side", in_quotes(breed.kind)), breeding.file);
@@ -335,13 +330,12 @@ const Breed* BreedingBase::breed(Side side) const {
 }
 
 Kind BreedingBase::kind_of(Side side, const Genome& genome) const {
-    const auto index = static_cast<std::size_t>(at(kinds_, side));
     const Breed* own = breed(side);
-    if (!own || genome.empty()) return scene_.kinds[index];
+    if (!own || genome.empty()) return kind(side);
     // create() has checked the paths; read_scene() would list all paths of the scene for that, twice as long.
     TomlFile file = *file_;
     for (const Setting& setting : settings_of(breeding_, *own, genome)) put(file.root, setting);
-    return std::move(read_scene(std::move(file), "", {})->kinds[index]);
+    return std::move(read_scene(std::move(file), "", {})->kinds[static_cast<std::size_t>(at(kinds_, side))]);
 }
 
 BreedingState begin_breeding(const BreedingBase& base) {

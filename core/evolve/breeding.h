@@ -28,6 +28,8 @@ enum class Side { predator, prey };
 inline constexpr auto side_table = std::to_array<Word<Side>>({{Side::predator, "predator"}, {Side::prey, "prey"}});
 static_assert(is_complete_table<side_table>());
 constexpr const auto& table_of(Side) { return side_table; }
+inline constexpr auto both_sides = std::to_array({Side::predator, Side::prey});
+constexpr Role role_of(Side side) { return side == Side::predator ? Role::predator : Role::prey; }
 constexpr Side other(Side side) { return side == Side::predator ? Side::prey : Side::predator; }
 
 template <class T>
@@ -82,7 +84,9 @@ public:
     const Scene& scene() const { return scene_; }
     // The breed of a side; null for a side that stays as in the scene.
     const Breed* breed(Side) const;
-    // The kind of a side with the numbers of a genome.
+    // The kind of a side in the scene.
+    const Kind& kind(Side side) const { return scene_.kinds[static_cast<std::size_t>(at(kinds_, side))]; }
+    // The same with the numbers of a genome.
     Kind kind_of(Side, const Genome&) const;
 
     // Equal for breedings with equal trials. The number of generations does not matter: more may be bred later.

@@ -19,10 +19,6 @@ namespace {
 
 using evolve::Side;
 
-constexpr std::array sides_of_curves{Side::predator, Side::prey};
-
-Role role_of_curve(Side side) { return side == Side::predator ? Role::predator : Role::prey; }
-
 class BreedingCurves {
 public:
     BreedingCurves(const BreedingView& view, Ui& ui) : view_(view), ui_(ui), last_(last_generation(view)) {
@@ -49,9 +45,9 @@ private:
     void legend(ImVec2 at) const {
         const float line = line_height(ui_, Face::small), sign = ui_.px(9);
         float x = at.x;
-        for (const Side side : sides_of_curves) {
+        for (const Side side : evolve::both_sides) {
             if (!view_.base->breed(side)) continue;
-            put_role(ui_, {x + sign / 2, at.y + line / 2}, sign, role_of_curve(side));
+            put_role(ui_, {x + sign / 2, at.y + line / 2}, sign, role_of(side));
             x += sign + ui_.px(5);
             const bool is_predator = side == Side::predator;
             x += put(ui_, {x, at.y}, ui_.strings(is_predator ? "info.predators" : "info.prey"), ui_.palette.text,
@@ -67,9 +63,9 @@ private:
         Axis across = generations_;
         across.numbers = has_numbers;
         const Rect inner = plot_ground(ui_, {outer.x, outer.y + line, outer.w, outer.h - line}, across, scores_);
-        for (const Side side : sides_of_curves) {
+        for (const Side side : evolve::both_sides) {
             if (!view_.base->breed(side)) continue;
-            const Colour colour = colour_of(ui_.palette, role_of_curve(side));
+            const Colour colour = colour_of(ui_.palette, role_of(side));
             const auto point = [&](std::size_t i) {
                 const float number = of(side)[i].*score;
                 return ImVec2{static_cast<float>(i), number < 0 ? NAN : number};
@@ -91,7 +87,7 @@ private:
         std::vector<std::string> words{std::string(ui_.strings("breeding.generation")) + " " +
                                        std::to_string(generation)};
         std::vector<Colour> colours{ui_.palette.second_text};
-        for (const Side side : sides_of_curves) {
+        for (const Side side : evolve::both_sides) {
             if (!view_.base->breed(side)) continue;
             words.push_back(std::string(ui_.strings(side == Side::predator ? "info.predators" : "info.prey")) + " " +
                             fixed(ui_, of(side)[static_cast<std::size_t>(generation)].*score, 2));

@@ -64,12 +64,10 @@ void picture_of_duel(const BreedingView& view, const Duel& duel, double seconds,
     const std::size_t last = duel.paths.front().size() - 1;
     const std::size_t tick = std::min(last, static_cast<std::size_t>(seconds * 60));
     for (const Side side : {Side::prey, Side::predator}) {
-        const Role role = side == Side::predator ? Role::predator : Role::prey;
+        const Role role = role_of(side);
         const std::vector<Pose>& path = at(duel.paths, side);
         draw_trail(ui, map, path, tick, colour_of(ui.palette, role).with_alpha(0.7f));
-        const auto kind =
-            std::find_if(scene.kinds.begin(), scene.kinds.end(), [&](const Kind& each) { return each.role == role; });
-        draw_body(ui, map, path[tick], role, kind == scene.kinds.end() ? 1 : kind->body.length);
+        draw_body(ui, map, path[tick], role, view.base->kind(side).body.length);
     }
     draw.PopClipRect();
     line_box(ui, r, ui.palette.line, Corner::box);
