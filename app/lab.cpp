@@ -97,9 +97,9 @@ LabView view_of(const Lab& lab) {
     view.features.study = study_of(lab.study);
     view.features.breeding = breeding_of(lab.breeding);
     view.features.robots = robots_of(lab.robots, lab);
-    view.library.students = &lab.students;
-    view.library.student = lab.students.student().name;
-    view.library.opened = document.name;
+    view.documents.students = &lab.students;
+    view.documents.student = lab.students.student().name;
+    view.documents.opened = document.name;
     view.run_id = document.run_id;
     view.notice = lab.notice;
     view.findings = &lab.findings;
@@ -107,7 +107,7 @@ LabView view_of(const Lab& lab) {
     view.program.theme = lab.preferences.theme;
     view.lecture = lab.before_lecture.has_value();
     view.has_moved_camera = !lab.view.orbits && !(lab.view.camera == home_camera(lab));
-    view.library.left_pages = lab.lectures.left ? &*lab.lectures.left : nullptr;
+    view.documents.left_pages = lab.lectures.left ? &*lab.lectures.left : nullptr;
     view.program.reduce_motion = lab.preferences.reduce_motion;
     view.wall_seconds = lab.wall_seconds;
     return view;

@@ -238,7 +238,7 @@ struct FeatureViews {
 };
 
 // What can be opened, and whose work is kept.
-struct LibraryView {
+struct DocumentsView {
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // scenes and exercises; null: nothing to open
     const std::vector<CatalogueEntry>* lectures = nullptr;   // that ship; null: none
     const ScenePictures* pictures = nullptr;                 // null: none are rendered
@@ -289,7 +289,7 @@ struct LabView {
     const LectureView* pages = nullptr;              // the open lecture; null: none. With one, `lecture` is true
     double wall_seconds = 0;                         // for easing and pulsing
     FeatureViews features{};
-    LibraryView library{};
+    DocumentsView documents{};
     ProgramView program{};
 };
 

@@ -41,7 +41,7 @@ struct Attempt {
 TEST(LabProgress, KeepsNothingBeforeTheStudentDoesSomething) {
     Attempt attempt;
     EXPECT_TRUE(attempt.lab.students.student().exercises.empty());
-    EXPECT_EQ(view_of(attempt.lab).library.student, "");
+    EXPECT_EQ(view_of(attempt.lab).documents.student, "");
 }
 
 TEST(LabProgress, KeepsPredictionHintsAndNotes) {
@@ -151,7 +151,7 @@ TEST(LabProgress, BelongsToTheChosenStudent) {
     attempt.turn();
     handle(attempt.lab, StudentRequest{StudentEdit::add, 0, " Anna "});
     attempt.turn();
-    EXPECT_EQ(view_of(attempt.lab).library.student, "Anna");
+    EXPECT_EQ(view_of(attempt.lab).documents.student, "Anna");
     EXPECT_EQ(lesson_view_of(attempt.lab).attempt.notes, "");
     EXPECT_EQ(lesson_view_of(attempt.lab).attempt.answers.prediction, -1);
     EXPECT_EQ(attempt.progress(), ExerciseProgress{});
@@ -171,7 +171,7 @@ TEST(LabProgress, GoesWithTheStudentWhoGivesHisNameLater) {
     attempt.turn();
     handle(attempt.lab, StudentRequest{StudentEdit::rename, 0, "Ben"});
     attempt.turn();
-    EXPECT_EQ(view_of(attempt.lab).library.student, "Ben");
+    EXPECT_EQ(view_of(attempt.lab).documents.student, "Ben");
     EXPECT_EQ(attempt.progress().notes, "mine");
     EXPECT_EQ(lesson_view_of(attempt.lab).attempt.answers.prediction, 1) << "the attempt goes on";
     EXPECT_EQ(attempt.lab.students.all[0], StudentProgress{});

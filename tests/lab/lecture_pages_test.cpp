@@ -381,7 +381,7 @@ TEST_F(LabLecturePages, AfterAnotherFileTheMenuGoesBackAndF9IsTheLectureView) {
     open("four-numbers");
     press({key::page_down});
     open("3a-love");
-    ASSERT_TRUE(view_of(lab).library.left_pages) << "the row of the menu";
+    ASSERT_TRUE(view_of(lab).documents.left_pages) << "the row of the menu";
     handle(lab, Action::lecture);  // leaves the lecture view
     handle(lab, Action::lecture);
     execute_file_requests(lab, files, state, folders);

@@ -11,7 +11,7 @@ struct AuthorSheet : ::testing::Test {
     FilesView files;
     AuthorSheet() {
         desk.now = shipped_scene("2a-coward");
-        desk.view.library.files = &files;
+        desk.view.documents.files = &files;
         desk.frame(3);
         desk.choose("file", "save_exercise");
         desk.frame(3);

@@ -30,7 +30,7 @@ TEST(ExerciseCard, ItsHeadingTellsExercisesOfOneNumberApart) {
     CatalogueEntry earlier = open;
     earlier.name = "0";
     const std::vector<CatalogueEntry> both{earlier, open};
-    desk.view.library.catalogue = &both;
+    desk.view.documents.catalogue = &both;
     desk.frame(3);
     EXPECT_TRUE(desk.says("EXERCISE " + number + "b\n"));
 }

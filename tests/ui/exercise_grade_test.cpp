@@ -168,7 +168,7 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
                                            {"06-love", "6.toml", "Love", "", 6},
                                            {"2a-coward", "2a.toml", "Coward", "It turns away."}};
     pass(desk);
-    desk.view.library.catalogue = &more;
+    desk.view.documents.catalogue = &more;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.hint")) << "a passed exercise needs no hint";
     desk.click("exercise.next");
@@ -182,7 +182,7 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     desk.opened.number = 5;
     desk.panels.sheet = Sheet::none;
     const std::vector<CatalogueEntry> last{more[0], more[3]};
-    desk.view.library.catalogue = &last;
+    desk.view.documents.catalogue = &last;
     desk.click("exercise.next");
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
 }
@@ -190,7 +190,7 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
 TEST(ExerciseGrade, EnterOpensTheNextExerciseOnceItIsPassed) {
     Desk desk;
     const std::vector<CatalogueEntry> more{{"06-love", "6.toml", "Love", "", 6}};
-    desk.view.library.catalogue = &more;
+    desk.view.documents.catalogue = &more;
     pass(desk);
     desk.panels.keyboard.focus = "slider.LL";
     desk.panels.keyboard.shown = false;

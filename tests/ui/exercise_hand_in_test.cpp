@@ -36,7 +36,7 @@ TEST(ExerciseHandIn, ANameTypedAtHandInBecomesTheNameOfTheStudent) {
     desk.lesson.attempt.work.has_run = true;
     StudentBook book;
     book.all.push_back({"Bo", {}});
-    desk.view.library.students = &book;
+    desk.view.documents.students = &book;
     desk.frame(3);
     desk.click("exercise.hand_in");
     desk.frame(3);
@@ -61,7 +61,7 @@ TEST(ExerciseHandIn, HandInUsesTheNameOfTheNamedStudent) {
     Desk desk;
     desk.open_exercise();
     desk.lesson.attempt.work.has_run = true;
-    desk.view.library.student = "Bo";
+    desk.view.documents.student = "Bo";
     desk.frame(3);
     desk.click("exercise.hand_in");
     ASSERT_EQ(desk.all.size(), 1u);

@@ -13,7 +13,7 @@ struct Note : testing::Test {
 
     Note() {
         desk.open_exercise();
-        desk.view.library.students = &students;
+        desk.view.documents.students = &students;
         desk.frame(3);
     }
     // What the lab does with a request.

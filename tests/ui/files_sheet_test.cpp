@@ -19,10 +19,10 @@ struct FilesSheet : testing::Test {
                           {"other.toml", false, FileKind::scene}},
                          ""};
         files.suggested = "Coward";
-        desk.view.library.catalogue = &catalogue;
-        desk.view.library.recent = &recent;
-        desk.view.library.files = &files;
-        desk.view.library.opened = "05-aggressor";
+        desk.view.documents.catalogue = &catalogue;
+        desk.view.documents.recent = &recent;
+        desk.view.documents.files = &files;
+        desk.view.documents.opened = "05-aggressor";
         desk.frame(2);
     }
     template <class R>

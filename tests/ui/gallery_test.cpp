@@ -34,10 +34,10 @@ struct Gallery : testing::Test {
     std::vector<RecentFile> recent{{"/x/05-aggressor.toml", "Aggressor"}};
 
     Gallery() {
-        desk.view.library.catalogue = &catalogue;
-        desk.view.library.students = &students;
-        desk.view.library.files = &files;
-        desk.view.library.recent = &recent;
+        desk.view.documents.catalogue = &catalogue;
+        desk.view.documents.students = &students;
+        desk.view.documents.files = &files;
+        desk.view.documents.recent = &recent;
         desk.frame(2);
     }
     void open_browser() {
@@ -108,7 +108,7 @@ TEST_F(Gallery, TellsExercisesOfOneNumberApartByALetter) {
     const std::vector<CatalogueEntry> two{{"14-logic", "a.toml", "Logic", "", 14},
                                           {"14-xor", "b.toml", "Either", "", 14},
                                           {"15-t", "c.toml", "T", "", 15}};
-    desk.view.library.catalogue = &two;
+    desk.view.documents.catalogue = &two;
     EXPECT_EQ(entry_words(desk.view, ui, two[0]), "14a  Logic");
     EXPECT_EQ(entry_words(desk.view, ui, two[1]), "14b  Either");
     EXPECT_EQ(entry_words(desk.view, ui, two[2]), "15  T");
@@ -135,7 +135,7 @@ TEST_F(Gallery, NamesAnExerciseByItsGoalUntilThePredictionIsMade) {
 
 TEST_F(Gallery, TheOpenExerciseHasTheTitleThatItsCardShows) {
     desk.open_exercise();
-    desk.view.library.opened = desk.opened.id;
+    desk.view.documents.opened = desk.opened.id;
     open_browser();
     EXPECT_FALSE(desk.says("Aggressor"));
     desk.lesson.attempt.answers.prediction = 0;
@@ -169,7 +169,7 @@ TEST_F(Gallery, TheMenuShowsTheFirstSentenceOfAGoal) {
 }
 
 TEST_F(Gallery, TheCheckMarkInTheMenuSaysPassedOnly) {
-    desk.view.library.opened = "05-aggressor";
+    desk.view.documents.opened = "05-aggressor";
     desk.click("menu.exercises");
     desk.frame(2);
     EXPECT_FALSE(desk.says(icon::check)) << "the open exercise has another sign";
@@ -248,7 +248,7 @@ TEST_F(Gallery, TheSearchFindsWordsWithAccentsByPlainLetters) {
 
 TEST_F(Gallery, ListsTheLecturesThatShipAndFindsThem) {
     const std::vector<CatalogueEntry> lectures{{"numbers", "/x/numbers.toml", "Four numbers", ""}};
-    desk.view.library.lectures = &lectures;
+    desk.view.documents.lectures = &lectures;
     open_browser();
     EXPECT_TRUE(desk.says(desk.strings("open.lectures")));
     EXPECT_GT(desk.where("open.numbers").y, desk.where("open.2a-coward").y);
@@ -303,7 +303,7 @@ TEST_F(Gallery, DrawsTheRenderedPictureOfAFile) {
         return found;
     };
     ScenePictures pictures{{"/x/04-coward.toml", 4711}, {"/x/2a-coward.toml", 4712}, {"/x/05-aggressor.toml", 0}};
-    desk.view.library.pictures = &pictures;
+    desk.view.documents.pictures = &pictures;
     open_browser();
     const auto drawn = textures();
     for (const std::uint64_t id : {4711U, 4712U})

@@ -55,9 +55,9 @@ TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
     Walk walk;
     for (const bool exercise : {false, true}) {
         Desk desk(1280, 1400);
-        desk.view.library.catalogue = &catalogue;
-        desk.view.library.recent = &recent;
-        desk.view.library.files = &files;
+        desk.view.documents.catalogue = &catalogue;
+        desk.view.documents.recent = &recent;
+        desk.view.documents.files = &files;
         if (exercise) desk.open_exercise();
         walk.look(desk);
         desk.view.mode = Mode::wiring;
@@ -75,9 +75,9 @@ TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
         desk.click("button.presets");
         walk.look(desk);
         desk.key({key::escape});
-        desk.view.library.recovery = &offer;
+        desk.view.documents.recovery = &offer;
         walk.look(desk);
-        desk.view.library.recovery = nullptr;
+        desk.view.documents.recovery = nullptr;
         files.leaving = Leaving{"Coward", "/y/mine.toml"};
         walk.look(desk);
         files.leaving.reset();
@@ -130,7 +130,8 @@ TEST(Item, HasATargetOfAtLeast24PixelsOnEveryScreen) {
         files.listing = {"/home/me", {{"pictures", true}, {"mine.toml", false, FileKind::scene}}, ""};
         const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "5.toml", "Aggressor", "", 5}};
         const std::vector<RecentFile> recent{{"/y/mine.toml"}};
-        desk.view.library.files = &files, desk.view.library.catalogue = &catalogue, desk.view.library.recent = &recent;
+        desk.view.documents.files = &files, desk.view.documents.catalogue = &catalogue,
+        desk.view.documents.recent = &recent;
         desk.view.timeline.latest = 600, desk.view.timeline.bookmarks = {60};
         if (exercise) desk.open_exercise();
         look(desk);

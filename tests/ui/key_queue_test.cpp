@@ -116,7 +116,7 @@ struct TypedQuickly : testing::Test {
     TypedQuickly() {
         expect_queued_input(ImGui::GetIO());
         files.suggested = "scene";
-        desk.view.library.files = &files;
+        desk.view.documents.files = &files;
         desk.frame(2);
     }
     void hear(int frames) {

@@ -104,7 +104,7 @@ TEST_F(LectureKeys, TheMenuGoesBackToTheLectureThatWasLeft) {
     desk.click("menu.lecture");
     EXPECT_FALSE(desk.anchors.find("menu.lecture.resume"));
     desk.key({key::escape});
-    desk.view.library.left_pages = &pages;
+    desk.view.documents.left_pages = &pages;
     desk.frame(2);
     desk.choose("lecture", "resume");
     ASSERT_TRUE(desk.last<OpenRequest>());

@@ -161,7 +161,7 @@ TEST_F(MenuBar, RequestsTheActionOfEachRow) {
 
 TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
     FilesView files;
-    desk.view.library.files = &files;
+    desk.view.documents.files = &files;
     desk.view.program.version = "9.8.7";
     std::map<std::string, FileKind> kinds;
     for (const auto& [menu, row, sheet] : {std::tuple{"file", "open", Sheet::files},
@@ -198,8 +198,8 @@ TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/5.toml", "Aggressor", "", 5},
                                                 {"2a-coward", "/x/2a.toml", "Coward", "It turns away."},
                                                 {"empty", "/x/empty.toml", "Empty scene", ""}};
-    desk.view.library.recent = &recent;
-    desk.view.library.catalogue = &catalogue;
+    desk.view.documents.recent = &recent;
+    desk.view.documents.catalogue = &catalogue;
     for (const auto& [menu, row, path] : {std::tuple{"file", "recent.2", "/y/old.run"},
                                           {"file", "new_scene", "/x/empty.toml"},
                                           {"exercises", "05-aggressor", "/x/5.toml"},
@@ -214,7 +214,7 @@ TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
 
 TEST_F(MenuBar, ListsTheLecturesAboveTheRowsOfAnOpenOne) {
     const std::vector<CatalogueEntry> lectures{{"four-numbers", "/x/four.toml", "Four numbers", ""}};
-    desk.view.library.lectures = &lectures;
+    desk.view.documents.lectures = &lectures;
     desk.rest();
     desk.click("menu.lecture"), desk.rest();
     EXPECT_GT(desk.where("menu.lecture.four-numbers").y, desk.where("menu.lecture.lecture").y);
@@ -225,7 +225,7 @@ TEST_F(MenuBar, ALongNameOfAnExerciseIsItsFirstSentenceOrEndsBeforeAComma) {
     const std::string rest = " and so on without an end that fits into any menu of this window, however wide it is";
     const std::vector<CatalogueEntry> catalogue{{"a", "/a", "It rests at the lamp. It turns" + rest, "", 1},
                                                 {"b", "/b", "It circles the red lamp, 3.5 m away" + rest, "", 2}};
-    desk.view.library.catalogue = &catalogue;
+    desk.view.documents.catalogue = &catalogue;
     desk.frame(2);
     open("exercises");
     const auto is_written = [&](std::string_view words) {
@@ -383,8 +383,8 @@ TEST(MenuBarInEachWindow, KeepsEveryRowInsideTheWindow) {
         for (const Size size : {Size{940, 570, 1}, {1024, 768, 1}, {2048, 1536, 2}, {1880, 1140, 2}}) {
             Desk small(size.width, size.height, size.scale, true);
             small.strings = speaking(code);
-            small.view.library.catalogue = &catalogue;
-            small.view.library.recent = &recent;
+            small.view.documents.catalogue = &catalogue;
+            small.view.documents.recent = &recent;
             small.frame(2);
             EXPECT_LT(small.where("menu.help").x + small.where("menu.help").w, size.width);
             for (const std::string& menu : menus) {

@@ -137,7 +137,7 @@ TEST_F(Prompts, DoNotRepeatTheSliderInTheSameScene) {
     EXPECT_NE(anchor(), "slider.LR");
     at(5);
     EXPECT_NE(anchor(), "slider.LR");
-    desk.view.library.opened = "another scene";
+    desk.view.documents.opened = "another scene";
     EXPECT_EQ(anchor(), "slider.LR");
 }
 
@@ -148,7 +148,7 @@ TEST_F(Prompts, DoNotSuggestInAnotherSceneWhatThePersonHasDone) {
     next();
     EXPECT_TRUE(memory.followed.slider);
     desk.view.undo_depth = 0;
-    desk.view.library.opened = "another scene";
+    desk.view.documents.opened = "another scene";
     EXPECT_NE(anchor(), "slider.LR");
     PromptMemory at_the_next_start;
     at_the_next_start.followed = memory.followed;

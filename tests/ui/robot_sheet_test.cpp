@@ -13,7 +13,7 @@ struct RobotSheet : ::testing::Test {
     RobotSheet() {
         desk.now = shipped_scene("2a-coward");
         files.suggested = "mine";
-        desk.view.library.files = &files;
+        desk.view.documents.files = &files;
         open();
     }
     void open() {

@@ -126,7 +126,7 @@ TEST_F(SettingsCard, BlocksKeyboardAndMouseForTheWindowBelow) {
 TEST(Sheets, PassNoKeyOfTheLab) {
     Desk desk;
     FilesView files;
-    desk.view.library.files = &files;
+    desk.view.documents.files = &files;
     desk.frame(2);
     const std::set<Action> of_window{Action::exit, Action::full_screen, Action::screenshot, Action::larger,
                                      Action::smaller};

@@ -12,7 +12,7 @@ struct StudentSheet : testing::Test {
 
     StudentSheet() {
         students.all.push_back({"Anna", {{"01-drive", {.passed = true}}}});
-        desk.view.library.students = &students;
+        desk.view.documents.students = &students;
         desk.frame(2);
         desk.choose("exercises", "students");
         desk.frame(3);

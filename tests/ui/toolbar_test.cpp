@@ -100,7 +100,7 @@ TEST(Toolbar, RequestsTheActionOfEachButton) {
     FilesView files;
     files.save_to = "/home/me/mine.toml";
     Desk desk(1024, 768);
-    desk.view.library.files = &files;
+    desk.view.documents.files = &files;
     desk.view.undo_depth = 1;
     desk.frame(3);
     for (const auto& [anchor, action] : expected) {
@@ -113,7 +113,7 @@ TEST(Toolbar, RequestsTheActionOfEachButton) {
 TEST(Toolbar, AsksForANameWhereTheFileHasNone) {
     FilesView files;
     Desk desk(1024, 768);
-    desk.view.library.files = &files;
+    desk.view.documents.files = &files;
     desk.frame(3);
     desk.click("button.save");
     EXPECT_EQ(desk.panels.sheet, Sheet::files);

@@ -12,7 +12,7 @@ struct UnsavedSheets : ::testing::Test {
     FilesView files;
     UnsavedSheets() {
         files.suggested = "2a-coward";
-        desk.view.library.files = &files;
+        desk.view.documents.files = &files;
         desk.frame(3);
     }
     void ask(const char* next = "/home/me/other.toml") {
@@ -51,7 +51,7 @@ TEST_F(UnsavedSheets, TellTheTimeOfTheKeptWorkAndItsFile) {
     EXPECT_EQ(time_words(ui, "2026-03-01 14:05:42", "2026-03-01"), "today at 14:05");
     EXPECT_EQ(time_words(ui, "2026-02-28 14:05:42", "2026-03-01"), "on 2026-02-28 at 14:05");
     const RecoveryOffer offer{"Drive", "/home/me/exercises/drive.toml", "2026-02-28 14:05:42"};
-    desk.view.library.recovery = &offer;
+    desk.view.documents.recovery = &offer;
     desk.frame(3);
     EXPECT_TRUE(desk.says("drive.toml"));
     EXPECT_FALSE(desk.says("/home/me"));
@@ -154,7 +154,7 @@ TEST(RecoverySheet, DistinguishesACrashFromASignal) {
     for (const bool ended : {false, true}) {
         Desk desk;
         const RecoveryOffer offer{"2a-coward", "/home/me/mine.toml", "2026-03-01 10:42:05", ended};
-        desk.view.library.recovery = &offer;
+        desk.view.documents.recovery = &offer;
         desk.frame(3);
         bool crashed = false, kept = false;
         for (const Written& w : desk.written) {
@@ -169,7 +169,7 @@ TEST(RecoverySheet, DistinguishesACrashFromASignal) {
 TEST(RecoverySheet, IsShownAfterALectureOnly) {
     Desk desk;
     const RecoveryOffer offer{"2a-coward", "/home/me/mine.toml", "2026-03-01 10:42:05"};
-    desk.view.library.recovery = &offer;
+    desk.view.documents.recovery = &offer;
     desk.view.lecture = true;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("recovery.take"));
@@ -188,7 +188,7 @@ TEST(RecoverySheet, IsShownAfterALectureOnly) {
 TEST(RecoverySheet, NamesTitleFileAndTime) {
     Desk desk;
     const RecoveryOffer offer{"Coward", "/home/me/mine.toml", "2026-03-01 10:42:05"};
-    desk.view.library.recovery = &offer;
+    desk.view.documents.recovery = &offer;
     desk.frame(3);
     std::string all;
     for (const Written& w : desk.written) all += w.words + "\n";

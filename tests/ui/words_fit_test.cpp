@@ -116,7 +116,7 @@ void with_files(Desk& desk) {
     files.listing = {
         "/home/student/Braitenberg", {{"pictures", true}, {"a hunt of mine.toml", false, FileKind::scene, true}}, ""};
     files.suggested = "2a-coward";
-    desk.view.library.files = &files;
+    desk.view.documents.files = &files;
 }
 
 std::vector<Screen> screens() {
@@ -139,7 +139,7 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              static const std::vector<CatalogueEntry> catalogue(std::begin(catalogue_entries),
                                                                 std::end(catalogue_entries));
-             d.view.library.catalogue = &catalogue, d.key({'O', true});
+             d.view.documents.catalogue = &catalogue, d.key({'O', true});
          }},
         {"presets", [](Desk& d) { d.click("button.presets"); }},
         {"a lamp",
@@ -182,7 +182,7 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              static const std::vector<CatalogueEntry> catalogue(std::begin(catalogue_entries),
                                                                 std::end(catalogue_entries));
-             d.view.library.catalogue = &catalogue, d.panels.menu_bar.open = "exercises";
+             d.view.documents.catalogue = &catalogue, d.panels.menu_bar.open = "exercises";
          }},
         {"lecture menu", [](Desk& d) { d.panels.menu_bar.open = "lecture"; }},
         {"help menu", [](Desk& d) { d.panels.menu_bar.open = "help"; }},
@@ -279,7 +279,7 @@ std::vector<Screen> screens() {
         {"findings of a check", with_findings},
         {"lecture on a hunt", [](Desk& d) { d.view.lecture = true; }},
         {"lecture on an exercise", [](Desk& d) { with_lesson(d), d.view.lecture = true; }},
-        {"after a crash", [](Desk& d) { d.view.library.recovery = &offer; }},
+        {"after a crash", [](Desk& d) { d.view.documents.recovery = &offer; }},
         {"saving",
          [](Desk& d) {
              with_files(d), d.key({'S', true, true});

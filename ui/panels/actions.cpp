@@ -137,7 +137,7 @@ bool open_empty_scene(const Acting& at) {
 
 // False for a scene that has a file: the lab saves it there.
 bool save_under_a_name(const Acting& at) {
-    if (at.view.library.files && !at.view.library.files->save_to.empty()) return false;
+    if (at.view.documents.files && !at.view.documents.files->save_to.empty()) return false;
     open_files(at.state, true);
     return true;
 }
@@ -223,10 +223,10 @@ bool act_on_panels(const Acting& at, Action action) {
 }
 
 const CatalogueEntry* empty_scene(const LabView& view) {
-    if (!view.library.catalogue) return nullptr;
+    if (!view.documents.catalogue) return nullptr;
     const auto is_empty_scene = [](const CatalogueEntry& entry) { return entry.name == "empty"; };
-    const auto found = std::find_if(view.library.catalogue->begin(), view.library.catalogue->end(), is_empty_scene);
-    return found == view.library.catalogue->end() ? nullptr : &*found;
+    const auto found = std::find_if(view.documents.catalogue->begin(), view.documents.catalogue->end(), is_empty_scene);
+    return found == view.documents.catalogue->end() ? nullptr : &*found;
 }
 
 }  // namespace braitenlab::ui

@@ -146,7 +146,7 @@ struct FileRow {
 };
 
 bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view how) {
-    const bool has_picture = view.library.pictures && !row.path.empty();
+    const bool has_picture = view.documents.pictures && !row.path.empty();
     const std::size_t lines_below = row.below.empty() ? 0 : row.is_story ? 2 : 1;
     const float words_height = line_height(ui, Face::text) +
                                static_cast<float>(lines_below) * line_height(ui, Face::small) + ui.px(spacing::medium);
@@ -190,7 +190,7 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
 void request_file(const LabView& view, FilesState& files, Ui& ui, Request request) {
     ui.outbox.push_back(std::move(request));
     files.asked = true;
-    files.done = view.library.files ? view.library.files->done : 0;
+    files.done = view.documents.files ? view.documents.files->done : 0;
 }
 
 namespace {
@@ -257,7 +257,7 @@ void shipped_scenes(const LabView& view, const std::vector<CatalogueEntry>& list
         if (is_exercise(entry)) continue;
         FileRow row;
         row.below = translated(ui, entry.story), row.is_story = true;
-        row.current = entry.name == view.library.opened, row.path = entry.path;
+        row.current = entry.name == view.documents.opened, row.path = entry.path;
         shipped_row(view, entry, std::move(row), files, ui);
     }
     gap(ui, 8);
@@ -291,8 +291,8 @@ std::vector<CatalogueEntry> found(const LabView& view, const Ui& ui, const std::
 // whole width.
 void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     search_row(files, ui);
-    const std::vector<CatalogueEntry> listed = found(view, ui, view.library.catalogue, files.search),
-                                      lectures = found(view, ui, view.library.lectures, files.search);
+    const std::vector<CatalogueEntry> listed = found(view, ui, view.documents.catalogue, files.search),
+                                      lectures = found(view, ui, view.documents.lectures, files.search);
     const bool is_new = std::exchange(files.searched, files.search) != files.search;
     if (listed.empty() && lectures.empty()) {
         begin_list(files, ui, "no match", bottom);
@@ -324,13 +324,14 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
 void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     begin_list(files, ui, "recent", bottom);
     int number = 0;
-    if (view.library.recent)
-        for (const RecentFile& file : *view.library.recent)
-            if (list_row(view, ui,
-                         {"recent." + std::to_string(++number),
-                          recent_words(view, ui, *view.library.recent, file, card_width(ui) - ui.px(row_picture + 60)),
-                          file.path, "", icon::file, false, false, file.path},
-                         ui.strings("files.open_how")))
+    if (view.documents.recent)
+        for (const RecentFile& file : *view.documents.recent)
+            if (list_row(
+                    view, ui,
+                    {"recent." + std::to_string(++number),
+                     recent_words(view, ui, *view.documents.recent, file, card_width(ui) - ui.px(row_picture + 60)),
+                     file.path, "", icon::file, false, false, file.path},
+                    ui.strings("files.open_how")))
                 request_file(view, files, ui, OpenRequest{file.path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
     end_list(ui);
@@ -352,7 +353,7 @@ std::string_view tooltip_key(const FilesState& files, const FileEntry& entry) {
 }  // namespace
 
 void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
-    const FolderListing& listing = view.library.files->listing;
+    const FolderListing& listing = view.documents.files->listing;
     begin_list(files, ui, listing.folder, bottom);
     const std::string up = folder_of(listing.folder), below = listing.folder == "/" ? "/" : listing.folder + "/";
     if (listing.folder != "/" &&

@@ -43,13 +43,13 @@ std::optional<std::string> changed_text(const FilesState& files, const TextField
 
 // True if the last save was refused because the folder in the name does not exist; the next one creates it.
 bool asks_for_folder(const LabView& view, const FilesState& files) {
-    return view.library.files && files.asked && !view.library.files->new_folder.empty() &&
+    return view.documents.files && files.asked && !view.documents.files->new_folder.empty() &&
            files.creating == files.typed.text;
 }
 
 void save_file(const LabView& view, FilesState& files, Ui& ui) {
     if (files.typed.text.empty()) return;
-    const FileEntry* there = existing_file(files, view.library.files->listing);
+    const FileEntry* there = existing_file(files, view.documents.files->listing);
     if (there && there->is_folder) {
         ui.outbox.push_back(BrowseRequest{files.typed.text});
         files.typed.text.clear();
@@ -74,7 +74,7 @@ void opening_head(const LabView& view, FilesState& files, Ui& ui) {
                                  ui.strings("files.place_how"));
     if (clicked >= 0) files.place = static_cast<FilesPlace>(clicked);
     if (clicked == static_cast<int>(FilesPlace::folder)) ui.outbox.push_back(BrowseRequest{});
-    if (files.place != FilesPlace::folder || !view.library.files) return;
+    if (files.place != FilesPlace::folder || !view.documents.files) return;
     text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path"), ui.strings("files.path_how"));
     if (files.typed.entered) request_file(view, files, ui, OpenRequest{files.typed.text});
     std::vector<std::string_view> kinds{ui.strings("files.all")};
@@ -120,13 +120,13 @@ void saving_head(const LabView& view, FilesState& files, Ui& ui) {
 // The reason why the file cannot be opened or saved yet; empty if it can.
 std::string problem(const LabView& view, const FilesState& files, const Ui& ui) {
     if (!files.replacing.empty()) {
-        const FileEntry* there = existing_file(files, view.library.files->listing);
+        const FileEntry* there = existing_file(files, view.documents.files->listing);
         return fill(ui.strings(there && there->comments ? "files.replace_comments" : "files.replace"),
                     {there ? there->name : files.replacing});
     }
-    if (asks_for_folder(view, files)) return fill(ui.strings("files.no_folder"), {view.library.files->new_folder});
-    const bool is_refused = files.asked && view.library.files && view.library.files->refused;
-    return is_refused ? text_of(*view.library.files->refused, ui.strings) : std::string();
+    if (asks_for_folder(view, files)) return fill(ui.strings("files.no_folder"), {view.documents.files->new_folder});
+    const bool is_refused = files.asked && view.documents.files && view.documents.files->refused;
+    return is_refused ? text_of(*view.documents.files->refused, ui.strings) : std::string();
 }
 
 // Height of a paragraph with the gap above it, window pixels.
@@ -170,8 +170,8 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
 }
 
 bool is_exercise(const LabView& view, const std::string& name) {
-    return view.library.catalogue &&
-           std::any_of(view.library.catalogue->begin(), view.library.catalogue->end(),
+    return view.documents.catalogue &&
+           std::any_of(view.documents.catalogue->begin(), view.documents.catalogue->end(),
                        [&](const CatalogueEntry& each) { return each.number > 0 && each.name == name; });
 }
 
@@ -182,7 +182,7 @@ void first_focus(const LabView& view, FilesState& files, Ui& ui) {
     if (files.saving || files.place == FilesPlace::folder)
         ui.keyboard->focus = "files.path";
     else
-        ui.keyboard->focus = (is_exercise(view, view.library.opened) ? "gallery." : "open.") + view.library.opened;
+        ui.keyboard->focus = (is_exercise(view, view.documents.opened) ? "gallery." : "open.") + view.documents.opened;
     ui.keyboard->revealed = true;
 }
 
@@ -190,13 +190,13 @@ void first_focus(const LabView& view, FilesState& files, Ui& ui) {
 
 void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     FilesState& files = state.sheets.files;
-    if (files.asked && view.library.files && view.library.files->done > files.done) {
+    if (files.asked && view.documents.files && view.documents.files->done > files.done) {
         state.sheet = Sheet::none;
         return;
     }
-    if (files.saving && !view.library.files) return;
+    if (files.saving && !view.documents.files) return;
     if (!files.begun && files.saving) {
-        files.typed.text = view.library.files->suggested;
+        files.typed.text = view.documents.files->suggested;
         files.title.text = translated(ui, view.now->scene->title);
         files.story.text = translated(ui, view.now->scene->story);
         ui.outbox.push_back(BrowseRequest{});
@@ -215,8 +215,8 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         opening_head(view, files, ui);
     const std::string wrong = problem(view, files, ui);
     bottom -= paragraph_height(ui, wrong);
-    if (in_folder && view.library.files) {
-        paragraph(ui, view.library.files->listing.folder, ui.palette.second_text, Face::small);
+    if (in_folder && view.documents.files) {
+        paragraph(ui, view.documents.files->listing.folder, ui.palette.second_text, Face::small);
         list_folder(view, files, ui, bottom);
     } else if (files.place == FilesPlace::recent) {
         list_recent(view, files, ui, bottom);

@@ -57,7 +57,7 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
     const float height =
         picture + 2 * inset + ui.px(spacing::tight) + static_cast<float>(lines_of_card) * line_height(ui, Face::small);
     const Item at = item(ui, std::string(gallery_stem) + entry.name, {width, height});
-    const bool is_open = entry.name == view.library.opened;
+    const bool is_open = entry.name == view.documents.opened;
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.14f * at.warmth));
     line_box(ui, at.rect, is_open ? ui.palette.accent : ui.palette.line, Corner::box, is_open ? 2.0f : 1.0f);
     if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}))
@@ -126,9 +126,9 @@ void move_in_gallery(const std::vector<CatalogueEntry>& listed, const std::strin
 }  // namespace
 
 bool put_scene_picture(const LabView& view, const Ui& ui, const std::string& path, Rect place) {
-    if (!view.library.pictures) return false;
-    const auto found = view.library.pictures->find(path);
-    if (found == view.library.pictures->end() || found->second == 0) return false;
+    if (!view.documents.pictures) return false;
+    const auto found = view.documents.pictures->find(path);
+    if (found == view.documents.pictures->end() || found->second == 0) return false;
     // Rows of the texture are from the bottom.
     ImGui::GetWindowDrawList()->AddImageRounded(compat::texture(found->second), {place.x, place.y},
                                                 {place.x + place.w, place.y + place.h}, {0, 1}, {1, 0}, IM_COL32_WHITE,
@@ -154,7 +154,7 @@ void exercise_gallery(const LabView& view, const std::vector<CatalogueEntry>& li
         if (column > 0) ImGui::SameLine();
         column = (column + 1) % columns;
         if (exercise_tile(view, ui, entry, width)) request_file(view, files, ui, OpenRequest{entry.path});
-        if (entry.name == view.library.opened && !files.begun) ImGui::SetScrollHereY();
+        if (entry.name == view.documents.opened && !files.begun) ImGui::SetScrollHereY();
     }
     ImGui::PopStyleVar();
     gap(ui, 8);

@@ -67,13 +67,13 @@ LabMenuRow menu_heading(std::string_view words) {
 }
 
 void add_recent_files(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
-    if (!view.library.recent || view.library.recent->empty()) return;
+    if (!view.documents.recent || view.documents.recent->empty()) return;
     rows.push_back(menu_heading(ui.strings("menus.recent")));
-    for (std::size_t i = 0; i < std::min(most_recent, view.library.recent->size()); ++i) {
-        const RecentFile& file = (*view.library.recent)[i];
+    for (std::size_t i = 0; i < std::min(most_recent, view.documents.recent->size()); ++i) {
+        const RecentFile& file = (*view.documents.recent)[i];
         LabMenuRow row{.request = OpenRequest{file.path}};
         row.entry.anchor = "menu.file.recent." + std::to_string(i + 1);
-        row.entry.words = recent_words(view, ui, *view.library.recent, file, ui.px(longest_name));
+        row.entry.words = recent_words(view, ui, *view.documents.recent, file, ui.px(longest_name));
         row.entry.how = file.path;
         rows.push_back(std::move(row));
     }
@@ -145,18 +145,19 @@ std::string passed_words(const LabView& view, const Ui& ui, const CatalogueEntry
 LabMenuRow student_row_of_menu(const LabView& view, const Ui& ui) {
     LabMenuRow row{.sheet = Sheet::students};
     row.entry.anchor = "menu.exercises.students";
-    row.entry.words = view.library.student.empty() ? std::string(ui.strings("students.open"))
-                                                   : fill(ui.strings("students.open_named"), {view.library.student});
+    row.entry.words = view.documents.student.empty()
+                          ? std::string(ui.strings("students.open"))
+                          : fill(ui.strings("students.open_named"), {view.documents.student});
     row.entry.how = ui.strings("students.what");
     return row;
 }
 
 void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
-    if (!view.library.catalogue) return;
+    if (!view.documents.catalogue) return;
     for (const bool exercises : {true, false}) {
         int chapter = 0;
         rows.push_back(menu_heading(ui.strings(exercises ? "open.exercises" : "open.scenes")));
-        for (const CatalogueEntry& shipped : *view.library.catalogue) {
+        for (const CatalogueEntry& shipped : *view.documents.catalogue) {
             if ((shipped.number > 0) != exercises) continue;
             if (shipped.chapter != chapter) rows.push_back(menu_heading(chapter_title(ui, shipped.chapter)));
             chapter = shipped.chapter;
@@ -169,7 +170,7 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
                 number + shortened_first_sentence(ui, exercise_words(view, ui, shipped), Face::text, room);
             row.entry.how = translated(ui, shipped.exercise ? shipped.exercise->goal : shipped.story);
             row.entry.keys = passed_words(view, ui, shipped);
-            row.entry.open = shipped.name == view.library.opened;
+            row.entry.open = shipped.name == view.documents.opened;
             rows.push_back(std::move(row));
         }
     }
@@ -177,7 +178,7 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
 
 // The lecture that was left, at the page where it was left.
 LabMenuRow row_of_left_lecture(const LabView& view, const Ui& ui) {
-    const LectureView& left = *view.library.left_pages;
+    const LectureView& left = *view.documents.left_pages;
     LabMenuRow row{.request = OpenRequest{.path = left.lecture->path.string(), .resume = true}};
     row.entry.anchor = "menu.lecture.resume";
     row.entry.words =
@@ -186,10 +187,10 @@ LabMenuRow row_of_left_lecture(const LabView& view, const Ui& ui) {
 }
 
 void add_lectures(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
-    if (view.library.left_pages && !view.lecture) rows.push_back(row_of_left_lecture(view, ui));
-    if (!view.library.lectures || view.library.lectures->empty()) return;
+    if (view.documents.left_pages && !view.lecture) rows.push_back(row_of_left_lecture(view, ui));
+    if (!view.documents.lectures || view.documents.lectures->empty()) return;
     rows.push_back(menu_heading(ui.strings("open.lectures")));
-    for (const CatalogueEntry& shipped : *view.library.lectures) {
+    for (const CatalogueEntry& shipped : *view.documents.lectures) {
         LabMenuRow row{.request = OpenRequest{shipped.path}};
         row.entry.anchor = "menu.lecture." + shipped.name;
         row.entry.words = translated(ui, shipped.title);
@@ -207,7 +208,7 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         if (action == Action::next_field) add_fields(rows, view, ui);
         if (action == Action::trails) rows.push_back(row_of_trail_colour(view, ui));
         if (action == Action::last_run) rows.push_back(row_of_prediction(view, ui));
-        if (action == Action::exercise_reset && view.library.students) rows.push_back(student_row_of_menu(view, ui));
+        if (action == Action::exercise_reset && view.documents.students) rows.push_back(student_row_of_menu(view, ui));
         if (action == Action::exercise_reset) add_catalogue(rows, view, ui);
         if (action == Action::lecture) add_lectures(rows, view, ui);
     }

@@ -92,7 +92,7 @@ void take_away_sheet(const LabView&, PanelState&, Ui&, Rect window);  // picture
 void follow_take_away(const LabView&, PanelState&, Ui&);  // closes it once a clip is written; closed, cancels the clip
 
 // unsaved_sheets.cpp
-// After a crash, while LibraryView::recovery is set.
+// After a crash, while DocumentsView::recovery is set.
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);
 void follow_recovery(const LabView&, PanelState&, Ui&);
 // While FilesView::leaving is set.

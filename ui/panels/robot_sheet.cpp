@@ -30,7 +30,7 @@ struct RobotSheet {
     std::string_view words_of(std::string_view stem) const {
         return words(std::string(stem) + std::string(state.robot->word()));
     }
-    bool is_written() const { return state.asked && view.library.files->done > state.done; }
+    bool is_written() const { return state.asked && view.documents.files->done > state.done; }
     Colour warning() const { return legible(ui.palette.warning, ui.palette.panel, ui.palette.text); }
 
     void make_files(const VehicleView& vehicle) const {
@@ -85,15 +85,15 @@ struct RobotSheet {
         subheading(ui, words("robot.folder"));
         text_field(ui, state.folder, "robot.folder", card_width(ui), suggested_folder(view, *state.robot),
                    words("robot.folder_how"));
-        paragraph(ui, view.program.uploads ? words("robot.downloads") : view.library.files->listing.folder,
+        paragraph(ui, view.program.uploads ? words("robot.downloads") : view.documents.files->listing.folder,
                   ui.palette.second_text, Face::small);
-        if (state.asked && view.library.files->refused)
-            paragraph(ui, text_of(*view.library.files->refused, ui.strings), warning());
+        if (state.asked && view.documents.files->refused)
+            paragraph(ui, text_of(*view.documents.files->refused, ui.strings), warning());
     }
 
     void written() const {
         gap(ui, 8);
-        paragraph(ui, fill(words("robot.written"), {view.library.files->exported_to}), ui.palette.text);
+        paragraph(ui, fill(words("robot.written"), {view.documents.files->exported_to}), ui.palette.text);
         gap(ui, 8);
         paragraph(ui, words_of("robot.next_"), ui.palette.second_text);
     }
@@ -102,13 +102,13 @@ struct RobotSheet {
         return state.folder.text.empty() ? suggested_folder(view, *state.robot) : state.folder.text;
     }
     // The last request was refused because files of it exist, and the next one replaces them.
-    bool replaces() const { return state.asked && view.library.files->refused && state.replacing == wanted_folder(); }
+    bool replaces() const { return state.asked && view.documents.files->refused && state.replacing == wanted_folder(); }
 
     void write() const {
         const bool replace = replaces();
         state.replacing = wanted_folder();
         state.asked = true;
-        state.done = view.library.files->done;
+        state.done = view.documents.files->done;
         // The files are a part of `made`, which stays alive with them.
         ui.outbox.push_back(WriteFilesRequest{
             wanted_folder(), std::shared_ptr<const std::vector<robots::ExportedFile>>(state.made, &**state.made),
@@ -148,14 +148,14 @@ robots::BrainToExport brain_to_export(const LabView& view, const VehicleView& ve
 }
 
 std::string suggested_folder(const LabView& view, const robots::Robot& robot) {
-    const std::string& name = view.library.files ? view.library.files->suggested : view.library.opened;
+    const std::string& name = view.documents.files ? view.documents.files->suggested : view.documents.opened;
     return (name.empty() ? "robot" : name) + "-" + std::string(robot.word());
 }
 
 void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     RobotState& state = panels.sheets.robot;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (!view.library.files || !vehicle) {
+    if (!view.documents.files || !vehicle) {
         panels.sheet = Sheet::none;
         return;
     }

@@ -188,7 +188,7 @@ std::optional<Study> study_of(const StudyDraft& draft, const Ui& ui, const LabVi
     const Scene& scene = *view.now->scene;
     Study study;
     study.title = fill(ui.strings("study.of_scene"),
-                       {scene.title.empty() ? view.library.opened : std::string(translated(ui, scene.title))});
+                       {scene.title.empty() ? view.documents.opened : std::string(translated(ui, scene.title))});
     study.title.resize(std::min(study.title.size(), limits::title_length));
     study.seconds = draft.seconds, study.seeds = draft.seeds;
     if (vehicle.start >= 0) study.vehicle = scene.starts[static_cast<std::size_t>(vehicle.start)].name;

@@ -22,7 +22,7 @@ namespace {
 // Saves to the file of the scene. If there is none, opens the file browser for a name; of an exercise its brain is
 // saved.
 void save_before_leaving(const LabView& view, PanelState& state, Ui& ui) {
-    const FilesView& files = *view.library.files;
+    const FilesView& files = *view.documents.files;
     if (!files.save_to.empty()) return ui.outbox.push_back(LeaveRequest{Leave::save});
     state.sheets.unsaved.leaving_done = files.done;
     begin_files(state.sheets.files, true, view.lesson ? FileKind::brain : FileKind::scene);
@@ -38,7 +38,7 @@ void after_naming(const FilesView& files, PanelState& state, Ui& ui) {
 }
 
 void leaving_question(const LabView& view, Ui& ui) {
-    const FilesView& files = *view.library.files;
+    const FilesView& files = *view.documents.files;
     const Leaving& leaving = *files.leaving;
     const Palette& p = ui.palette;
     if (leaving.passed) paragraph(ui, ui.strings("leaving.passed"), p.text);
@@ -79,7 +79,7 @@ std::string time_words(const Ui& ui, const std::string& when, const std::string&
 }
 
 void follow_leaving(const LabView& view, PanelState& state, Ui& ui) {
-    if (!view.library.files || !view.library.files->leaving) {
+    if (!view.documents.files || !view.documents.files->leaving) {
         if (state.sheet == Sheet::leaving) state.sheet = Sheet::none;
         state.sheets.unsaved.leaving_asked = false;
         return;
@@ -87,11 +87,11 @@ void follow_leaving(const LabView& view, PanelState& state, Ui& ui) {
     if (!state.sheets.unsaved.leaving_asked)
         state.sheets.unsaved.leaving_asked = true, state.sheets.unsaved.leaving_done = -1, state.sheet = Sheet::leaving;
     if (state.sheet == Sheet::files && state.sheets.unsaved.leaving_done >= 0) return;  // a name is being typed
-    if (state.sheet != Sheet::leaving) after_naming(*view.library.files, state, ui);
+    if (state.sheet != Sheet::leaving) after_naming(*view.documents.files, state, ui);
 }
 
 void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    const FilesView& files = *view.library.files;
+    const FilesView& files = *view.documents.files;
     SheetState& sheet = open_sheet(state, ui, Sheet::leaving, window);
     leaving_question(view, ui);
     sheet_buttons(ui, sheet);
@@ -115,25 +115,25 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
 }
 
 void follow_recovery(const LabView& view, PanelState& state, Ui&) {
-    if (!view.library.recovery) state.sheets.unsaved.recovery_asked = false;
+    if (!view.documents.recovery) state.sheets.unsaved.recovery_asked = false;
     if (view.lecture) {  // asked after the lecture
         if (state.sheet == Sheet::recovery) state.sheet = Sheet::none, state.sheets.unsaved.recovery_asked = false;
         return;
     }
-    if (view.library.recovery && !state.sheets.unsaved.recovery_asked)
+    if (view.documents.recovery && !state.sheets.unsaved.recovery_asked)
         state.sheets.unsaved.recovery_asked = true, state.sheet = Sheet::recovery;
-    if (!view.library.recovery && state.sheet == Sheet::recovery) state.sheet = Sheet::none;
+    if (!view.documents.recovery && state.sheet == Sheet::recovery) state.sheet = Sheet::none;
 }
 
 void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     SheetState& sheet =
         open_sheet(state, ui, Sheet::recovery, window,
-                   ui.strings(view.library.recovery->ended ? "recovery.heading_ended" : "recovery.heading"));
+                   ui.strings(view.documents.recovery->ended ? "recovery.heading_ended" : "recovery.heading"));
     paragraph(ui,
-              fill(ui.strings("recovery.what"), {known_title(view, ui, view.library.recovery->title),
-                                                 time_words(ui, view.library.recovery->when, local_day())}),
+              fill(ui.strings("recovery.what"), {known_title(view, ui, view.documents.recovery->title),
+                                                 time_words(ui, view.documents.recovery->when, local_day())}),
               ui.palette.text);
-    if (!view.library.recovery->file.empty()) file_row(ui, view.library.recovery->file);
+    if (!view.documents.recovery->file.empty()) file_row(ui, view.documents.recovery->file);
     sheet_buttons(ui, sheet);
     const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
     tooltip(ui, take, ui.strings("recovery.take_how"));

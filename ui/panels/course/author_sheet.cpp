@@ -45,7 +45,8 @@ struct AuthorSheet : AuthorFields {
         subheading(ui, words("author.file"));
         text_field(ui, state.path, "author.path", card_width(ui), file_name_for(state.title.text) + ".toml",
                    words("author.file_how"));
-        if (view.library.files) paragraph(ui, view.library.files->listing.folder, ui.palette.second_text, Face::small);
+        if (view.documents.files)
+            paragraph(ui, view.documents.files->listing.folder, ui.palette.second_text, Face::small);
     }
 
     void vehicle() const {
@@ -98,19 +99,19 @@ struct AuthorSheet : AuthorFields {
     std::string problem() const {
         if (const std::string_view missing = missing_in(state); !missing.empty())
             return std::string(state.tried ? words(missing) : std::string_view{});
-        const bool is_refused = state.asked && view.library.files && view.library.files->refused;
-        return is_refused ? text_of(*view.library.files->refused, ui.strings) : std::string();
+        const bool is_refused = state.asked && view.documents.files && view.documents.files->refused;
+        return is_refused ? text_of(*view.documents.files->refused, ui.strings) : std::string();
     }
 
     void save() const {
         state.tried = !missing_in(state).empty();
         if (state.tried) return;
         const std::string path = state.path.text.empty() ? file_name_for(state.title.text) : state.path.text;
-        const bool refused = state.asked && view.library.files->refused;
+        const bool refused = state.asked && view.documents.files->refused;
         const bool replace = refused && state.replacing == path;
         state.replacing = path;
         state.asked = true;
-        state.done = view.library.files->done;
+        state.done = view.documents.files->done;
         ui.outbox.push_back(
             SaveExerciseRequest{path, std::make_shared<const ExerciseDraft>(finished_draft(state)), replace});
     }
@@ -152,8 +153,8 @@ struct AuthorSheet : AuthorFields {
 
 void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     AuthorState& state = panels.sheets.author;
-    const bool is_saved = state.asked && view.library.files && view.library.files->done > state.done;
-    if (is_saved || !view.library.files || view.now->scene->starts.empty()) {
+    const bool is_saved = state.asked && view.documents.files && view.documents.files->done > state.done;
+    if (is_saved || !view.documents.files || view.now->scene->starts.empty()) {
         panels.sheet = Sheet::none;
         return;
     }

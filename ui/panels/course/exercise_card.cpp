@@ -122,8 +122,8 @@ void together_button(const LessonView& lesson, Ui& ui) {
 // The brain that the student's progress has, while the vehicle has another one.
 void kept_button(const LabView& view, Ui& ui) {
     const LessonView& lesson = *view.lesson;
-    if (!lesson.standing.has_kept || has_passed(lesson) || !view.library.students) return;
-    const ExerciseProgress* kept = find_progress(view.library.students->student(), lesson.key);
+    if (!lesson.standing.has_kept || has_passed(lesson) || !view.documents.students) return;
+    const ExerciseProgress* kept = find_progress(view.documents.students->student(), lesson.key);
     if (!kept) return;
     paragraph(ui,
               fill(ui.strings(kept->passed ? "exercise.passed_before" : "exercise.tried_before"),
@@ -232,10 +232,10 @@ void hint_button(const LessonView& lesson, Ui& ui) {
 // The exercise after this one, by number and then by name; or null.
 const CatalogueEntry* next_exercise(const LabView& view) {
     const CatalogueEntry* next = nullptr;
-    if (!view.library.catalogue || view.lesson->exercise->number == 0) return next;  // one's own is in no order
+    if (!view.documents.catalogue || view.lesson->exercise->number == 0) return next;  // one's own is in no order
     const auto order = [](const CatalogueEntry& entry) { return std::tie(entry.number, entry.name); };
     const auto now = std::tie(view.lesson->exercise->number, view.lesson->exercise->id);
-    for (const CatalogueEntry& entry : *view.library.catalogue)
+    for (const CatalogueEntry& entry : *view.documents.catalogue)
         if (entry.number > 0 && order(entry) > now && (!next || order(entry) < order(*next))) next = &entry;
     return next;
 }

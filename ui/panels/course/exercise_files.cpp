@@ -19,7 +19,7 @@ namespace {
 
 // The name in the view, else the typed one without spaces at its ends.
 std::string student_of(const LabView& view, const HandInState& state) {
-    const std::string& typed = view.library.student.empty() ? state.name.text : view.library.student;
+    const std::string& typed = view.documents.student.empty() ? state.name.text : view.documents.student;
     const std::size_t first = typed.find_first_not_of(' '), last = typed.find_last_not_of(' ');
     return first == std::string::npos ? std::string() : typed.substr(first, last - first + 1);
 }
@@ -27,7 +27,7 @@ std::string student_of(const LabView& view, const HandInState& state) {
 // A name given at hand-in is that of the present student from then on. A name that another student has stays with that
 // student, and only the file has it.
 void name_student(const LabView& view, Ui& ui, const std::string& name) {
-    if (view.library.student.empty() && view.library.students && is_free_name(*view.library.students, name))
+    if (view.documents.student.empty() && view.documents.students && is_free_name(*view.documents.students, name))
         ui.outbox.emplace_back(StudentRequest{StudentEdit::rename, 0, name});
 }
 
@@ -53,7 +53,7 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width)
     HandInState& asked = state.exercise.hand_in;
     const float right = ImGui::GetCursorScreenPos().x + width;
     const bool is_shown = view.lesson->attempt.work.has_run;
-    if (is_shown && asked.asks && view.library.student.empty()) {
+    if (is_shown && asked.asks && view.documents.student.empty()) {
         if (std::exchange(asked.begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.student";
         text_field(ui, asked.name, "exercise.student", width, ui.strings("exercise.student"),
                    ui.strings("exercise.student_how"));

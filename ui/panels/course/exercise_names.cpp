@@ -6,8 +6,8 @@ namespace braitenlab::ui {
 
 std::string number_words(const LabView& view, int number, std::string_view name) {
     int sharing = 0, before = 0;
-    if (view.library.catalogue)
-        for (const CatalogueEntry& other : *view.library.catalogue)
+    if (view.documents.catalogue)
+        for (const CatalogueEntry& other : *view.documents.catalogue)
             if (other.number == number) ++sharing, before += other.name < name ? 1 : 0;
     std::string words = std::to_string(number);
     if (sharing > 1) words += static_cast<char>('a' + before);
@@ -15,12 +15,12 @@ std::string number_words(const LabView& view, int number, std::string_view name)
 }
 
 const ExerciseProgress* progress_of(const LabView& view, const CatalogueEntry& entry) {
-    return view.library.students && entry.number > 0 ? find_progress(view.library.students->student(), entry.name)
-                                                     : nullptr;
+    return view.documents.students && entry.number > 0 ? find_progress(view.documents.students->student(), entry.name)
+                                                       : nullptr;
 }
 
 bool is_title_known(const LabView& view, const CatalogueEntry& entry) {
-    if (!view.library.students || !entry.exercise || !is_asked(entry.exercise->prediction)) return true;
+    if (!view.documents.students || !entry.exercise || !is_asked(entry.exercise->prediction)) return true;
     if (view.lesson && view.lesson->exercise->id == entry.name && !hides_outcome(view)) return true;
     const ExerciseProgress* progress = progress_of(view, entry);
     return progress && (progress->passed || !progress->prediction.empty() || progress->drew_path);
@@ -36,8 +36,8 @@ std::string entry_words(const LabView& view, const Ui& ui, const CatalogueEntry&
 }
 
 std::string known_title(const LabView& view, const Ui& ui, std::string_view title) {
-    if (view.library.catalogue)
-        for (const CatalogueEntry& entry : *view.library.catalogue)
+    if (view.documents.catalogue)
+        for (const CatalogueEntry& entry : *view.documents.catalogue)
             if (entry.number > 0 && entry.title == title && !is_title_known(view, entry))
                 return entry_words(view, ui, entry);
     return std::string(translated(ui, title));

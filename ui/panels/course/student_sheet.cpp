@@ -21,13 +21,13 @@ std::string_view name_of(const Ui& ui, const StudentProgress& student) {
 }
 
 int course_length(const LabView& view) {
-    if (!view.library.catalogue) return 0;
-    return static_cast<int>(std::count_if(view.library.catalogue->begin(), view.library.catalogue->end(),
+    if (!view.documents.catalogue) return 0;
+    return static_cast<int>(std::count_if(view.documents.catalogue->begin(), view.documents.catalogue->end(),
                                           [](const CatalogueEntry& entry) { return entry.number > 0; }));
 }
 
 void student_rows(const LabView& view, Ui& ui) {
-    const StudentBook& book = *view.library.students;
+    const StudentBook& book = *view.documents.students;
     const std::string all = std::to_string(course_length(view));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::tight)});
     for (std::size_t i = 0; i < book.all.size(); ++i) {
@@ -51,7 +51,7 @@ void request_students(PanelState& state, Ui& ui, StudentEdit edit) {
 
 // A name, and what it is for: a new student, or the present one.
 void naming(const LabView& view, PanelState& state, Ui& ui) {
-    const bool is_free = is_free_name(*view.library.students, state.sheets.student_name.text);
+    const bool is_free = is_free_name(*view.documents.students, state.sheets.student_name.text);
     text_field(ui, state.sheets.student_name, "students.name", card_width(ui), ui.strings("students.name"),
                ui.strings("students.name_how"));
     const bool is_taken = !is_free && !tidy_student_name(state.sheets.student_name.text).empty();
@@ -70,8 +70,8 @@ void naming(const LabView& view, PanelState& state, Ui& ui) {
 // Forgetting the progress can be taken back as long as nothing new is added to it.
 void keeping(const LabView& view, Ui& ui) {
     ImGui::SameLine(0, ui.px(spacing::small));
-    const bool restores = view.library.students->before_reset.has_value();
-    const bool has_progress = !view.library.students->student().exercises.empty();
+    const bool restores = view.documents.students->before_reset.has_value();
+    const bool has_progress = !view.documents.students->student().exercises.empty();
     ButtonLook look{{}, ui.strings(restores ? "students.restore" : "students.reset")};
     look.enabled = restores || has_progress;
     const Item reset = button(ui, "students.reset", look);
@@ -86,7 +86,7 @@ void keeping(const LabView& view, Ui& ui) {
 }  // namespace
 
 void student_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    if (!view.library.students) return void(state.sheet = Sheet::none);
+    if (!view.documents.students) return void(state.sheet = Sheet::none);
     SheetState& sheet = open_sheet(state, ui, Sheet::students, window);
     paragraph(ui, ui.strings("students.what"), ui.palette.second_text);
     naming(view, state, ui);
