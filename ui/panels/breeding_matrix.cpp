@@ -195,11 +195,12 @@ private:
             draw.AddRectFilled({x + w * static_cast<float>(i), y}, {x + w * static_cast<float>(i + 1), y + height},
                                paint(colour_of_score(ui_.palette, static_cast<float>(i) / (steps - 1))));
         const bool has_time = !view_.base->breeding().measure;
-        const float below = y + height + ui_.px(1), half = field_.w / 2 - ui_.px(spacing::tight);
-        put(ui_, {field_.x, below}, shortened(ui_, has_time ? ui_.strings("breeding.score_0") : "0", Face::small, half),
-            ui_.palette.text, Face::small);
+        const float below = y + height + ui_.px(1);
+        const float left = put(ui_, {field_.x, below}, has_time ? ui_.strings("breeding.score_0") : "0",
+                               ui_.palette.text, Face::small);
+        const std::string_view words = has_time ? ui_.strings("breeding.score_1") : "1";
         put_right(ui_, {field_.x + field_.w, below},
-                  shortened(ui_, has_time ? ui_.strings("breeding.score_1") : "1", Face::small, half), ui_.palette.text,
+                  shortened(ui_, words, Face::small, field_.w - left - ui_.px(spacing::tight)), ui_.palette.text,
                   Face::small);
     }
 
