@@ -58,7 +58,7 @@ TEST_F(LabMap, LeavesWorkForTheTimeBetweenTwoFramesUntilAllCellsAreBegun) {
     handle(lab, Action::map);
     update_map(lab.map, lab, jobs);
     while (lab.map.begun < lab.map.order.size()) {
-        for (int step = 0; step < 60; ++step)
+        for (int step = 0; step < 800; ++step)
             ASSERT_TRUE(jobs.work(std::chrono::nanoseconds(0))) << known() << " cells";
         jobs.deliver(std::chrono::nanoseconds(0));
         update_map(lab.map, lab, jobs);
