@@ -320,6 +320,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"key_of_other", "the {} '{}' has no '{}'; remove it"},
     {"key_of_own", "the {} '{}' needs '{}'; add it"},
     {"files_exist", "these files exist already: {}; export once more to replace them"},
+    {"no_such_sensor", "the brain reads the sensor {}, which the vehicle does not have; add it or cut its wires"},
     {"no_part", "the sensor {} senses {}, for which the robot has no part; cut its wires"},
     {"no_pin",
      "the sensor {} has no pin: the brain uses {} sensors, and the {} has {} analog inputs; cut the wires of some"},

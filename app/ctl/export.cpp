@@ -12,12 +12,11 @@
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/table_file.h"
-#include "app/files/safe_file.h"
+#include "app/files/export_folder.h"
 #include "core/brain/presets.h"
 #include "core/export/vectors.h"
 #include "core/lesson/hand_in.h"
 #include "core/scene/file_kind.h"
-#include "core/scene/folder_entries.h"
 #include "core/scene/nearest.h"
 
 namespace braitenlab {
@@ -65,30 +64,6 @@ Result<const robots::Robot*> robot_of(const std::string& given, robots::Target t
 
 }  // namespace
 
-namespace {
-
-// True if the file, if there is one, was written by an export: each names the lab near its begin.
-bool is_exported(const std::filesystem::path& path) {
-    constexpr std::size_t begin = 1000;
-    const auto text = read_text(path);
-    return text && std::string_view(*text).substr(0, begin).find("xported from Braitenlab") != std::string_view::npos;
-}
-
-// The error if the folder holds files, and none of them is of an earlier export.
-std::optional<Error> folder_fault(const std::filesystem::path& folder) {
-    bool is_empty = true, has_export = false;
-    for_each_entry(folder, [&](const std::filesystem::directory_entry& entry) {
-        std::error_code none;
-        is_empty = false;
-        has_export |= entry.is_regular_file(none) && is_exported(entry.path());
-    });
-    if (is_empty || has_export) return std::nullopt;
-    return Error{"the folder holds other files than those of an export; give a new folder, or --force to write into it",
-                 folder.string()};
-}
-
-}  // namespace
-
 int export_to_robot(const ExportOptions& options) {
     const auto target = target_of(options.target);
     if (!target) return complain(target.error());
@@ -102,12 +77,10 @@ int export_to_robot(const ExportOptions& options) {
         error.file = options.file;
         return complain(error);
     }
-    if (const auto error = folder_fault(options.folder); error && !options.force) return complain(*error);
-    std::vector<NewFile> written;
+    if (const auto error = export_folder_fault(options.folder); error && !options.force) return complain(*error);
+    if (const auto error = write_export(options.folder, *files)) return complain(*error);
     for (const robots::ExportedFile& file : *files)
-        written.push_back({std::filesystem::path(options.folder) / file.name, file.text});
-    if (const auto error = write_all(written)) return complain(*error);
-    for (const NewFile& file : written) std::cout << file.path.string() << "\n";
+        std::cout << (std::filesystem::path(options.folder) / file.name).string() << "\n";
     return exit_code::done;
 }
 

@@ -94,7 +94,7 @@ Result<fs::path> find_shipped(const std::string& path_or_name, Shipped wanted) {
     const auto data = data_folder();
     if (!data) return data.error();
     std::vector<std::string> names;
-    for (const char* folder : {"scenes", "guided", "lectures", "studies", "breeding"})
+    for (const char* folder : {"scenes", "robots", "guided", "lectures", "studies", "breeding"})
         for (const fs::path& file : toml_files(*data / "exercises" / folder)) {
             if (file.stem() == path_or_name) return file;
             if (is_of(wanted, folder)) names.push_back(file.stem().string());

@@ -10,6 +10,7 @@
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
 #include "app/files/disk.h"
+#include "app/files/export_folder.h"
 #include "app/files/links.h"
 #include "app/files/reports.h"
 #include "app/files/safe_file.h"
@@ -182,9 +183,7 @@ struct FileCommands {
             if (fs::exists(into / file.name, none)) existing += (existing.empty() ? "" : ", ") + file.name;
         if (!wanted.replace && !existing.empty())
             return fail(error_of(message_of("files_exist", existing), into.string()));
-        std::vector<NewFile> written;
-        for (const robots::ExportedFile& file : *wanted.files) written.push_back({into / file.name, file.text});
-        if (const auto error = write_all(written)) return fail(*error);
+        if (const auto error = write_export(into, *wanted.files)) return fail(*error);
         view.exported_to = into.string();
         say(lab, {NoticeKind::done, "notice.exported", into.string()});
         done(into, {});

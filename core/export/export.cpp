@@ -27,6 +27,13 @@ Refusal check_robot(Target target, const Robot& robot) {
                                in_quotes(std::string(robot.name)), word(robot.target)));
 }
 
+// A brain alone has no sensors; that of a vehicle reads those of the vehicle.
+Refusal check_sensors(const Plan& plan, const std::vector<Sensor>& sensors) {
+    for (const Input& input : plan.inputs)
+        if (!sensors.empty() && !input.channel) return error_of(message_of("no_such_sensor", in_quotes(input.name)));
+    return std::nullopt;
+}
+
 Refusal check_arduino(const Plan& plan, int robot_rate) {
     const std::string_view board = "Arduino Uno";
     for (const Input& input : plan.inputs)
@@ -89,6 +96,7 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
     if (const auto refusal = check_robot(target, robot)) return *refusal;
     const auto plan = make_plan(given, static_cast<float>(robot.rate_hz));
     if (!plan) return plan.error();
+    if (const auto refusal = check_sensors(*plan, given.sensors)) return *refusal;
     switch (target) {
         case Target::c:
             return std::vector<ExportedFile>{{"brain.h", c_header(*plan)}, {"README.md", c_readme(*plan)}};

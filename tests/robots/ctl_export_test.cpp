@@ -90,6 +90,48 @@ TEST(CtlExport, WritesIntoAFolderOfOtherFilesOnlyByForce) {
     EXPECT_EQ(ctl("export 2a-coward --to c --out " + folder.path.string()).code, 0) << "an earlier export is replaced";
 }
 
+TEST(CtlExport, RemovesWhatAnEarlierExportWroteAndThisOneDoesNot) {
+    const Folder folder;
+    const std::string out = " --out " + folder.path.string();
+    ASSERT_EQ(ctl("export 3a-love --to opamp" + out).code, 0);
+    put_text(folder / "wiring-2.svg", "the second sheet of a larger circuit");
+    put_text(folder / "notes.txt", "mine");
+    ASSERT_EQ(ctl("export 3a-love --to arduino" + out).code, 0);
+    EXPECT_EQ(files_in(folder.path),
+              (std::set<std::string>{"README.md", "braitenberg/braitenberg.ino", "braitenberg/brain.h", "notes.txt",
+                                     "parts.csv", "wiring.svg"}));
+    ASSERT_EQ(ctl("export 3a-love --to c" + out).code, 0);
+    EXPECT_EQ(files_in(folder.path), (std::set<std::string>{"README.md", "brain.h", "notes.txt"}));
+    EXPECT_FALSE(fs::exists(folder / "braitenberg"));
+}
+
+TEST(CtlExport, KeepsTheFilesOfAFolderThatHoldsNoExport) {
+    const Folder folder;
+    put_text(folder / "README.md", "my robot");
+    put_text(folder / "brain.py", "my program");
+    ASSERT_EQ(ctl("export 3a-love --to c --force --out " + folder.path.string()).code, 0);
+    EXPECT_EQ(files_in(folder.path), (std::set<std::string>{"README.md", "brain.h", "brain.py"}));
+}
+
+TEST(CtlExport, RefusesABrainThatReadsASensorWhichTheVehicleLacks) {
+    const Folder folder;
+    const std::string scene = (folder / "typing-error.toml").string();
+    put_text(scene,
+             "format = 1\n[kind.k.sensor.SL]\n[kind.k.sensor.OM]\nchannel = \"obstacle\"\n[kind.k.brain]\nLL = 1\n"
+             "[[kind.k.brain.node]]\nname = \"OX\"\nkind = \"sensor\"\n"
+             "[[kind.k.brain.wire]]\nfrom = \"OX\"\nto = \"MR\"\n[vehicle.a]\nkind = \"k\"\n");
+    for (const char* target : {"c", "arduino", "micropython", "thymio", "opamp"}) {
+        const Ran ran = ctl("export " + scene + " --to " + target + " --out " + (folder / target).string());
+        EXPECT_EQ(ran.code, 2) << target;
+        EXPECT_NE(ran.out.find("'OX'"), std::string::npos) << ran.out;
+    }
+}
+
+TEST(CtlExport, TakesTheSceneOfARobotByItsBareName) {
+    for (const auto& entry : fs::directory_iterator(*data_folder() / "exercises" / "robots"))
+        EXPECT_EQ(ctl("show " + entry.path().stem().string()).code, 0) << entry.path();
+}
+
 TEST(CtlExport, AMissingTargetIsAnsweredWithAllTargets) {
     const Ran ran = ctl("export 3a-love --out x");
     EXPECT_EQ(ran.code, 2);

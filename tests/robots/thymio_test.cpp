@@ -77,7 +77,7 @@ TEST(Thymio, RefusesWhatItCannotHoldByName) {
     EXPECT_TRUE(refuses({"", slow, {}}, "N"));
     find_node(slow, "N")->time_constant = 1;
     EXPECT_TRUE(exported({"", slow, {}}));
-    const BrainToExport smells{"", make_graph({.LL = 1, .RR = 1}), {{.name = "SL", .channel = Channel::smell}}};
+    const BrainToExport smells{"", make_graph({.LL = 1}), {{.name = "SL", .channel = Channel::smell}}};
     EXPECT_TRUE(refuses(smells, "SL"));
     EXPECT_TRUE(refuses({"", find_preset("3c-values")->brain, {}}, "HL"));  // a second pair
 }

@@ -1,0 +1,80 @@
+#include "app/files/export_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "app/files/safe_file.h"
+#include "core/scene/folder_entries.h"
+
+namespace braitenlab {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// True if the file, if there is one, was written by an export: each text names the lab near its begin.
+bool is_exported(const fs::path& path) {
+    constexpr std::size_t begin = 1000;
+    const auto text = read_text(path);
+    return text && std::string_view(*text).substr(0, begin).find("xported from Braitenlab") != std::string_view::npos;
+}
+
+// True for the names that exports give to their files.
+bool is_name_of_export(const std::string& name) {
+    constexpr std::array<std::string_view, 11> names{"README.md",
+                                                     "parts.csv",
+                                                     "brain.h",
+                                                     "brain.py",
+                                                     "main.py",
+                                                     "brain.cir",
+                                                     "wiring.svg",
+                                                     "brain.net",
+                                                     "brain.aesl",
+                                                     "brain-exact.cir",
+                                                     "braitenberg/braitenberg.ino"};
+    return std::find(names.begin(), names.end(), name) != names.end() || name == "braitenberg/brain.h" ||
+           (name.starts_with("wiring-") && name.ends_with(".svg"));
+}
+
+// Names of the files of the folder and of its folder for a sketch.
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const std::string below : {"", "braitenberg/"})
+        for_each_entry(folder / below, [&](const fs::directory_entry& entry) {
+            if (entry.is_regular_file(none)) names.push_back(below + entry.path().filename().string());
+        });
+    return names;
+}
+
+}  // namespace
+
+std::optional<Error> export_folder_fault(const fs::path& folder) {
+    bool is_empty = true, has_export = false;
+    for_each_entry(folder, [&](const fs::directory_entry& entry) {
+        std::error_code none;
+        is_empty = false;
+        has_export |= entry.is_regular_file(none) && is_exported(entry.path());
+    });
+    if (is_empty || has_export) return std::nullopt;
+    return Error{"the folder holds other files than those of an export; give a new folder, or --force to write into it",
+                 folder.string()};
+}
+
+std::optional<Error> write_export(const fs::path& folder, const std::vector<robots::ExportedFile>& files) {
+    std::vector<std::string> earlier;
+    if (is_exported(folder / "README.md")) earlier = names_in(folder);
+    std::vector<NewFile> written;
+    for (const robots::ExportedFile& file : files) written.push_back({folder / file.name, file.text});
+    if (auto error = write_all(written)) return error;
+    std::error_code none;
+    for (const std::string& name : earlier)
+        if (is_name_of_export(name) &&
+            std::none_of(files.begin(), files.end(), [&](const auto& file) { return file.name == name; }))
+            fs::remove(folder / name, none);
+    fs::remove(folder / "braitenberg", none);  // only where it is empty
+    return std::nullopt;
+}
+
+}  // namespace braitenlab

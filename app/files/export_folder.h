@@ -1,0 +1,20 @@
+// The folder of an export to a robot.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/export/export.h"
+#include "core/result.h"
+
+namespace braitenlab {
+
+// The error if the folder holds files, and none of them is of an earlier export.
+std::optional<Error> export_folder_fault(const std::filesystem::path& folder);
+
+// Writes the files, or none of them; creates the folder. Where it holds an earlier export, removes those of its files
+// that this one does not have, such as the second sheet of a larger circuit.
+std::optional<Error> write_export(const std::filesystem::path& folder, const std::vector<robots::ExportedFile>&);
+
+}  // namespace braitenlab
