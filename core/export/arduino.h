@@ -55,6 +55,9 @@ struct SensorPart {
 };
 const SensorPart& part_of(const Input&);  // a sensor of unknown channel is an eye
 
+// What a table of sensors adds to a sensor of unknown channel; empty for the others.
+std::string_view doubt_about(const Input&);
+
 // "A0"
 std::string pin_of_input(std::size_t input);
 

@@ -12,8 +12,8 @@ namespace braitenlab::robots::arduino {
 
 namespace {
 
-constexpr Cost base{2400, 7200};
-constexpr Cost of_sensor{2600, 30}, of_unit{60, 20}, of_product{150, 20}, of_sum{130, 16};
+constexpr Cost base{2400, 7420};
+constexpr Cost of_sensor{2600, 44}, of_unit{60, 20}, of_product{150, 20}, of_sum{130, 16};
 constexpr Cost of_threshold{130, 78}, of_memory{460, 92}, of_bound{220, 60}, of_learning{1000, 240};
 
 void add(Cost& sum, const Cost& part) { sum.cycles += part.cycles, sum.bytes += part.bytes; }
@@ -72,7 +72,11 @@ private:
 
 Cost cost_of(const Plan& plan) {
     Cost sum = base;
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i) add(sum, of_sensor);
+    for (const Input& input : plan.inputs) {
+        add(sum, of_sensor);
+        const SensorPart& part = part_of(input);
+        sum.bytes += static_cast<int>(part.zero.size() + part.one.size()) + 2;  // the texts of its calibration
+    }
     Terms terms(sum);
     std::vector<std::size_t> values;  // of the units of this step
     for (const PlanUnit& unit : plan.units) {

@@ -62,25 +62,33 @@ void drive(byte wheel, float command) {  // -1 to 1
 
 @EYE_FUNCTIONS@// ---- Calibration -----------------------------------------------------------
 
-void waitForButton() {
-  while (digitalRead(BUTTON) == HIGH) digitalWrite(LED_BUILTIN, millis() / 250 % 2);  // blinks while it waits
+void waitForRelease() {
   delay(30);
   while (digitalRead(BUTTON) == LOW) {}
   delay(30);
+}
+
+void waitForButton() {
+  while (digitalRead(BUTTON) == HIGH) digitalWrite(LED_BUILTIN, millis() / 250 % 2);  // blinks while it waits
+  waitForRelease();
   digitalWrite(LED_BUILTIN, LOW);
 }
 
 @EYE_CALIBRATION@void calibrateMinimum(byte wheel) {
   Serial.println(wheel == LEFT ? F("Left wheel: press the button. It starts slowly; press again as soon as it turns.")
                                : F("Right wheel: press the button. It starts slowly; press again as soon as it turns."));
+  int pwm;
+  do {
+    waitForButton();
+    pwm = 0;
+    while (pwm < 200 && digitalRead(BUTTON) == HIGH) {
+      setWheel(wheel, ++pwm);
+      delay(60);
+    }
+    setWheel(wheel, 0);
+    if (pwm == 200) Serial.println(F("  Is the battery of the motors on? Press the button to try again."));
+  } while (pwm == 200);
   waitForButton();
-  int pwm = 0;
-  while (pwm < 200 && digitalRead(BUTTON) == HIGH) {
-    setWheel(wheel, ++pwm);
-    delay(60);
-  }
-  setWheel(wheel, 0);
-  if (digitalRead(BUTTON) == LOW) waitForButton();
   calibration.minimum[wheel] = pwm;
   Serial.print(F("  Minimum PWM: "));
   Serial.println(pwm);
@@ -142,6 +150,14 @@ void waitBeforeStart() {
   digitalWrite(LED_BUILTIN, LOW);
 }
 
+void stopUntilButton() {
+  setWheel(LEFT, 0);
+  setWheel(RIGHT, 0);
+  waitForRelease();
+  waitForButton();
+  lastStep = micros();
+}
+
 void setup() {
   const byte outputs[] = {LEFT_PWM, LEFT_FORWARD, LEFT_BACK, RIGHT_PWM, RIGHT_FORWARD, RIGHT_BACK, STANDBY, LED_BUILTIN};
   for (byte i = 0; i < sizeof outputs; i++) pinMode(outputs[i], OUTPUT);
@@ -158,6 +174,7 @@ void setup() {
 void loop() {
   if (micros() - lastStep < PERIOD) return;
   lastStep += PERIOD;
+  if (digitalRead(BUTTON) == LOW) stopUntilButton();
 @READ@  brain_think(&brain);
   drive(LEFT, brain.left);
   drive(RIGHT, brain.right);
@@ -193,22 +210,26 @@ int meanOfEye(byte i) {
 
 )";
 
-constexpr std::string_view eye_calibration = R"(void calibrateEyes() {
-  for (byte i = 0; i < EYES; i++) {
-    do {
-      Serial.print(F("Sensor "));
-      Serial.print(EYE_NAME[i]);
-      Serial.println(F(": cover it (its reading 0), then press the button."));
-      waitForButton();
-      calibration.dark[i] = meanOfEye(i);
-      Serial.print(F("  Now the lamp in front of it (its reading 1), then press the button. Dark: "));
-      Serial.println(calibration.dark[i]);
-      waitForButton();
-      calibration.bright[i] = meanOfEye(i);
-      Serial.print(F("  Bright: "));
-      Serial.println(calibration.bright[i]);
-    } while (abs(calibration.bright[i] - calibration.dark[i]) < 20);  // too close: again
-  }
+constexpr std::string_view eye_calibration = R"(// `zero` and `one`: what the sensor is shown for the readings 0 and 1.
+void calibrateEye(byte i, const __FlashStringHelper *zero, const __FlashStringHelper *one) {
+  do {
+    Serial.print(F("Sensor "));
+    Serial.print(EYE_NAME[i]);
+    Serial.print(F(", reading 0: "));
+    Serial.print(zero);
+    Serial.println(F(". Press the button."));
+    waitForButton();
+    calibration.dark[i] = meanOfEye(i);
+    Serial.print(F("  Measured: "));
+    Serial.println(calibration.dark[i]);
+    Serial.print(F("  Reading 1: "));
+    Serial.print(one);
+    Serial.println(F(". Press the button."));
+    waitForButton();
+    calibration.bright[i] = meanOfEye(i);
+    Serial.print(F("  Measured: "));
+    Serial.println(calibration.bright[i]);
+  } while (abs(calibration.bright[i] - calibration.dark[i]) < 20);  // too close: again
 }
 
 )";
@@ -236,12 +257,14 @@ unsigned calibration_mark(const Plan& plan) {
 }
 
 std::string sketch(const Plan& plan) {
-    std::string pins, names, read;
+    std::string pins, names, read, calibrate;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
         pins += (i > 0 ? ", " : "") + pin_of_input(i);
         names +=
             fmt::format("{}\"{}\"", i > 0 ? ", " : "", plan.inputs[i].id.substr(std::string_view("sensor_").size()));
         read += fmt::format("  brain.{} = eye({});\n", plan.inputs[i].id, i);
+        const SensorPart& part = part_of(plan.inputs[i]);
+        calibrate += fmt::format("  calibrateEye({}, F(\"{}\"), F(\"{}\"));\n", i, part.zero, part.one);
     }
     // A brain without sensors has no code for eyes.
     const auto with_eyes = [&](std::string_view part) {
@@ -258,7 +281,7 @@ std::string sketch(const Plan& plan) {
                    {"EYE_FIELDS", with_eyes(eye_fields)},
                    {"EYE_FUNCTIONS", with_eyes(eye_functions)},
                    {"EYE_CALIBRATION", with_eyes(eye_calibration)},
-                   {"CALL_EYES", with_eyes("  calibrateEyes();\n")},
+                   {"CALL_EYES", calibrate},
                    {"SMALLEST", number(smallest_command)},
                    {"READ", read}});
 }

@@ -139,16 +139,20 @@ for wheel in MOTORS:
     wheel[0].set_analog_period(4)  # ms; without it 20, as long as a step
 driving = False
 due = running_time()
-while True:
-    if button_a.was_pressed():
-        driving = not driving
-    if button_b.was_pressed():
-        print([e.read_analog() for e in EYES])
-    left, right = brain.think(@ARGUMENTS@)
-    drive(0, left if driving else 0)
-    drive(1, right if driving else 0)
-    due = max(due + STEP, running_time() - STEP)  # of the next step, so that errors of sleep() do not add up
-    sleep(max(0, due - running_time()))
+try:
+    while True:
+        if button_a.was_pressed():
+            driving = not driving
+        if button_b.was_pressed():
+            print([e.read_analog() for e in EYES])
+        left, right = brain.think(@ARGUMENTS@)
+        drive(0, left if driving else 0)
+        drive(1, right if driving else 0)
+        due = max(due + STEP, running_time() - STEP)  # of the next step, so that errors of sleep() do not add up
+        sleep(max(0, due - running_time()))
+finally:  # the motors stop when the program does
+    for wheel in MOTORS:
+        wheel[0].write_analog(0)
 )";
 
 constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on a micro:bit
@@ -177,7 +181,8 @@ Copy both files to the micro:bit, for example with the editor Mu.
 @SENSORS@
 The pins take 3 V. A sensor that is built for 5 V does not work at 3 V, and 5 V at a pin damage the board: take the parts of this list.
 
-Calibrate by writing values into `main.py`: button B prints what the sensors read, covered (`DARK`) and in front of the lamp (`BRIGHT`).
+Calibrate by writing values into `main.py`: button B prints what the sensors read. `DARK` is the value at the reading 0, `BRIGHT` that at
+the reading 1; the table says what to show each sensor.
 Raise `MINIMUM` until each wheel just turns; lower `FASTEST` of the faster motor until it drives straight. Button A starts and stops.
 
 Numbers on the micro:bit have 30 bits and are cut, not rounded, so a command differs from the lab's by less than 0.0001.
@@ -269,8 +274,11 @@ std::string main_py(const Plan& plan) {
 
 std::string readme(const Plan& plan) {
     std::string sensors;
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
-        sensors += fmt::format("| {} | P{} | {} |\n", comment_text(plan.inputs[i].name), i, part_of(plan.inputs[i]));
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+        const arduino::SensorPart& shown = arduino::part_of(plan.inputs[i]);
+        sensors += fmt::format("| {} | P{} | {}; 0: {}, 1: {}{} |\n", comment_text(plan.inputs[i].name), i,
+                               part_of(plan.inputs[i]), shown.zero, shown.one, arduino::doubt_about(plan.inputs[i]));
+    }
     return filled(
         readme_text,
         {{"TITLE", comment_text(plan.title)}, {"BYTES", std::to_string(brain_py(plan).size())}, {"SENSORS", sensors}});

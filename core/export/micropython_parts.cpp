@@ -37,7 +37,8 @@ std::string parts_csv(const Plan& plan) {
         "1,TB6612 board,\n"
         "1,chassis with two TT motors 1:48 and wheels of 65 mm,with a castor\n"
         "1,battery holder for four AA cells,for the motors; with a switch\n"
-        "1,battery holder for two AAA cells,for the micro:bit\n";
+        "1,battery holder for two AAA cells,for the micro:bit\n"
+        "2,capacitor 100 nF,at the terminals of each motor\n";
     for (const Input& input : plan.inputs)
         text += fmt::format("1,\"{}\",for sensor {}\n", part_of(input), comment_text(input.name));
     return text + "1,set of jumper wires and a half breadboard,\n";

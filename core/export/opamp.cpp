@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "core/export/text.h"
+#include "core/export/wiring_svg.h"
 #include "core/maths/fnv.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
@@ -242,6 +243,13 @@ the most is 5.4 V, 5.9 V with a fresh battery. Inputs of a TB6612 take 6 V, thos
 1.5 V, a command of 0.42, the wheel certainly stands; above 3.5 V (TB6612 at 5 V) or 2.3 V (L298) it certainly turns at full speed. A speed in
 proportion to the command needs a driver with an analog input.
 
+TB6612: `left_driver` to PWMA, `right_driver` to PWMB; AIN1, BIN1, STBY and VCC to 5 V; AIN2 and BIN2 to ground. L298: `left_driver` to ENA,
+`right_driver` to ENB; IN1 and IN3 to 5 V, IN2 and IN4 to ground. The motors have a battery of their own at VM (+12V); a 9 V block battery
+does not drive motors. All grounds are connected. Each LM324 has 100 nF between its supply and ground, the regulator 330 nF at its input
+and 100 nF at its output, each motor 100 nF at its terminals.
+
+A sensor is read as its voltage by 5 V, without a calibration: a distance sensor GP2Y0A21 gives 0.4 V to 3.1 V, so that it reads 0.08 to 0.62.
+
 The 1 kΩ from each buffer to ground is there because an LM324 sinks 12 µA only near 0 V (50 µA typically), less than other resistors bring. With
 the weakest LM324 a sensor that reads 0 counts as @RAISED@ at most, and a stopped motor's input stays below 0.1 V.
 
@@ -259,7 +267,7 @@ simulations of every shipped brain).
 @SHEETS@| `brain.cir` | netlist for ngspice and LTspice with the E24 values |
 | `brain-exact.cir` | with the exact values |
 | `brain.net` | netlist for KiCad's board editor (File › Import › Netlist) with the E24 values |
-| `parts.csv` | the resistors |
+| `parts.csv` | the parts of the board and its sensors |
 )";
     return filled(text, {{"TITLE", comment_text(plan.title)},
                          {"CHIPS", std::to_string(circuit.chips())},
@@ -277,8 +285,22 @@ std::string parts_csv(const Plan& plan) {
         for (std::size_t part = 0; part < r.e24.size(); ++part)
             text += fmt::format("resistor 1 %,{},{},{},{}\n", ohms_text(r.e24[part]), node_text(r.from),
                                 node_text(r.to), r.names[part]);
-    return text + fmt::format("operational amplifier,LM324,{} pieces,,U1\nregulator,5 V,9 V battery,v5,{}\n",
-                              circuit.chips(), regulator_name);
+    for (std::size_t chip = 0; chip < circuit.chips(); ++chip)
+        text += fmt::format("operational amplifier,LM324,9 V,ground,{0}\ncapacitor,100 nF,pin {1} of {0},ground,C{2}\n",
+                            chip_name(chip), lm324_supply_pin, chip + 3);
+    text += fmt::format("regulator,5 V,9 V,v5,{}\ncapacitor,330 nF,9 V,ground,C1\ncapacitor,100 nF,5 V,ground,C2\n",
+                        regulator_name);
+    for (const Connector& connector : circuit.connectors)
+        text += fmt::format("connector,{} pins,{},,{}\n", connector.nodes.size(), connector.value, connector.name);
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+        const SensorWiring sensor = sensor_wiring(plan.inputs[i]);
+        const std::string part = sensor.part.empty() ? "sensor of 0 V to 5 V" : sensor.part;
+        const std::size_t pin = i + 3;  // after 5 V and ground
+        text += fmt::format("\"{}\",,5 V,J2 pin {},\n", part, pin);
+        if (!sensor.resistor.empty())
+            text += fmt::format("resistor of this sensor,{},J2 pin {},ground,\n", sensor.resistor, pin);
+    }
+    return text;
 }
 
 }  // namespace braitenlab::robots::opamp

@@ -18,7 +18,7 @@ Exported from Braitenlab. `brain.aesl` is the whole program. It was compared wit
 on a real Thymio II yet**; please report what you find.
 
 1. Connect the robot by cable or radio and open `brain.aesl` in Aseba Studio (Thymio Suite: *Aseba Studio*).
-2. *Load*, then *Run*. The robot drives at once; the centre button stops it, the forward button starts it again.
+2. Set the robot on the floor or hold its wheels free. *Load*, then *Run*: it drives at once; the centre button stops it, the forward button starts it again.
 3. To keep the program without the computer, write it into the robot (a command of Aseba Studio's menu *Tools*).
 
 | Sensor of the brain | Sensors of the robot | 0 | 1 |

@@ -46,6 +46,31 @@ TEST(Arduino, RefusesARobotOfAnotherTarget) {
     EXPECT_FALSE(robots::export_brain(with_channel(Channel::light), Target::arduino, *robots::find_robot("any")));
 }
 
+TEST(Arduino, SaysForEachChannelWhatIsShownForTheReadings0And1) {
+    for (const auto& row : channel_table) {
+        const auto files = exported(with_channel(row.value));
+        if (!files) continue;
+        const auto text = [&](std::string_view ending) {
+            for (const robots::ExportedFile& file : *files)
+                if (file.name.ends_with(ending)) return file.text;
+            return std::string();
+        };
+        const robots::arduino::SensorPart& part = robots::arduino::part_of({"SL", "sensor_SL", row.value});
+        EXPECT_NE(text(".ino").find(fmt::format("calibrateEye(0, F(\"{}\"), F(\"{}\"));", part.zero, part.one)),
+                  std::string::npos)
+            << row.word;
+        EXPECT_NE(text("README.md").find(fmt::format("0: {}, 1: {} |", part.zero, part.one)), std::string::npos);
+    }
+}
+
+TEST(Arduino, SaysThatASensorOfABrainAloneIsTakenForAnEye) {
+    const robots::Input alone{"ears", "sensor_ears"}, known{"SL", "sensor_SL", Channel::light};
+    const auto files = exported({"", make_graph({.LL = 1, .RR = 1}), {}});
+    ASSERT_TRUE(files);
+    EXPECT_EQ(robots::arduino::doubt_about(known), "");
+    EXPECT_NE((*files)[2].text.find(std::string(robots::arduino::doubt_about(alone)) + " |"), std::string::npos);
+}
+
 TEST(Arduino, StandsForThreeSecondsAsItsReadmeSays) {
     const auto files = exported(with_channel(Channel::light));
     ASSERT_TRUE(files);
