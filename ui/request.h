@@ -123,8 +123,10 @@ struct WriteFilesRequest {                                           // writes t
     std::shared_ptr<const std::vector<robots::ExportedFile>> files;  // never null
     bool replace = false;                                            // else nothing is written where a file exists
 };
-struct HandInRequest {  // writes a hand-in file to the folder of documents
+enum class EarlierHandIn { ask, replace, keep };  // what happens to an earlier one with a better result
+struct HandInRequest {                            // writes a hand-in file to the folder of documents
     std::string student;
+    EarlierHandIn earlier = EarlierHandIn::ask;
 };
 struct LabRecordRequest {  // writes a lab record to the folder of documents
     std::string student;   // may be empty

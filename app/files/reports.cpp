@@ -23,13 +23,53 @@ std::string utc_text(WrittenAt at) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
 }
 
-// True if a hand-in of another student, or a file that is none, has this path.
-bool is_taken(const fs::path& path, const std::string& student) {
-    std::error_code none;
-    if (!fs::exists(path, none)) return false;
-    const auto text = read_text(path);
-    const auto there = text ? parse_hand_in(*text, path.string()) : text.error();
-    return !there || !is_same_student(there->student, student);
+// The file of this student's hand-in, and what it has now; nullopt: it does not exist.
+struct HandInFile {
+    fs::path path;
+    std::optional<HandIn> earlier{};
+};
+
+// A file with a hand-in of another student, or that is none, is passed over.
+HandInFile hand_in_file(const fs::path& folder, const std::string& exercise, const std::string& student) {
+    for (int number = 1;; ++number) {
+        HandInFile file{folder / hand_in_name(exercise, student, number)};
+        std::error_code none;
+        if (!fs::exists(file.path, none)) return file;
+        const auto text = read_text(file.path);
+        auto there = text ? parse_hand_in(*text, file.path.string()) : text.error();
+        if (!there || !is_same_student(there->student, student)) continue;
+        file.earlier = std::move(*there);
+        return file;
+    }
+}
+
+// True if a hand-in with more starts passed, or with as many without help, would be lost.
+bool is_better(const HandIn& earlier, const HandIn& now) {
+    const auto worth = [](const HandIn& each) { return std::pair(each.passed_starts, !each.solution_shown); };
+    return earlier.passed_starts > 0 && worth(earlier) > worth(now);
+}
+
+// Why the hand-in is not written, or HandInRefusal::none.
+RefusedHandIn refusal_of(const Exercise& exercise, const HandIn& now, const std::optional<HandIn>& earlier,
+                         EarlierHandIn wanted) {
+    if (!outside_offers(exercise, now.submission).empty()) return {HandInRefusal::outside_offers};
+    if (changes_too_many(exercise, now.submission)) return {HandInRefusal::too_many_changes};
+    if (wanted == EarlierHandIn::ask && earlier && is_better(*earlier, now))
+        return {HandInRefusal::earlier_is_better, earlier->passed_starts, earlier->graded_starts};
+    return {};
+}
+
+// Forgets the refusal once its reason has gone.
+void follow_refusal(Lab& lab) {
+    if (!lab.document.lesson) return;
+    RefusedHandIn& refused = lab.document.lesson->attempt.work.refused;
+    if (refused.reason == HandInRefusal::none) return;
+    const Exercise& exercise = *lab.document.lesson->exercise;
+    const Submission now = submission_of(exercise, lab.document.session.snapshot());
+    const Grade* grade = grade_of(*lab.document.lesson);
+    if (refused.reason == HandInRefusal::earlier_is_better ? grade && grade->count >= refused.passed
+                                                           : keeps_to_offers(exercise, now))
+        refused = {};
 }
 
 // Tells where the file is; `downloaded`: key of the string with its name among the downloads, `saved`: with its path.
@@ -40,12 +80,17 @@ void say_written(Lab& lab, std::string_view downloaded, std::string_view saved, 
         {NoticeKind::done, std::string(downloads ? downloaded : saved), lab.document.lesson->attempt.work.written});
 }
 
-std::optional<Error> write_hand_in_file(Lab& lab, const std::string& student, const fs::path& folder, WrittenAt at) {
-    const std::string& exercise = lab.document.lesson->exercise->id;
-    fs::path path = folder / hand_in_name(exercise, student);
-    for (int number = 2; is_taken(path, student); ++number) path = folder / hand_in_name(exercise, student, number);
-    if (auto error = write_whole(path, write_hand_in(hand_in_of(lab, student, at)))) return error;
-    say_written(lab, "notice.handed_in_download", "notice.handed_in", path);
+std::optional<Error> hand_in(Lab& lab, const HandInRequest& request, const fs::path& folder, WrittenAt at) {
+    RefusedHandIn& refused = lab.document.lesson->attempt.work.refused;
+    refused = {};
+    if (request.earlier == EarlierHandIn::keep) return std::nullopt;
+    const Exercise& exercise = *lab.document.lesson->exercise;
+    const HandIn now = hand_in_of(lab, request.student, at);
+    const HandInFile file = hand_in_file(folder, exercise.id, request.student);
+    refused = refusal_of(exercise, now, file.earlier, request.earlier);
+    if (refused.reason != HandInRefusal::none) return std::nullopt;
+    if (auto error = write_whole(file.path, write_hand_in(now))) return error;
+    say_written(lab, "notice.handed_in_download", "notice.handed_in", file.path);
     return std::nullopt;
 }
 
@@ -122,11 +167,11 @@ fs::path reports_folder(const fs::path& documents) { return documents / "Braiten
 
 void write_student_files(Lab& lab, const Strings& strings, const fs::path& documents, WrittenAt at) {
     const fs::path folder = reports_folder(documents);
+    follow_refusal(lab);
     for (const Request& request : std::exchange(lab.window.reports, {})) {
         if (!lab.document.lesson) continue;
         std::optional<Error> error;
-        if (const auto* hand_in = std::get_if<HandInRequest>(&request))
-            error = write_hand_in_file(lab, hand_in->student, folder, at);
+        if (const auto* given = std::get_if<HandInRequest>(&request)) error = hand_in(lab, *given, folder, at);
         if (const auto* record = std::get_if<LabRecordRequest>(&request))
             error = write_lab_record(lab, record->student, strings, folder, at);
         if (error) say(lab, *error);

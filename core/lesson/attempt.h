@@ -12,6 +12,14 @@
 
 namespace braitenlab {
 
+// Why the last hand-in was not written.
+enum class HandInRefusal { none, earlier_is_better, outside_offers, too_many_changes };
+
+struct RefusedHandIn {
+    HandInRefusal reason = HandInRefusal::none;
+    int passed = 0, starts = 0;  // of the earlier hand-in; meaningful with earlier_is_better
+};
+
 // Each part has a lifetime of its own; assign the part to begin it anew.
 struct Attempt {
     // Until the exercise begins again for another student.
@@ -32,6 +40,7 @@ struct Attempt {
         bool solution_shown = false;           // the solution was set for the student
         bool compares = false;                 // the run with the solution is shown beside the student's
         std::string written{};                 // path of the last hand-in or lab record; empty: none
+        RefusedHandIn refused{};               // the last request to hand in, if nothing was written
         std::vector<maths::vec2> real_path{};  // what was to be drawn, m; empty until the outcome is known
         float path_difference = 0;             // m, between both paths, see path_distance; valid with real_path
         bool path_reversed = false;            // drawn against the way it was driven; valid with real_path

@@ -32,6 +32,14 @@ std::map<std::string, HandIn> hand_ins(const fs::path& documents) {
     return found;
 }
 
+// Of ten starts.
+Grade graded(int passed) {
+    Grade grade{.count = passed, .good = passed >= 8};
+    for (int i = 0; i < 10; ++i)
+        grade.starts.push_back({.seed = static_cast<std::uint64_t>(i + 1), .passed = i < passed});
+    return grade;
+}
+
 void request(Lab& lab, const Request& wanted, const fs::path& documents) {
     handle(lab, wanted);
     write_student_files(lab, english(), documents, noon);
@@ -89,6 +97,69 @@ TEST(Reports, AHandInReplacesOnlyTheFileOfTheSameStudent) {
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found.at("05-aggressor-ana-lopez.braiten-handin.toml").runs, 1);
     EXPECT_EQ(found.at("05-aggressor-ana-lopez-2.braiten-handin.toml").student, "Ana-Lopez");
+}
+
+TEST(Reports, AHandInReplacesABetterOneOnlyWhenThatIsConfirmed) {
+    const Folder documents;
+    Lab lab = solved_exercise();
+    Lesson& lesson = *lab.document.lesson;
+    const Submission solved = with_solution(*lesson.exercise);
+    lesson.graded = GradedSubmission{solved, graded(10)};
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    lesson.graded.reset();
+    handle(lab, Action::undo);
+    const RefusedHandIn& refused = lesson.attempt.work.refused;
+    const auto in_file = [&] { return hand_ins(documents.path).begin()->second; };
+
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    EXPECT_EQ(refused.reason, HandInRefusal::earlier_is_better);
+    EXPECT_EQ(refused.passed, 10);
+    EXPECT_EQ(refused.starts, 10);
+    EXPECT_EQ(in_file().submission.brain, solved.brain) << "it is only asked";
+    request(lab, HandInRequest{"Ana", EarlierHandIn::keep}, documents.path);
+    EXPECT_EQ(refused.reason, HandInRefusal::none);
+    EXPECT_EQ(in_file().submission.brain, solved.brain);
+    request(lab, HandInRequest{"Ana", EarlierHandIn::replace}, documents.path);
+    EXPECT_EQ(refused.reason, HandInRefusal::none);
+    EXPECT_EQ(in_file().passed_starts, 0);
+    EXPECT_NE(in_file().submission.brain, solved.brain);
+
+    lesson.graded = GradedSubmission{submission_of(*lesson.exercise, lab.document.session.snapshot()), graded(9)};
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    EXPECT_EQ(in_file().passed_starts, 9) << "a better one is written without a question";
+    EXPECT_EQ(hand_ins(documents.path).size(), 1u);
+}
+
+TEST(Reports, TheQuestionAboutABetterHandInEndsOncePresentWorkIsAsGood) {
+    const Folder documents;
+    Lab lab = solved_exercise();
+    Lesson& lesson = *lab.document.lesson;
+    const GradedSubmission good{with_solution(*lesson.exercise), graded(10)};
+    lesson.graded = good;
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    lesson.graded.reset();
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    ASSERT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::earlier_is_better);
+    lesson.graded = good;
+    write_student_files(lab, english(), documents.path, noon);
+    EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::none);
+}
+
+TEST(Reports, AHandInThatTheExerciseDoesNotOfferIsNotWritten) {
+    const Folder documents;
+    Lab lab = opened_lab("05-aggressor");
+    Lesson& lesson = *lab.document.lesson;
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LM, 0.9f}});
+    ASSERT_FALSE(
+        outside_offers(*lesson.exercise, submission_of(*lesson.exercise, lab.document.session.snapshot())).empty());
+    request(lab, HandInRequest{"Ana", EarlierHandIn::replace}, documents.path);
+    EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::outside_offers);
+    EXPECT_TRUE(hand_ins(documents.path).empty());
+    handle(lab, Action::undo);
+    write_student_files(lab, english(), documents.path, noon);
+    EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::none) << "the change is taken back";
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    EXPECT_EQ(hand_ins(documents.path).size(), 1u);
 }
 
 TEST(Reports, ALabRecordReplacesNoOther) {

@@ -68,6 +68,38 @@ TEST(ExerciseHandIn, HandInUsesTheNameOfTheNamedStudent) {
     EXPECT_EQ(std::get<HandInRequest>(desk.all[0]).student, "Bo");
 }
 
+TEST(ExerciseHandIn, TheCardAsksBeforeABetterHandInIsReplaced) {
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.lesson.attempt.work.has_run = true;
+    desk.view.documents.student = "Bo";
+    desk.lesson.attempt.work.refused = {HandInRefusal::earlier_is_better, 10, 10};
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Your earlier hand-in passed 10 of 10. Replace it?"));
+    desk.click("exercise.replace");
+    ASSERT_TRUE(desk.last<HandInRequest>());
+    EXPECT_EQ(desk.last<HandInRequest>()->earlier, EarlierHandIn::replace);
+    EXPECT_EQ(desk.last<HandInRequest>()->student, "Bo");
+    desk.click("exercise.keep");
+    EXPECT_EQ(desk.last<HandInRequest>()->earlier, EarlierHandIn::keep);
+    desk.click("exercise.hand_in");
+    EXPECT_EQ(desk.last<HandInRequest>()->earlier, EarlierHandIn::ask);
+}
+
+TEST(ExerciseHandIn, TheCardSaysWhyNothingWasHandedIn) {
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.lesson.attempt.work.has_run = true;
+    desk.lesson.attempt.work.refused.reason = HandInRefusal::outside_offers;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Not handed in: "));
+    EXPECT_FALSE(desk.anchors.find("exercise.replace"));
+    desk.opened.changes = 2;
+    desk.lesson.attempt.work.refused.reason = HandInRefusal::too_many_changes;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("at most 2"));
+}
+
 TEST(ExerciseHandIn, TheFileHandedInIsNamedAndItsPathCanBeCopied) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();

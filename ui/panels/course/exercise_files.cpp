@@ -43,8 +43,36 @@ void written_file(const LessonView& lesson, Ui& ui, float width) {
         shortened(ui, name, Face::small, beside), ui.palette.second_text, Face::small);
     ImGui::SetCursorScreenPos({at.x + beside + ui.px(8), at.y});
     const Item button = small_button(ui, copy);
-    tooltip(ui, button, fill(ui.strings("exercise.copy_path_how"), {written}));
-    if (button.pressed) ImGui::SetClipboardText(written.c_str());
+    tooltip(ui, button, fill(ui.strings(is_page ? "exercise.open_record_how" : "exercise.copy_path_how"), {written}));
+    if (button.pressed && is_page) ui.outbox.emplace_back(OpenWrittenRequest{});
+    if (button.pressed && !is_page) ImGui::SetClipboardText(written.c_str());
+}
+
+// That the last hand-in was not written, and why. Where an earlier one is better: the buttons that decide.
+void refused_hand_in(const LabView& view, const HandInState& state, Ui& ui, float width) {
+    const Attempt::Work& work = view.lesson->attempt.work;
+    if (work.refused.reason == HandInRefusal::none) return;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const auto say = [&](const std::string& words) {
+        paragraph(ui, words, colour_of(NoticeKind::notice, ui.palette), Face::small, width);
+    };
+    if (work.refused.reason == HandInRefusal::earlier_is_better) {
+        say(fill(ui.strings("exercise.earlier_is_better"),
+                 {std::to_string(work.refused.passed), std::to_string(work.refused.starts)}));
+        const SmallButton replace{"exercise.replace", {}, ui.strings("exercise.replace")},
+            keep{"exercise.keep", {}, ui.strings("exercise.keep")};
+        const bool keeps = small_button(ui, keep).pressed;
+        beside_or_below(ui, small_button_width(ui, replace, true), start.x + width);
+        const bool replaces = small_button(ui, replace).pressed;
+        if (keeps || replaces)
+            ui.outbox.emplace_back(
+                HandInRequest{student_of(view, state), replaces ? EarlierHandIn::replace : EarlierHandIn::keep});
+    } else if (work.refused.reason == HandInRefusal::outside_offers) {
+        say(std::string(ui.strings("exercise.refused_outside")));
+    } else {
+        say(fill(ui.strings("exercise.refused_too_many"), {std::to_string(view.lesson->exercise->changes)}));
+    }
+    mark(ui, "exercise.refused", {start.x, start.y, width, ImGui::GetCursorScreenPos().y - start.y});
 }
 
 }  // namespace
@@ -59,6 +87,7 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width)
                    ui.strings("exercise.student_how"));
     }
     if (is_shown) written_file(*view.lesson, ui, width);
+    if (is_shown) refused_hand_in(view, asked, ui, width);
     note_button(view, state, ui);
     if (!is_shown) return;
     const SmallButton give{"exercise.hand_in", {}, ui.strings("exercise.hand_in")};
