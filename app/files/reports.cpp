@@ -118,7 +118,10 @@ LabRecord lab_record_of(const Lab& lab, WrittenAt at) {
     LabRecord record{.exercise = lesson.exercise, .date = utc_text(at).substr(0, 10)};
     record.prediction = answers.prediction, record.outcome_known = work.outcome_known;
     // On paper: a lecture hides nothing of it.
-    const Known known{.predicted = has_predicted(answers), .outcome = work.outcome_known, .passed = has_passed(lesson)};
+    const Known known{.predicted = has_predicted(answers),
+                      .outcome = work.outcome_known,
+                      .passed = has_passed(lesson),
+                      .has_run = work.has_run};
     const Disclosure may = disclosure_of(lesson.exercise.get(), known);
     record.shows_title = may.outcome, record.shows_brain = may.brains;
     if (!work.real_path.empty() && !answers.drawn_path.empty()) record.path_difference = work.path_difference;

@@ -10,7 +10,9 @@ Disclosure disclosure_of(const Exercise* exercise, const Known& known) {
     const bool asks = exercise && is_asked(exercise->prediction);
     const bool page_hides = known.page_asks && !known.page_answers;
     Disclosure may;
-    may.outcome = !asks || known.page_answers || known.predicted || known.outcome || known.passed;
+    // An answer alone tells nothing: it can still be changed until the exercise has been run.
+    const bool has_shown = known.predicted && known.has_run;
+    may.outcome = !asks || known.page_answers || has_shown || known.outcome || known.passed;
     may.open_prediction = exercise && known.at_start && !known.outcome;
     // Not at a start at which the prediction can be changed: the coming run would be the one it asks for.
     const bool is_bound = known.predicted && known.has_run && !(may.open_prediction && known.as_given);

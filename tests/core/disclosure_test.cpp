@@ -33,12 +33,24 @@ TEST(Disclosure, NothingTellsTheOutcomeBeforeThePrediction) {
     EXPECT_FALSE(disclosure_of(&shows_brain, {}).why);
 }
 
-TEST(Disclosure, APredictionARunOrAPassedExerciseTellsTheOutcome) {
+TEST(Disclosure, APredictedRunAKnownOutcomeOrAPassedExerciseTellsTheOutcome) {
     const Exercise exercise = with_prediction(true);
-    for (const Known& known : {Known{.predicted = true}, Known{.outcome = true}, Known{.passed = true}}) {
+    for (const Known& known :
+         {Known{.predicted = true, .has_run = true}, Known{.outcome = true}, Known{.passed = true}}) {
         EXPECT_TRUE(disclosure_of(&exercise, known).outcome);
         EXPECT_TRUE(disclosure_of(&exercise, known).brains);
     }
+}
+
+TEST(Disclosure, AnAnswerThatCanStillBeChangedBeforeTheFirstRunTellsNothing) {
+    const Exercise exercise = with_prediction(true);
+    const Disclosure may = disclosure_of(&exercise, {.predicted = true});
+    EXPECT_TRUE(may.open_prediction);
+    for (const bool Disclosure::*part : {&Disclosure::outcome, &Disclosure::future, &Disclosure::brains,
+                                         &Disclosure::characters, &Disclosure::why, &Disclosure::robots})
+        EXPECT_FALSE(may.*part);
+    const Known at_start_again{.predicted = true, .has_run = true};
+    EXPECT_TRUE(disclosure_of(&exercise, at_start_again).outcome) << "a reset hides nothing again";
 }
 
 TEST(Disclosure, APredictionIsOpenAtTheStartOfARunUntilTheOutcomeIsKnown) {

@@ -139,6 +139,7 @@ TEST_F(Gallery, TheOpenExerciseHasTheTitleThatItsCardShows) {
     open_browser();
     EXPECT_FALSE(desk.says("Aggressor"));
     desk.lesson.attempt.answers.prediction = 0;
+    desk.lesson.attempt.work.has_run = true;
     desk.frame(2);
     EXPECT_TRUE(is_title_known(desk.view, catalogue[1]));
 }

@@ -327,6 +327,7 @@ TEST(Lecture, TellsNoOutcomeBeforeThePrediction) {
     EXPECT_FALSE(writes(title));
     EXPECT_TRUE(writes(character));
     desk.lesson.attempt.answers.prediction = 0;
+    desk.lesson.attempt.work.has_run = true;
     desk.frame(3);
     EXPECT_TRUE(writes(title));
     EXPECT_FALSE(writes(character));

@@ -303,7 +303,8 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
 }
 
 std::string_view next_change(const LabView& view) {
-    if (view.mode != Mode::wiring && hides_outcome(view) && !view.lecture) return "hint.change.answer";
+    const bool has_answered = view.lesson && has_predicted(view.lesson->attempt.answers);
+    if (view.mode != Mode::wiring && hides_outcome(view) && !has_answered && !view.lecture) return "hint.change.answer";
     if (!offers_some(view)) return "hint.change.slider";
     const Exercise& exercise = *view.lesson->exercise;
     if (!offered_dials(exercise).empty() || offers(exercise, offer_parts::curves)) return "hint.change.slider";
