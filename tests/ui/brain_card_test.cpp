@@ -77,6 +77,39 @@ TEST(BrainCard, KeepsTheSlidersInPlaceWhileTheSentenceChanges) {
     EXPECT_FLOAT_EQ(desk.where("slider.LL").y, before) << "no pair of sensors has a wire: there is no sentence";
 }
 
+TEST(BrainCard, KeepsTheSlidersInPlaceHoweverLongTheSentenceIs) {
+    Desk desk(1024, 768, 1, true);
+    desk.strings = speaking("de");
+    desk.now = shipped_scene("predator-prey");
+    desk.rest();
+    const float before = desk.where("slider.LL").y;
+    bool has_sentence = false;
+    for (const float left : {-1.5f, 0.0f, 1.5f})
+        for (const float right : {-1.5f, 0.0f, 1.5f}) {
+            BrainGraph brain = *desk.now.brains[0];
+            for (std::size_t i = 0; i < brain.wires.size(); ++i) brain.wires[i].weight = i % 2 == 0 ? left : right;
+            desk.now.kind_brains[0] = std::make_shared<BrainGraph>(brain);
+            give(desk, brain);
+            has_sentence |= desk.anchors.find("brain.description") != nullptr;
+            EXPECT_FLOAT_EQ(desk.where("slider.LL").y, before) << left << " " << right;
+        }
+    EXPECT_TRUE(has_sentence);
+}
+
+TEST(BrainCard, KeepsTheSlidersInPlaceAtTheFirstEditOfOneVehicle) {
+    Desk desk(1280, 800, 1, true);
+    desk.now = shipped_scene("predator-prey");
+    desk.view.settings.selection.whole_kind = false;
+    desk.rest();
+    const float before = desk.where("slider.LL").y;
+    EXPECT_FALSE(desk.says("brain of its own"));
+    BrainGraph brain = *desk.now.brains[0];
+    brain.wires[0].weight += 0.5f;
+    give(desk, brain);
+    EXPECT_TRUE(desk.says("brain of its own"));
+    EXPECT_FLOAT_EQ(desk.where("slider.LL").y, before);
+}
+
 TEST(BrainCard, KeepsItsControlsInPlaceWhenTheOutcomeIsKnown) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();

@@ -131,25 +131,51 @@ std::string description(const LabView& view, const Ui& ui, const Recognised& kno
     return all;
 }
 
-// Of a paragraph in the card.
-float height_of_words(const Ui& ui, const std::string& words) {
-    const std::string text = wrapped_at_spaces(ui, Face::label, words, card_width(ui));
-    const auto breaks = std::count(text.begin(), text.end(), '\n');
-    return static_cast<float>(breaks + 1) * line_height(ui, Face::label);
+// The lines that the description always takes, so that the sliders below stay where they are while an edit changes the
+// sentence: one for each pair of sensors, at most three. Of one pair nothing is said, unless the brain has neurons or
+// the vehicle other sensors, whose number then is.
+std::size_t lines_of_description(const LabView& view, const VehicleView& vehicle) {
+    const Kind& kind = kind_of(*view.now, vehicle);
+    const std::size_t pairs = sensor_pairs(kind).size();
+    if (pairs >= 2) return std::min<std::size_t>(pairs, 3);
+    const auto& nodes = brain_of(*view.now, vehicle)->nodes;
+    const bool has_neurons =
+        std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::neuron; });
+    return has_neurons || kind.sensors.size() != 2 ? 1 : 0;
 }
 
-// The description. For a vehicle with several pairs it always takes two lines, so that the sliders below stay where
-// they are while an edit changes the sentence.
-// Before a prediction it takes the same room without words, so that nothing moves once the run has begun.
+// The words, or what fits into `count` lines with an ellipsis.
+std::string fitting_lines(const Ui& ui, const std::string& words, std::size_t count) {
+    std::string text = wrapped_at_spaces(ui, Face::label, words, card_width(ui));
+    std::size_t begin = 0;  // of the last line
+    for (std::size_t line = 1; line < count; ++line) {
+        const std::size_t end = text.find('\n', begin);
+        if (end == text.npos) return words;
+        begin = end + 1;
+    }
+    if (text.find('\n', begin) == text.npos) return words;
+    std::string last = text.substr(begin);
+    std::replace(last.begin(), last.end(), '\n', ' ');
+    return text.substr(0, begin) + shortened(ui, last, Face::label, card_width(ui));
+}
+
+// The description, in as many lines as it always takes; all of it is the tooltip. Before a prediction it takes the same
+// room without words, so that nothing moves once the run has begun.
 void describe_brain(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const std::string words = description(view, ui, state.brain.recognised, vehicle);
-    const bool hides = hides_outcome(view);
-    const float top = ImGui::GetCursorPosY(), kept = 2 * line_height(ui, Face::label) + ImGui::GetStyle().ItemSpacing.y;
-    if (!words.empty() && !hides) paragraph(ui, words, ui.palette.second_text, Face::label);
-    if (!words.empty() && hides) ImGui::Dummy({1, height_of_words(ui, words)});
-    const float used = ImGui::GetCursorPosY() - top;
-    if (sensor_pairs(kind_of(*view.now, vehicle)).size() < 2 || used >= kept) return;
-    ImGui::SetCursorPosY(top + kept);
+    const std::size_t lines = std::max<std::size_t>(lines_of_description(view, vehicle), words.empty() ? 0 : 1);
+    if (lines == 0) return;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float height = static_cast<float>(lines) * line_height(ui, Face::label);
+    if (!words.empty() && !hides_outcome(view)) {
+        const std::string shown = fitting_lines(ui, words, lines);
+        paragraph(ui, shown, ui.palette.second_text, Face::label);
+        ImGui::SetCursorScreenPos(start);
+        const Item at = item(ui, "brain.description", {card_width(ui), height}, false);
+        if (shown != words) tooltip(ui, at, words);
+    }
+    ImGui::SetCursorScreenPos(start);
+    ImGui::Dummy({1, height});
 }
 
 // A button for each pair of sensors; the sliders set the wires of the chosen one.
@@ -225,13 +251,20 @@ void missing_sensors_note(const LabView& view, PanelState& state, Ui& ui, const 
                         gestures::panels + ++state.sliders.gesture);
 }
 
+// A line that is there, without words, as soon as edits apply to this vehicle alone.
 void own_brain_note(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const auto same = [&](const VehicleView& other) { return other.kind == vehicle.kind; };
     if (std::count_if(view.now->vehicles.begin(), view.now->vehicles.end(), same) < 2) return;
     const auto& of_kind = view.now->kind_brains;
     const auto number = static_cast<std::size_t>(vehicle.kind);
-    if (number < of_kind.size() && *brain_of(*view.now, vehicle) != *of_kind[number])
-        paragraph(ui, ui.strings("brain.own"), ui.palette.second_text, Face::small);
+    const bool has_own = number < of_kind.size() && *brain_of(*view.now, vehicle) != *of_kind[number];
+    const std::string_view words = ui.strings("brain.own");
+    if (has_own) return paragraph(ui, words, ui.palette.second_text, Face::small);
+    if (view.settings.selection.whole_kind) return;
+    // The first edit of this vehicle alone moves no slider.
+    const std::string text = wrapped_at_spaces(ui, Face::small, words, card_width(ui));
+    const auto lines = static_cast<float>(1 + std::count(text.begin(), text.end(), '\n'));
+    ImGui::Dummy({1, lines * line_height(ui, Face::small)});
 }
 
 struct Push {

@@ -1,7 +1,9 @@
 #include "ui/panels/cards.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "ui/panels/offered.h"
@@ -180,6 +182,37 @@ std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const 
     return heights;
 }
 
+// What the heights of the cards below that of the exercise depend on.
+std::size_t reasons_of(const Stack& stack, const LabView& view, PanelState& state, Rect column) {
+    std::size_t all = view.run_id * 31 + static_cast<std::size_t>(view.settings.selection.vehicle + 1);
+    const auto add = [&](std::size_t value) { all = all * 1000003 + value; };
+    for (std::size_t i = 0; i < stack.count; ++i)
+        add(2 * static_cast<std::size_t>(stack.rows[i]->card) + (state.card(stack.rows[i]->card).folded ? 1 : 0));
+    for (const float each : {column.x, column.y, column.w, column.h}) add(static_cast<std::size_t>(std::lround(each)));
+    for (const bool each : {view.may.outcome, view.may.brains, view.may.why, view.mode == Mode::wiring})
+        add(each ? 1 : 0);
+    return all;
+}
+
+// Below the open card of the exercise, whose text grows, the other cards are at the bottom of the column and keep their
+// heights; the exercise has all that is left. So none of their rows and none of its buttons moves under the pointer.
+void fix_heights(const Ui& ui, const LabView& view, PanelState& state, const Stack& stack, Rect column,
+                 std::array<float, card_count>& heights) {
+    const bool is_exercise = stack.count > 0 && stack.rows[0]->card == Card::exercise;
+    if (!is_exercise || state.card(Card::exercise).folded || view.lecture) return;
+    constexpr int frames = 4;  // until all contents are measured
+    CardsBelowExercise& below = state.exercise.below;
+    const std::size_t reasons = reasons_of(stack, view, state, column);
+    if (std::exchange(below.depends_on, reasons) != reasons) below.settling = frames;
+    if (below.settling > 0) --below.settling, below.heights = heights;
+    float rest = column.h;
+    for (std::size_t i = 1; i < stack.count; ++i) {
+        heights[i] = below.heights[i];
+        rest -= heights[i] + ui.px(between_cards);
+    }
+    heights[0] = std::max(rest, folded_height(ui));
+}
+
 // Folds the card with folds_when_cramped for this frame, if the column is too low for all cards. Null if there is none.
 const CardTraits* fold_when_cramped(const Ui& ui, PanelState& state, const Stack& stack, Rect column) {
     float above = 0;
@@ -226,7 +259,8 @@ void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, R
     const float space = ui.px(between_cards);
     const Stack stack = stack_of(which, view, guest);
     const CardTraits* folded_now = fold_when_cramped(ui, state, stack, column);
-    const std::array<float, card_count> heights = heights_of(ui, state, stack, column);
+    std::array<float, card_count> heights = heights_of(ui, state, stack, column);
+    fix_heights(ui, view, state, stack, column, heights);
     Rect rest = column;
     for (std::size_t i = 0; i < stack.count; ++i) {
         const CardTraits& row = *stack.rows[i];

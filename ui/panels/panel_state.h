@@ -171,6 +171,14 @@ struct HandInState {
     bool begins = false;  // and gets the focus when it is drawn
 };
 
+// The heights of the cards below the open card of the exercise. They stay until what they depend on changes, so that no
+// row of these cards moves while the exercise's text grows.
+struct CardsBelowExercise {
+    std::size_t depends_on = 0;  // hash of column, shown and folded cards, run, selection, and what may be shown
+    int settling = 0;            // frames for which the heights still follow the cards' contents
+    std::array<float, card_count> heights{};  // window pixels, by place in the column
+};
+
 // The card of the exercise.
 struct ExerciseState {
     std::string id;  // of the exercise that the values below belong to
@@ -188,6 +196,7 @@ struct ExerciseState {
     bool note_begins = false;  // their field gets the focus when it is drawn
     TextField note;
     HandInState hand_in;
+    CardsBelowExercise below;
 };
 
 // Cards and focus that a lecture changes and restores at its end.
