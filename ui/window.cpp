@@ -136,10 +136,10 @@ std::string hint_of_tool(const SceneInputState& scene_input, const LabView& view
     return "tools." + std::string(word(scene_input.tool)) + "_how";
 }
 
-// The handles in the scene belong to the sensor that the open sensor card shows.
+// The handles in the scene belong to the sensor that the open sensor card shows. Without the card there are none.
 void choose_sensor_handles(const LabView& view, PanelState& state) {
     SensorHandleState& handles = state.scene_input.sensors;
-    handles.shown = !view.lecture && !state.card(Card::sensors).folded;
+    handles.shown = traits(Card::sensors).shown(view) && !state.card(Card::sensors).folded;
     handles.sensor = state.sensors.shown;
     handles.alone = state.sensors.alone;
 }
