@@ -199,6 +199,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.reveals = &state.highlight.reveals;
     pass_keys_to_rows(state);
     begin_keyboard(state.keyboard);
+    end_text_by_press(state.keyboard);
     // A click into the scene removes the focus from the cards.
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
     if (ImGui::IsMouseClicked(0)) state.keyboard.shown = false;

@@ -209,6 +209,31 @@ TEST(Slider, RestoresAValueOfTheFileBetweenTwoSteps) {
     EXPECT_EQ(turned(desk.edits()[0]).value, 0.125f);
 }
 
+TEST(Slider, APressBesideAnOpenNumberReachesTheWidgetUnderThePointer) {
+    for (const char* other : {"slider.LR", "slider.LL", "button.play"}) {  // drawn after, in the same row, and before
+        Desk desk;
+        desk.frame(3);
+        desk.click("slider.RL", 0, 0.97f);
+        ASSERT_EQ(desk.panels.sliders.typed, "slider.RL");
+        desk.type("0.7");
+        desk.frame(2);
+        desk.all.clear();
+        desk.point(other, 0.6f);
+        desk.frame(2);
+        desk.button(0, true);
+        desk.frame();
+        desk.button(0, false);
+        desk.frame(3);
+        bool takes_number = false, takes_press = !desk.actions().empty();
+        for (const EditRequest& edit : desk.edits()) {
+            takes_number |= turned(edit).dial == Dial::RL && turned(edit).value == 0.7f;
+            takes_press |= turned(edit).dial != Dial::RL;
+        }
+        EXPECT_TRUE(takes_number) << other;
+        EXPECT_TRUE(takes_press) << other;
+    }
+}
+
 TEST(Slider, SaysWhyATypedTextIsRefused) {
     Desk desk;
     desk.view.settings.values = desk.panels.values.kinds = desk.panels.values.body_open = true;

@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "ui/imgui_compat.h"
+
 namespace braitenlab::ui {
 
 namespace {
@@ -95,6 +97,13 @@ void takes_text(Keyboard* keyboard, std::string_view id, bool has_cursor) {
     if (!keyboard || keyboard->stop_count == 0) return;
     Keyboard::Stop& stop = keyboard->stops[keyboard->stop_count - 1];
     if (stop.id == id) stop.text = has_cursor ? TextInput::open : TextInput::awaited;
+}
+
+void end_text_by_press(const Keyboard& keyboard) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (keyboard.text != TextInput::open || !ImGui::IsMouseClicked(0) || keyboard.field.contains(mouse.x, mouse.y))
+        return;
+    ImGui::ClearActiveID();
 }
 
 void leave(Keyboard* keyboard, std::string_view id) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/view/camera.h"
 #include "ui/shortcuts.h"
 
 namespace braitenlab::ui {
@@ -34,6 +35,7 @@ struct Keyboard {
     bool left = false;                    // a click beside a text field of the sheet has taken its focus
     std::string focus_before;             // focus when the sheet was opened
     TextInput text = TextInput::none;     // of the focused widget in the last frame
+    Rect field;                           // of the text field that was active last, window pixels
 };
 
 // Shows or hides the focus ring after a key.
@@ -63,6 +65,10 @@ bool stop_here(Keyboard*, std::string_view id);
 // Marks the widget registered last as a text field. `has_cursor`: it is active; else it becomes active in one of the
 // next frames. `keyboard` may be null.
 void takes_text(Keyboard*, std::string_view id, bool has_cursor);
+
+// Ends the input to the active text field if the mouse is pressed beside it in this frame, so that the widget under the
+// pointer gets this press. Call before the widgets.
+void end_text_by_press(const Keyboard&);
 
 // Takes the focus from this widget, if it has it: no widget has it then, also in a sheet. `keyboard` may be null.
 void leave(Keyboard*, std::string_view id);

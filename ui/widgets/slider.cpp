@@ -136,6 +136,7 @@ std::optional<std::string> edit_text(Ui& ui, SliderState& state, std::string_vie
     const bool entered = ImGui::InputText("##number", state.text, sizeof state.text,
                                           ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
     const bool active = ImGui::IsItemActive();
+    if (ui.keyboard) ui.keyboard->field = box;
     ImGui::PopFont();
     ImGui::PopStyleVar();
     line_box(ui, box, ui.palette.accent, Corner::box, 1.5f);

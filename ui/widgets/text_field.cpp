@@ -27,6 +27,7 @@ int grow(ImGuiInputTextCallbackData* data) {
 
 void settle_focus(Ui& ui, TextField& field, const TextBox& shown) {
     field.active = ImGui::IsItemActive();
+    if (field.active && ui.keyboard) ui.keyboard->field = shown.box;
     if (shown.clicked && ui.keyboard) ui.keyboard->focus = shown.id;
     if (!shown.clicked && ImGui::IsMouseClicked(0) && !ImGui::IsItemHovered()) leave(ui.keyboard, shown.id);
     if (field.active && !shown.focused && !shown.clicked) ImGui::ClearActiveID(), field.active = false;
