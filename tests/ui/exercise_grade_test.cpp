@@ -187,6 +187,22 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
 }
 
+TEST(ExerciseGrade, EnterOpensTheNextExerciseWhileAllStartsRunAtOnce) {
+    Desk desk;
+    const std::vector<CatalogueEntry> more{{"06-love", "6.toml", "Love", "", 6}};
+    desk.view.documents.catalogue = &more;
+    pass(desk);
+    desk.lesson.together = true;
+    desk.panels.keyboard.focus = "slider.LL";
+    desk.panels.keyboard.shown = false;
+    desk.frame(3);
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.sliders.typed, "") << "the bar says that Enter is the next exercise";
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_EQ(desk.last<OpenRequest>()->path, "6.toml");
+}
+
 TEST(ExerciseGrade, EnterOpensTheNextExerciseOnceItIsPassed) {
     Desk desk;
     const std::vector<CatalogueEntry> more{{"06-love", "6.toml", "Love", "", 6}};

@@ -30,11 +30,11 @@ bool move_between_answers(PanelState& state, int count, int pressed) {
 // True if keys may be for the exercise: no sheet, menu or text field has them.
 bool reaches_exercise(const LabView& view, const PanelState& state) {
     if (!view.lesson || state.sheet != Sheet::none || !state.menu_bar.open.empty()) return false;
-    return state.keyboard.text == TextInput::none && state.sliders.typed.empty() && !view.lesson->together;
+    return state.keyboard.text == TextInput::none && state.sliders.typed.empty();
 }
 
 bool is_asked(const LabView& view, const PanelState& state) {
-    if (!reaches_exercise(view, state)) return false;
+    if (!reaches_exercise(view, state) || view.lesson->together) return false;
     return !view.lesson->exercise->prediction.options.empty() && view.may.open_prediction;
 }
 
