@@ -48,6 +48,20 @@ TEST_F(PathPrediction, ADragDrawsFromTheVehicle) {
     EXPECT_FALSE(scene_input().path.on);
 }
 
+TEST_F(PathPrediction, APressOnAnotherVehicleIsRefusedAndTheHintNamesTheRightOne) {
+    VehicleView other = desk.now.vehicles[0];
+    other.id = 1, other.start = -1, other.x = 3;
+    desk.now.vehicles.push_back(other);
+    desk.click("exercise.draw");
+    EXPECT_TRUE(desk.says("Press on vehicle 1, drag"));
+    hold({3, 0}, {5, 3});
+    release();
+    EXPECT_TRUE(drawn().empty());
+    ASSERT_TRUE(desk.last<NoticeRequest>());
+    EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.draw_from_vehicle");
+    EXPECT_TRUE(scene_input().path.on) << "the next drag draws";
+}
+
 TEST_F(PathPrediction, AShortPathIsDiscardedAndEscapeEndsTheDrawing) {
     desk.click("exercise.draw");
     hold({0, 0}, {0.1f, 0});

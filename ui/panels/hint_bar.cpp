@@ -9,6 +9,7 @@
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
+#include "ui/scene_input/path_drawing.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -82,6 +83,10 @@ bool is_slider_focused(const Ui& ui) {
 void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
     if (hint == "hint.slider_drag") {
         hint_line(ui, fill(ui.strings(hint), {ui.strings("key.shift")}), ui.palette.text, x, bar);
+        return;
+    }
+    if (const VehicleView* drawn = hint == "hint.draw_path" ? vehicle_to_draw_for(view) : nullptr) {
+        hint_line(ui, fill(ui.strings(hint), {std::to_string(drawn->id + 1)}), ui.palette.text, x, bar);
         return;
     }
     if (mode_hint(view, ui, x, bar)) return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/lesson/path_distance.h"
@@ -60,7 +61,10 @@ bool use_path_drawing(SceneInputState& state, const SceneInputFrame& frame, Outb
     const SceneInputPointer& pointer = frame.pointer;
     if (state.drag.phase != SceneInputPhase::idle || pointer.right_pressed || pointer.middle_pressed)
         return drawing.held;
-    if (pointer.over && pointer.left_pressed) {
+    const SceneObject pressed = pointer.over && pointer.left_pressed ? object_at_pointer(frame) : SceneObject{};
+    if (pressed.kind == SceneObjectKind::vehicle && pressed && pressed != vehicle_object(vehicle->id)) {
+        outbox.push_back(NoticeRequest{"notice.draw_from_vehicle", std::to_string(vehicle->id + 1), {}});
+    } else if (pointer.over && pointer.left_pressed) {
         drawing.held = true;
         drawing.points = {{vehicle->x, vehicle->y}};
     }

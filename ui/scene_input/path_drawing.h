@@ -10,7 +10,8 @@ namespace braitenlab::ui {
 const VehicleView* vehicle_to_draw_for(const LabView&);
 
 // One frame of the mouse: a drag draws from the vehicle to the pointer and is requested as the prediction on release.
-// A path shorter than 0.3 m is discarded. True while it uses the mouse: the other buttons still move the camera.
+// A press on another vehicle is refused with a notice, a path shorter than 0.3 m is discarded. True while it uses the
+// mouse: the other buttons still move the camera.
 bool use_path_drawing(SceneInputState&, const SceneInputFrame&, Outbox&);
 
 // Lengthens the path by one step of an arrow key; the first step begins it at the vehicle. False while none is drawn.
