@@ -114,6 +114,14 @@ TEST_F(SensorHandles, TheMiddleOfTheArcChangesTheRangeOutwards) {
     EXPECT_EQ(sensors()[0].angle, 35 * degree);
 }
 
+TEST_F(SensorHandles, TheMiddleOfTheArcPulledAcrossTheVehicleTurnsTheEyesToTheRear) {
+    const vec2 handle = at("handle.axis"), mount = at("handle.mount");
+    drag("handle.axis", (mount - handle) * 1.7f);
+    EXPECT_NEAR(sensors()[0].angle, (35 - 180) * degree, 6 * degree);
+    EXPECT_EQ(sensors()[1].angle, -sensors()[0].angle);
+    EXPECT_EQ(sensors()[0].range, 4) << "only the direction changes";
+}
+
 TEST_F(SensorHandles, AnEndOfTheArcChangesTheOpeningAngle) {
     drag("handle.left", {-10, 40});
     EXPECT_GT(sensors()[0].fov, 65 * degree);

@@ -75,8 +75,11 @@ vec2 from_mount(const VehicleView& vehicle, const Sensor& sensor, vec2 floor) {
 }
 
 // Decides by the first pixels of the movement: across the axis it turns the sensor, along the axis it changes the
-// range.
+// range, until the pointer is beyond the mount.
 void decide_axis(SensorDrag& drag, const Sensor& began, const SceneInputFrame& frame, vec2 pointer) {
+    // Pulled straight across the mount, the axis points to the other side.
+    if (drag.axis == AxisDrag::range && has_direction(began) && maths::dot(drag.press, pointer) < 0)
+        drag.axis = AxisDrag::angle;
     if (drag.axis != AxisDrag::undecided) return;
     if (!has_range(began)) return void(drag.axis = AxisDrag::angle);
     if (!has_direction(began)) return void(drag.axis = AxisDrag::range);
