@@ -131,6 +131,7 @@ struct HandInRequest {                            // writes a hand-in file to th
 struct LabRecordRequest {  // writes a lab record to the folder of documents
     std::string student;   // may be empty
 };
+struct OpenWrittenRequest {};  // opens the lab record written last with the system's program
 struct MapRange {
     float from = 0, to = 1;
 };
@@ -150,6 +151,7 @@ struct SlotRequest {
     std::size_t slot = 0;  // 0: A, 1: B
     bool store = false;    // stores the vehicle's brain; else puts the slot's brain into the vehicle
 };
+struct EmptySlotsRequest {};  // forgets both brains, which closes their card
 // Closes the card of what the check of an exercise has found.
 struct HideFindingsRequest {};
 // open: a file or the name of a shipped study. build: `study` of the open scene. run: goes on with the runs that are
@@ -275,7 +277,7 @@ struct Request
                    EarlierGenerationRequest, KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest,
                    HandInRequest, LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest,
                    MysteryRequest, WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest,
-                   HideFindingsRequest, BreedingRequest> {
+                   HideFindingsRequest, BreedingRequest, EmptySlotsRequest, OpenWrittenRequest> {
     using variant::variant;
     Request() = default;
     Request(const Request&);

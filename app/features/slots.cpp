@@ -110,6 +110,8 @@ void handle_slot(Slots& slots, Workspace& space, const SlotRequest& wanted) {
     put_and_say(slots, space, wanted.slot);
 }
 
+void empty_slots(Slots& slots) { slots = {}; }
+
 bool can_compare_slots(const Slots& slots, Workspace& space) {
     std::string_view why = why_no_slots(space);
     if (why.empty()) why = why_no_comparison(slots.stored[0] && slots.stored[1], disclosure_of(space));

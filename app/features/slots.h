@@ -44,6 +44,9 @@ void store_or_swap(Slots&, Workspace&);
 // Puts the brain of a slot into the vehicle, as one step of undo; or stores the vehicle's brain in the slot.
 void handle_slot(Slots&, Workspace&, const SlotRequest&);
 
+// Forgets both brains and their runs. The vehicle keeps the brain that it has.
+void empty_slots(Slots&);
+
 // True if both runs may be compared now; else says why not.
 bool can_compare_slots(const Slots&, Workspace&);
 // Puts A into the vehicle, plays, and asks for both runs. Precondition: can_compare_slots(), and the run was reset.

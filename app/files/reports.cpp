@@ -146,6 +146,18 @@ std::optional<Error> write_lab_record(Lab& lab, const std::string& student, cons
     return std::nullopt;
 }
 
+// Where the system has no program for it, the path is copied.
+void open_written(Lab& lab, const fs::path& folder) {
+    const std::string& written = lab.document.lesson->attempt.work.written;
+    if (written.empty()) return;
+    const fs::path file = folder / fs::path(written).filename();
+    std::error_code none;
+    if (fs::is_regular_file(file, none) && open_with_system(file))
+        return say(lab, {NoticeKind::done, "notice.page_opened", file.filename().string()});
+    lab.window.to_copy = written;
+    say(lab, {NoticeKind::notice, "notice.page_copied", written});
+}
+
 }  // namespace
 
 HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
@@ -177,6 +189,7 @@ void write_student_files(Lab& lab, const Strings& strings, const fs::path& docum
         if (const auto* given = std::get_if<HandInRequest>(&request)) error = hand_in(lab, *given, folder, at);
         if (const auto* record = std::get_if<LabRecordRequest>(&request))
             error = write_lab_record(lab, record->student, strings, folder, at);
+        if (std::holds_alternative<OpenWrittenRequest>(request)) open_written(lab, folder);
         if (error) say(lab, *error);
     }
 }

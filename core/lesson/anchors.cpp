@@ -17,7 +17,8 @@ constexpr std::string_view fixed_anchors[]{
     "card.map", "card.map.fold", "map", "map.dot", "map.x", "map.y", "map.measure", "map.x.low", "map.x.high",
     "map.y.low", "map.y.high",
     // slots A and B
-    "card.slots", "card.slots.fold", "slot.a", "slot.b", "slot.a.store", "slot.b.store", "button.compare",
+    "card.slots", "card.slots.fold", "slot.a", "slot.b", "slot.a.store", "slot.b.store", "slots.close",
+    "button.compare",
     // the trial with real robots
     "card.reality", "card.reality.fold", "reality.slider", "reality.try", "reality.dots", "reality.weakest",
     "reality.all", "reality.cancel",

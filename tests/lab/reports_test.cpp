@@ -1,6 +1,7 @@
 #include "app/files/reports.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include "app/lab_requests.h"
@@ -168,6 +169,19 @@ TEST(Reports, ALabRecordReplacesNoOther) {
     for (int i = 0; i < 2; ++i) request(lab, LabRecordRequest{"Ana"}, documents.path);
     EXPECT_TRUE(std::filesystem::exists(documents.path / "Braitenlab" / "05-aggressor-ana.html"));
     EXPECT_TRUE(std::filesystem::exists(documents.path / "Braitenlab" / "05-aggressor-ana-2.html"));
+}
+
+TEST(Reports, ALabRecordIsOpenedOrItsPathIsCopied) {
+    const Folder documents;
+    const std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
+    setenv("PATH", documents.path.c_str(), 1);  // without a program that opens files
+    Lab lab = opened_lab("05-aggressor");
+    request(lab, OpenWrittenRequest{}, documents.path);
+    EXPECT_TRUE(lab.window.to_copy.empty()) << "nothing is written yet";
+    request(lab, LabRecordRequest{"Ana"}, documents.path);
+    request(lab, OpenWrittenRequest{}, documents.path);
+    EXPECT_EQ(lab.window.to_copy, (documents.path / "Braitenlab" / "05-aggressor-ana.html").string());
+    setenv("PATH", path.c_str(), 1);
 }
 
 TEST(Reports, TheViewHasThePathOfTheLastFile) {

@@ -132,6 +132,20 @@ TEST_F(SlotsTest, TheGhostDrivesAsTheVehicleDoesWithB) {
     EXPECT_EQ(of_b[300], place());
 }
 
+TEST_F(SlotsTest, AreEmptiedAndTheVehicleKeepsItsBrain) {
+    store_both();
+    const auto brain = *brain_of(lab.document.session.snapshot(), *selected_vehicle(lab));
+    handle(lab, Action::compare);
+    compute();
+    handle(lab, EmptySlotsRequest{});
+    EXPECT_FALSE(shown().has_any());
+    EXPECT_FALSE(shown().b);
+    handle(lab, SlotRequest{0, true});
+    EXPECT_TRUE(shown().slots[0].design);
+    EXPECT_FALSE(shown().slots[1].design);
+    EXPECT_EQ(brain.wires.size(), brain_of(lab.document.session.snapshot(), *selected_vehicle(lab))->wires.size());
+}
+
 TEST_F(SlotsTest, AnotherSlotOrDocumentEndsTheComparison) {
     store_both();
     handle(lab, Action::compare);

@@ -111,6 +111,11 @@ TEST(ExerciseHandIn, TheFileHandedInIsNamedAndItsPathCanBeCopied) {
     EXPECT_TRUE(desk.says("05-ana.toml"));
     desk.click("exercise.copy_path");
     EXPECT_STREQ(ImGui::GetClipboardText(), desk.lesson.attempt.work.written.c_str());
+    desk.lesson.attempt.work.written = "/home/ana/Documents/Braitenlab/05-ana.html";
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.copy_path"));
+    desk.click("exercise.open_record");
+    EXPECT_TRUE(desk.last<OpenWrittenRequest>()) << "a lab record is opened";
 }
 
 }  // namespace braitenlab::tests::exercise_hand_in_test

@@ -33,6 +33,14 @@ struct SlotsCard : SceneOnDesk {
 
 }  // namespace
 
+TEST_F(SlotsCard, CanBeClosed) {
+    fill_both();
+    desk.frame(4);
+    desk.click("slots.close");
+    EXPECT_TRUE(desk.last<EmptySlotsRequest>());
+    EXPECT_FALSE(desk.panels.card(Card::slots).folded);
+}
+
 TEST_F(SlotsCard, IsThereOnceABrainIsStored) {
     desk.frame(4);
     EXPECT_TRUE(desk.anchors.find("card.slots"));

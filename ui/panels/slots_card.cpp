@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -138,7 +139,10 @@ void compare_row(const LabView& view, Ui& ui) {
 }  // namespace
 
 void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    if (open_card(state, ui, Card::slots, place)) {
+    std::array close{HeadingButton{"slots.close", ui.strings("slots.close"), ui.strings("slots.close_how")}};
+    const bool open = open_card(state, ui, Card::slots, place, std::span(close).first(view.lecture ? 0 : 1));
+    if (close[0].pressed) ui.outbox.emplace_back(EmptySlotsRequest{});
+    if (open) {
         for (std::size_t slot = 0; slot < 2; ++slot) slot_row(view, ui, slot);
         gap(ui, 4);
         compare_row(view, ui);

@@ -31,11 +31,14 @@ void name_student(const LabView& view, Ui& ui, const std::string& name) {
         ui.outbox.emplace_back(StudentRequest{StudentEdit::rename, 0, name});
 }
 
-// The name of the last written file, and a button that copies its path.
+// The name of the last written file, and a button that opens it, if it is a page, or copies its path.
 void written_file(const LessonView& lesson, Ui& ui, float width) {
     const std::string& written = lesson.attempt.work.written;
     if (written.empty()) return;
-    const SmallButton copy{"exercise.copy_path", {}, ui.strings("exercise.copy_path")};
+    const bool is_page = written.ends_with(".html");
+    const SmallButton copy{is_page ? "exercise.open_record" : "exercise.copy_path",
+                           {},
+                           ui.strings(is_page ? "exercise.open_record" : "exercise.copy_path")};
     const float beside = width - small_button_width(ui, copy, true) - ui.px(8);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string name = written.substr(written.find_last_of('/') + 1);
