@@ -26,6 +26,17 @@ TEST(Offered, OnlyTheOfferedControlsAreShown) {
         EXPECT_FALSE(desk.has(id)) << id;
 }
 
+TEST(Offered, TheLettersOfFewWeightsAreSaidInWords) {
+    const Offering two({"LL", "RR"});
+    EXPECT_TRUE(two.says("LL: left eye → left motor"));
+    EXPECT_TRUE(two.says("RR: right eye → right motor"));
+}
+
+TEST(Offered, TheLettersOfAllWeightsAreInTheirTooltips) {
+    const Offering four({"LL", "LR", "RL", "RR"});
+    EXPECT_FALSE(four.says("left eye → left motor"));
+}
+
 TEST(Offered, ThresholdsAndSensorsAreShownWhereTheyAreOffered) {
     const Offering desk({"threshold_LL", "sensors"});
     EXPECT_TRUE(desk.has("threshold.LL"));

@@ -56,6 +56,14 @@ constexpr float names_width = 28;  // of the widest dial: all tracks begin at on
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
+// Where no more sliders are offered, there is room for what their letters mean.
+constexpr std::size_t few_offers = 2;
+
+bool is_weight(Dial dial) {
+    return std::any_of(std::begin(weight_sliders), std::end(weight_sliders),
+                       [dial](const DialSlider& each) { return each.dial == dial; });
+}
+
 // In a lower window the two biases share a row; layout pixels. The picture of more than four wires is higher.
 constexpr float low_window = 700, low_window_of_graph = 900;
 
@@ -84,6 +92,7 @@ public:
         for (const Offer& offer : offers) turn_together(offer, width);
         if (is_offered(view_, offer_parts::curves)) curve_sliders(width);
         ImGui::PopStyleVar();
+        if (offers.size() <= few_offers && !view_.lecture) say_letters(offers);
     }
 
     void draw() {
@@ -115,6 +124,16 @@ private:
     bool has_threshold() const {
         return std::any_of(std::begin(threshold_sliders), std::end(threshold_sliders),
                            [&](const DialSlider& each) { return at(values_, each.dial) != 0; });
+    }
+
+    // What the letters of the first two weights mean.
+    void say_letters(const std::vector<Offer>& offers) {
+        constexpr std::size_t most = 2;
+        std::size_t said = 0;
+        for (const Offer& offer : offers)
+            for (const Dial dial : offer.dials)
+                if (is_weight(dial) && said++ < most)
+                    paragraph(ui_, ui_.strings(slider_of(dial).tooltip), ui_.palette.second_text, Face::label);
     }
 
     // The heading of the weights; at its right end the buttons that edit both sides, and the one that unfolds the
