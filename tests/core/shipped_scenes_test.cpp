@@ -1,6 +1,7 @@
 // The shipped scenes behave as their stories say, in the full simulation and from many starts.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,44 @@ Story watch(const Scene& scene, std::uint64_t seed, int seconds) {
         story.off.push_back(std::fabs(maths::degrees(maths::wrap_angle(maths::arctangent2(dy, dx) - it.heading))));
     }
     return story;
+}
+
+// The longest time without a break in which the scene has so many vehicles of the goal's role, s.
+float longest_time_at_goal(const Scene& scene, std::uint64_t seed, float seconds) {
+    auto world = World::create(scene, seed);
+    EXPECT_TRUE(world);
+    Snapshot now;
+    int in_a_row = 0, longest = 0;
+    for (int tick = 0; tick < static_cast<int>(60 * seconds); ++tick, world->step()) {
+        world->capture(now);
+        const int count = scene.goal.role == Role::prey ? now.prey : now.predators;
+        in_a_row = count >= scene.goal.count ? in_a_row + 1 : 0;
+        longest = std::max(longest, in_a_row);
+    }
+    return static_cast<float>(longest) / 60;
+}
+
+TEST(ShippedScenes, AGoalIsNotMetWithoutAChange) {
+    int goals = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes")) {
+        const auto scene = load_scene(entry.path());
+        ASSERT_TRUE(scene);
+        if (scene->goal.role == Role::none) continue;
+        ++goals;
+        for (std::uint64_t seed = 1; seed <= 5; ++seed)
+            EXPECT_LT(longest_time_at_goal(*scene, seed, 4 * scene->goal.seconds), scene->goal.seconds)
+                << scene->name << ", seed " << seed;
+    }
+    EXPECT_GT(goals, 0);
+}
+
+TEST(ShippedScenes, TheGoalOfPredatorAndPreyIsMetWithSlowerPredators) {
+    Scene scene = shipped_scene("predator-prey");
+    BrainGraph& hunter = scene.kinds[0].brain;
+    ASSERT_EQ(scene.kinds[0].role, Role::predator);
+    turn(hunter, Dial::LM, 0.1f), turn(hunter, Dial::RM, 0.1f);
+    EXPECT_GE(longest_time_at_goal(scene, 2, 2.5f * scene.goal.seconds), scene.goal.seconds);
 }
 
 TEST(ShippedScenes, ACowardKeepsItsDistance) {
