@@ -32,7 +32,7 @@ void replace_document(Lab& lab, Document next) {
     lab.view = for_another_scene(lab.view);
     if (lab.before_lecture) lab.before_lecture->view = for_another_scene(lab.before_lecture->view);
     lab.object_name.clear();
-    lab.dragging = lab.deselected = false;
+    lab.dragging = false, lab.deselected = Deselected::no;
     lab.steered = {};
     lab.notice = {};
     lab.findings.clear();

@@ -76,7 +76,7 @@ void select_object(Workspace& space, const SceneObject& object) {
 void select_none(Workspace& space) {
     select_object(space, {});
     space.view.selection.vehicle = no_vehicle;
-    space.deselected = true;
+    space.deselected = Deselected::by_user;
 }
 
 void select(Workspace& space, const SceneObject& object) {
@@ -121,9 +121,10 @@ void select_next_object(Workspace& space, int step) {
 
 void keep_selection(Workspace& space) {
     const auto& vehicles = space.document.session.snapshot().vehicles;
-    if (selected_vehicle(space) || vehicles.empty()) space.deselected = false;
-    if (!selected_vehicle(space))
-        space.view.selection.vehicle = vehicles.empty() || space.deselected ? no_vehicle : vehicles.front().id;
+    const bool begins = space.document.session.snapshot().tick == 0 && space.deselected == Deselected::by_death;
+    if (selected_vehicle(space) || vehicles.empty() || begins) space.deselected = Deselected::no;
+    const bool selects = !vehicles.empty() && space.deselected == Deselected::no;
+    if (!selected_vehicle(space)) space.view.selection.vehicle = selects ? vehicles.front().id : no_vehicle;
     keep_object(space);  // last: the chosen vehicle is in no other place of the selection
 }
 
@@ -131,7 +132,7 @@ void reselect_after_death(Workspace& space, const VehicleView& selected) {
     const Snapshot& now = space.document.session.snapshot();
     if (now.vehicles.empty() || find_vehicle(now, selected.id)) return;
     const VehicleView* next = space.dragging ? nullptr : nearest_of_kind(now, selected);
-    space.deselected = !next;
+    space.deselected = next ? Deselected::no : Deselected::by_death;
     space.view.selection.vehicle = next ? next->id : no_vehicle;
     keep_object(space);
     if (space.notice.kind == NoticeKind::failure && !space.notice.empty()) return;  // more important

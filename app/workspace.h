@@ -51,6 +51,10 @@ struct SettingsBeforeLecture {
     ViewSettings view;  // restored at the end, except for the selection, which belongs to the run
 };
 
+// Why no vehicle is selected, and none is to be selected instead: the user's choice stays until a vehicle is chosen,
+// the death of the selected vehicle until the run begins anew.
+enum class Deselected { no, by_user, by_death };
+
 struct Workspace {
     Document document;
     Playback playback{};
@@ -59,11 +63,11 @@ struct Workspace {
     std::vector<std::string> more_names{};  // of view.selection.more; empty for a vehicle
     Scene clipboard{};                      // copied objects (ui/scene_input/clipboard.h), also of another scene
     std::uint64_t gesture = 0;              // of the last action that edited several objects
-    bool dragging = false;      // the user drags the selected vehicle or one of its values; see reselect_after_death()
-    bool sheet_open = false;    // a sheet covers the window: simulated time is paused, the mode stays unchanged
-    bool deselected = false;    // no vehicle is selected, and none is selected in place of a dead one
-    Steer steered{};            // last command given by the arrow keys
-    Preferences preferences{};  // as shown now
+    bool dragging = false;    // the user drags the selected vehicle or one of its values; see reselect_after_death()
+    bool sheet_open = false;  // a sheet covers the window: simulated time is paused, the mode stays unchanged
+    Deselected deselected = Deselected::no;
+    Steer steered{};                                        // last command given by the arrow keys
+    Preferences preferences{};                              // as shown now
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode
     std::optional<LectureView> pages{};                     // the open lecture; only in lecture mode
     std::optional<Together> together{};                     // set while the graded starts run at once

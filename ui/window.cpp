@@ -158,10 +158,27 @@ void draw_title_page(const LabView& view, PanelState& state, Ui& ui, Rect window
     end_keyboard(state.keyboard);
 }
 
-// A hint may name a widget that is not in the window now: then nothing pulses.
+// The prompt, or the heading of the folded card that hides its widget.
+Prompt within_reach(const Prompt& prompt, const LabView& view, const PanelState& state) {
+    constexpr std::array of_brain{"slider.", "bias.", "threshold.", "curve.", "lesion.", "brain."};
+    const auto begins = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };
+    const bool is_in_brain = std::any_of(of_brain.begin(), of_brain.end(), begins);
+    const std::optional<Card> of = is_in_brain              ? std::optional(Card::brain)
+                                   : begins("exercise.")    ? std::optional(Card::exercise)
+                                   : begins("card.sensors") ? std::optional(Card::sensors)
+                                                            : std::nullopt;
+    if (!of || !traits(*of).shown(view)) return prompt;
+    const CardState& card = state.cards[static_cast<std::size_t>(*of)];
+    if (!card.folded || card.fold_id.empty()) return prompt;
+    return {card.fold_id, *of == Card::sensors ? prompt.hint : "hint.unfold"};
+}
+
+// A prompt may name a widget that is not in the window now: then nothing pulses, and the usual hint is shown. The
+// toolbar is drawn later.
 std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
     const bool pulses = prompt.anchor.empty() || prompt.anchor == lamp_anchor || ui.anchors.find(prompt.anchor);
-    return prompt.hint == "hint.follow_hint" && !pulses ? "hint.after_hint" : prompt.hint;
+    if (!pulses && prompt.hint == "hint.follow_hint") return "hint.after_hint";
+    return pulses || prompt.anchor.starts_with("button.") ? prompt.hint : "";
 }
 
 }  // namespace
@@ -194,6 +211,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     follow_held_play(view, state);
     Prompt prompt = view.lecture ? Prompt{} : next_prompt(state.prompts, view);
     if (is_play_held(view, state)) prompt = {"exercise.predict", "hint.predict_first"};
+    if (view.mode != Mode::wiring && !view.lecture) prompt = within_reach(prompt, view, state);
     ui.highlight = prompt.anchor;
     if (state.highlight.anchor != prompt.anchor) state.highlight.anchor = prompt.anchor, state.highlight.reveals = true;
     ui.reveals = &state.highlight.reveals;

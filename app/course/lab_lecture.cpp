@@ -75,7 +75,7 @@ void go_to_step(Lab& lab, int step) {
 
 void select_vehicle(Lab& lab, const LecturePage& page) {
     if (page.select == nothing_selected) return select_none(lab);
-    lab.deselected = false;
+    lab.deselected = Deselected::no;
     if (page.select.empty()) return keep_selection(lab);
     const std::vector<Start>& starts = lab.document.session.snapshot().scene->starts;
     const std::vector<VehicleView>& vehicles = lab.document.session.snapshot().vehicles;

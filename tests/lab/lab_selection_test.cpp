@@ -167,6 +167,22 @@ TEST(LabSelection, MovesToTheNextOfTheKindIfItsVehicleDies) {
     EXPECT_EQ(lab.notice.kind, NoticeKind::notice);
 }
 
+TEST(LabSelection, ARunThatBeginsAnewSelectsAVehicleAfterADeathButNotAgainstTheUser) {
+    Lab lab = opened_lab("18-prey");
+    const VehicleId prey = lab.view.selection.vehicle;
+    for (int i = 0; i < 60 * 30 && lab.view.selection.vehicle == prey; ++i) tick(lab);
+    ASSERT_EQ(lab.view.selection.vehicle, no_vehicle) << "no other prey";
+    tick(lab);
+    EXPECT_EQ(lab.view.selection.vehicle, no_vehicle);
+    handle(lab, Action::reset);
+    ASSERT_TRUE(selected_vehicle(lab));
+    EXPECT_EQ(selected_vehicle(lab)->role, Role::prey);
+    select_none(lab);
+    tick(lab);
+    handle(lab, Action::reset);
+    EXPECT_FALSE(selected_vehicle(lab)) << "the user has selected none";
+}
+
 TEST(LabSelection, TabPassesOverVehiclesWhoseBrainAnExerciseHides) {
     Lab lab = opened_lab("19-mystery");
     const VehicleId own = lab.view.selection.vehicle, hidden = 1 - own;

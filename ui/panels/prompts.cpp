@@ -46,18 +46,27 @@ float reading(const Snapshot& now, const VehicleView& vehicle, std::string_view 
     return 0;
 }
 
-// The slider of a weight whose sensor reads something, so that turning it has an effect: preferably of a wire, that is
-// of a weight that is not 0. Empty if there is none.
-std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair) {
+// A weight with the slider that turns it.
+struct TellingWeight {
+    Dial dial;
+    std::string_view slider;
+};
+
+// The weight of a sensor that reads something, more than the threshold of the wire, so that turning it has an effect:
+// preferably of a wire, that is a weight that is not 0, and only one that `suits`. An empty slider if there is none.
+template <class Suits>
+std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, Suits suits) {
+    constexpr TellingWeight weights[]{
+        {Dial::LL, "slider.LL"}, {Dial::LR, "slider.LR"}, {Dial::RL, "slider.RL"}, {Dial::RR, "slider.RR"}};
     const FourNeurons dials = read_dials(*brain_of(now, vehicle), pair);
-    const bool left = reading(now, vehicle, pair.left) >= sees_nothing;
-    const bool right = reading(now, vehicle, pair.right) >= sees_nothing;
-    for (const bool is_wire : {true, false}) {
-        if (left && (dials.LL != 0) == is_wire) return "slider.LL";
-        if (right && (dials.LR != 0) == is_wire) return "slider.LR";
-        if (left && (dials.RL != 0) == is_wire) return "slider.RL";
-        if (right && (dials.RR != 0) == is_wire) return "slider.RR";
-    }
+    const float left = reading(now, vehicle, pair.left), right = reading(now, vehicle, pair.right);
+    for (const bool is_wire : {true, false})
+        for (const TellingWeight& each : weights) {
+            const float seen = each.dial == Dial::LL || each.dial == Dial::RL ? left : right;
+            if (seen >= std::max(sees_nothing, at(dials, threshold_of(each.dial))) &&
+                (at(dials, each.dial) != 0) == is_wire && suits(each.dial))
+                return each.slider;
+        }
     return {};
 }
 
@@ -72,17 +81,26 @@ const SourceView* telling_lamp(const LabView& view) {
     return nullptr;
 }
 
-// Of the controls that the exercise offers: preferably a slider whose effect the user sees at once.
+// True for a vehicle that something holds: what its brain does then changes nothing.
+bool is_held(const LabView& view, const VehicleView& vehicle) {
+    return view.mode == Mode::playing && std::fabs(vehicle.speed) < standstill;
+}
+
+// Of the controls that the exercise offers, one whose effect the user sees at once: a weight of an eye that sees
+// something, a bias, the peak of the curves of such an eye, or the sensors, if they see nothing.
 Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
+    if (is_held(view, vehicle)) return {};
     const Exercise& exercise = *view.lesson->exercise;
     const std::string_view hint = view.mode == Mode::playing ? "hint.turn_slider" : "hint.turn_slider_paused";
-    const std::string_view telling = telling_slider(*view.now, vehicle, shown_pair(view, vehicle));
-    const std::vector<Offer> offered = offered_dials(exercise);
-    for (const Offer& offer : offered)
-        for (const Dial dial : offer.dials)
-            if (anchor_of(dial) == telling) return {telling, hint};
-    if (!offered.empty()) return {anchor_of(offered.front().dials.front()), hint};
-    if (offers(exercise, offer_parts::curves)) return {"curve.peak", hint};
+    const auto is_offered_dial = [&](Dial dial) { return offers(exercise, dial); };
+    if (const auto slider = telling_slider(*view.now, vehicle, shown_pair(view, vehicle), is_offered_dial);
+        !slider.empty())
+        return {slider, hint};
+    for (const Dial bias : {Dial::LM, Dial::RM})
+        if (offers(exercise, bias)) return {anchor_of(bias), hint};
+    const bool sees = !is_blind(*view.now, vehicle);
+    if (sees && offers(exercise, offer_parts::curves)) return {"curve.peak", hint};
+    if (!sees && offers(exercise, offer_parts::sensors)) return {"card.sensors", "hint.turn_sensors"};
     if (offers(exercise, offer_parts::wiring)) return {"button.wiring", "hint.open_wiring"};
     return {};
 }
@@ -94,7 +112,8 @@ Prompt first_change(const LabView& view) {
     if (!vehicle) return {};
     const bool plays = view.mode == Mode::playing;
     if (offers_some(view)) return offered_change(view, *vehicle);
-    if (const auto slider = telling_slider(*view.now, *vehicle, shown_pair(view, *vehicle)); !slider.empty())
+    const auto any = [](Dial) { return true; };
+    if (const auto slider = telling_slider(*view.now, *vehicle, shown_pair(view, *vehicle), any); !slider.empty())
         return {slider, plays ? "hint.turn_slider" : "hint.turn_slider_paused"};
     if (!view.lesson && is_blind(*view.now, *vehicle) && telling_lamp(view)) return {lamp_anchor, "hint.lamp_nearer"};
     return {};

@@ -1,0 +1,286 @@
+// The window with each exercise of the course: what it points at, what it offers, and what stays in its place.
+#include <filesystem>
+#include <set>
+
+#include "core/lesson/exercise_file.h"
+#include "core/lesson/submission.h"
+#include "exercise_on_desk.h"
+#include "render/view/camera.h"
+
+namespace braitenlab::tests::exercises_guided_test {
+
+using namespace ui;
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Exercise> course() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(std::string(BRAITENLAB_SOURCE) + "/exercises/guided"))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::vector<Exercise> all;
+    for (const fs::path& file : files) {
+        auto loaded = load_exercise(file);
+        EXPECT_TRUE(loaded) << loaded.error().text();
+        if (loaded) all.push_back(std::move(*loaded));
+    }
+    EXPECT_GT(all.size(), 20u);
+    return all;
+}
+
+// The exercise at the start of its run, with the subject selected.
+struct Opened {
+    Opened(Exercise exercise, float width = 1280, float height = 800, float scale = 1)
+        : desk(width, height, scale, true), world(std::move(*World::create(exercise.scene, exercise.seed))) {
+        desk.opened = std::move(exercise);
+        desk.lesson.exercise = &desk.opened;
+        if (offers_selection(desk.opened)) desk.lesson.selection.emplace();
+        desk.lesson.verdicts.assign(desk.opened.steps.size(), Verdict{false, {{0.4f, 0.6f, "m", true, true}}});
+        desk.view.file = &desk.opened.scene;
+        desk.view.documents.opened = desk.opened.id;
+        desk.show_lesson();
+        show();
+        desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    }
+    void show() {
+        world.capture(desk.now);
+        desk.view.timeline.latest = std::max(desk.view.timeline.latest, desk.now.tick);
+    }
+    void look_at_scene() {
+        desk.frame(2);
+        Camera camera;
+        camera.mode = CameraMode::birds_eye;
+        sight = look(camera, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+        desk.view.camera_view = &sight;
+    }
+    void play_after_prediction() {
+        desk.lesson.attempt.answers.prediction = desk.opened.prediction.answer;
+        begin_run(desk);
+        desk.view.mode = Mode::playing;
+    }
+    const VehicleView* subject() const { return find_vehicle(desk.now, desk.view.settings.selection.vehicle); }
+
+    Desk desk;
+    World world;
+    CameraView sight;
+};
+
+// The offered dials that the slider with this anchor sets; empty if there are none.
+std::vector<Dial> dials_at(const Exercise& exercise, std::string_view anchor) {
+    for (const Offer& offer : offered_dials(exercise))
+        for (const Dial dial : offer.dials)
+            if (anchor_of(dial) == anchor) return offer.dials;
+    return {};
+}
+
+// How far the subject's place differs after this time from a fork in which the commands are applied first, m; after a
+// death or a birth 1.
+float difference(const World& world, VehicleId subject, const std::vector<Command>& commands, float seconds) {
+    World plain = world.fork(), changed = world.fork();
+    for (const Command& command : commands) EXPECT_FALSE(changed.apply(command));
+    Snapshot a, b;
+    float most = 0;
+    for (int tick = 0; tick < static_cast<int>(60 * seconds); ++tick) {
+        plain.step(), changed.step();
+        plain.capture(a), changed.capture(b);
+        const VehicleView *left = find_vehicle(a, subject), *right = find_vehicle(b, subject);
+        if (!left || !right) return !left && !right ? most : 1.0f;
+        most = std::max(most, std::hypot(left->x - right->x, left->y - right->y));
+    }
+    return most;
+}
+
+// A hint may name a part of the diagram, which is closed here: nothing pulses then, and the bar asks to follow the
+// hint.
+bool is_in_diagram(std::string_view anchor) {
+    const auto begins = [&](std::string_view stem) { return anchor.starts_with(stem); };
+    return begins("node.") || begins("pin.") || begins("wire.") || begins("canvas");
+}
+
+// What a student may do at the widget that the prompt points at: a dial by ±0.5, sensors to the rear.
+std::vector<std::vector<Command>> tries_at(const Opened& it, std::string_view anchor) {
+    std::vector<std::vector<Command>> tries;
+    const VehicleView& subject = *it.subject();
+    const Exercise& exercise = it.desk.opened;
+    if (anchor == "card.sensors" || anchor == "card.sensors.fold") {
+        std::vector<Sensor> sensors = kind_of(it.desk.now, subject).sensors;
+        for (Sensor& sensor : sensors) sensor.angle = sensor.y > 0 ? 2.44f : -2.44f;
+        tries.push_back({SetSensors{{.kind = subject.kind}, sensors}});
+    }
+    const auto dials = dials_at(exercise, anchor);
+    const SensorPair pair = shown_pair(it.desk.view, subject);
+    for (const float change : {0.5f, -0.5f}) {
+        std::vector<Command> turned;
+        for (const Dial dial : dials)
+            turned.push_back(TurnDial{{.kind = subject.kind},
+                                      dial,
+                                      at(read_dials(*brain_of(it.desk.now, subject), pair), dial) + change,
+                                      pair});
+        if (!turned.empty()) tries.push_back(std::move(turned));
+    }
+    return tries;
+}
+
+}  // namespace
+
+// Each suggestion of a change, at each half second of the run as shipped, is tried in a fork of that moment.
+TEST(ExercisesGuided, ASuggestedChangeChangesWhatTheVehicleDoes) {
+    int suggested = 0;
+    for (Exercise& exercise : course()) {
+        Opened it(std::move(exercise));
+        it.play_after_prediction();
+        const std::string id = it.desk.opened.id;
+        for (int tick = 0; tick <= 60 * 9 && it.subject(); ++tick, it.world.step(), it.show()) {
+            if (tick % 30 != 0) continue;
+            it.desk.follow_disclosure();
+            PromptMemory memory{.opened = id, .played = true};
+            const Prompt prompt = next_prompt(memory, it.desk.view);
+            const bool is_change = prompt.hint == "hint.turn_slider" || prompt.hint == "hint.turn_sensors";
+            if (!is_change) continue;
+            const auto tries = tries_at(it, prompt.anchor);
+            if (prompt.anchor.starts_with("curve.")) continue;  // see Offered
+            EXPECT_FALSE(tries.empty()) << id << ": " << prompt.anchor << " is not offered";
+            const float left = std::max(2.0f, std::min(8.0f, it.desk.opened.seconds - static_cast<float>(tick) / 60));
+            float most = 0;
+            for (const auto& commands : tries)
+                most = std::max(most, difference(it.world, it.subject()->id, commands, left));
+            EXPECT_GT(most, 0.01f) << id << " after " << tick / 60.0 << " s: " << prompt.anchor;
+            ++suggested;
+        }
+    }
+    EXPECT_GT(suggested, 20);
+}
+
+TEST(ExercisesGuided, APromptPointsAtAWidgetInTheWindow) {
+    struct Window {
+        float width, height, scale;
+    };
+    for (const Exercise& exercise : course())
+        for (const Window w : {Window{1280, 800, 1}, {800, 600, 1}}) {
+            Opened it(exercise, w.width, w.height, w.scale);
+            const auto check = [&](const char* when) {
+                it.desk.frame(6);
+                const std::string pointed = it.desk.panels.highlight.anchor;
+                if (pointed.empty() || is_in_diagram(pointed)) return;
+                const Rect* at = it.desk.anchors.find(pointed);
+                ASSERT_TRUE(at) << exercise.id << ", " << when << ", " << w.width << ": " << pointed;
+                EXPECT_TRUE(at->x < w.width && at->y < w.height && at->x + at->w > 0 && at->y + at->h > 0)
+                    << exercise.id << ", " << when << ": " << pointed;
+            };
+            check("before the prediction");
+            it.desk.lesson.attempt.answers.prediction = 0;
+            check("predicted");
+            it.play_after_prediction();
+            for (int tick = 0; tick < 60 * 4; ++tick) it.world.step();
+            it.show();
+            if (it.subject()) check("running");
+            const auto& hints = it.desk.opened.hints;
+            for (std::size_t i = 0; i < hints.size(); ++i) {
+                it.desk.lesson.attempt.answers.hints_shown = static_cast<int>(i + 1);
+                check("hint");
+            }
+            it.desk.panels.card(Card::brain).folded = it.desk.panels.card(Card::exercise).folded = true;
+            check("folded");
+        }
+}
+
+TEST(ExercisesGuided, OffersWhatTheFileOffersWhateverWasOpenBefore) {
+    int with_sensors = 0;
+    for (const Exercise& exercise : course()) {
+        Opened it(exercise);
+        it.desk.panels.card(Card::sensors).folded = false;  // in an earlier exercise
+        it.desk.lesson.attempt.answers.prediction = 0;
+        it.look_at_scene();
+        it.desk.frame(4);
+        const bool offers_sensors = offers(exercise, offer_parts::sensors);
+        with_sensors += offers_sensors;
+        EXPECT_EQ(it.desk.anchors.find("card.sensors") != nullptr, offers_sensors) << exercise.id;
+        for (const char* id : {"handle.mount", "handle.axis", "handle.left"}) {
+            if (offers_sensors) continue;
+            EXPECT_FALSE(it.desk.anchors.find(id)) << exercise.id << ": " << id;
+        }
+        for (const Dial dial : all_dials)
+            EXPECT_EQ(it.desk.anchors.find(anchor_of(dial)) != nullptr, !dials_at(exercise, anchor_of(dial)).empty())
+                << exercise.id << ": " << anchor_of(dial);
+        for (const char* id : {"button.mirror", "button.cross", "button.presets", "button.drive"})
+            EXPECT_FALSE(it.desk.anchors.find(id)) << exercise.id << ": " << id;
+    }
+    EXPECT_GT(with_sensors, 1);
+}
+
+TEST(ExercisesGuided, WhatThePredictionAsksForIsNotReadBeforePlay) {
+    for (const Exercise& exercise : course()) {
+        if (!is_asked(exercise.prediction)) continue;
+        Opened it(exercise, 1280, 1200);
+        it.desk.lesson.attempt.answers.prediction = 0;
+        it.desk.frame(4);
+        for (const char* words : {"Left wheel faster", "Right wheel faster", "Both wheels"})
+            EXPECT_FALSE(it.desk.says(words)) << exercise.id << ": the answer can still be changed";
+        EXPECT_FALSE(it.desk.view.may.outcome) << exercise.id;
+        it.play_after_prediction();
+        it.desk.frame(4);
+        EXPECT_TRUE(it.desk.view.may.outcome) << exercise.id;
+    }
+}
+
+TEST(ExercisesGuided, NoWidgetMovesWhileTheTextOfTheExerciseGrows) {
+    const char* const ids[]{"card.sensors.fold", "exercise.hint",    "exercise.reset",       "exercise.note",
+                            "slider.LL",         "bias.LM",          "sensor.names",         "sensor.sides",
+                            "sensor.angle",      "button.free_play", "card.information.fold"};
+    for (const Exercise& exercise : course())
+        for (const bool opens_sensors : {false, true}) {
+            if (exercise.hints.empty()) continue;
+            if (opens_sensors && !offers(exercise, offer_parts::sensors)) continue;
+            Opened it(exercise);
+            it.desk.panels.card(Card::sensors).folded = !opens_sensors;
+            it.play_after_prediction();
+            it.desk.frame(8);
+            std::map<std::string, Rect> before;
+            for (const char* id : ids)
+                if (const Rect* at = it.desk.anchors.find(id)) before[id] = *at;
+            EXPECT_TRUE(before.count("exercise.reset")) << exercise.id;
+            it.desk.lesson.attempt.answers.hints_shown = std::min(2, static_cast<int>(exercise.hints.size()) - 1);
+            it.desk.lesson.by_hand = true;
+            it.desk.lesson.attempt.work.outcome_known = true;
+            it.desk.frame(8);
+            for (const auto& [id, was] : before) {
+                const Rect* now = it.desk.anchors.find(id);
+                ASSERT_TRUE(now) << exercise.id << ": " << id;
+                EXPECT_NEAR(now->y, was.y, 0.5f) << exercise.id << ": " << id;
+                EXPECT_NEAR(now->x, was.x, 0.5f) << exercise.id << ": " << id;
+            }
+        }
+}
+
+TEST(ExercisesGuided, AnswersAndStepsAreReachedInASmallWindow) {
+    struct Window {
+        float width, height, scale;
+    };
+    for (const Exercise& exercise : course())
+        for (const Window w : {Window{800, 600, 1}, {1280, 800, fitting_scale(2, {0, 0, 1280, 800}, false)}}) {
+            if (exercise.prediction.options.empty()) continue;
+            Opened it(exercise, w.width, w.height, w.scale);
+            it.desk.frame(8);
+            const Rect card = it.desk.where("card.exercise");
+            // Wheel clicks over the card until the widget is in it.
+            const auto reaches = [&](const std::string& id) {
+                it.desk.point(card.x + card.w / 2, card.y + card.h / 2);
+                for (int turn = 0; turn < 40; ++turn) {
+                    const Rect* at = it.desk.anchors.find(id);
+                    if (at && inside(*at, card)) return true;
+                    ImGui::GetIO().MouseWheel = turn < 20 ? -1.0f : 1.0f;
+                    it.desk.frame(2);
+                }
+                return false;
+            };
+            const std::string last = "exercise.predict." + std::to_string(exercise.prediction.options.size());
+            EXPECT_TRUE(reaches("exercise.predict.1")) << exercise.id << " " << w.width;
+            EXPECT_TRUE(reaches(last)) << exercise.id << " " << w.width;
+            it.play_after_prediction();
+            it.desk.frame(4);
+            EXPECT_TRUE(reaches("exercise.step." + std::to_string(exercise.steps.size()))) << exercise.id << w.width;
+        }
+}
+
+}  // namespace braitenlab::tests::exercises_guided_test
