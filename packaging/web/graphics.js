@@ -1,10 +1,12 @@
 "use strict";
 // Dear ImGui asks for some values of the WebGL context in each frame. The browser answers after it has drawn all that was
 // asked for before, which takes as long as a frame in software drawing. These values are kept here as they are set.
+// `renderer`: the name of the renderer for the program, which draws in another way with SwiftShader; or empty.
 
-function keepValues(context) {
+function keepValues(context, renderer) {
     const kept = new Map();
     const keep = (name, value) => kept.set(context[name], value);
+    if (renderer) keep("RENDERER", renderer);
     const scissor = ["SCISSOR_BOX"];
     const factors = ["BLEND_SRC_RGB", "BLEND_DST_RGB", "BLEND_SRC_ALPHA", "BLEND_DST_ALPHA"];
     const equations = ["BLEND_EQUATION_RGB", "BLEND_EQUATION_ALPHA"];

@@ -66,9 +66,9 @@ function whatIsMissing() {
     // The program uses this context. It draws smooth edges by itself (render/gl/resampling.h).
     const context = element("canvas").getContext("webgl2", { antialias: false });
     if (!context) return words.graphics;
-    keepValues(context);
     const info = context.getExtension("WEBGL_debug_renderer_info");
     const renderer = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+    keepValues(context, renderer);
     const inSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
     if (inSoftware && !query.has("quality")) Module.arguments.push("--quality=auto-low");
     return "";

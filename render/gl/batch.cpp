@@ -18,10 +18,12 @@ constexpr GLuint first_instance_location = 4;
 
 }  // namespace
 
-Instances::Instances(int vectors) : vectors_(vectors) { glGenBuffers(1, &buffer_); }
+Instances::Instances(int vectors, bool copied) : copied_(copied), vectors_(vectors) { glGenBuffers(1, &buffer_); }
 
 Instances::Instances(Instances&& other) noexcept
     : buffer_(std::exchange(other.buffer_, 0)),
+      copied_(other.copied_),
+      values_(other.values_),
       vectors_(other.vectors_),
       count_(other.count_),
       capacity_(other.capacity_) {}
@@ -34,6 +36,10 @@ void Instances::upload(const void* data, std::size_t count, std::size_t size) {
     assert(size == static_cast<std::size_t>(vectors_) * sizeof(maths::vec4));
     count_ = static_cast<int>(count);
     if (count == 0) return;
+    if (copied_) {
+        values_ = {static_cast<const maths::vec4*>(data), count * static_cast<std::size_t>(vectors_)};
+        return;
+    }
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     // The capacity is 1.5 times the need, so that a growing population reallocates rarely. Discarding the old storage
     // lets the driver return new memory instead of waiting for the previous frame.
@@ -42,14 +48,7 @@ void Instances::upload(const void* data, std::size_t count, std::size_t size) {
     glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * size), data);
 }
 
-Batch::Batch(const Shape& shape, const Instances& instances) : index_count_(static_cast<int>(shape.indices.size())) {
-    glGenVertexArrays(1, &array_);
-    glBindVertexArray(array_);
-
-    glGenBuffers(1, &corners_);
-    glBindBuffer(GL_ARRAY_BUFFER, corners_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shape.corners.size() * sizeof(Corner)), shape.corners.data(),
-                 GL_STATIC_DRAW);
+void read_corners() {
     const GLsizei corner = sizeof(Corner);
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, corner, offset(offsetof(Corner, place)));
@@ -57,40 +56,58 @@ Batch::Batch(const Shape& shape, const Instances& instances) : index_count_(stat
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, corner, offset(offsetof(Corner, normal)));
     glEnableVertexAttribArray(2);
     glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, corner, offset(offsetof(Corner, paint)));
-
-    glGenBuffers(1, &indices_);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(shape.indices.size() * sizeof(shape.indices[0])),
-                 shape.indices.data(), GL_STATIC_DRAW);
-    read(instances, 1);
 }
 
-Batch Batch::points(const Instances& instances) {
-    Batch batch;
-    glGenVertexArrays(1, &batch.array_);
-    glBindVertexArray(batch.array_);
-    batch.read(instances, 0);
-    return batch;
-}
-
-void Batch::read(const Instances& instances, unsigned divisor) {
-    const std::size_t stride = static_cast<std::size_t>(instances.vectors_) * sizeof(maths::vec4);
-    glBindBuffer(GL_ARRAY_BUFFER, instances.buffer_);
-    for (int i = 0; i < instances.vectors_; ++i) {
+void read_instances(int vectors, unsigned divisor) {
+    const std::size_t stride = static_cast<std::size_t>(vectors) * sizeof(maths::vec4);
+    for (int i = 0; i < vectors; ++i) {
         const GLuint location = first_instance_location + static_cast<GLuint>(i);
         glEnableVertexAttribArray(location);
         glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                               offset(static_cast<std::size_t>(i) * sizeof(maths::vec4)));
         glVertexAttribDivisor(location, divisor);
     }
+}
+
+Batch::Batch(const Shape& shape, const Instances& instances) : index_count_(static_cast<int>(shape.indices.size())) {
+    if (instances.copied_) {
+        copies_ = std::make_unique<Copies>(shape, instances.vectors_);
+        return;
+    }
+    glGenVertexArrays(1, &array_);
+    glBindVertexArray(array_);
+
+    glGenBuffers(1, &corners_);
+    glBindBuffer(GL_ARRAY_BUFFER, corners_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shape.corners.size() * sizeof(Corner)), shape.corners.data(),
+                 GL_STATIC_DRAW);
+    read_corners();
+
+    glGenBuffers(1, &indices_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(shape.indices.size() * sizeof(shape.indices[0])),
+                 shape.indices.data(), GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, instances.buffer_);
+    read_instances(instances.vectors_, 1);
     glBindVertexArray(0);
+}
+
+Batch Batch::points(const Instances& instances) {
+    Batch batch;
+    glGenVertexArrays(1, &batch.array_);
+    glBindVertexArray(batch.array_);
+    glBindBuffer(GL_ARRAY_BUFFER, instances.buffer_);
+    read_instances(instances.vectors_, 0);
+    glBindVertexArray(0);
+    return batch;
 }
 
 Batch::Batch(Batch&& other) noexcept
     : array_(std::exchange(other.array_, 0)),
       corners_(std::exchange(other.corners_, 0)),
       indices_(std::exchange(other.indices_, 0)),
-      index_count_(other.index_count_) {}
+      index_count_(other.index_count_),
+      copies_(std::move(other.copies_)) {}
 
 Batch::~Batch() {
     if (!array_) return;
@@ -101,6 +118,7 @@ Batch::~Batch() {
 
 int Batch::draw(const Instances& instances) const {
     if (instances.count() == 0) return 0;
+    if (copies_) return copies_->draw(instances.values_), 1;
     glBindVertexArray(array_);
     if (index_count_ == 0)
         glDrawArrays(GL_POINTS, 0, instances.count());

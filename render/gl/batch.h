@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <vector>
 
+#include "render/gl/copies.h"
 #include "render/view/shapes.h"
 
 namespace braitenlab::render {
@@ -13,12 +16,13 @@ namespace braitenlab::render {
 // Creates its GL objects in the constructor. Precondition until destruction: a current GL context.
 class Instances {
 public:
-    // `vectors`: number of vec4 per instance.
-    explicit Instances(int vectors);
+    // `vectors`: number of vec4 per instance. `copied`: batches draw them as copies (copies.h).
+    explicit Instances(int vectors, bool copied = false);
     Instances(Instances&& other) noexcept;
     Instances& operator=(Instances&&) = delete;
     ~Instances();
 
+    // Copied instances stay where they are: the vector is not changed before they are drawn.
     template <class Instance>
     void upload(const std::vector<Instance>& instances) {
         upload(instances.data(), instances.size(), sizeof(Instance));
@@ -31,6 +35,8 @@ private:
     void upload(const void* data, std::size_t count, std::size_t size);
 
     unsigned buffer_ = 0;
+    bool copied_ = false;
+    std::span<const maths::vec4> values_;  // of copied instances
     int vectors_ = 0, count_ = 0;
     std::size_t capacity_ = 0;  // bytes
 };
@@ -55,11 +61,16 @@ public:
 
 private:
     Batch() = default;
-    void read(const Instances&, unsigned divisor);
 
     unsigned array_ = 0, corners_ = 0, indices_ = 0;
-    int index_count_ = 0;  // 0: points
+    int index_count_ = 0;             // 0: points
+    std::unique_ptr<Copies> copies_;  // of copied instances
 };
+
+// Let the bound vertex array read the locations above from the bound buffer, by corner, or by instance if the divisor
+// is 1.
+void read_corners();
+void read_instances(int vectors, unsigned divisor);
 
 Shape quad();              // x and y −1..1
 Shape strip(int squares);  // squares in a row along x from 0 to 1, y from −1 to 1

@@ -35,14 +35,15 @@ constexpr float floor_fade = 1.2f;  // of the arena's half size; ground visible 
 
 // The instances of one type with their mesh.
 struct Kit {
-    Kit(const Shape& shape, int count) : instances(count), batch(shape, instances) {}
+    Kit(const Shape& shape, int count, bool copied) : instances(count, copied), batch(shape, instances) {}
     Instances instances;
     Batch batch;
 };
 
-template <class Instance>
-Kit kit(const Shape& shape) {
-    return Kit(shape, vectors<Instance>);
+// True for SwiftShader, which draws each instance as a call of its own.
+bool draws_instances_one_by_one() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name && std::string_view(name).find("SwiftShader") != std::string_view::npos;
 }
 
 // Rounded vehicles are large or few: pieces of wires and trails are then long enough on the screen to be curved.
@@ -76,6 +77,12 @@ struct Renderer::Parts {
     std::filesystem::path folder;
     SectorPath path = SectorPath::automatic;
     std::filesystem::file_time_type shaders_changed;
+
+    bool copied = draws_instances_one_by_one();
+    template <class Instance>
+    Kit kit(const Shape& shape) const {
+        return Kit(shape, vectors<Instance>, copied);
+    }
 
     Kit floors = kit<FloorInstance>(quad());
     StoredPicture backdrop;  // the ground
@@ -140,7 +147,7 @@ struct Renderer::Parts {
     int calls = 0;
     double seconds = -1;   // of the last snapshot
     float resolution = 1;  // of the last picture
-    bool copied = false;   // the last picture was one of `whole`
+    bool reused = false;   // the last picture was one of `whole`
 
     Parts() {
         glGenBuffers(1, &frame_buffer);
@@ -392,8 +399,8 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     const std::uint64_t instances = p.upload_list(frame, may_rest);
     const auto content = may_rest ? p.whole.look(frame, instances) : StoredPicture::Content::moves;
     p.resolution = content == StoredPicture::Content::moves ? picture.resolution : 1;
-    p.copied = content == StoredPicture::Content::kept;
-    if (p.copied) {
+    p.reused = content == StoredPicture::Content::kept;
+    if (p.reused) {
         glClear(GL_DEPTH_BUFFER_BIT);  // as copy() demands
         p.whole.copy();
         p.upload(frame);
@@ -428,7 +435,7 @@ int Renderer::draw_calls() const { return parts_->calls; }
 
 float Renderer::resolution() const { return parts_->resolution; }
 
-bool Renderer::copied() const { return parts_->copied; }
+bool Renderer::copied() const { return parts_->reused; }
 
 bool Renderer::sectors_from_points() const { return parts_->with.sectors_from_points; }
 
