@@ -69,6 +69,21 @@ test("A page 400 pixels wide shows the whole window reduced", limit, () =>
         await lab.until((state) => state.exercise.predicted === 1);
     }, { viewport: { width: 400, height: 800 }, hasTouch: true }));
 
+test("In small windows no tool is below a card, and the hint bar leaves out what it has no room for", limit, async () => {
+    for (const [width, height] of [[640, 480], [800, 600]])
+        await withLab("?open=2a-coward&lang=de", async (lab) => {
+            await lab.frames(6);
+            const anchors = await lab.anchors(), brain = anchors["card.brain"];
+            for (const tool of ["hand", "lamp", "box", "polygon", "zone", "tape", "ruler"]) {
+                const [x, , w] = anchors[`tool.${tool}`];
+                assert.ok(x + w <= brain[0], `${tool} at ${width}`);
+            }
+            await lab.page.keyboard.press("w");
+            await lab.until((state) => state.mode === "wiring");
+            await lab.rectangle("hint.whole");  // the whole hint is in its tooltip
+        }, { viewport: { width, height } });
+});
+
 // A place of the floor beside the vehicle and the lamp.
 async function floor(lab) {
     const [x, y, w, h] = await lab.rectangle("viewport");

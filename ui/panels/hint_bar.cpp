@@ -29,30 +29,78 @@ std::string cap_words(const Ui& ui, std::string_view inside) {
     return action ? with_large_arrows(ui, key_name(*action, ui.strings)) : std::string(inside);
 }
 
-// Returns where it ends.
-float hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rect bar) {
+// Calls `words(text)` and `key(name)` for the parts of a hint, in order.
+template <class Words, class Key>
+void each_part(const Ui& ui, std::string_view hint, Words words, Key key) {
     while (!hint.empty()) {
         const std::size_t open = hint.find('['), close = open == hint.npos ? hint.npos : hint.find(']', open);
-        const std::string_view words = close == hint.npos ? hint : hint.substr(0, open);
-        x += put(ui, {x, bar.y + (bar.h - line_height(ui, Face::small)) / 2}, words, colour, Face::small);
-        if (close == hint.npos) return x;
-        x += key_cap(ui, {x, bar.y + bar.h / 2}, cap_words(ui, hint.substr(open + 1, close - open - 1)));
+        words(close == hint.npos ? hint : hint.substr(0, open));
+        if (close == hint.npos) return;
+        key(cap_words(ui, hint.substr(open + 1, close - open - 1)));
         hint.remove_prefix(close + 1);
     }
-    return x;
 }
 
-// While the user drives, or the camera mode is driver, the hint is the key that ends this. False in other modes.
-bool mode_hint(const LabView& view, const Ui& ui, float x, Rect bar) {
-    if (view.mode == Mode::wiring) return false;
+// The hint as a text, with its keys in brackets.
+std::string plain_hint(const Ui& ui, std::string_view hint) {
+    std::string text;
+    each_part(
+        ui, hint, [&](std::string_view words) { text += words; },
+        [&](const std::string& key) { text += "[" + key + "]"; });
+    return text;
+}
+
+// At least the width that it takes.
+float hint_width(const Ui& ui, std::string_view hint) {
+    const std::string text = plain_hint(ui, hint);
+    const auto caps = static_cast<float>(std::count(text.begin(), text.end(), '['));
+    return text_width(ui, Face::small, text) + caps * ui.px(6);
+}
+
+// The hint, without the last of its parts and then of its words as far as it is wider than the room.
+std::string fitting_hint(const Ui& ui, std::string_view hint, float room) {
+    constexpr std::string_view between = "  ·  ";
+    for (auto cut = hint.npos; hint_width(ui, hint) > room; hint = hint.substr(0, cut))
+        if (cut = hint.rfind(between); cut == hint.npos) break;
+    if (hint_width(ui, hint) <= room) return std::string(hint);
+    std::string words;
+    do {
+        const auto cut = hint.rfind(' ');
+        if (cut == hint.npos) break;
+        hint = hint.substr(0, cut);
+        words = std::string(hint) + "…";
+    } while (hint_width(ui, words) > room);
+    return words;
+}
+
+// A hint that is too long for the bar is shown in full in its tooltip.
+void hint_line(Ui& ui, std::string_view hint, Colour colour, float x, Rect bar) {
+    const std::string fitting = fitting_hint(ui, hint, bar.x + bar.w - ui.px(16) - x);
+    const float top = bar.y + (bar.h - line_height(ui, Face::small)) / 2, middle = bar.y + bar.h / 2;
+    each_part(
+        ui, fitting,
+        [&](std::string_view words) {
+            x += put(ui, {x, top}, words, colour, Face::small);
+        },
+        [&](const std::string& key) {
+            x += key_cap(ui, {x, middle}, key);
+        });
+    if (fitting == hint) return;
+    ImGui::SetCursorScreenPos({bar.x, bar.y});
+    tooltip(ui, item(ui, "hint.whole", {bar.w, bar.h}, false), plain_hint(ui, hint));
+}
+
+// While the user drives, or the camera mode is driver, the hint is the key that ends this. Empty in other modes.
+std::string mode_hint(const LabView& view, const Ui& ui) {
+    if (view.mode == Mode::wiring) return {};
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const bool drives = vehicle && vehicle->driver == Driver::manual,
                rides = view.settings.camera.mode == CameraMode::driver;
-    const Colour colour = ui.palette.text;
-    if (drives) x = hint_line(ui, ui.strings("hint.driving"), colour, x, bar);
-    if (drives && rides) x = hint_line(ui, "  ·  ", colour, x, bar);
-    if (rides) hint_line(ui, ui.strings("hint.eyes"), colour, x, bar);
-    return drives || rides;
+    std::string hint;
+    if (drives) hint = ui.strings("hint.driving");
+    if (drives && rides) hint += "  ·  ";
+    if (rides) hint += ui.strings("hint.eyes");
+    return hint;
 }
 
 // The hint when there is no prompt.
@@ -80,7 +128,7 @@ bool is_slider_focused(const Ui& ui) {
            focus.starts_with("curve.");
 }
 
-void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
+void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view hint) {
     if (hint == "hint.slider_drag") {
         hint_line(ui, fill(ui.strings(hint), {ui.strings("key.shift")}), ui.palette.text, x, bar);
         return;
@@ -89,7 +137,8 @@ void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::strin
         hint_line(ui, fill(ui.strings(hint), {std::to_string(drawn->id + 1)}), ui.palette.text, x, bar);
         return;
     }
-    if (mode_hint(view, ui, x, bar)) return;
+    if (const std::string of_mode = mode_hint(view, ui); !of_mode.empty())
+        return hint_line(ui, of_mode, ui.palette.text, x, bar);
     if (is_slider_focused(ui) && hint != "hint.changed_since") {
         const std::string_view keys = view.mode == Mode::paused ? "hint.slider_keys_paused" : "hint.slider_keys";
         hint_line(ui, fill(ui.strings(keys), {ui.strings("key.shift")}), ui.palette.text, x, bar);

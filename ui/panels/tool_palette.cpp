@@ -1,6 +1,8 @@
 // The bar of tools over the scene: hand, lamp, box, polygon, zone, tape, ruler.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <imgui.h>
 
@@ -71,12 +73,20 @@ void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
     }
 }
 
+// Tools in a row: all, or those that a narrow area has room for.
+std::size_t tools_in_a_row(const Ui& ui, Rect area) {
+    const float fitting = (area.w - 2 * ui.px(tool_pad)) / ui.px(tool_size);
+    return static_cast<std::size_t>(std::clamp(fitting, 1.0f, static_cast<float>(tool_looks.size())));
+}
+
 }  // namespace
 
 Rect place_of_tool_palette(const LabView& view, const Ui& ui, Rect area) {
     if (!view.camera_view || view.mode == Mode::wiring || view.lecture) return {};
     const float inset = ui.px(tool_pad), size = ui.px(tool_size);
-    return {area.x, area.y, tool_looks.size() * size + 2 * inset, size + 2 * inset};
+    const std::size_t in_a_row = tools_in_a_row(ui, area), rows = (tool_looks.size() + in_a_row - 1) / in_a_row;
+    return {area.x, area.y, static_cast<float>(in_a_row) * size + 2 * inset,
+            static_cast<float>(rows) * size + 2 * inset};
 }
 
 void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
@@ -85,9 +95,11 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
     const float size = ui.px(tool_size), inset = ui.px(tool_pad);
     begin_bar(ui, "tools", bar, false, Corner::box);
     const Palette& p = ui.palette;
-    float x = bar.x + inset;
-    for (const ToolLook& look : tool_looks) {
-        ImGui::SetCursorScreenPos({x, bar.y + inset});
+    const std::size_t in_a_row = tools_in_a_row(ui, area);
+    for (std::size_t i = 0; i < tool_looks.size(); ++i) {
+        const ToolLook& look = tool_looks[i];
+        ImGui::SetCursorScreenPos({bar.x + inset + static_cast<float>(i % in_a_row) * size,
+                                   bar.y + inset + static_cast<float>(i / in_a_row) * size});
         const Item at = item(ui, look.anchor, {size, size});
         const bool on = state.scene_input.tool == look.tool;
         fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.24f) : p.line.with_alpha(0.6f * at.warmth));
@@ -99,7 +111,6 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
             const bool draws = state.scene_input.tool != SceneInputTool::hand;
             if ((draws || !at.entered) && ui.keyboard) ui.keyboard->focus.clear();  // keys then apply to the tool
         }
-        x += size;
     }
     end_bar();
 }
