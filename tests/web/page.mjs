@@ -202,17 +202,20 @@ export class Lab {
         }, [name, text]);
     }
 
-    // Puts fingers onto the page at the first places, moves them to the others, lifts them.
+    // Puts fingers onto the page at the first places, moves them to the others, lifts them. They move at once: fingers
+    // that rest for half a second, two frames of a busy machine, ask for a menu.
     async touch(places) {
         const session = await this.page.context().newCDPSession(this.page);
-        const send = async (type, at) => {
-            const touchPoints = at.map(([x, y], id) => ({ x, y, id }));
-            await session.send("Input.dispatchTouchEvent", { type, touchPoints });
+        const send = (type, at) => session.send("Input.dispatchTouchEvent",
+            { type, touchPoints: at.map(([x, y], id) => ({ x, y, id })) });
+        await Promise.all([send("touchStart", places[0]), send("touchMove", places[1])]);
+        for (const at of places.slice(2)) {
             await this.frames(2);
-        };
-        await send("touchStart", places[0]);
-        for (const at of places.slice(1)) await send("touchMove", at);
+            await send("touchMove", at);
+        }
+        await this.frames(2);
         await send("touchEnd", []);
+        await this.frames(2);
     }
 
     // Waits until the lab has drawn this many frames.
