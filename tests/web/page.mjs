@@ -40,8 +40,8 @@ export function openBrowser(extra = []) {
     });
 }
 
-// Runs the window of the desktop without settings of the user until it has written its picture.
-async function runWindow(...options) {
+// Runs the window of the desktop without settings of the user until it has written its picture. For keys: window.mjs.
+export async function runWindow(...options) {
     const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
     const file = path.join(folder, "window.png");
     const timed = 'a=$(date +%s%N); "$@" >&2; echo $(($(date +%s%N) - a))';  // without the start of the X server
@@ -107,6 +107,21 @@ export async function squaresOf(browser, png, side) {
 // The share of the squares that differ by more than `levels` in a colour.
 export function differing(a, b, levels) {
     return a.filter((colour, i) => colour.some((value, c) => Math.abs(value - b[i][c]) > levels)).length / a.length;
+}
+
+// Processor time in ms of the longest task of the page's main thread while `work` runs. Unlike a task's duration it does
+// not depend on what else the machine does.
+export async function longestTask(lab, work) {
+    const browser = lab.page.context().browser();
+    await browser.startTracing(lab.page, { categories: ["toplevel", "devtools.timeline"] });
+    await work();
+    const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+    const drawing = traceEvents.find((event) => event.name === "FireAnimationFrame");
+    assert.ok(drawing, "the page draws");
+    const own = traceEvents.filter((event) => event.pid === drawing.pid && event.tid === drawing.tid);
+    const tasks = own.filter((event) => event.name.endsWith("RunTask") && event.tdur);
+    assert.ok(tasks.length > 20, `only ${tasks.length} tasks`);
+    return Math.max(...tasks.map((event) => event.tdur)) / 1000;
 }
 
 // The lab in a page of the browser.
