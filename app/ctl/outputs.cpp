@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 // The options of all commands whose values are files.
 constexpr std::array<std::string_view, 9> written_files{"--csv",  "--html", "--out",     "--paths", "--png",
                                                         "--save", "--svg",  "--vectors", "--wiring"};
+constexpr std::array<std::string_view, 6> tables_and_drawings{"--csv", "--html", "--paths",
+                                                              "--png", "--svg",  "--wiring"};
 constexpr std::array<std::string_view, 4> read_files{"--a", "--b", "--brain", "--compare"};
 
 bool is_one_of(const CLI::Option& option, const auto& names) {
@@ -37,6 +39,19 @@ std::vector<fs::path> files_read(const CLI::App& command) {
             for (const std::string& value : option->results())
                 if (const auto file = find_shipped(value)) files.push_back(*file);
     return files;
+}
+
+// A file of the lab, or a class's archive: also one that the command reads from a folder, or that a file names.
+bool is_work(const fs::path& file) {
+    std::error_code none;
+    const fs::path kind = file.extension();
+    return fs::is_regular_file(file, none) && (kind == ".toml" || kind == ".run" || kind == ".zip");
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code none;
+    if (fs::exists(a, none)) return fs::is_regular_file(a, none) && fs::equivalent(a, b, none);
+    return fs::weakly_canonical(fs::absolute(a, none), none) == fs::weakly_canonical(fs::absolute(b, none), none);
 }
 
 bool acts_on_terminal(char32_t code) {
@@ -86,14 +101,21 @@ InertOutput::~InertOutput() = default;
 
 std::optional<Error> output_over_input(const CLI::App& command) {
     const std::vector<fs::path> read = files_read(command);
+    std::vector<fs::path> written;
     for (const CLI::Option* option : command.get_options()) {
         if (!is_one_of(*option, written_files)) continue;
-        for (const std::string& value : option->results())
-            for (const fs::path& input : read) {
-                std::error_code none;
-                if (fs::is_regular_file(input, none) && fs::equivalent(value, input, none))
-                    return Error{option->get_name() + " names a file that this command reads; give another one", value};
-            }
+        for (const std::string& value : option->results()) {
+            if (value == "-") continue;
+            const auto is_it = [&](const fs::path& other) { return is_same_file(value, other); };
+            if (std::any_of(read.begin(), read.end(), is_it))
+                return Error{option->get_name() + " names a file that this command reads; give another one", value};
+            if (std::any_of(written.begin(), written.end(), is_it))
+                return Error{option->get_name() + " names a file that another option writes; give another one", value};
+            if (is_one_of(*option, tables_and_drawings) && is_work(value))
+                return Error{option->get_name() + " would write over a scene, a run or an archive; give another one",
+                             value};
+            written.emplace_back(value);
+        }
     }
     return std::nullopt;
 }

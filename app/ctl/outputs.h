@@ -32,8 +32,10 @@ private:
     std::unique_ptr<Filter> out_, errors_;
 };
 
-// The error when a file that the command writes is one that it reads, also by
-// another name of the same file. Call it after the arguments have been read.
+// The error when a file that the command writes is one that it reads or writes
+// already, also by another name of the same file, and when a table or drawing
+// would replace a scene, a run or an archive. Call it after the arguments have
+// been read.
 std::optional<Error> output_over_input(const CLI::App& command);
 
 // Writes what standard output still holds. Returns the exit code of the

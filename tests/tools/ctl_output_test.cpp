@@ -94,6 +94,26 @@ TEST(CtlOutput, OverAnInputIsRefusedAndTheInputStays) {
     EXPECT_EQ(text_of(study), study_text);
 }
 
+TEST(CtlOutput, OverAFileOfAClassOrOfAStudyIsRefused) {
+    const Folder folder;
+    const std::string scene = (folder / "ana.toml").string(), marks = (folder / "marks.csv").string();
+    fs::copy_file(fs::path(BRAITENLAB_SOURCE) / "exercises/scenes/2a-coward.toml", scene);
+    const std::string text = text_of(scene), grade = "grade 04-coward " + folder.path.string();
+    expect_refused(grade + " --csv " + scene, "would write over a scene");
+    EXPECT_EQ(text_of(scene), text);
+    EXPECT_NE(ctl(grade + " --csv " + marks).code, 2);
+    EXPECT_NE(ctl(grade + " --csv " + marks).code, 2) << "a table of before is replaced";
+}
+
+TEST(CtlOutput, OfTwoKindsInOneFileIsRefused) {
+    const Folder folder;
+    const std::string both = (folder / "both.svg").string(), beside = (folder / ".").string() + "/both.svg";
+    const std::string why = "names a file that another option writes";
+    expect_refused("picture 2a-coward --wiring " + both + " --paths " + both, why);
+    expect_refused("picture 2a-coward --wiring " + both + " --paths " + beside, why);
+    EXPECT_FALSE(fs::exists(both));
+}
+
 TEST(CtlOutput, HasNothingThatATerminalActsUpon) {
     const Folder folder;
     put_text(folder / "s.toml",
