@@ -48,9 +48,21 @@ std::size_t skip_quoted(std::string_view text, std::size_t at) {
     }
 }
 
+// True when a line has more than deepest_key dots, as the line of a too deep key has.
+bool has_line_of_many_dots(std::string_view text) {
+    int dots = 0;
+    std::size_t line_end = 0;
+    for (std::size_t dot = text.find('.'); dot != text.npos; dot = text.find('.', dot + 1)) {
+        if (dot >= line_end) dots = 0, line_end = std::min(text.find('\n', dot), text.size());
+        if (++dots > deepest_key) return true;
+    }
+    return false;
+}
+
 // The line of the first key with more than deepest_key dots, or 0. toml++ 3.3 limits the nesting of values but not of
 // dotted keys, and frees its tables recursively: a key of a million dots overflows the stack.
 int line_of_too_deep_key(std::string_view text) {
+    if (!has_line_of_many_dots(text)) return 0;
     int line = 1, dots = 0;
     for (std::size_t at = 0; at < text.size();) {
         const char c = text[at];
