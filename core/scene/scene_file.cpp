@@ -65,12 +65,19 @@ private:
     std::vector<std::string>& paths_;
 };
 
-// The paths of all values outside lists ("kind.prey.brain.LL", "source.lamp.x"); of a brain the dials only.
+// The paths of all values outside lists ("kind.prey.brain.LL", "source.lamp.x"); of a brain the dials only, see
+// is_in_brain_list().
 std::vector<std::string> setting_paths(const Scene& scene) {
     std::vector<std::string> paths;
     PathList<Scene> list(scene, "", paths);
     describe(list, Of<Scene>{});
     return paths;
+}
+
+// True for a path of a wire or a further node of a brain: "kind.prey.brain.wire.OL-ML.weight". Whether the brain has it
+// is judged by put().
+bool is_in_brain_list(std::string_view path) {
+    return path.find(".brain.wire.") != path.npos || path.find(".brain.node.") != path.npos;
 }
 
 std::string joined(const std::string& table, const std::string& path) {
@@ -134,7 +141,8 @@ std::string_view nearest_path(const std::string& path, std::span<const std::stri
 
 std::optional<Error> apply(const Setting& setting, const std::string& table, TomlFile& file,
                            const std::vector<std::string>& known) {
-    const bool exists = std::find(known.begin(), known.end(), setting.path) != known.end();
+    const bool exists =
+        std::find(known.begin(), known.end(), setting.path) != known.end() || is_in_brain_list(setting.path);
     Setting in_file = setting;
     in_file.path = joined(table, setting.path);
     if (exists && put(file.root, in_file)) {

@@ -247,9 +247,31 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     }
 }
 
+namespace {
+
+// The table of a list that has this name, or goes FROM-TO; null if there is none.
+TomlNode* list_element(TomlNode::List& list, std::string_view part) {
+    const auto text_of = [](const TomlNode& element, std::string_view key) {
+        const TomlNode* value = element.get(key);
+        return value && value->as_text() ? *value->as_text() : std::string();
+    };
+    const auto found = std::find_if(list.begin(), list.end(), [&](const TomlNode& element) {
+        return element.as_table() &&
+               (text_of(element, "name") == part || text_of(element, "from") + "-" + text_of(element, "to") == part);
+    });
+    return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 bool put(TomlNode& root, const Setting& setting) {
     TomlNode* node = &root;
     for (const std::string& part : split_path(setting.path)) {
+        if (auto* list = std::get_if<TomlNode::List>(&node->content)) {
+            node = list_element(*list, part);
+            if (!node) return false;
+            continue;
+        }
         auto* members = std::get_if<TomlNode::Table>(&node->content);
         if (!members) return false;
         node = &member_of(*members, part);
