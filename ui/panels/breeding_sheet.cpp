@@ -99,12 +99,15 @@ void numbers_of_breeding(const LabView& lab, const Breeding& now, SliderState& s
                         .signed_number = false,
                         .meaning = false,
                         .words_width = text_width(ui, Face::text, words) / ui.px(1) + 12};
-        const float value = i == 0   ? static_cast<float>(now.generations)
+        const float known = i == 0   ? static_cast<float>(now.generations)
                             : i == 1 ? static_cast<float>(now.population)
                                      : static_cast<float>(now.seed);
-        const auto edit = slider(ui, sliders, id, value, width, lab.wall_seconds, look);
-        if (!edit) continue;
-        const int wanted = std::max(1, static_cast<int>(std::lround(edit->value)));
+        // Each choice begins a breeding, so a dragged number is one when the mouse is released.
+        const bool was_dragged = sliders.dragged == id;
+        const auto edit = slider(ui, sliders, id, was_dragged ? sliders.asked : known, width, lab.wall_seconds, look);
+        if (sliders.dragged == id || (!edit && !was_dragged)) continue;
+        const float asked = edit ? edit->value : sliders.asked;
+        const int wanted = std::max(1, static_cast<int>(std::lround(asked)));
         if (i == 0) choice.generations = wanted;
         if (i == 1) choice.population = std::max(wanted, now.parents);
         if (i == 2) choice.seed = static_cast<std::uint64_t>(wanted);
