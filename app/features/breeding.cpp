@@ -7,6 +7,7 @@
 #include "app/workspace.h"
 #include "core/io/link.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/subject.h"
 #include "ui/breeding_view.h"
 
 namespace braitenlab {
@@ -149,9 +150,11 @@ int kind_with_role(const Scene& scene, Role role) {
     return found == scene.kinds.end() ? -1 : static_cast<int>(found - scene.kinds.begin());
 }
 
-// True if predator and prey of the open scene have got body, sensors and brain of the champions.
+// True if predator and prey of the open scene have got body, sensors and brain of the champions; in an exercise only
+// what the student may change has got sensors and brain.
 bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cell) {
-    if (space.document.lesson || space.pages) return false;
+    if (space.pages) return false;
+    const bool is_lesson = space.document.lesson.has_value();
     const evolve::Trial trial = first_trial(runs, cell, cell);
     const Scene& scene = *space.document.session.snapshot().scene;
     BySide<int> kinds{};
@@ -162,12 +165,12 @@ bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cel
     }
     const std::uint64_t gesture = new_gesture(space);
     for (const Side side : evolve::both_sides) {
-        if (!runs.base->breed(side)) continue;
         const int index = at(kinds, side);
+        if (!runs.base->breed(side) || (is_lesson && index != subject_kind(scene))) continue;
         const Kind& champion = *at(trial.kinds, side);
         Kind kind = space.document.session.snapshot().scene->kinds[static_cast<std::size_t>(index)];
         kind.body = champion.body;
-        if (!apply(space, EditKind{index, kind}, gesture)) return true;
+        if (!is_lesson && !apply(space, EditKind{index, kind}, gesture)) return true;
         if (!apply(space, SetSensors{{no_vehicle, index}, champion.sensors}, gesture)) return true;
         if (!apply(space, SetBrain{{no_vehicle, index}, champion.brain}, gesture)) return true;
     }

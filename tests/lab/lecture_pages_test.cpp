@@ -38,7 +38,7 @@ struct LabLecturePages : testing::Test {
 };
 
 TEST_F(LabLecturePages, EveryShippedLectureGoesThroughAllPagesAndSteps) {
-    ASSERT_EQ(shipped_lectures().size(), 2u);
+    ASSERT_EQ(shipped_lectures().size(), 3u);
     for (const auto& path : shipped_lectures()) {
         SCOPED_TRACE(path.string());
         ask(OpenRequest{path.string()});
