@@ -1,8 +1,8 @@
-// Bodies and eyes in the shadow of other bodies and of obstacles.
+// Bodies and eyes in the shadow of obstacles.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <span>
 
 #include "render/view/drawing.h"
 
@@ -49,7 +49,7 @@ float taken_at(vec2 place, float height, const CastInstance& cast) {
 }
 
 // The darkness of all lamps at a place: three bits a lamp.
-float darkness_at(vec2 place, float height, const std::vector<CastInstance>& casts) {
+float darkness_at(vec2 place, float height, std::span<const CastInstance> casts) {
     std::array<float, most_lamps> passes;
     passes.fill(1);
     for (const CastInstance& cast : casts)
@@ -63,12 +63,13 @@ float darkness_at(vec2 place, float height, const std::vector<CastInstance>& cas
 
 void add_darkness(Drawing& drawing) {
     DrawList& list = drawing.list;
-    if (list.casts.empty()) return;
+    const std::span<const CastInstance> casts(list.casts.data(), drawing.obstacle_casts);
+    if (casts.empty()) return;
     for (auto& of_role : list.bodies)
         for (HullInstance& body : of_role)
-            body.look.z = darkness_at({body.place.x, body.place.y}, deck_height / 2 * body.size.z, list.casts);
+            body.look.z = darkness_at({body.place.x, body.place.y}, deck_height / 2 * body.size.z, casts);
     for (EyeballInstance& ball : list.eyeballs)
-        ball.size.w = darkness_at({ball.place.x, ball.place.y}, ball.size.y, list.casts);
+        ball.size.w = darkness_at({ball.place.x, ball.place.y}, ball.size.y, casts);
 }
 
 }  // namespace braitenlab::render

@@ -24,7 +24,6 @@ void add_soft(Drawing& drawing, const Subject& s, vec2 at, vec2 half, float soft
 }  // namespace
 
 void add_shadows(Drawing& drawing, const Subject& s) {
-    constexpr float top = 0.3f;   // height of a rounded body with its eyes, m
     constexpr float edge = 0.2f;  // height of the upper edge of the body, m
     const Body& body = s.kind.body;
     const Colour shade = drawing.colours.shadow;
@@ -48,8 +47,9 @@ void add_shadows(Drawing& drawing, const Subject& s) {
             add_soft(drawing, s, at + away_from_sun(0.6f * wheel.radius), {1.4f * half.x, 1.4f * half.y}, 0.10f,
                      0.8f * sun_strength(drawing), shade);
     }
-    // The body with its wheels hides lamps.
-    add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, top * s.height_scale);
+    // Lamps are high above the vehicles: a body hides them from the floor next to it, and from no eye.
+    constexpr float low = 0.5f * deck_height;
+    add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, low * s.height_scale);
 }
 
 void add_eye_shadows(Drawing& drawing, const Subject& s, const Sensor& sensor, float radius, float height) {

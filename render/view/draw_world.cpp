@@ -296,6 +296,7 @@ void add_world(Drawing& drawing) {
     if (drawing.picture.settings.overlays.surfaces) add_zones(drawing, scene);
     add_walls(drawing, scene.arena);
     add_obstacles(drawing, scene);
+    drawing.obstacle_casts = drawing.list.casts.size();
 }
 
 }  // namespace braitenlab::render

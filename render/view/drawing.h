@@ -20,6 +20,7 @@ struct Drawing {
     float common_pixels = 0;
     float scale = 1;                   // of sources and marks in a small arena; see scale_of()
     std::vector<StrikeView> struck{};  // strikes that shake their vehicles now
+    std::size_t obstacle_casts = 0;    // first of DrawList::casts, those of obstacles
 };
 
 constexpr float deck_height = 0.27f;  // m, of the standard vehicle
@@ -86,7 +87,8 @@ void add_shadows(Drawing&, const Subject&);
 // of the ball on the standard vehicle, m; `height`: of its centre, m.
 void add_eye_shadows(Drawing&, const Subject&, const Sensor&, float radius, float height);
 
-// Darkens the bodies and eyes that are behind boxes whose shadows have been added.
+// Darkens the bodies and eyes that are behind obstacles. Vehicles hide no light from each other's sensors (see
+// ChannelTraits::is_hidden), so they darken none. Precondition: the shadows of obstacles were added by add_world().
 void add_darkness(Drawing&);
 
 // Adds all vehicles.

@@ -395,6 +395,20 @@ TEST(DrawList, DarkensBodiesBehindBoxes) {
     for (const EyeballInstance& eye : list.eyeballs) EXPECT_EQ(eye.size.w, 0) << "it is higher than the box's shadow";
 }
 
+TEST(DrawList, AVehicleDarkensTheFloorBesideItAndNoOtherVehicle) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 2, 0, 0);
+    hand_made::add(now, 0, 3.2f, 0, 0);  // behind the first one
+    hand_made::add_source(now, Channel::light, 0, 0);
+    Picture picture;
+    picture.quality = Quality::high;
+    const DrawList list = drawn(now, picture);
+    ASSERT_EQ(list.casts.size(), 2U);
+    for (const CastInstance& cast : list.casts) EXPECT_LT(cast.shape.z, 0.15f * cast.lamp.z);
+    for (const HullInstance& body : list.bodies[0]) EXPECT_EQ(body.look.z, 0);
+    for (const EyeballInstance& eye : list.eyeballs) EXPECT_EQ(eye.size.w, 0);
+}
+
 TEST(DrawList, DrawsPoolsOfLightForManyLampsAtLowQuality) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (int i = 0; i < 4; ++i) hand_made::add_source(now, Channel::light, static_cast<float>(i), 0);
