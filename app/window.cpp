@@ -21,6 +21,8 @@
 
 namespace braitenlab {
 
+using namespace std::string_view_literals;
+
 namespace {
 
 constexpr int least_width = 940, least_height = 570;  // window pixels; the toolbar needs them
@@ -47,10 +49,37 @@ maths::vec2 pixels_of(GLFWwindow* window, double x, double y) {
     return vec2_of(x * across / std::max(1, width), y * down / std::max(1, height));
 }
 
-// The character a key types on this keyboard layout without Shift, in upper case; other keys by GLFW's number.
+// What keys of the numeric keypad are while they type no digits.
+struct KeypadKey {
+    int keypad, key;
+};
+constexpr KeypadKey keypad_keys[]{{GLFW_KEY_KP_0, key::insert},  {GLFW_KEY_KP_1, key::end},
+                                  {GLFW_KEY_KP_2, key::down},    {GLFW_KEY_KP_3, key::page_down},
+                                  {GLFW_KEY_KP_4, key::left},    {GLFW_KEY_KP_6, key::right},
+                                  {GLFW_KEY_KP_7, key::home},    {GLFW_KEY_KP_8, key::up},
+                                  {GLFW_KEY_KP_9, key::page_up}, {GLFW_KEY_KP_DECIMAL, key::del}};
+
+bool is_on_keypad(int glfw_key) { return glfw_key >= GLFW_KEY_KP_0 && glfw_key <= GLFW_KEY_KP_EQUAL; }
+
+// 0 for 5 without digits.
+int key_of_keypad(int glfw_key, bool types_digits) {
+    constexpr std::string_view signs = "./*-+\0="sv;
+    static_assert(GLFW_KEY_KP_EQUAL - GLFW_KEY_KP_DECIMAL == 6 && GLFW_KEY_KP_ADD - GLFW_KEY_KP_DECIMAL == 4);
+    if (glfw_key == GLFW_KEY_KP_ENTER) return key::enter;
+    if (!types_digits && glfw_key <= GLFW_KEY_KP_DECIMAL) {
+        for (const KeypadKey& each : keypad_keys)
+            if (each.keypad == glfw_key) return each.key;
+        return 0;
+    }
+    if (glfw_key <= GLFW_KEY_KP_9) return '0' + glfw_key - GLFW_KEY_KP_0;
+    return signs[static_cast<std::size_t>(glfw_key - GLFW_KEY_KP_DECIMAL)];
+}
+
+// The digit at its place, else the character a key types on this keyboard layout without Shift, in upper case; other
+// keys by GLFW's number.
 int key_of(int glfw_key, int scancode) {
     if (glfw_key == GLFW_KEY_SPACE) return ' ';
-    if (glfw_key == GLFW_KEY_KP_ENTER) return GLFW_KEY_ENTER;
+    if (glfw_key >= GLFW_KEY_0 && glfw_key <= GLFW_KEY_9) return glfw_key;
     if (const char* name = glfwGetKeyName(glfw_key, scancode); name && name[0] != 0 && name[1] == 0)
         return name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
     return glfw_key;
@@ -69,6 +98,7 @@ struct Window::Native {
     std::optional<Canvas> canvas;  // drawn into in place of the window
     bool imgui = false;
     bool watches_graphics = false;
+    bool num_lock = false;  // at the last key
     int graphics_errors = 0;
 
     Native() = default;
@@ -131,8 +161,16 @@ struct Window::Native {
             if (key == GLFW_KEY_LEFT_ALT) return;
             if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
             const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
+            of(w).num_lock = (mods & GLFW_MOD_NUM_LOCK) != 0;
+            if (is_on_keypad(key)) {
+                // Shift has the effect of the lock and no other one.
+                const KeyPress press{key_of_keypad(key, of(w).num_lock != shift), ctrl, false};
+                if (press.key != 0) of(w).keys.press(press, action == GLFW_REPEAT);
+                return;
+            }
             of(w).keys.press({key_of(key, scancode), ctrl, shift}, action == GLFW_REPEAT);
         });
+        glfwSetInputMode(window, GLFW_LOCK_KEY_MODS, GLFW_TRUE);
         glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { of(w).keys.type(character); });
     }
 };
@@ -333,7 +371,13 @@ std::vector<std::string> Window::take_dropped_files() { return std::exchange(nat
 bool Window::is_touched() const { return false; }
 float Window::take_twist() { return 0; }
 void Window::want_text(bool) {}
-bool Window::holds(int glfw_key) const { return glfwGetKey(native_->window, glfw_key) == GLFW_PRESS; }
+bool Window::holds(int glfw_key) const {
+    const auto is_down = [this](int each) { return glfwGetKey(native_->window, each) == GLFW_PRESS; };
+    if (is_down(glfw_key)) return true;
+    return !native_->num_lock &&
+           std::any_of(std::begin(keypad_keys), std::end(keypad_keys),
+                       [&](const KeypadKey& each) { return each.key == glfw_key && is_down(each.keypad); });
+}
 
 void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ImGui_ImplOpenGL3_NewFrame();

@@ -1,5 +1,7 @@
 #include "ui/key_queue.h"
 
+#include <string_view>
+
 #include "ui/imgui_compat.h"
 
 namespace braitenlab::ui {
@@ -47,7 +49,7 @@ bool may_lead_to_text(KeyPress press) {
 // Keys that repeat while held; others, such as play and pause, act once per press.
 bool may_repeat(KeyPress press) {
     return (press.key >= key::right && press.key <= key::up) || press.key == key::tab || press.key == '.' ||
-           press.key == ',';
+           press.key == ',' || press.key == '<' || press.key == '>';
 }
 
 bool may_repeat_in_text(KeyPress press) {
@@ -56,9 +58,23 @@ bool may_repeat_in_text(KeyPress press) {
 
 }  // namespace
 
+KeyPress as_typed(KeyPress press, unsigned character) {
+    constexpr std::string_view signs = ".,+-=<>";
+    // They are answers and sliders: without Shift they are those of their place whatever they type.
+    const bool is_used_digit = press.key >= '1' && press.key <= '4' && !press.shift;
+    if (press.ctrl || is_used_digit || character == 0 || character > '~') return press;
+    const auto typed = static_cast<char>(character);
+    const bool is_digit = typed >= '0' && typed <= '9';
+    return is_digit || signs.find(typed) != signs.npos ? KeyPress{typed} : press;
+}
+
 void KeyQueue::press(KeyPress press, bool repeats) { events_.push_back({press, repeats, 0}); }
 
-void KeyQueue::type(unsigned character) { events_.push_back({{}, false, character}); }
+void KeyQueue::type(unsigned character) {
+    if (!events_.empty() && events_.back().character == 0 && events_.back().press.key < key::escape)
+        events_.back().press = as_typed(events_.back().press, character);
+    events_.push_back({{}, false, character});
+}
 
 KeysOfAFrame KeyQueue::take(TextInput text) {
     awaited_ = text == TextInput::awaited ? awaited_ + 1 : 0;

@@ -22,6 +22,10 @@ struct KeysOfAFrame {
     std::optional<KeyPress> stroke;    // for the text field, instead of characters: down in this frame, up in the next
 };
 
+// The press of a key that types this character. Layouts have the digits at one place, shifted or not, and the signs
+// . , + - = < > at different places: a digit is the key of its place or what is typed, a sign is what is typed.
+KeyPress as_typed(KeyPress, unsigned character);
+
 class KeyQueue {
 public:
     // Adds a press or a repeat of a key, and then the character that the key types, if there is one.

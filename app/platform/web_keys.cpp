@@ -53,12 +53,13 @@ bool is_typed(const EmscriptenKeyboardEvent& e) {
     return only_character(e.key) >= ' ' && (!with_ctrl(e) || (e.ctrlKey && e.altKey));
 }
 
-// The key without Shift, for digits and punctuation: Shift+1 is the key 1 on every layout of the Latin alphabet.
+// The digit at its place, else the character without Shift; 0: none.
 int unshifted(const EmscriptenKeyboardEvent& e, unsigned c) {
     const std::string_view code = e.code;
-    if (e.shiftKey && code.size() == 6 && code.starts_with("Digit")) return code[5];
+    if (code.size() == 6 && code.starts_with("Digit")) return code[5];
     if (e.shiftKey && code == "Period") return '.';
     if (e.shiftKey && code == "Comma") return ',';
+    if (c > 0x7F) return 0;
     return c >= 'a' && c <= 'z' ? static_cast<int>(c - 'a' + 'A') : static_cast<int>(c);
 }
 
@@ -77,8 +78,9 @@ KeyPress press_of(const EmscriptenKeyboardEvent& e) {
     for (const auto& [name, number] : named_keys)
         if (name == e.key) return {number, ctrl, static_cast<bool>(e.shiftKey)};
     const unsigned c = only_character(e.key);
-    if (c == 0 || c > 0x7F) return {};
-    return {unshifted(e, c), ctrl, static_cast<bool>(e.shiftKey)};
+    const int key = c == 0 ? 0 : unshifted(e, c);
+    if (key == 0) return {};
+    return ui::as_typed({key, ctrl, static_cast<bool>(e.shiftKey)}, c);
 }
 
 unsigned character_of(const EmscriptenKeyboardEvent& e) { return is_typed(e) ? only_character(e.key) : 0; }

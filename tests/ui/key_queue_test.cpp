@@ -30,6 +30,42 @@ TEST(KeyQueue, ReturnsAllShortcutsInOneFrame) {
     EXPECT_TRUE(queue.take(TextInput::none).presses.empty());
 }
 
+TEST(KeyQueue, ASignIsWhatIsTypedAndADigitIsAtItsPlace) {
+    struct Typed {
+        KeyPress key;
+        char character;
+        KeyPress press;
+        const char* layout;
+    };
+    for (const Typed& each : {Typed{{';', false, true}, '.', {'.'}, "French"},
+                              {{'=', false, true}, '+', {'+'}, "French and English"},
+                              {{'6'}, '-', {'-'}, "French"},
+                              {{'1'}, '&', {'1'}, "French"},
+                              {{'3', false, true}, '3', {'3'}, "French"},
+                              {{'1', false, true}, '+', {'+'}, "Swiss"},
+                              {{'1'}, '+', {'1'}, "Czech: the digits are shifted"},
+                              {{'.', false, true}, '>', {'>'}, "English"},
+                              {{'.', false, true}, ':', {'.', false, true}, "German"},
+                              {{'A', false, true}, 'A', {'A', false, true}, "any"}}) {
+        KeyQueue queue;
+        queue.press(each.key);
+        queue.type(static_cast<unsigned char>(each.character));
+        EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{each.press}) << each.layout << each.character;
+    }
+    EXPECT_EQ(action_for({'>'}), Action::fast_forward);
+    EXPECT_EQ(action_for({'<'}), Action::rewind);
+    EXPECT_EQ(as_typed({'0', true, true}, '='), (KeyPress{'0', true, true})) << "with Ctrl nothing is typed";
+}
+
+TEST(KeyQueue, ACharacterWithoutAKeyOfItsOwnChangesNoPress) {
+    KeyQueue queue;
+    strike(queue, 'a');
+    queue.type('+');  // an input method
+    queue.press({key::enter});
+    queue.type('.');
+    EXPECT_EQ(queue.take(TextInput::none).presses, (std::vector{KeyPress{'A'}, KeyPress{key::enter}}));
+}
+
 TEST(KeyQueue, StopsAfterAKeyThatMayOpenATextField) {
     KeyQueue queue;
     queue.press(save_as);
