@@ -80,11 +80,35 @@ void show_reality(Lab& lab) {
 
 void show_map(Lab& lab) {
     lab.view.map = !lab.view.map;
+    if (lab.view.map && lab.playback.mode == Mode::wiring) {
+        lab.view.map = false;
+        return say(lab, {NoticeKind::failure, "unavailable.scene_only"});
+    }
     if (lab.view.map) lab.view.reality = false;
     const VehicleView* vehicle = selected_vehicle(lab);
     if (!lab.view.map || (vehicle && can_show_map(lab, *vehicle))) return;
     lab.view.map = false;
     say(lab, {NoticeKind::failure, vehicle ? "unavailable.map" : "unavailable.no_vehicle"});
+}
+
+// Ends what Esc is for: the foremost of what covers the scene or takes its place. A lecture ends only after a notice
+// that says so, because the start key of a clicker sends Esc, too.
+void cancel(Lab& lab) {
+    constexpr std::string_view asked = "notice.escape_again";
+    if (lab.playback.mode == Mode::wiring) return set_mode(lab, Mode::paused);
+    if (lab.explanation.on) return ask_why(lab);
+    if (lab.view.reality) return show_reality(lab);
+    if (lab.view.map) return show_map(lab);
+    if (lab.slots.runs.question()) return lab.slots.runs.forget();
+    if (!lab.before_lecture) return;
+    if (lab.notice.key != asked) return say(lab, {NoticeKind::notice, std::string(asked)});
+    lab.notice = {};
+    end_lecture(lab);
+}
+
+void ask_first(Lab& lab) {
+    if (!lab.before_lecture) return;
+    lab.view.revealed = lab.view.revealed.asks_first ? Revealed{} : hidden_until_asked;
 }
 
 // Shows the intensity of the next channel that has one in this scene; after the last, none.
@@ -148,6 +172,7 @@ constexpr LabAction lab_actions[]{
     {Action::hide_title, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.title); }},
     {Action::hide_character, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.character); }},
     {Action::hide_brain, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.brain); }},
+    {Action::ask_first, [](Lab& lab) { ask_first(lab); }},
     {Action::next_field, [](Lab& lab) { show_next_field(lab); }},
     {Action::why, [](Lab& lab) { ask_why(lab); }},
     {Action::map, [](Lab& lab) { show_map(lab); }},
@@ -166,16 +191,7 @@ constexpr LabAction lab_actions[]{
     {Action::another_start, [](Lab& lab) { reset(lab, lab.document.session.seed() + 1); }, own_run},
     {Action::wiring, [](Lab& lab) { set_mode(lab, lab.playback.mode == Mode::wiring ? Mode::paused : Mode::wiring); },
      own_run},
-    {Action::cancel,
-     [](Lab& lab) {
-         if (lab.playback.mode == Mode::wiring)
-             set_mode(lab, Mode::paused);
-         else if (lab.explanation.on)
-             ask_why(lab);
-         else if (lab.before_lecture)
-             end_lecture(lab);
-     },
-     own_run},
+    {Action::cancel, [](Lab& lab) { cancel(lab); }, own_run},
     {Action::return_run, [](Lab& lab) { return_to_last_run(lab.last_run, lab); }, own_run},
     {Action::undo,
      [](Lab& lab) {
@@ -216,7 +232,7 @@ constexpr LabAction lab_actions[]{
     {Action::lecture,
      [](Lab& lab) {
          if (lab.before_lecture) {
-             if (lab.notice.key == "notice.projector_view") lab.notice = {};
+             if (lab.notice.key == "notice.projector_view" || lab.notice.key == "notice.escape_again") lab.notice = {};
              end_lecture(lab);
          } else if (lab.lectures.left && lab.lectures.left_run == lab.document.run_id) {
              request_left_lecture(lab, true);

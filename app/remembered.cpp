@@ -10,7 +10,6 @@ namespace braitenlab {
 void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
     const ViewSettings& kept = stored.settings;
     lab.view.overlays = kept.overlays;
-    lab.view.watching = kept.watching;
     lab.view.canvas_share = kept.canvas_share;
     lab.view.sensors = kept.sensors;
     lab.view.outlines = kept.outlines;
@@ -33,7 +32,6 @@ StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
     stored.settings.overlays.field.reset();
     TrailColour& trails = stored.settings.overlays.trail_colour;
     if (trails.value == TrailValue::reading) trails = {};  // depends on the scene
-    stored.settings.watching = shown.watching;
     stored.settings.canvas_share = shown.canvas_share;
     stored.settings.sensors = shown.sensors;
     stored.settings.outlines = shown.outlines;

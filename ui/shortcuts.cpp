@@ -116,7 +116,8 @@ std::optional<Action> action_for(KeyPress press, KeyPlace place) {
 }
 
 bool hides_a_part(Action action) {
-    return action == Action::hide_title || action == Action::hide_character || action == Action::hide_brain;
+    return action == Action::hide_title || action == Action::hide_character || action == Action::hide_brain ||
+           action == Action::ask_first;
 }
 
 bool has_effect_in_lecture(Action action, bool has_pages) {

@@ -50,6 +50,14 @@ void switch_menus(PanelState& state, const Ui& ui, OpenMenus open) {
         state.brain.presets.wanted = true;
 }
 
+// The diagram without the inspector below it; of no width while it is not shown.
+Rect diagram_of(const LabView& view, const PanelState& state, const Ui& ui, const WindowLayout& layout) {
+    Rect diagram = layout.canvas;
+    if (view.mode == Mode::wiring)
+        diagram.h -= wiring::inspector_rect(ui, state.canvas, layout.canvas).h + ui.px(above_inspector);
+    return diagram;
+}
+
 // The wiring canvas with the inspector below it. The background does not cover the inset with the scene.
 void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -62,8 +70,7 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     draw.AddRectFilled({s.x + s.w, s.y}, {w.x + w.w, s.y + s.h}, ground);
     draw.AddRect({s.x, s.y}, {s.x + s.w, s.y + s.h}, paint(ui.palette.line));
     const Rect below = wiring::inspector_rect(ui, state.canvas, layout.canvas);
-    Rect canvas = layout.canvas;
-    canvas.h -= below.h + ui.px(above_inspector);
+    const Rect canvas = diagram_of(view, state, ui, layout);
     wiring::draw_canvas(view, state.canvas, ui, canvas);
     draw_probes(view, state, ui, canvas);
     wiring::draw_inspector(view, state.canvas, state.sliders, ui, below);
@@ -142,6 +149,18 @@ void choose_sensor_handles(const LabView& view, PanelState& state) {
     handles.shown = traits(Card::sensors).shown(view) && !state.card(Card::sensors).folded;
     handles.sensor = state.sensors.shown;
     handles.alone = state.sensors.alone;
+}
+
+// The parts of the window that the lecturer's lines can be on.
+MarkedParts marked_parts(const LabView& view, const PanelState& state, const Ui& ui, const WindowLayout& layout) {
+    MarkedParts parts{.scene = layout.scene,
+                      .diagram = diagram_of(view, state, ui, layout),
+                      .of_diagram = {},
+                      .strip = shows_lecture_figures(view) ? layout.hint_bar : Rect{},
+                      .bar = layout.toolbar,
+                      .window = layout.window};
+    parts.of_diagram = wiring::view_of(state.canvas.camera, parts.diagram, ui.scale);
+    return parts;
 }
 
 // The parts of a page of a lecture file.
@@ -233,6 +252,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     state.map.hovered.reset();
     state.reality.hovered.reset();
     follow_map(view, state);
+    state.map.replaces_diagram = layout.card_replaces_diagram;
     record(state.charts.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
@@ -265,7 +285,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         lecture_bar(view, state, ui, layout.toolbar);
         draw_page(view, state, ui, layout);
         if (state.sheet == Sheet::none)
-            draw_marks(view, state.lecture.marks, ui, layout.scene, layout.toolbar, layout.window);
+            draw_marks(view, state.lecture.marks, ui, marked_parts(view, state, ui, layout));
     } else {
         state.lecture.marks = {};
         timeline(view, state, ui, layout.timeline);

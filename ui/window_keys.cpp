@@ -150,10 +150,12 @@ bool is_left_out(const LabView& view, const PanelState& state, Action action) {
            (action == Action::hint && (!view.lesson || state.cards[static_cast<std::size_t>(Card::exercise)].folded));
 }
 
-// Executes an action: by the panels, or else by a request.
+// Executes an action: by the panels, or else by a request. Says why where it is impossible now.
 void carry_out(const Acting& at, Action action) {
-    if (is_left_out(at.view, at.state, action))
-        at.outbox.push_back(NoticeRequest{"unavailable.in_lecture", {}, {}});
+    const std::string_view why_not =
+        is_left_out(at.view, at.state, action) ? "unavailable.in_lecture" : why_unavailable(at.view, at.state, action);
+    if (!why_not.empty())
+        at.outbox.push_back(NoticeRequest{std::string(why_not), {}, {}});
     else if (!act_on_panels(at, action) && !holds_play(at.view, at.state, action, at.outbox))
         at.outbox.push_back(action);
 }

@@ -33,6 +33,13 @@ ColumnWidths column_widths(float layout_width) {
     return {16, 304, 336};
 }
 
+// A card of the left column that was asked for. It takes the room of the watched diagram, and that of the question
+// beside the scene, where there is none for both.
+bool has_asked_card(const LabView& view) {
+    const ViewSettings& shown = view.settings;
+    return view.mode != Mode::wiring && (shown.map || shown.reality || (shown.values && !view.lecture));
+}
+
 // Takes the strip for the timeline from the bottom of the middle column.
 Rect take_timeline(Rect& middle, float scale) {
     const float strip = timeline_height * scale;
@@ -68,7 +75,7 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
 bool asks_beside(const LabView& view, OpenCards open) {
     const LectureView& page = *view.pages;
     const bool is_answered = page.shows(PagePart::answer) && view.settings.revealed.brain;
-    return page.shows(PagePart::question) && !page.shows(PagePart::exercise) &&
+    return page.shows(PagePart::question) && !page.shows(PagePart::exercise) && !has_asked_card(view) &&
            !(is_answered && (open.right || view.settings.watching || view.features.slots.seconds > 0));
 }
 
@@ -131,11 +138,14 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
 
     const ColumnWidths c = column_widths(width / scale);
+    const bool is_narrow = width / scale < (view.lesson ? narrow_window : wide_window);
+    l.card_replaces_diagram = is_narrow && has_asked_card(view);
+    const bool watches = view.settings.watching && view.mode != Mode::wiring && !l.card_replaces_diagram;
     if (view.lecture) {
         l.menu_bar = {};
         l.toolbar = {0, 0, width, lecture_bar_height * scale};
         // The diagram beside the scene needs the height; it shows the wires larger.
-        const bool is_large = !view.settings.watching;
+        const bool is_large = !watches;
         const bool is_picture = vehicle_of_live_picture(view) != nullptr;
         const float figures = (!is_picture ? counts_height : is_large ? live_height : figures_height) * scale;
         l.hint_bar = {0, height - figures, width, figures};
@@ -151,8 +161,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float right = std::min(c.right * scale, width * right_share(view, open) - margin);
     l.left = {margin, top, left, column};
     l.right = {width - margin - right, top, right, column};
-    const bool watches = view.settings.watching && view.mode != Mode::wiring;
-    if (watches && width / scale < (view.lesson ? narrow_window : wide_window)) l.left = {};  // room for the canvas
+    if (watches && is_narrow) l.left = {};  // room for the canvas
     const float from_left = l.left.w > 0 ? 2 * margin + left : margin;
     l.scene = {from_left, top, width - 2 * margin - right - from_left, column};
 
@@ -167,7 +176,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
     if (view.lecture && open.left && l.left.w > 0) l.scene.x = from_left, l.scene.w -= from_left - margin;
     const bool covers = view.lecture && open.right && !view.pages && view.mode != Mode::wiring;
-    if (covers && !view.settings.watching) l.scene.w -= l.right.w + margin;  // an open card has a column of its own
+    if (covers && !watches) l.scene.w -= l.right.w + margin;  // an open card has a column of its own
     if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
 
     if (view.mode == Mode::wiring) {

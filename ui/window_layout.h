@@ -14,8 +14,9 @@ struct WindowLayout {
     Rect timeline;                             // below canvas or scene
     bool exercise_on_right = false;            // its card has no left column and is above the cards of the right one
     Rect canvas;  // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
-    Rect border;  // between canvas and scene while it is watched; can be dragged
-    Rect scene;   // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset
+    bool card_replaces_diagram = false;  // a card that was asked for has the room of a watched diagram
+    Rect border;                         // between canvas and scene while it is watched; can be dragged
+    Rect scene;  // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset
     Rect caption, question, notes;  // of a page of a lecture
     Rect tools;  // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
     float scale = 1;

@@ -155,7 +155,6 @@ void visit_flags(View& view, const Visit& visit) {
     visit("last_run", view.settings.overlays.last_run);
     visit("sensors", view.settings.sensors);
     visit("outlines", view.settings.outlines);
-    visit("diagram", view.settings.watching);
     visit("whole_kind", view.settings.selection.whole_kind);
     visit("knows_sliders", view.followed.slider);
     visit("knows_lamps", view.followed.lamp);

@@ -30,8 +30,8 @@ struct WindowPlace {
 
 // How the scene was shown last: restored at the next start.
 struct StoredView {
-    ViewSettings
-        settings;  // camera mode, overlays but for the field, sensor fields, diagram, scope; the rest is not stored
+    ViewSettings settings;  // camera mode, overlays but for the field, sensor fields, share of the diagram, scope; the
+                            // rest is not stored
     float time_scale = 1;
     std::optional<std::vector<std::string>> folded{};  // anchors of the folded cards; nullopt: first start
     ui::PromptsFollowed followed{};

@@ -65,11 +65,13 @@ inline constexpr float least_canvas_share = 0.25f, largest_canvas_share = 0.75f;
 
 // What a lecture shows its audience. The lecturer hides and reveals it.
 struct Revealed {
-    bool title = true;      // of the scene, the exercise or the lecture
-    bool character = true;  // the name of the recognised character
-    bool brain = true;      // the wires on the deck and in the cards
+    bool title = true;        // of the scene, the exercise or the lecture
+    bool character = true;    // the name of the recognised character
+    bool brain = true;        // the wires on the deck and in the cards
+    bool asks_first = false;  // all of it is hidden when another scene is opened
     friend bool operator==(const Revealed&, const Revealed&) = default;
 };
+inline constexpr Revealed hidden_until_asked{.title = false, .character = false, .brain = false, .asks_first = true};
 
 struct ViewSettings {
     Camera camera;
@@ -95,6 +97,7 @@ inline ViewSettings for_another_scene(ViewSettings settings) {
     settings.orbits = false;
     settings.overlays.field.reset();
     if (settings.overlays.trail_colour.value == TrailValue::reading) settings.overlays.trail_colour = {};
+    if (settings.revealed.asks_first) settings.revealed = hidden_until_asked;
     settings.selection = {.object = {}, .whole_kind = settings.selection.whole_kind, .pair = {}};
     return settings;
 }

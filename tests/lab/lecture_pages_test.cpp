@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lecture.h"
+#include "app/course/lesson_view.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
 #include "app/lab_requests.h"
@@ -34,6 +35,11 @@ struct LabLecturePages : testing::Test {
         Outbox outbox;
         ui::press_key(view_of(lab), panels, key, outbox);
         for (const Request& request : outbox) handle(lab, request);
+    }
+    // The first Esc says that a second one leaves.
+    void leave_by(int leave) {
+        press({leave});
+        if (leave == key::escape) press({leave});
     }
 };
 
@@ -252,7 +258,7 @@ TEST_F(LabLecturePages, EditsOfAPageAreNotAskedToBeSavedAndThoseBeforeAre) {
     press({key::page_down});
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
     EXPECT_FALSE(has_unsaved_edits(lab));
-    press({key::escape});
+    leave_by(key::escape);
     EXPECT_FALSE(lab.pages);
     EXPECT_FALSE(has_unsaved_edits(lab)) << "edits made in the lecture";
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 0.5f}});
@@ -269,7 +275,7 @@ TEST_F(LabLecturePages, EscapeAndF9RestoreTheViewSettings) {
         ASSERT_TRUE(view_of(lab).lecture);
         for (int i = 0; i < 5; ++i) press({key::page_down});
         ASSERT_NE(lab.view.overlays, before.overlays);
-        press({leave});
+        leave_by(leave);
         EXPECT_FALSE(view_of(lab).lecture);
         EXPECT_EQ(view_of(lab).pages, nullptr);
         EXPECT_EQ(lab.preferences, mine);
@@ -298,7 +304,7 @@ TEST_F(LabLecturePages, StoredBrainsAndTheirCardsEndWithThePage) {
         EXPECT_FALSE(view_of(lab).features.slots.has_any());
         EXPECT_FALSE(lab.slots.runs.question());
         EXPECT_FALSE(lab.view.map || lab.view.reality);
-        press({leave});
+        leave_by(leave);
         EXPECT_TRUE(view_of(lab).features.slots.slots[0].design) << "what was stored before the lecture";
         EXPECT_FALSE(view_of(lab).features.slots.slots[1].design);
         EXPECT_TRUE(lab.view.map);
@@ -310,7 +316,7 @@ TEST_F(LabLecturePages, F9GoesBackToThePageThatWasLeft) {
         open("four-numbers");
         for (int i = 0; i < 3; ++i) press({key::page_down});
         handle(lab, HandsRequest{1, 12});
-        press({leave});
+        leave_by(leave);
         ASSERT_FALSE(lab.pages);
         EXPECT_EQ(lab.notice.key, "notice.lecture_left");
         EXPECT_EQ(lab.notice.words, "2");
@@ -332,7 +338,7 @@ TEST_F(LabLecturePages, F9GoesOnWithTheRunAndTheWeightsOfThePageThatWasLeft) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     set_mode(lab, Mode::playing);
     for (int frame = 0; frame < 20; ++frame) advance(lab, 0.02);
-    press({key::escape});
+    leave_by(key::escape);
     const std::uint64_t tick = lab.document.session.snapshot().tick;
     const Scene edited = lab.document.session.edited_scene();
     ASSERT_GT(tick, 10u);
@@ -366,7 +372,7 @@ TEST_F(LabLecturePages, PageUpOverTheStepThatStartsTheRunReturnsToItsStart) {
 TEST_F(LabLecturePages, F9AsksAboutEditsMadeSinceTheLectureWasLeft) {
     open("four-numbers");
     press({key::page_down});
-    press({key::escape});
+    leave_by(key::escape);
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
     press({key::f9});
     execute_file_requests(lab, files, state, folders);
@@ -401,7 +407,7 @@ TEST_F(LabLecturePages, F5StartsAtTheFirstPage) {
     EXPECT_EQ(lab.pages->page, 0);
     EXPECT_EQ(lab.pages->step, 0);
     for (int i = 0; i < 3; ++i) press({key::page_down});
-    press({key::escape});
+    leave_by(key::escape);
     press({key::f5});
     execute_file_requests(lab, files, state, folders);
     ASSERT_TRUE(lab.pages);
@@ -444,8 +450,68 @@ TEST_F(LabLecturePages, EscClosesAnExplanationBeforeTheLecture) {
     handle(lab, Action::cancel);
     EXPECT_FALSE(lab.explanation.on);
     EXPECT_TRUE(lab.before_lecture);
-    handle(lab, Action::cancel);
+    leave_by(key::escape);
     EXPECT_FALSE(lab.before_lecture);
+}
+
+TEST_F(LabLecturePages, TheFirstEscEndsTheMapTheRobotsOrTheComparisonAndNeverTheLecture) {
+    open("four-numbers");
+    show_page(lab, 6);
+    handle(lab, Action::slot);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
+    handle(lab, Action::slot);
+    handle(lab, Action::compare);
+    ASSERT_TRUE(lab.slots.runs.question());
+    lab.view.map = true;
+    press({key::escape});
+    EXPECT_FALSE(lab.view.map);
+    EXPECT_TRUE(lab.slots.runs.question()) << "one at a time";
+    press({key::escape});
+    EXPECT_FALSE(lab.slots.runs.question());
+    EXPECT_TRUE(view_of(lab).features.slots.has_any()) << "the stored brains stay";
+    lab.view.reality = true;
+    press({key::escape});
+    EXPECT_FALSE(lab.view.reality);
+    EXPECT_TRUE(lab.pages);
+    press({key::escape});
+    EXPECT_EQ(lab.notice.key, "notice.escape_again");
+    ASSERT_TRUE(lab.pages);
+    lab.notice = {};  // its time is over
+    press({key::escape});
+    EXPECT_TRUE(lab.pages) << "it is the first one again";
+    press({key::escape});
+    EXPECT_FALSE(lab.pages);
+}
+
+TEST_F(LabLecturePages, AskFirstHidesTitleCharacterAndBrainOfEachSceneThatIsOpened) {
+    const Revealed hidden{false, false, false, true};
+    handle(lab, Action::ask_first);
+    EXPECT_EQ(lab.view.revealed, Revealed{}) << "not outside a lecture";
+    handle(lab, Action::lecture);
+    press({'F', false, true});
+    EXPECT_EQ(lab.view.revealed, hidden);
+    EXPECT_FALSE(disclosure_of(lab).brains);
+    for (const char letter : {'T', 'C', 'B'}) press({letter, false, true});
+    EXPECT_TRUE(lab.view.revealed.title && lab.view.revealed.character && lab.view.revealed.brain);
+    open("3a-love");
+    ASSERT_EQ(lab.document.name, "3a-love");
+    EXPECT_EQ(lab.view.revealed, hidden) << "the next riddle";
+    open("four-numbers");
+    EXPECT_TRUE(lab.view.revealed.title) << "a page shows what it says";
+    open("2b-aggressor");
+    EXPECT_EQ(lab.view.revealed, hidden);
+    press({'F', false, true});
+    EXPECT_EQ(lab.view.revealed, Revealed{});
+    press({'F', false, true});
+    press({key::f9});
+    EXPECT_EQ(lab.view.revealed, Revealed{}) << "it ends with the lecture";
+}
+
+TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhyThereIsNone) {
+    set_mode(lab, Mode::wiring);
+    handle(lab, Action::map);
+    EXPECT_EQ(lab.notice.key, "unavailable.scene_only");
+    EXPECT_FALSE(lab.view.map);
 }
 
 TEST_F(LabLecturePages, ABrokenLectureIsRefusedAndTheSceneStays) {

@@ -38,6 +38,21 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     EXPECT_EQ(view_to_store(next, next_panels), stored);
 }
 
+TEST(Remembered, DoesNotKeepTheWatchedDiagram) {
+    Lab lab = opened_lab("2a-coward");
+    const ui::PanelState panels;
+    handle(lab, Action::watch);
+    ASSERT_TRUE(lab.view.watching);
+    StoredState state;
+    state.view = view_to_store(lab, panels);
+    const auto read = parse_state(write_state(state), "s");
+    ASSERT_TRUE(read);
+    Lab next = opened_lab("2a-coward");
+    ui::PanelState next_panels;
+    restore_view(next, next_panels, read->view);
+    EXPECT_FALSE(next.view.watching);
+}
+
 TEST(Remembered, KeepsTheColourOfTrailsButNotASensor) {
     Lab lab = opened_lab("2b-aggressor");
     const ui::PanelState panels;

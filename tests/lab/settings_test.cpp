@@ -31,7 +31,7 @@ TEST(Settings, KeepTheViewAndTheWindow) {
     StoredState state;
     state.view.settings.camera.mode = CameraMode::birds_eye;
     state.view.settings.overlays = {false, {TrailValue::speed}, false, false, false, false, 3, std::nullopt};
-    state.view.settings.sensors = false, state.view.settings.outlines = true, state.view.settings.watching = true;
+    state.view.settings.sensors = false, state.view.settings.outlines = true;
     state.view.settings.canvas_share = 0.5f, state.view.settings.selection.whole_kind = false;
     state.view.time_scale = 4;
     state.view.folded = {"card.brain", "card.scene"};
@@ -44,6 +44,7 @@ TEST(Settings, KeepTheViewAndTheWindow) {
     state.view.settings.overlays.trail_colour = {TrailValue::wheels};
     EXPECT_EQ(*parse_state(write_state(state), "s"), state);
     EXPECT_EQ(*parse_state(write_state({}), "s"), StoredState{});
+    EXPECT_EQ(*parse_state("format = 1\ndiagram = true\n", "s"), StoredState{}) << "of an earlier version";
 }
 
 TEST(Settings, ClampTheView) {

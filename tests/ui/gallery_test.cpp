@@ -193,6 +193,28 @@ TEST_F(Gallery, TypingSearchesAndEnterOpensTheFirstMatch) {
     EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/2a-coward.toml");
 }
 
+TEST_F(Gallery, EnterOpensTheBestHitBeItASceneOrALecture) {
+    catalogue.push_back({"further", "/x/further.toml", "Further", "A coward that drives further than 4 m."});
+    catalogue.push_back({"moth", "/x/moth.toml", "The cowardly moth", ""});
+    const std::vector<CatalogueEntry> lectures{{"numbers", "/x/numbers.toml", "Moth numbers", ""}};
+    desk.view.documents.lectures = &lectures;
+    for (const auto& [typed, best] : {std::pair{"FURTHER", "open.further"},
+                                      {"MOTH", "open.numbers"},
+                                      {"COWARDLY", "open.moth"},
+                                      {"4", "gallery.04-coward"}}) {
+        open_browser();
+        for (const char c : std::string(typed)) desk.key({c});
+        desk.frame(3);
+        EXPECT_EQ(desk.panels.keyboard.focus, best) << typed;
+        desk.all.clear();
+        desk.key({key::enter});
+        desk.frame(2);
+        EXPECT_TRUE(desk.last<OpenRequest>()) << typed;
+        desk.panels.sheet = Sheet::none;
+        desk.frame(2);
+    }
+}
+
 TEST_F(Gallery, CtrlASelectsWhatIsSearchedAndTheNextLetterReplacesIt) {
     open_browser();
     for (const char c : std::string("AGGR")) desk.key({c});

@@ -77,6 +77,28 @@ TEST_F(LectureHands, TheBarOfAnOptionHasTheShareOfAllHands) {
     EXPECT_NEAR((to - from) / bar.w, 12.0f / 16, 0.02f);
 }
 
+TEST_F(LectureHands, TheTallyHasPercentagesBesideTheBarsAlsoOnceTheAnswerIsKnown) {
+    const int answer = static_cast<int>(pages.lecture->pages[1].steps.size());
+    for (const char* code : {"en", "de"})
+        for (const int step : {0, answer}) {
+            desk.strings = speaking(code);
+            show(1, step);
+            EXPECT_FALSE(desk.says("%")) << "nothing is counted";
+            pages.hands[1] = {3, 12, 1};
+            desk.frame(3);
+            for (const auto& [option, words] : {std::pair{1, "19"}, {2, "75"}, {3, "6"}}) {
+                const std::string percent = words + std::string(code[0] == 'd' ? " %" : "%");
+                const Rect bar = desk.where("lecture.share." + std::to_string(option));
+                bool beside = false;
+                for (const Written& w : desk.written)
+                    beside |= w.words == percent && w.rect.x >= bar.x + bar.w && w.rect.y < bar.y + bar.h &&
+                              w.rect.y + w.rect.h > bar.y;
+                EXPECT_TRUE(beside) << percent << " at step " << step;
+            }
+            pages.hands[1] = {0, 0, 0};
+        }
+}
+
 TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
     show(1, 1);
     const LectureQuestion& asked = pages.current().question;

@@ -1,5 +1,6 @@
 // Keys and clicker on the pages of a lecture, and the menu that goes back to it.
 #include "lecture_on_desk.h"
+#include "ui/panels/actions.h"
 
 namespace braitenlab::tests::lecture_keys_test {
 
@@ -110,6 +111,81 @@ TEST_F(LectureKeys, TheMenuGoesBackToTheLectureThatWasLeft) {
     ASSERT_TRUE(desk.last<OpenRequest>());
     EXPECT_TRUE(desk.last<OpenRequest>()->resume);
     EXPECT_EQ(desk.last<OpenRequest>()->path, pages.lecture->path.string());
+}
+
+// What a key opens is in the window, and nothing is drawn over it.
+TEST_F(LectureKeys, TheMapAndTheRobotsAreShownOnEveryPageAlsoBesideADiagram) {
+    int diagrams = 0, questions = 0;
+    for (const char* lecture : {"four-numbers", "wheels-to-neurons"}) {
+        pages = opened_lecture(lecture);
+        for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page)
+            for (const bool map : {true, false}) {
+                SCOPED_TRACE(std::string(lecture) + " " + std::to_string(page + 1) + (map ? ", map" : ", robots"));
+                pages.page = page, pages.step = static_cast<int>(pages.lecture->pages[page].steps.size());
+                desk.now = first_moment(pages.current());
+                desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+                desk.view.settings.watching = pages.shows(PagePart::wiring);
+                desk.view.settings.map = desk.view.settings.reality = false;
+                ++desk.view.run_id;
+                desk.frame(5);
+                diagrams += desk.layout.canvas.w > 0, questions += desk.layout.question.w > 0;
+                (map ? desk.view.settings.map : desk.view.settings.reality) = true;
+                desk.frame(5);
+                const char* card = map ? "card.map" : "card.reality";
+                ASSERT_TRUE(desk.anchors.find(card));
+                EXPECT_TRUE(is_inside(desk.where(card), desk.layout.window));
+                EXPECT_FALSE(desk.anchors.find("canvas")) << "it has the room";
+                EXPECT_FALSE(desk.anchors.find("lecture.question"));
+                EXPECT_FALSE(overlap(desk.where(card), desk.where("viewport")));
+            }
+    }
+    EXPECT_GT(diagrams, 2);
+    EXPECT_GT(questions, 2);
+}
+
+TEST_F(LectureKeys, TheKeyOfTheDiagramClosesTheMapThatHasItsRoom) {
+    show(1, 2);
+    desk.view.settings.watching = desk.view.settings.map = true;
+    desk.frame(3);
+    ASSERT_EQ(desk.layout.canvas.w, 0);
+    EXPECT_EQ(switched_on(desk.view, desk.panels, Action::watch), false);
+    desk.key({'W', false, true});
+    EXPECT_EQ(desk.actions(), std::vector{Action::map}) << "the diagram is watched already";
+    desk.all.clear();
+    desk.view.settings.watching = false;
+    desk.frame(2);
+    desk.key({'W', false, true});
+    EXPECT_EQ(desk.actions(), (std::vector{Action::map, Action::watch}));
+}
+
+TEST_F(LectureKeys, AKeyOfAnImpossibleActionSaysWhy) {
+    desk.view.settings.selection.vehicle = no_vehicle;
+    show(1, 2);
+    for (const auto& [press, why] : {std::pair{KeyPress{'M'}, "unavailable.no_vehicle"},
+                                     {KeyPress{'Q'}, "unavailable.no_vehicle"},
+                                     {KeyPress{'G'}, "unavailable.no_vehicle"},
+                                     {KeyPress{'Y'}, "unavailable.no_vehicle"},
+                                     {KeyPress{'F'}, "unavailable.no_vehicle"},
+                                     {KeyPress{'Z', true}, "unavailable.undo"},
+                                     {KeyPress{','}, "unavailable.earliest"},
+                                     {KeyPress{'C'}, "unavailable.in_lecture"}}) {
+        desk.all.clear();
+        desk.key(press);
+        const auto* notice = desk.last<NoticeRequest>();
+        ASSERT_TRUE(notice) << why;
+        EXPECT_EQ(notice->key, why);
+        EXPECT_TRUE(desk.actions().empty()) << why;
+    }
+}
+
+TEST_F(LectureKeys, AskFirstIsAKeyOfTheLectureThatTheAudienceDoesNotSee) {
+    show(1, 0);
+    desk.key({'F', false, true});
+    EXPECT_EQ(desk.actions(), std::vector{Action::ask_first});
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("lecture.keys"));
+    desk.view.settings.revealed = hidden_until_asked;
+    EXPECT_EQ(switched_on(desk.view, desk.panels, Action::ask_first), true);
 }
 
 }  // namespace braitenlab::tests::lecture_keys_test

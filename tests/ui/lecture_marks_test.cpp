@@ -1,7 +1,8 @@
 // Lines drawn with the mouse in a lecture.
+#include <algorithm>
 #include <cmath>
 
-#include "desk.h"
+#include "lecture_on_desk.h"
 
 namespace braitenlab::tests::lecture_marks_test {
 
@@ -33,6 +34,13 @@ struct LectureMarks : testing::Test {
         desk.button(0, false);
         desk.frame(2);
     }
+    // True if a line is drawn at this pixel.
+    static bool draws_at(ImVec2 pixel) {
+        const auto& drawn = ImGui::GetForegroundDrawList()->VtxBuffer;
+        return std::any_of(drawn.begin(), drawn.end(), [&](const ImDrawVert& v) {
+            return std::abs(v.pos.x - pixel.x) < 8 && std::abs(v.pos.y - pixel.y) < 8;
+        });
+    }
 };
 
 }  // namespace
@@ -47,7 +55,7 @@ TEST_F(LectureMarks, DDrawsLinesOnTheFloorUnderThePointer) {
     desk.all.clear();
     draw({500, 400}, {600, 450});
     ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);
-    ASSERT_TRUE(desk.panels.lecture.marks.lines[0].on_floor);
+    ASSERT_EQ(desk.panels.lecture.marks.lines[0].on, MarkedPart::floor);
     const auto& line = desk.panels.lecture.marks.lines[0].points;
     EXPECT_GE(line.size(), 10u);
     const auto first = project(camera, line.front()), last = project(camera, line.back());
@@ -90,7 +98,7 @@ TEST_F(LectureMarks, EscapeEndsDrawingAndTheEndOfTheLectureToo) {
     EXPECT_FALSE(desk.panels.lecture.marks.drawing) << "outside a lecture D has another meaning";
 }
 
-TEST_F(LectureMarks, DDrawsOverTheDiagramAndTheLinesScaleWithTheWindow) {
+TEST_F(LectureMarks, DDrawsOverTheDiagram) {
     desk.now = shipped_scene("2a-coward");
     desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
     desk.view.settings.watching = true;
@@ -103,28 +111,63 @@ TEST_F(LectureMarks, DDrawsOverTheDiagramAndTheLinesScaleWithTheWindow) {
     draw(from, {from.x + 40, from.y + 60});
     ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);
     EXPECT_TRUE(canvas.contains(from.x, from.y));
-    EXPECT_FALSE(desk.panels.lecture.marks.lines[0].on_floor);
+    EXPECT_EQ(desk.panels.lecture.marks.lines[0].on, MarkedPart::diagram);
     EXPECT_TRUE(desk.edits().empty()) << "the weight under the pen is not dragged";
-    const maths::vec2 first = desk.panels.lecture.marks.lines[0].points.front();
-    EXPECT_NEAR(first.x, from.x / 1280, 2e-3);
-    EXPECT_NEAR(first.y, from.y / 800, 2e-3);
-    ImGui::GetIO().DisplaySize = {640, 400};
-    desk.frame(2);
-    bool is_drawn = false;
-    const ImDrawList& top = *ImGui::GetForegroundDrawList();
-    for (const ImDrawVert& v : top.VtxBuffer)
-        is_drawn |= std::abs(v.pos.x - from.x / 2) < 8 && std::abs(v.pos.y - from.y / 2) < 8;
-    EXPECT_TRUE(is_drawn) << "at half the place in a window of half the size";
+    EXPECT_TRUE(draws_at(from));
 }
 
-TEST_F(LectureMarks, ALineThatLeavesTheSceneGoesOnInTheWindow) {
+TEST_F(LectureMarks, ALineOnTheDiagramStaysOnWhatItMarksWhenTheDiagramMoves) {
+    desk.now = shipped_scene("2a-coward");
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    LectureView pages = opened_lecture("four-numbers");
+    pages.page = 2, pages.step = 1;
+    ASSERT_FALSE(pages.shows(PagePart::values));
+    ASSERT_TRUE(pages.shows(PagePart::wiring));
+    desk.view.pages = &pages;
+    desk.view.settings.watching = true;
+    desk.frame(4);
+    const auto middle = [&](const Rect& r) { return ImVec2{r.x + r.w / 2, r.y + r.h / 2}; };
+    const ImVec2 before = middle(desk.where("wire.LL"));
+    desk.key({'D'});
+    desk.frame(2);
+    draw(before, {before.x + 40, before.y + 60});
+    ASSERT_TRUE(draws_at(before));
+    pages.step = 2;
+    desk.frame(6);
+    ASSERT_TRUE(desk.anchors.find("lecture.speed")) << "the strip below";
+    const ImVec2 after = middle(desk.where("wire.LL"));
+    ASSERT_GT(std::hypot(after.x - before.x, after.y - before.y), 10) << "it makes room";
+    EXPECT_TRUE(draws_at(after));
+    desk.view.settings.watching = false;
+    desk.frame(4);
+    EXPECT_FALSE(draws_at(after)) << "not without the diagram";
+}
+
+TEST_F(LectureMarks, ALineOnTheValuesIsThereWhileTheyAreShown) {
+    const Rect strip = desk.layout.hint_bar;
+    const ImVec2 from{strip.x + 300, strip.y + 20};
+    desk.key({'D'});
+    desk.frame(2);
+    draw(from, {from.x + 80, from.y + 10});
+    ASSERT_EQ(desk.panels.lecture.marks.lines[0].on, MarkedPart::strip);
+    EXPECT_TRUE(draws_at(from));
+    LectureView pages = opened_lecture("four-numbers");
+    desk.view.pages = &pages;
+    desk.frame(4);
+    EXPECT_FALSE(draws_at(from)) << "the page does not show them";
+    desk.view.pages = nullptr;
+    desk.frame(4);
+    EXPECT_TRUE(draws_at(from));
+}
+
+TEST_F(LectureMarks, ALineThatLeavesTheSceneGoesOnBesideIt) {
     desk.key({'D'});
     desk.frame(2);
     const Rect scene = desk.layout.scene;
     draw({scene.x + scene.w / 2, scene.y + scene.h - 40}, {scene.x + scene.w / 2, scene.y + scene.h + 30});
     ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 2u);
-    EXPECT_TRUE(desk.panels.lecture.marks.lines[0].on_floor);
-    EXPECT_FALSE(desk.panels.lecture.marks.lines[1].on_floor);
+    EXPECT_EQ(desk.panels.lecture.marks.lines[0].on, MarkedPart::floor);
+    EXPECT_NE(desk.panels.lecture.marks.lines[1].on, MarkedPart::floor);
 }
 
 TEST_F(LectureMarks, TheBarCanBeClickedWhileTheMouseDraws) {
@@ -142,7 +185,7 @@ TEST_F(LectureMarks, DDrawsInTheWiringView) {
     desk.frame(2);
     draw({500, 400}, {600, 450});
     ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);
-    EXPECT_FALSE(desk.panels.lecture.marks.lines[0].on_floor);
+    EXPECT_EQ(desk.panels.lecture.marks.lines[0].on, MarkedPart::diagram);
 }
 
 }  // namespace braitenlab::tests::lecture_marks_test

@@ -109,6 +109,30 @@ TEST(LecturePageType, TheCaptionsOfALectureHaveTheSizeOfCaptionsAndAtMostTwoLine
             }
 }
 
+TEST(LecturePageType, NoCaptionLeavesOneWordAloneOnALine) {
+    int broken = 0;
+    for (const Size& size : sizes)
+        for (const char* code : {"en", "de", "es"})
+            for (const char* lecture : {"four-numbers", "wheels-to-neurons"}) {
+                Desk desk(size.width, size.height, size.scale, true);
+                LectureView pages = opened_lecture(lecture);
+                if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+                desk.view.pages = &pages;
+                desk.view.lecture = true;
+                for (; pages.page < static_cast<int>(pages.lecture->pages.size()); ++pages.page) {
+                    desk.frame(2);
+                    std::vector<Written> lines;
+                    for (const Written& w : desk.written)
+                        if (is_inside(w.rect, desk.where("lecture.caption"))) lines.push_back(w);
+                    if (lines.size() < 2) continue;
+                    ++broken;
+                    EXPECT_NE(lines.back().words.find(' '), std::string::npos) << lines.back().words;
+                    EXPECT_GT(lines.back().rect.w, 0.5f * lines.front().rect.w) << lines.back().words;
+                }
+            }
+    EXPECT_GT(broken, 5);
+}
+
 TEST_F(LecturePages, ALongCaptionOfAnyPageMakesAllOfThemSmaller) {
     auto lecture = std::make_shared<Lecture>(*pages.lecture);
     lecture->pages[4].caption.clear();
@@ -121,6 +145,40 @@ TEST_F(LecturePages, ALongCaptionOfAnyPageMakesAllOfThemSmaller) {
                 EXPECT_NEAR(w.size, 20 * 1.4f, 1) << page;
             }
     }
+}
+
+TEST(LecturePageType, ThreeLongOptionsFitBesideTheScene) {
+    for (const Size& size : sizes)
+        for (const int step : {0, 1}) {
+            Desk desk(size.width, size.height, size.scale, true);
+            LectureView pages = opened_lecture("four-numbers");
+            auto lecture = std::make_shared<Lecture>(*pages.lecture);
+            LecturePage& page = lecture->pages[3];
+            page.question.text = "What happens once the middle lamp goes out?";
+            page.question.options = {"It keeps its last curve for the rest of the run",
+                                     "It drives straight ahead at its base speed",
+                                     "It stops, because no light drives the wheels"};
+            page.question.why = "Both eyes read 0, so both wheels get the same bias: it drives straight ahead.";
+            page.steps = {"answer"}, page.reveal = {PageParts{}};
+            page.reveal[0][static_cast<std::size_t>(PagePart::answer)] = true;
+            pages.lecture = lecture, pages.page = 3, pages.step = step;
+            pages.hands[3] = {80, 100, 20};
+            desk.view.pages = &pages;
+            desk.view.lecture = true;
+            desk.frame(5);
+            SCOPED_TRACE(std::to_string(size.width) + (step > 0 ? ", answered" : ""));
+            const Rect card = desk.where("lecture.question");
+            EXPECT_LE(card.y + card.h, size.height);
+            int seen = 0;
+            for (const Written& w : desk.written) {
+                if (!overlap(w.rect, card)) continue;
+                EXPECT_FALSE(w.scrolls) << w.words;
+                EXPECT_TRUE(is_inside(w.rect, card)) << w.words;
+                for (const std::string& option : page.question.options) seen += w.words.ends_with(option);
+            }
+            EXPECT_EQ(seen, 3);
+            EXPECT_TRUE(desk.anchors.find("lecture.share.3"));
+        }
 }
 
 TEST(LecturePageType, QuestionsAndAnswersAreLegibleFromTheLastRowAndOptionsHaveOneSize) {

@@ -85,6 +85,7 @@ TEST(Lecture, SaysThatKeysOfOtherPartsDoNothing) {
         EXPECT_FALSE(desk.panels.charts.open);
     }
     desk.panels.card(Card::exercise).folded = false;
+    desk.lesson.attempt.answers.hint_ready = true;
     desk.all.clear();
     desk.key({'H', false, true});
     EXPECT_EQ(desk.actions(), std::vector{Action::hint}) << "the card of the exercise shows it";

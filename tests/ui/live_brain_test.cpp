@@ -103,6 +103,40 @@ TEST(LiveBrain, LeavesRoomForTheWatchedDiagram) {
         }
 }
 
+TEST(LiveBrain, ShowsEveryEyeThatTheBrainReadsAlsoBesideTheDiagram) {
+    for (const Size& size : sizes)
+        for (const char* code : {"en", "de", "es"}) {
+            SCOPED_TRACE(code + std::string(" at ") + std::to_string(size.width));
+            Desk desk(size.width, size.height, size.scale, true);
+            desk.strings = speaking(code);
+            begin_lecture(desk, "tortoise");
+            desk.view.settings.watching = true;
+            desk.frame(3);
+            const BrainGraph& brain = *desk.now.brains[0];
+            int eyes = 0;
+            std::vector<Rect> texts;
+            for (const Sensor& sensor : desk.now.scene->kinds[0].sensors) {
+                const Node* node = find_node(brain, sensor.name);
+                if (!node || std::none_of(brain.wires.begin(), brain.wires.end(),
+                                          [&](const Wire& wire) { return wire.from == node->id; }))
+                    continue;
+                ++eyes;
+                const Rect eye = desk.where("lecture.eye." + sensor.name);
+                EXPECT_TRUE(is_inside(eye, desk.layout.hint_bar)) << sensor.name;
+                EXPECT_FALSE(overlap(eye, desk.where("lecture.left"))) << sensor.name;
+                int numbers = 0;
+                for (const ui::Written& w : desk.written) numbers += is_inside(w.rect, eye);
+                EXPECT_EQ(numbers, 2) << sensor.name << ": its name and its number";
+            }
+            EXPECT_GE(eyes, 5);
+            for (const ui::Written& w : desk.written) {
+                if (!overlap(w.rect, desk.layout.hint_bar)) continue;
+                for (const Rect& other : texts) EXPECT_FALSE(overlap(other, w.rect)) << w.words;
+                texts.push_back(w.rect);
+            }
+        }
+}
+
 TEST(LiveBrain, ShowsEyesWeightsAndWheels) {
     Desk desk(1280, 800, 1.6f, true);
     begin_lecture(desk, "2b-aggressor");

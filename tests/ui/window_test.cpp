@@ -383,4 +383,24 @@ TEST(InformationCard, ShowsAnyNumberOfVehicles) {
     EXPECT_TRUE(lies_inside(desk.where("card.information"), desk.layout.window));
 }
 
+TEST(Window, ACardThatIsAskedForTakesTheRoomOfTheWatchedDiagramInANarrowWindow) {
+    for (const float width : {1280.0f, 1920.0f}) {
+        Desk desk(width, 800, 1, true);
+        desk.now = shipped_scene("2a-coward");
+        desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+        desk.view.settings.watching = true;
+        desk.frame(3);
+        ASSERT_TRUE(desk.anchors.find("canvas"));
+        for (const char* card : {"card.map", "card.values", "card.reality"}) {
+            ViewSettings& shown = desk.view.settings;
+            const std::string_view name = card;
+            shown.map = name == "card.map", shown.values = name == "card.values",
+            shown.reality = name == "card.reality";
+            desk.frame(3);
+            EXPECT_TRUE(desk.anchors.find(card)) << card << " at " << width;
+            EXPECT_EQ(desk.anchors.find("canvas") != nullptr, width > 1600) << card;
+        }
+    }
+}
+
 }  // namespace braitenlab::tests::window_test

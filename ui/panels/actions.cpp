@@ -54,6 +54,7 @@ std::string_view nothing_to_duplicate(const LabView& view, const PanelState& sta
 }
 
 std::string_view nothing_to_lesion(const LabView& view, const PanelState& state) {
+    if (!state.brain.lesion_under_pointer.empty()) return "";
     return view.mode == Mode::wiring ? nothing_to_erase(view, state) : "unavailable.lesion";
 }
 
@@ -147,6 +148,16 @@ bool request_lesion(const Acting& at) {
     if (brain.lesion_under_pointer.empty()) return false;
     brain.lesion_requested = brain.lesion_under_pointer;
     return true;
+}
+
+// Closes the cards that have the room of the watched diagram. False if the lab then shows the diagram.
+bool make_room_for_diagram(const Acting& at) {
+    if (!at.state.map.replaces_diagram) return false;
+    const ViewSettings& shown = at.view.settings;
+    if (shown.map) at.outbox.push_back(Action::map);
+    if (shown.reality) at.outbox.push_back(Action::reality);
+    if (shown.values) at.outbox.push_back(Action::values);
+    return shown.watching;
 }
 
 // Moves the focus to a slider of the brain. Where the exercise offers fewer, to the first one, and says which ones it

@@ -222,7 +222,8 @@ private:
     }
 
     SmallButton look_of_button() const {
-        return {"button.watch", icon::wiring, ui_.strings("button.watch"), view_.settings.watching};
+        return {"button.watch", icon::wiring, ui_.strings("button.watch"),
+                view_.settings.watching && !state_.map.replaces_diagram};
     }
     float left_of_button() const {
         return all_.x + all_.w - small_button_width(ui_, look_of_button(), false) - ui_.px(spacing::tight);
@@ -234,7 +235,7 @@ private:
         ImGui::SetCursorScreenPos({left_of_button(), all_.y + ui_.px(spacing::tight)});
         const Item at = small_button(ui_, look_of_button(), false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
-        if (at.pressed) ui_.outbox.push_back(Action::watch);
+        if (at.pressed) state_.chosen.push_back(Action::watch);
     }
 
     // The number of lesions in the brain, and a button that heals them all.

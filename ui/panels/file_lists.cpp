@@ -81,16 +81,26 @@ bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, con
 
 std::string row_anchor(const CatalogueEntry& entry) { return (entry.number > 0 ? "gallery." : "open.") + entry.name; }
 
-// After a change of the search the focus is on a listed entry: on the first one unless the focused one is still listed.
-void keep_focus_in(const std::vector<CatalogueEntry>& listed, const std::vector<CatalogueEntry>& lectures,
-                   Keyboard& keyboard) {
-    const auto is_focused = [&](const CatalogueEntry& entry) { return row_anchor(entry) == keyboard.focus; };
-    const auto has_focused = [&](const auto& entries) {
-        return std::any_of(entries.begin(), entries.end(), is_focused);
-    };
-    const std::vector<CatalogueEntry>& first = listed.empty() ? lectures : listed;
-    if (first.empty() || has_focused(listed) || has_focused(lectures)) return;
-    keyboard.focus = row_anchor(first.front());
+// How well the title has the search: as a whole, at its beginning, at that of a word, inside; 0: only the text below.
+int hit_of(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
+    const std::string title = plain_letters(exercise_words(view, ui, entry), Umlauts::as_vowels);
+    const bool is_number = entry.number > 0 && number_words(view, entry.number, entry.name) == search;
+    if (title == search || is_number) return 4;
+    if (title.starts_with(search) || (entry.number == 0 && entry.name.starts_with(search))) return 3;
+    if (title.find(" " + search) != std::string::npos) return 2;
+    return title.find(search) != std::string::npos ? 1 : 0;
+}
+
+// After a change of the search the focus is on the entry with the best hit; of several on the first one.
+void focus_best_hit(const LabView& view, const Ui& ui, const std::vector<CatalogueEntry>& listed,
+                    const std::vector<CatalogueEntry>& lectures, const std::string& search, Keyboard& keyboard) {
+    const CatalogueEntry* best = nullptr;
+    int most = -1;
+    for (const auto* entries : {&listed, &lectures})
+        for (const CatalogueEntry& entry : *entries)
+            if (const int hit = hit_of(view, ui, entry, search); hit > most) most = hit, best = &entry;
+    if (!best) return;
+    keyboard.focus = row_anchor(*best);
     keyboard.revealed = keyboard.shown = true;
 }
 
@@ -299,7 +309,8 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
         if (!files.search.empty()) paragraph(ui, ui.strings("files.no_match"), ui.palette.second_text);
         return end_list(ui);
     }
-    if (ui.keyboard && is_new && !files.search.empty()) keep_focus_in(listed, lectures, *ui.keyboard);
+    if (ui.keyboard && is_new && !files.search.empty())
+        focus_best_hit(view, ui, listed, lectures, files.search, *ui.keyboard);
     constexpr float exercises_share = 0.66f;  // of the width
     const auto exercises = std::count_if(listed.begin(), listed.end(), is_exercise);
     const bool has_others = exercises < std::ssize(listed) || !lectures.empty(), has_both = exercises > 0 && has_others;

@@ -191,8 +191,12 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     end_bar();
 }
 
+bool shows_lecture_figures(const LabView& view) {
+    return view.lecture && (!view.pages || (!view.pages->notes && view.pages->shows(PagePart::values)));
+}
+
 void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
-    if (view.pages && (view.pages->notes || !view.pages->shows(PagePart::values))) return;
+    if (!shows_lecture_figures(view)) return;
     begin_bar(ui, "lecture figures", bar);
     if (const VehicleView* vehicle = vehicle_of_live_picture(view)) {
         live_brain(view, state, ui, *vehicle, bar);

@@ -1,5 +1,6 @@
 // A lecture's large picture of the brain at work: bars of the eyes, wires with their weights, bars of the wheels. A
-// brain of more than two eyes or with hidden neurons is shown whole, without numbers on its wires.
+// brain of more than two eyes or with hidden neurons is shown whole, without numbers on its wires. Beside the diagram,
+// where the picture is low, its eyes have the place of the wires.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -50,13 +51,17 @@ public:
         for (const Sensor& sensor : sketch::read_sensors(brain_, kind_of(*view.now, vehicle)))
             read.push_back(sensor.name);
         const bool is_simple = read.size() <= most_labelled && !insight::has_hidden_neurons(brain_);
-        is_graph_ = !is_simple && !is_low() && !read.empty() && read.size() <= most_eyes;
-        if (is_graph_ || (is_simple && !read.empty()))
+        const bool is_whole = !is_simple && !read.empty() && read.size() <= most_eyes;
+        is_graph_ = is_whole && !is_low();
+        has_eyes_only_ = is_whole && is_low() && read.size() > most_labelled && !hides_brain(view, vehicle.kind);
+        const float wheels = wheels_share * bar.w, of_wheels = bar.x + bar.w - inset - wheels;
+        if (has_eyes_only_)
+            lay_out_in_columns(read, {from, top, of_wheels - inset - from, height});
+        else if (is_graph_ || (is_simple && !read.empty()))
             lay_out(read, eyes_, eyes);
         else
             lay_out({pair_.left, pair_.right}, eyes_, eyes);
-        const float wheels = wheels_share * bar.w;
-        lay_out({"ML", "MR"}, wheels_, {bar.x + bar.w - inset - wheels, top, wheels, height});
+        lay_out({"ML", "MR"}, wheels_, {of_wheels, top, wheels, height});
     }
 
     void draw() {
@@ -70,6 +75,7 @@ public:
             draw_row(wheel, true);
             mark(ui_, i == 0 ? "lecture.left" : "lecture.right", wheel.place);
         }
+        if (has_eyes_only_) return;
         const float from =
             eyes_.empty() ? bar_.x + words_share * bar_.w : eyes_.front().place.x + eyes_.front().place.w;
         const Rect between{from, bar_.y, wheels_.front().place.x - from, bar_.h};
@@ -102,6 +108,23 @@ private:
             row.place = {area.x, area.y + each * static_cast<float>(i), area.w, each};
             if (row.node && !row.node->silenced) row.value = node_value(*view_.now, vehicle_, row.node->id);
             rows.push_back(std::move(row));
+        }
+    }
+
+    // The eyes in as many rows as are legible, column by column.
+    void lay_out_in_columns(const std::vector<std::string>& names, Rect area) {
+        const std::size_t most =
+            std::max<std::size_t>(1, static_cast<std::size_t>(std::max(1.0f, area.h / line_height(ui_, Face::small))));
+        const std::size_t columns = (names.size() + most - 1) / most, rows = (names.size() + columns - 1) / columns;
+        const float gap = ui_.px(spacing::large);
+        const float each = (area.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+        const float height = area.h / static_cast<float>(rows);
+        for (std::size_t first = 0, column = 0; first < names.size(); first += rows, ++column) {
+            const auto from = names.begin() + static_cast<std::ptrdiff_t>(first);
+            const auto count = static_cast<std::ptrdiff_t>(std::min(rows, names.size() - first));
+            lay_out(
+                {from, from + count}, eyes_,
+                {area.x + (each + gap) * static_cast<float>(column), area.y, each, height * static_cast<float>(count)});
         }
     }
 
@@ -268,7 +291,8 @@ private:
     const BrainGraph& brain_;
     SensorPair pair_;
     Rect bar_;
-    bool is_graph_ = false;  // the whole brain is shown, not only the wires between two eyes and the wheels
+    bool has_eyes_only_ = false;  // no wires, but all eyes
+    bool is_graph_ = false;       // the whole brain is shown, not only the wires between two eyes and the wheels
     std::vector<LiveRow> eyes_, wheels_;
 };
 

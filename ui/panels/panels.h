@@ -66,6 +66,7 @@ void lecture_bar(const LabView&, PanelState&, Ui&, Rect);
 void live_brain(const LabView&, PanelState&, Ui&, const VehicleView&, Rect);  // eyes, wires and wheels, live_brain.cpp
 void title_page(const LabView&, Ui&, Rect window);                            // ProgramView::title_page
 void lecture_figures(const LabView&, PanelState&, Ui&, Rect bar);
+bool shows_lecture_figures(const LabView&);                        // false: that bar is empty
 void blank_window(const LabView&, PanelState&, Ui&, Rect window);  // black, while LectureState::blank
 void follow_lecture(const LabView&, PanelState&);  // saves and restores the cards; call once a frame, before them
 

@@ -152,6 +152,21 @@ std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Fa
     return lines;
 }
 
+std::vector<std::string> even_lines(const Ui& ui, std::string_view words, Face face, float width) {
+    std::vector<std::string> lines = lines_of_words(ui, words, face, width);
+    // Of the width that needs no further line.
+    float least = width * (1 - 1 / static_cast<float>(lines.size())), most = width;
+    constexpr int halvings = 6;
+    for (int i = 0; i < halvings && lines.size() > 1; ++i) {
+        const float middle = (least + most) / 2;
+        std::vector<std::string> shorter = lines_of_words(ui, words, face, middle);
+        const bool fits = shorter.size() == lines.size();
+        (fits ? most : least) = middle;
+        if (fits) lines = std::move(shorter);
+    }
+    return lines;
+}
+
 bool put_lines(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face, float width,
                std::size_t most) {
     std::vector<std::string> lines = lines_of_words(ui, words, face, width);
@@ -167,9 +182,14 @@ bool put_lines(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, F
     return is_whole;
 }
 
-void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
-    const float room = width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
-    const std::string text = wrapped_at_spaces(ui, face, words, room);
+namespace {
+
+float room_of_paragraph(const Ui& ui, float width) {
+    return width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
+}
+
+// `text`: the words with their line breaks.
+void put_paragraph(Ui& ui, std::string_view words, const std::string& text, Colour colour, Face face, float width) {
     const WholeLines whole(ImGui::GetCursorScreenPos().y, line_height(ui, face));
     compat::push_font(font(ui, face));
     ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));
@@ -180,6 +200,19 @@ void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float w
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
+}
+
+}  // namespace
+
+void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
+    put_paragraph(ui, words, wrapped_at_spaces(ui, face, words, room_of_paragraph(ui, width)), colour, face, width);
+}
+
+void even_paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
+    std::string text;
+    for (const std::string& line : even_lines(ui, words, face, room_of_paragraph(ui, width)))
+        text += (text.empty() ? "" : "\n") + line;
+    put_paragraph(ui, words, text, colour, face, width);
 }
 
 std::string_view translated(const Ui& ui, std::string_view words) { return ui.strings.find(words, words); }

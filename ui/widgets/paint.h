@@ -68,12 +68,17 @@ std::string wrapped_at_spaces(const Ui&, Face, std::string_view words, float wid
 // The words in lines no wider than `width` window pixels, broken at spaces and at the text's own line ends.
 std::vector<std::string> lines_of_words(const Ui&, std::string_view words, Face, float width);
 
+// The same in as many lines, which are as short as this number allows: none has a word alone where a longer line can
+// give it another one.
+std::vector<std::string> even_lines(const Ui&, std::string_view words, Face, float width);
 // Draws the words in at most `most` lines; the last one is shortened where they need more. Returns true if all words
 // are shown.
 bool put_lines(const Ui&, ImVec2 at, std::string_view words, Colour, Face, float width, std::size_t most);
 
 // Text as an item at the cursor, wrapped at `width` window pixels (0: at the card's edge).
 void paragraph(Ui&, std::string_view, Colour, Face = Face::text, float width = 0);
+// The same in even_lines().
+void even_paragraph(Ui&, std::string_view, Colour, Face = Face::text, float width = 0);
 
 // The translation of a text of a scene or exercise, from exercises/words/*.toml; the text itself where there is none.
 std::string_view translated(const Ui&, std::string_view words);

@@ -1,6 +1,7 @@
 // The parts of a page of a lecture file: caption, question with counted hands, and the lecturer's notes.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -22,8 +23,8 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float caption_side = 20, caption_above = spacing::tight, page_padding = spacing::medium;  // layout pixels
-constexpr float hands_field = 56, hands_button = 32, bar_thickness = 16, between_options = spacing::medium,
-                between_answers = spacing::small, count_width = 48;
+constexpr float hands_field = 56, hands_button = 32, bar_thickness = 16, between_answers = spacing::small,
+                count_width = 48;
 constexpr float letter_column = 36;  // of "A", at the caption's size
 constexpr float card_around = 60;    // heading and padding of the card, in height
 
@@ -57,15 +58,21 @@ void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t o
     if (plus.pressed) ask(hands + 1);
 }
 
-// The share of all hands as a bar at the cursor, to the right edge; in the middle of a row so high.
+// The share of all hands as a bar at the cursor with its percentage at the right edge; in the middle of a row so high.
 void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colour, float row) {
     const auto& hands = page.hands[static_cast<std::size_t>(page.page)];
     int all = 0;
     for (const int each : hands) all += each;
     const float share = all > 0 ? static_cast<float>(hands[option]) / static_cast<float>(all) : 0;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = std::max(1.0f, ImGui::GetWindowPos().x + card_width(ui) - at.x), h = ui.px(bar_thickness);
-    const Rect bar{at.x, at.y + (row - h) / 2, width, h};
+    const auto percent = [&](float each) {
+        return fill(ui.strings("lecture.percent"), {std::to_string(std::lround(100 * each))});
+    };
+    const float beside = text_width(ui, Face::strong, percent(1)) + ui.px(spacing::small), h = ui.px(bar_thickness);
+    const float width = std::max(1.0f, ImGui::GetWindowPos().x + card_width(ui) - at.x),
+                line = line_height(ui, Face::strong);
+    const Rect bar{at.x, at.y + (row - h) / 2, std::max(1.0f, width - beside), h};
+    if (all > 0) put_right(ui, {at.x + width, at.y + (row - line) / 2}, percent(share), ui.palette.text, Face::strong);
     line_box(ui, bar, ui.palette.second_text.with_alpha(0.5f), Corner::round);  // an empty frame: no hands
     if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, Corner::round);
     mark(ui, option_id("lecture.share.", option), bar);
@@ -84,21 +91,34 @@ float height_of(const Ui& ui, std::string_view words, Face face, float width) {
     return static_cast<float>(lines_of_words(ui, words, face, width).size()) * line_height(ui, face);
 }
 
+// Where the smallest type of the options is needed, the words of the question have it too, and gaps are smaller.
+float gap_of_options(Face of_options) { return of_options == Face::strong ? spacing::tight : spacing::medium; }
+Face face_of_text(Face of_options) { return of_options == Face::strong ? Face::strong : Face::title; }
+
 // Of the options of a question, each with a row for its hands below it. `indent`: of the words, window pixels.
 float height_of_options(const Ui& ui, const LectureQuestion& asked, Face face, float width, float indent) {
-    const float row = ui.px(button_height + between_options + 2 * spacing::tight);
+    const float row = ui.px(button_height + gap_of_options(face) + 2 * spacing::tight);
     float used = 0;
     for (const std::string& option : asked.options)
         used += height_of(ui, translated(ui, option), face, width - indent) + row;
     return used;
 }
 
+float height_of_text(const Ui& ui, const LectureQuestion& asked, Face of_options) {
+    if (asked.text.empty()) return 0;
+    return height_of(ui, translated(ui, asked.text), face_of_text(of_options), card_width(ui)) + ui.px(page_padding);
+}
+
 // So have the options of its questions: the largest in which each question fits into this height.
 Face face_of_options(const Lecture& lecture, const Ui& ui, float width, float height) {
-    const bool fits = std::all_of(lecture.pages.begin(), lecture.pages.end(), [&](const LecturePage& page) {
-        return height_of_options(ui, page.question, Face::caption, width, ui.px(letter_column)) <= height;
-    });
-    return fits ? Face::caption : Face::title;
+    for (const Face face : {Face::caption, Face::title})
+        if (std::all_of(lecture.pages.begin(), lecture.pages.end(), [&](const LecturePage& page) {
+                return height_of_text(ui, page.question, face) +
+                           height_of_options(ui, page.question, face, width, ui.px(letter_column)) <=
+                       height;
+            }))
+            return face;
+    return Face::strong;
 }
 
 std::string letter_of(std::size_t option) { return {static_cast<char>('A' + option)}; }
@@ -112,7 +132,7 @@ void lettered_option(const LectureView& page, Ui& ui, std::size_t option, Colour
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (indent > 0) put(ui, at, letter_of(option), letter, face);
     ImGui::SetCursorScreenPos({at.x + indent, at.y});
-    paragraph(ui, translated(ui, page.current().question.options[option]), words, face);
+    even_paragraph(ui, translated(ui, page.current().question.options[option]), words, face);
     ImGui::SetCursorScreenPos({at.x + indent, ImGui::GetCursorScreenPos().y});
 }
 
@@ -122,7 +142,7 @@ void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t
     count_row(page, state, ui, option);
     ImGui::SameLine();
     share_bar(page, ui, option, ui.palette.accent, ui.px(button_height));
-    gap(ui, between_options);
+    gap(ui, gap_of_options(face));
 }
 
 bool is_right(const LectureQuestion& asked, std::size_t option) { return static_cast<int>(option) == asked.answer; }
@@ -152,7 +172,7 @@ void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face
     mark(ui, option_id("lecture.count.", option), count);
     ImGui::SetCursorScreenPos({at.x + width + ui.px(spacing::small), at.y});
     share_bar(page, ui, option, colour, row);
-    gap(ui, between_options);
+    gap(ui, gap_of_options(face));
 }
 
 // Once the answer is known the right option is larger. Each keeps its letter.
@@ -165,11 +185,10 @@ std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::siz
 
 // The largest type in which the reason fits with the options into this height: it pushes no option out of a small
 // window.
-Face face_of_reason(const Ui& ui, const LectureQuestion& asked, float height) {
+Face face_of_reason(const Ui& ui, const LectureQuestion& asked, Face of_options, float height) {
     const float below_option = ui.px(bar_thickness + between_answers + 2 * spacing::tight);
     float used = ui.px(spacing::tight);
-    if (!asked.text.empty())
-        used += height_of(ui, translated(ui, asked.text), Face::title, card_width(ui)) + ui.px(page_padding);
+    used += height_of_text(ui, asked, of_options);
     for (std::size_t i = 0; i < asked.options.size(); ++i)
         used += below_option + height_of(ui, words_of_answer(ui, asked, i), face_of_answer(is_right(asked, i)),
                                          card_width(ui) - ui.px(count_width));
@@ -182,8 +201,7 @@ Face face_of_reason(const Ui& ui, const LectureQuestion& asked, float height) {
 std::optional<Face> face_of_reason_below(const LectureView& page, const Ui& ui, Face of_options, float height) {
     const LectureQuestion& asked = page.current().question;
     float used = height_of_options(ui, asked, of_options, card_width(ui), indent_of_options(page, ui));
-    if (!asked.text.empty())
-        used += height_of(ui, translated(ui, asked.text), Face::title, card_width(ui)) + ui.px(page_padding);
+    used += height_of_text(ui, asked, of_options);
     for (const Face face : {Face::title, Face::text})
         if (used + height_of(ui, translated(ui, asked.why), face, card_width(ui)) <= height) return face;
     return std::nullopt;
@@ -201,19 +219,19 @@ void answered_option(const LectureView& page, Ui& ui, std::size_t option, Face o
               colour, Face::title);
     mark(ui, option_id("lecture.count.", option), {at.x + width, at.y, ui.px(count_width), line});
     if (right) mark(ui, "lecture.right", {at.x, at.y, width, line});
-    paragraph(ui, words_of_answer(ui, asked, option), colour, face, width);
+    even_paragraph(ui, words_of_answer(ui, asked, option), colour, face, width);
     share_bar(page, ui, option, colour, ui.px(bar_thickness));
-    if (right && !asked.why.empty()) paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
+    if (right && !asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
     gap(ui, between_answers);
 }
 
 void answered(const LectureView& page, Ui& ui, Face of_options, float height) {
     const LectureQuestion& asked = page.current().question;
     const auto below = face_of_reason_below(page, ui, of_options, height);
-    const Face of_reason = below ? *below : face_of_reason(ui, asked, height);
+    const Face of_reason = below ? *below : face_of_reason(ui, asked, of_options, height);
     for (std::size_t i = 0; i < asked.options.size(); ++i)
         below ? answered_in_place(page, ui, i, of_options) : answered_option(page, ui, i, of_reason);
-    if (below && !asked.why.empty()) paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
+    if (below && !asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
 }
 
 // Minutes and seconds: "12:05".
@@ -240,7 +258,7 @@ void lecture_caption(const LabView& view, Ui& ui, Rect r) {
     begin_bar(ui, "lecture caption", r);
     const float width = r.w - 2 * ui.px(caption_side);
     const Face face = face_of_captions(*view.pages->lecture, ui, width);
-    const auto lines = lines_of_words(ui, translated(ui, view.pages->current().caption), face, width);
+    const auto lines = even_lines(ui, translated(ui, view.pages->current().caption), face, width);
     float y = r.y + (r.h - static_cast<float>(lines.size()) * line_height(ui, face)) / 2;
     for (const std::string& line : lines) {
         put(ui, {r.x + ui.px(caption_side), y}, line, ui.palette.text, face);
@@ -259,15 +277,14 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     Rect place = r;
     if (card.content > 0) place.h = std::min(r.h, wanted_height(ui, card));
     if (begin_card(ui, card, "lecture.question", ui.strings("lecture.question"), place)) {
+        const float height = r.h - ui.px(card_around);
+        // Beside notes there is less room.
+        const Face face = page.notes ? Face::strong : face_of_options(*page.lecture, ui, card_width(ui), height);
         if (!asked.text.empty()) {
-            paragraph(ui, translated(ui, asked.text), ui.palette.text, Face::title);
+            even_paragraph(ui, translated(ui, asked.text), ui.palette.text, face_of_text(face));
             gap(ui, page_padding);
         }
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
-        // Beside notes there is less room.
-        const Face face =
-            page.notes ? Face::strong : face_of_options(*page.lecture, ui, card_width(ui), r.h - ui.px(card_around));
-        const float height = r.h - ui.px(card_around);
         if (!page.shows(PagePart::answer))
             for (std::size_t i = 0; i < asked.options.size(); ++i) option_to_count(view, state, ui, i, face);
         else

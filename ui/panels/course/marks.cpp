@@ -29,42 +29,60 @@ std::size_t point_count(const Marks& marks) {
 // Where the lines are.
 struct Paper {
     const CameraView* camera;  // null: there is no floor
-    Rect scene, window;
+    const MarkedParts& parts;
 
-    // Null outside the scene and above the horizon.
-    std::optional<maths::vec2> floor_at(ImVec2 pixel) const {
-        if (!camera || !scene.contains(pixel.x, pixel.y)) return std::nullopt;
-        return unproject(*camera, {pixel.x, pixel.y});
+    MarkedPart part_at(ImVec2 pixel) const {
+        const auto has = [pixel](const Rect& r) { return r.w > 0 && r.contains(pixel.x, pixel.y); };
+        if (has(parts.diagram)) return MarkedPart::diagram;
+        if (has(parts.strip)) return MarkedPart::strip;
+        const bool on_floor = camera && has(parts.scene) && unproject(*camera, {pixel.x, pixel.y});
+        return on_floor ? MarkedPart::floor : MarkedPart::window;  // not above the horizon
     }
-    std::optional<maths::vec2> pixel_of(const MarkLine& line, maths::vec2 point) const {
-        if (!line.on_floor) return maths::vec2{window.x + point.x * window.w, window.y + point.y * window.h};
-        return camera ? project(*camera, point) : std::nullopt;
+    const Rect& rect_of(MarkedPart part) const {
+        return part == MarkedPart::floor     ? parts.scene
+               : part == MarkedPart::diagram ? parts.diagram
+               : part == MarkedPart::strip   ? parts.strip
+                                             : parts.window;
     }
-    maths::vec2 share_of(ImVec2 pixel) const {
-        return {(pixel.x - window.x) / std::max(1.0f, window.w), (pixel.y - window.y) / std::max(1.0f, window.h)};
+    // nullopt for a point behind the camera, and while the part is not shown.
+    std::optional<maths::vec2> pixel_of(MarkedPart part, maths::vec2 point) const {
+        const Rect& r = rect_of(part);
+        if (r.w <= 0) return std::nullopt;
+        if (part == MarkedPart::floor) return camera ? project(*camera, point) : std::nullopt;
+        if (part == MarkedPart::diagram) return parts.of_diagram.to_window(point);
+        return maths::vec2{r.x + point.x * r.w, r.y + point.y * r.h};
+    }
+    // Precondition: part_at(pixel) is this part.
+    maths::vec2 point_at(MarkedPart part, maths::vec2 pixel) const {
+        if (part == MarkedPart::floor) return *unproject(*camera, pixel);
+        if (part == MarkedPart::diagram) return parts.of_diagram.to_canvas(pixel);
+        const Rect& r = rect_of(part);
+        return {(pixel.x - r.x) / std::max(1.0f, r.w), (pixel.y - r.y) / std::max(1.0f, r.h)};
     }
 };
 
 void add_point(const Paper& paper, Marks& marks, const Ui& ui, ImVec2 pointer) {
     if (point_count(marks) >= most_points) return;
-    const auto floor = paper.floor_at(pointer);
-    if (marks.lines.back().points.empty()) marks.lines.back().on_floor = floor.has_value();
-    // The line leaves or enters the scene: another one goes on from here.
-    if (marks.lines.back().on_floor != floor.has_value()) marks.lines.push_back({floor.has_value()});
+    const MarkedPart part = paper.part_at(pointer);
+    if (marks.lines.back().points.empty()) marks.lines.back().on = part;
+    // The line leaves its part: another one goes on from here.
+    if (marks.lines.back().on != part) marks.lines.push_back({part});
     MarkLine& line = marks.lines.back();
+    const maths::vec2 pixel{pointer.x, pointer.y};
     if (!line.points.empty()) {
-        const auto last = paper.pixel_of(line, line.points.back());
-        if (last && maths::length(maths::vec2{pointer.x, pointer.y} - *last) < ui.px(least_step)) return;
+        const auto last = paper.pixel_of(part, line.points.back());
+        if (last && maths::length(pixel - *last) < ui.px(least_step)) return;
     }
-    line.points.push_back(floor ? *floor : paper.share_of(pointer));
+    line.points.push_back(paper.point_at(part, pixel));
 }
 
 // A window without a picture below the bar takes the mouse from the cards.
-void follow_pen(const Paper& paper, Marks& marks, const Ui& ui, Rect bar) {
+void follow_pen(const Paper& paper, Marks& marks, const Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
+    const Rect &window = paper.parts.window, &bar = paper.parts.bar;
     const float top = bar.y + bar.h;
-    ImGui::SetNextWindowPos({paper.window.x, top});
-    ImGui::SetNextWindowSize({paper.window.w, std::max(1.0f, paper.window.y + paper.window.h - top)});
+    ImGui::SetNextWindowPos({window.x, top});
+    ImGui::SetNextWindowSize({window.w, std::max(1.0f, window.y + window.h - top)});
     ImGui::Begin("marks", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse);
@@ -84,10 +102,10 @@ void draw_line(const Paper& paper, const MarkLine& line, ImU32 colour, float wid
         for (const ImVec2& end : pixels) draw.AddCircleFilled(end, width / 2, colour);  // round ends and joints
         pixels.clear();
     };
-    const Rect& within = line.on_floor ? paper.scene : paper.window;
+    const Rect& within = paper.rect_of(line.on);
     draw.PushClipRect({within.x, within.y}, {within.x + within.w, within.y + within.h});
     for (const maths::vec2 place : line.points) {
-        const auto pixel = paper.pixel_of(line, place);
+        const auto pixel = paper.pixel_of(line.on, place);
         if (pixel)
             pixels.push_back({pixel->x, pixel->y});
         else
@@ -111,17 +129,17 @@ void sign_of_pen(Ui& ui, Rect scene, Rect window) {
 
 }  // namespace
 
-void draw_marks(const LabView& view, Marks& marks, Ui& ui, Rect scene, Rect bar, Rect window) {
+void draw_marks(const LabView& view, Marks& marks, Ui& ui, const MarkedParts& parts) {
     if (!view.lecture || marks.run_id != view.run_id) marks.lines.clear(), marks.pressed = false;
     marks.run_id = view.run_id;
     marks.drawing &= view.lecture;
     // In Mode::wiring the scene is a small inset.
-    const Paper paper{view.mode == Mode::wiring ? nullptr : view.camera_view, scene, window};
-    if (marks.drawing) follow_pen(paper, marks, ui, bar);
+    const Paper paper{view.mode == Mode::wiring ? nullptr : view.camera_view, parts};
+    if (marks.drawing) follow_pen(paper, marks, ui);
     for (const MarkLine& line : marks.lines)
         draw_line(paper, line, paint(ui.palette.ground), ui.px(pen_width + 2 * pen_border));
     for (const MarkLine& line : marks.lines) draw_line(paper, line, paint(ui.palette.warning), ui.px(pen_width));
-    if (marks.drawing) sign_of_pen(ui, scene, window);
+    if (marks.drawing) sign_of_pen(ui, parts.scene, parts.window);
 }
 
 }  // namespace braitenlab::ui

@@ -1,31 +1,47 @@
-// Lines drawn with the mouse during a lecture, over the whole window. A line over the scene is on the floor: it moves
-// with the camera. A line beside the scene, for example over the diagram, is in the window and scales with it.
+// Lines drawn with the mouse during a lecture, over the whole window. A line stays on what it marks: over the scene it
+// is on the floor and moves with the camera, over the wiring diagram it is on the diagram, over the values below the
+// scene it is there only while they are shown. Beside all of them it is in the window and scales with it.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/maths/vec.h"
 #include "ui/lab_view.h"
 #include "ui/widgets/ui.h"
+#include "ui/wiring/view.h"
 
 namespace braitenlab::ui {
 
+enum class MarkedPart { floor, diagram, strip, window };
+
 struct MarkLine {
-    bool on_floor = false;
-    std::vector<maths::vec2> points{};  // on the floor: m; else shares of the window's width and height
+    MarkedPart on = MarkedPart::window;
+    // On the floor: m; on the diagram: canvas units; else shares of the width and height of the strip or the window.
+    std::vector<maths::vec2> points{};
 };
 
 struct Marks {
     bool drawing = false;           // the mouse draws
     bool pressed = false;           // the button is down: the last line grows
-    std::vector<MarkLine> lines{};  // a line that leaves the scene goes on as another one
+    std::vector<MarkLine> lines{};  // a line that leaves its part of the window goes on as another one
     std::uint64_t run_id = 0;       // of the document that they are drawn on
 };
 
+// The parts of the window that lines can be on. A rectangle without a width: the part is not shown.
+struct MarkedParts {
+    Rect scene;
+    Rect diagram;
+    wiring::View of_diagram;
+    Rect strip;  // the values below the scene
+    Rect bar;    // on top: the mouse does not draw there
+    Rect window;
+};
+
 // Draws the lines above everything, and while drawing is on a sign at the lower edge of the scene (anchor marks.sign);
-// adds points while the left button is down. Then the mouse does nothing else below `bar`, the bar on top. Another
-// document, and the end of the lecture, remove the lines. Call once a frame, after all cards.
-void draw_marks(const LabView&, Marks&, Ui&, Rect scene, Rect bar, Rect window);
+// adds points while the left button is down. Then the mouse does nothing else below the bar. Another document, and the
+// end of the lecture, remove the lines. Call once a frame, after all cards.
+void draw_marks(const LabView&, Marks&, Ui&, const MarkedParts&);
 
 }  // namespace braitenlab::ui
