@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "app/course/authored_scene.h"
 #include "app/course/lesson_view.h"
 #include "app/course/reference_runs.h"
 #include "app/lab_selection.h"
@@ -100,6 +101,8 @@ LabView view_of(const Lab& lab) {
     view.documents.students = &lab.students;
     view.documents.student = lab.students.student().name;
     view.documents.opened = document.name;
+    view.documents.has_draft = has_draft(lab.authored.get(), document);
+    view.documents.draft_run = lab.authored ? lab.authored->restored_run : 0;
     view.run_id = document.run_id;
     view.notice = lab.notice;
     view.findings = &lab.findings;

@@ -28,6 +28,7 @@
 namespace braitenlab {
 
 struct ExerciseCheck;  // app/course/exercise_check.h
+struct AuthoredScene;  // app/course/authored_scene.h
 
 // What is kept of lectures (app/course/lab_lecture.h).
 struct LectureMemory {
@@ -55,9 +56,10 @@ struct ForWindow {
 
 // A workspace, and the state of each feature.
 struct Lab : Workspace {
-    std::shared_ptr<ExerciseCheck> check{};  // of the open exercise for its author; null: none
-    std::vector<Finding> findings{};         // of that check, or the errors of its file
-    StudentBook students{};                  // see app/course/lab_progress.h
+    std::shared_ptr<ExerciseCheck> check{};     // of the open exercise for its author; null: none
+    std::vector<Finding> findings{};            // of that check, or the errors of its file
+    std::shared_ptr<AuthoredScene> authored{};  // from which an exercise was made last; null: none
+    StudentBook students{};                     // see app/course/lab_progress.h
     std::optional<std::pair<std::uint64_t, std::size_t>> progress_of{};  // run_id and student of the notes in the view
     LectureMemory lectures{};
     Predictions predictions{};  // of the selected vehicle's path

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/course/edit_again.h"
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
 #include "app/files/links.h"
@@ -214,6 +215,7 @@ constexpr LabAction lab_actions[]{
     {Action::previous_object, [](Lab& lab) { select_next_object(lab, -1); }},
     {Action::hint, [](Lab& lab) { show_hint(lab); }},
     {Action::exercise_reset, [](Lab& lab) { start_over(lab); }, own_run},
+    {Action::edit_again, [](Lab& lab) { edit_again(lab); }},
     {Action::exit, [](Lab& lab) { lab.window.exit = true; }},
     {Action::erase, [](Lab& lab) { act_on_objects(lab, Action::erase); }, own_run},
     {Action::duplicate, [](Lab& lab) { act_on_objects(lab, Action::duplicate); }, own_run},

@@ -243,12 +243,14 @@ struct DocumentsView {
     const std::vector<CatalogueEntry>* lectures = nullptr;   // that ship; null: none
     const ScenePictures* pictures = nullptr;                 // null: none are rendered
     const FilesView* files = nullptr;                        // null: no file access
-    std::string opened;                                      // name of the open file, as in the catalogue
-    const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
-    const LectureView* left_pages = nullptr;                 // the lecture that was left last; null: none
-    const RecoveryOffer* recovery = nullptr;                 // null: nothing to recover
-    std::string student;                                     // name of the student; empty: none is named
-    const StudentBook* students = nullptr;                   // null: no progress is kept
+    bool has_draft = false;       // the open exercise was saved by the sheet of its author, which can go on with it
+    std::uint64_t draft_run = 0;  // run_id of the scene that was restored for this; 0: none
+    std::string opened;           // name of the open file, as in the catalogue
+    const std::vector<RecentFile>* recent = nullptr;  // recently opened files, newest first; null: none
+    const LectureView* left_pages = nullptr;          // the lecture that was left last; null: none
+    const RecoveryOffer* recovery = nullptr;          // null: nothing to recover
+    std::string student;                              // name of the student; empty: none is named
+    const StudentBook* students = nullptr;            // null: no progress is kept
 };
 
 // The program and its window.

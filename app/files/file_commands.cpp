@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/course/edit_again.h"
 #include "app/course/exercise_check.h"
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
@@ -214,8 +215,10 @@ struct FileCommands {
         const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), FileKind::scene);
         std::error_code none;
         if (!fs::exists(path.parent_path(), none)) return fail(error_of(message_of("no_such_folder"), path.string()));
-        if (!wanted.replace && fs::exists(path, none)) return fail(error_of(message_of("file_exists"), path.string()));
         const Document& now = lab.document;
+        const bool is_own = lab.authored && lab.authored->path == path && lab.authored->restored_run == now.run_id;
+        if (!wanted.replace && !is_own && fs::exists(path, none))
+            return fail(error_of(message_of("file_exists"), path.string()));
         auto made = make_exercise(*wanted.draft, exercise_id_of(path), now.session.edited_scene(), *now.file);
         if (!made) return fail(made.error());
         const std::string text = write_exercise(*made);
@@ -223,7 +226,7 @@ struct FileCommands {
         if (const auto error = write_whole(path, text)) return fail(*error);
         auto opened = open_document(path, std::nullopt, {});
         if (!opened) return fail(opened.error());
-        replace_document(lab, std::move(*opened));
+        open_authored(lab, std::move(*opened), path, wanted.draft->vehicle);
         add_recent_file(state, path, lab.document);
         if (!view.listing.folder.empty()) list(view.listing.folder);
         done(path, {});

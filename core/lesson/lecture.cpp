@@ -118,6 +118,9 @@ public:
         if (!table_.contains("question") || file_.failed_at(path_ + ".question")) return;  // perhaps misspelt
         if (asked.options.size() < 2) return fail("question", message_of("few_options"));
         if (!table_.get("question")->contains("answer")) fail("question", message_of("answer_missing"));
+        for (auto option = asked.options.begin(); option != asked.options.end(); ++option)
+            if (std::find(asked.options.begin(), option, *option) != option)
+                return fail("question", message_of("offered_twice", in_quotes(*option)));
     }
 
     void read_parts() {

@@ -161,6 +161,11 @@ TEST(Lecture, AQuestionHasTwoOrMoreOptions) {
               "/nowhere/own.toml:6: 'options' needs two or more texts");
 }
 
+TEST(Lecture, TheOptionsOfAQuestionDiffer) {
+    EXPECT_EQ(error_of(scene_page + "[page.question]\noptions = [\"left\", \"right\", \"left\"]\nanswer = \"left\"\n"),
+              "/nowhere/own.toml:6: 'left' is offered twice");
+}
+
 TEST(Lecture, APageNamesAFileBesideTheLecture) {
     const fs::path folder = fs::temp_directory_path() / ("lecture-test-" + std::to_string(::getpid()));
     fs::create_directories(folder / "scenes");

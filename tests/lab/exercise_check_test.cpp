@@ -71,6 +71,43 @@ TEST_F(ExerciseCheckLab, SaysThatAnExerciseIsNotReady) {
     EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
 }
 
+TEST_F(ExerciseCheckLab, AfterAFailedCheckTheSceneComesBackWithTheBrainOfTheWindow) {
+    const Scene scene = lab.document.session.edited_scene();
+    draft.seconds = 1;
+    save();
+    check();
+    ASSERT_EQ(lab.notice.key, "author.unsound");
+    ASSERT_TRUE(view_of(lab).documents.has_draft);
+    const std::uint64_t exercise_run = lab.document.run_id;
+    handle(lab, Action::edit_again);
+    EXPECT_FALSE(lab.document.lesson);
+    EXPECT_EQ(lab.document.session.edited_scene(), scene) << "the exercise's brain was not edited";
+    EXPECT_EQ(view_of(lab).documents.draft_run, lab.document.run_id);
+    EXPECT_GT(lab.document.run_id, exercise_run);
+    EXPECT_FALSE(view_of(lab).documents.has_draft);
+    save();
+    ASSERT_TRUE(lab.document.lesson) << "it replaces the file that it has written itself";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 0.75f}});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::RL, 0.75f}});
+    const Submission tried = submission_of(*lab.document.lesson->exercise, lab.document.session.snapshot());
+    handle(lab, Action::edit_again);
+    draft.seconds = 20;
+    save();
+    ASSERT_TRUE(lab.document.lesson);
+    EXPECT_TRUE(is_same_submission(with_solution(*lab.document.lesson->exercise), tried))
+        << "what passed in the window is the solution";
+}
+
+TEST_F(ExerciseCheckLab, WithoutASavedExerciseThereIsNothingToEditAgain) {
+    handle(lab, Action::edit_again);
+    EXPECT_EQ(lab.document.name, "2a-coward");
+    save();
+    handle(lab, OpenRequest{(folder / "strike.toml").string()});
+    execute_file_requests(lab, files, state, folders);
+    ASSERT_TRUE(lab.document.lesson);
+    EXPECT_FALSE(view_of(lab).documents.has_draft) << "it was opened anew";
+}
+
 TEST_F(ExerciseCheckLab, NamesAControlThatTheSolutionNeedsAndThatIsNotOffered) {
     draft.offers = {"LL", "LR", "RR"};
     save();

@@ -117,6 +117,9 @@ TEST_F(AuthorSheet, APredictionHasItsTrueAnswer) {
     desk.click("author.save");
     EXPECT_TRUE(desk.says("The question needs two answers"));
     type("author.option.2", "To the lamp");
+    type("author.option.3", "To the lamp");
+    EXPECT_TRUE(desk.says("Two answers are the same"));
+    desk.panels.sheets.author.options[2].text.clear();
     type("author.option.4", "Away");
     EXPECT_TRUE(desk.says("The true answer is empty"));
     desk.click("author.option.4.answer");
@@ -244,6 +247,31 @@ TEST_F(AuthorSheet, TheSpreadOfTheSelectedVehicleIsKept) {
     desk.choose("file", "save_exercise");
     desk.frame(2);
     EXPECT_NEAR(desk.panels.sheets.author.draft.heading_spread, 30, 0.01f);
+}
+
+TEST_F(AuthorSheet, OpensAgainAsItWasFilledOnceItsSceneIsRestored) {
+    fill_in();
+    saved();
+    files.done = 1;
+    desk.frame(2);
+    ASSERT_FALSE(desk.anchors.find("card.author"));
+    desk.view.run_id = 7;  // the exercise
+    desk.view.documents.has_draft = true;
+    desk.frame(2);
+    desk.choose("file", "save_exercise");
+    desk.frame(2);
+    EXPECT_EQ(desk.actions(), std::vector{Action::edit_again}) << "not an exercise made of the exercise";
+    EXPECT_FALSE(desk.anchors.find("card.author")) << "its scene is not open yet";
+    desk.view.documents.has_draft = false;
+    desk.view.run_id = desk.view.documents.draft_run = 8;  // the scene
+    desk.frame(3);
+    ASSERT_TRUE(desk.anchors.find("card.author"));
+    EXPECT_EQ(desk.panels.sheets.author.title.text, "Strike");
+    desk.all.clear();
+    EXPECT_EQ(saved().draft->goal, "Touch the lamp.");
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.author")) << "once";
 }
 
 }  // namespace braitenlab::tests::author_sheet_test

@@ -322,7 +322,8 @@ TEST_F(FilesSheet, RequestsAStoryOfASceneAndSendsOnlyAChangedStory) {
             if (const auto* save = std::get_if<SaveRequest>(&request)) found = *save;
         return found;
     };
-    press({'S', true});
+    files.save_to = "/home/me/own.toml";
+    press({'S', true, true});
     EXPECT_EQ(desk.panels.sheets.files.story.text, desk.now.scene->story);
     press({key::enter});
     EXPECT_EQ(last().story, std::nullopt);
@@ -340,6 +341,16 @@ TEST_F(FilesSheet, RequestsAStoryOfASceneAndSendsOnlyAChangedStory) {
     desk.click("files.path");
     press({key::enter});
     EXPECT_EQ(last().story, std::nullopt);
+}
+
+TEST_F(FilesSheet, ACopyOfAnotherAuthorsSceneBeginsWithoutItsStory) {
+    press({'S', true, true});
+    EXPECT_EQ(desk.panels.sheets.files.story.text, "");
+    press({key::enter});
+    const auto* copy = desk.last<SaveRequest>();
+    ASSERT_TRUE(copy);
+    EXPECT_EQ(copy->story, "") << "the old one is not that of the copy";
+    EXPECT_EQ(copy->title, std::nullopt);
 }
 
 TEST_F(FilesSheet, AsksBeforeItReplacesAFileAndReportsCommentsThatWouldBeLost) {

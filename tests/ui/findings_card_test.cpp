@@ -40,6 +40,18 @@ TEST(FindingsCard, ListsEachWithItsPlaceAndValuesAndCloses) {
     EXPECT_TRUE(desk.last<HideFindingsRequest>());
 }
 
+TEST(FindingsCard, GoesBackToTheSheetOfTheAuthorWhereItsSceneIsKept) {
+    Desk desk;
+    const std::vector<Finding> found = some_findings();
+    desk.view.findings = &found;
+    desk.frame(4);
+    EXPECT_FALSE(desk.anchors.find("findings.edit")) << "the file was written elsewhere";
+    desk.view.documents.has_draft = true;
+    desk.frame(4);
+    desk.click("findings.edit");
+    EXPECT_EQ(desk.actions(), std::vector{Action::edit_again});
+}
+
 TEST(FindingsCard, IsNotThereWithoutFindingsAndInALecture) {
     Desk desk;
     const std::vector<Finding> none, found = some_findings();

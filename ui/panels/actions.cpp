@@ -160,6 +160,22 @@ bool make_room_for_diagram(const Acting& at) {
     return shown.watching;
 }
 
+bool edit_draft_again(const Acting& at) {
+    at.state.sheets.author.goes_on = true;
+    return false;
+}
+
+// Goes on with the exercise that was saved by the sheet, else begins one of the open scene.
+bool open_author(const Acting& at) {
+    if (at.view.documents.has_draft) {
+        at.outbox.push_back(Action::edit_again);
+        return edit_draft_again(at), true;
+    }
+    begin_author(at.view, at.state.sheets.author);
+    at.state.sheet = Sheet::author;
+    return true;
+}
+
 // Moves the focus to a slider of the brain. Where the exercise offers fewer, to the first one, and says which ones it
 // offers.
 void focus_slider(const Acting& at, std::size_t number) {

@@ -79,6 +79,7 @@ void lecture_notes(const LabView&, PanelState&, Ui&, Rect);
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);       // all shortcuts
 void files_sheet(const LabView&, PanelState&, Ui&, Rect window);     // open and save
 void author_sheet(const LabView&, PanelState&, Ui&, Rect window);    // the open scene as an exercise
+void follow_author(const LabView&, PanelState&, Ui&);                // opens it again for AuthorState::goes_on
 void robot_sheet(const LabView&, PanelState&, Ui&, Rect window);     // the selected vehicle's brain to a robot
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);   // language, theme, type size, motion
 void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version, and licences of the libraries

@@ -52,6 +52,7 @@ constexpr SheetTraits sheet_traits[]{
      .heading = "author.heading",
      .width = 680,
      .draw = author_sheet,
+     .follow = follow_author,
      .fields = [](PanelState& state) { return fields_of(state.sheets.author); }},
     {.sheet = Sheet::robot,
      .anchor = "card.robot",

@@ -151,6 +151,15 @@ struct AuthorSheet : AuthorFields {
 
 }  // namespace
 
+void follow_author(const LabView& view, PanelState& panels, Ui&) {
+    AuthorState& state = panels.sheets.author;
+    if (!state.goes_on || view.documents.draft_run != view.run_id || view.documents.has_draft) return;
+    state.run_id = view.run_id;
+    state.goes_on = false;
+    begin_author(view, state);
+    panels.sheet = Sheet::author;
+}
+
 void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     AuthorState& state = panels.sheets.author;
     const bool is_saved = state.asked && view.documents.files && view.documents.files->done > state.done;

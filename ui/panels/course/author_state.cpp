@@ -80,6 +80,9 @@ std::string_view missing_in(const AuthorState& author) {
     for (const WrongDraft& each : draft.wrong)
         if (each.name.empty()) return "author.no_wrong_name";
     if (draft.prediction.question.empty()) return "";
+    const std::vector<std::string>& options = draft.prediction.options;
+    for (auto option = options.begin(); option != options.end(); ++option)
+        if (std::find(options.begin(), option, *option) != option) return "author.same_options";
     const auto answer = static_cast<std::size_t>(author.draft.prediction.answer);
     if (draft.prediction.options.size() < 2) return "author.no_options";
     return author.options[answer].text.empty() ? "author.no_answer" : "";

@@ -29,6 +29,7 @@ struct AuthorState {
     std::vector<bool> dials, parts;  // offered, in the order of all_dials and offer_parts::all
     bool all_controls = false;       // offered are all controls
     std::uint64_t run_id = 0;        // of the document that the draft is about; the draft stays while it is open
+    bool goes_on = false;            // opens again with this draft once its scene is restored
     bool tried = false;              // to save, while something was missing
     bool begun = false;              // drawn at least once since it was opened
     bool asked = false;              // a request is in progress; it has succeeded when FilesView::done exceeds `done`

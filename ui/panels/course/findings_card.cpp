@@ -9,7 +9,9 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -48,8 +50,15 @@ void findings_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
                                      .words = ui.strings("findings.close"),
                                      .tooltip = ui.strings("findings.close_how"),
                                      .icon = icon::cross}};
-    if (open_card(state, ui, Card::findings, place, buttons))
+    if (open_card(state, ui, Card::findings, place, buttons)) {
+        if (view.documents.has_draft) {
+            const Item again = button(ui, "findings.edit", {{}, ui.strings("findings.edit"), Emphasis::primary});
+            tooltip(ui, again, ui.strings("tooltip.edit_again"));
+            if (again.pressed) state.chosen.push_back(Action::edit_again);
+            gap(ui, spacing::small);
+        }
         for (const Finding& finding : *view.findings) finding_row(finding, ui);
+    }
     end_card(ui, state.card(Card::findings));
     if (buttons[0].pressed) ui.outbox.emplace_back(HideFindingsRequest{});
 }
