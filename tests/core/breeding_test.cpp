@@ -130,6 +130,36 @@ TEST(Breeding, AStateOfAnotherBreedingIsRefused) {
     EXPECT_FALSE(read_state(*base, write_state(*base, state), "f")) << "outside the range of its gene";
 }
 
+TEST(Breeding, FurtherWiresAndHiddenNeuronsAreGenes) {
+    const std::string hidden =
+        "[[kind.hare.brain.node]]\nname = \"H\"\nkind = \"neuron\"\n"
+        "[[kind.hare.brain.wire]]\nfrom = \"SL\"\nto = \"H\"\n[[kind.hare.brain.wire]]\nfrom = \"H\"\nto = \"MR\"\n";
+    std::string scene = scene_text;
+    scene.insert(scene.find("[vehicle.hunter]"), hidden);
+    const std::string file = top + alone + "[[breed]]\nkind = \"hare\"\n" + gene("in", "\"brain.wire.SL-H.weight\"") +
+                             gene("out", "\"brain.wire.H-MR.weight\"") + gene("bias", "\"brain.node.H.bias\"");
+    const auto base = BreedingBase::create(*parse_breeding(file, "b.toml"), scene, "s.toml");
+    ASSERT_TRUE(base) << base.error().text();
+    const Kind kind = (*base)->kind_of(Side::prey, {0.25F, -0.5F, 0.75F});
+    const auto weight = [&](const std::string& from, const std::string& to) {
+        for (const Wire& wire : kind.brain.wires)
+            if (find_node(kind.brain, wire.from)->name == from && find_node(kind.brain, wire.to)->name == to)
+                return wire.weight;
+        return 0.0F;
+    };
+    EXPECT_EQ(weight("SL", "H"), 0.25F);
+    EXPECT_EQ(weight("H", "MR"), -0.5F);
+    EXPECT_EQ(find_node(kind.brain, "H")->bias, 0.75F);
+    const auto again = BreedingBase::create(*parse_breeding(file, "b.toml"), write_scene((*base)->scene()), "s.toml");
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ((*again)->fingerprint(), (*base)->fingerprint()) << "as it is in a folder of results";
+    for (const char* path : {"brain.wire.SL-MM.weight", "brain.wire.SL-H.wieght", "brain.node.G.bias"})
+        EXPECT_NE(
+            fault_of(top + alone + "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"" + std::string(path) + "\""), scene),
+            "")
+            << path;
+}
+
 TEST(Breeding, EveryGenomeStaysInTheRangesOfItsGenes) {
     const auto base = base_of(top + alone + both);
     const BreedingState state = bred(*base, 3);
