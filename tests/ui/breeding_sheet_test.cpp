@@ -77,6 +77,23 @@ TEST_F(BreedingDesk, OtherOpponentsAndNumbersAreAChoice) {
     EXPECT_EQ(desk.last<BreedingRequest>()->path, "flee");
 }
 
+TEST_F(BreedingDesk, ADraggedNumberIsAChoiceWhenTheMouseIsReleased) {
+    BredOnDesk bred(3);
+    bred.show(desk);
+    desk.frame(3);
+    const std::size_t before = desk.all.size();
+    desk.point("breeding.seed", 0.6f);
+    desk.frame(2);
+    desk.button(0, true);
+    for (const float at : {0.6f, 0.65f, 0.7f}) desk.point("breeding.seed", at), desk.frame(2);
+    EXPECT_EQ(desk.all.size(), before) << "no breeding for each number on the way";
+    desk.button(0, false);
+    desk.frame(2);
+    ASSERT_EQ(desk.all.size(), before + 1);
+    ASSERT_TRUE(asked_for(BreedingEdit::choose));
+    EXPECT_GT(desk.last<BreedingRequest>()->choice->seed, 5u);
+}
+
 TEST_F(BreedingDesk, AClickOnACellWatchesItsMatchInEveryLanguage) {
     BredOnDesk bred(41, 2);
     bred.show(desk);
