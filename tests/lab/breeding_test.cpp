@@ -219,6 +219,29 @@ TEST_F(LabBreeding, ASceneWithoutRolesGetsTheMatchInstead) {
     expect_run_of(first_trial({3, 2}));
 }
 
+TEST_F(LabBreeding, InAnExerciseOnlyItsVehicleGetsSensorsAndBrain) {
+    breed_to_the_end();
+    auto exercise = open_document(*find_shipped("18-prey"), std::nullopt, {});
+    ASSERT_TRUE(exercise);
+    replace_document(lab, std::move(*exercise));
+    const std::vector<Kind> before = lab.document.session.edited_scene().kinds;
+    ask(BreedingEdit::take, {3, 2});
+    EXPECT_TRUE(lab.window.files.empty());
+    const evolve::Trial trial = first_trial({3, 2});
+    const Kind& champion = *at(trial.kinds, Side::prey);
+    for (const Kind& kind : lab.document.session.edited_scene().kinds) {
+        const Kind& given =
+            *std::find_if(before.begin(), before.end(), [&](const Kind& k) { return k.name == kind.name; });
+        if (kind.role != Role::prey) {
+            EXPECT_EQ(kind, given);
+            continue;
+        }
+        EXPECT_EQ(kind.sensors, champion.sensors);
+        EXPECT_EQ(read_dials(kind.brain), read_dials(champion.brain));
+        EXPECT_EQ(kind.body, given.body);
+    }
+}
+
 TEST_F(LabBreeding, OfAnUnknownNameSaysWhichThereAre) {
     handle(lab, BreedingRequest{.path = "chaes"});
     ASSERT_TRUE(view().error);
