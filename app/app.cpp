@@ -67,8 +67,11 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
     if (!theme_.warning().empty()) std::cerr << "braitenlab: " << theme_.warning() << "\n";
-    if (!options_.only_draws() && !folders_.state.empty())
+    if (!options_.only_draws() && !folders_.state.empty()) {
         begin_studies(lab_.study, folders_.state / "studies", settings_.state.study);
+        if (is_on_page()) lab_.breeding.most_bytes = 1U << 20U;  // a browser keeps about 5 MB, edits and notes included
+        begin_breedings(lab_.breeding, folders_.state / "breedings", settings_.state.breeding);
+    }
     const std::vector<Error> errors = student_files_.read(lab_.students, settings_.state.student);
     settings_.errors.insert(settings_.errors.begin(), errors.begin(), errors.end());
     refresh(files_, lab_);
@@ -219,6 +222,7 @@ void App::save_settings(bool now) {
     if (written.merged) lab_.progress_of.reset();  // the notes are read again
     settings_.state.student = student_files_.current_file(lab_.students);
     settings_.state.study = lab_.study.last;
+    settings_.state.breeding = lab_.breeding.last;
     settings_.state.view = view_to_store(lab_, panels_);
     if (const auto place = window_.windowed_place()) settings_.state.place = WindowPlace{place->first, place->second};
     if (const auto error = save(settings_, own_preferences(lab_), window_.windowed_size())) show_error(*error);

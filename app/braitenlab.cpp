@@ -5,6 +5,7 @@
 
 #include "app/app.h"
 #include "app/course/lab_lecture.h"
+#include "app/files/breeding_files.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
 #include "app/files/links.h"
@@ -70,6 +71,15 @@ Result<Opened> open_asked(const Options& options) {
         if (!lab) return lab.error();
         show_study(lab->study, path->string());
         return Opened{*path, std::move(*lab)};
+    }
+    if (const auto file = read_file(*path); file && file->kind == FileKind::breeding) {
+        const auto base = load_breeding(*path);
+        if (!base) return base.error();
+        auto document = linked_document((*base)->scene());
+        if (!document) return document.error();
+        Lab lab = make_lab(std::move(*document));
+        show_breeding(lab.breeding, *path);
+        return Opened{{}, std::move(lab)};
     }
     auto lab = open_lab(*path, options.seed, options.settings);
     if (!lab) return lab.error();

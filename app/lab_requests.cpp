@@ -6,7 +6,6 @@
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
-#include "app/files/breeding_files.h"
 #include "app/files/data.h"
 #include "app/files/pages.h"
 #include "app/lab_actions.h"
@@ -34,10 +33,6 @@ bool acts_on_own_run(const Request& request) {
 }
 
 void handle_breeding(Lab& lab, const BreedingRequest& wanted) {
-    if (wanted.edit == BreedingEdit::open) {
-        const auto path = find_shipped(wanted.path, Shipped::breeding);
-        return open_breeding(lab.breeding, path ? load_breeding(*path) : path.error());
-    }
     if (auto match = handle_breeding(lab.breeding, lab, wanted)) lab.window.files.push_back(std::move(*match));
 }
 

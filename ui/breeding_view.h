@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/evolve/duel.h"
@@ -23,7 +24,9 @@ struct BreedingView {
     evolve::BySide<evolve::Verdict> verdicts{};        // of the matrix
     std::vector<BreedingCell> watched{};               // at most two, the newest first
     const std::vector<evolve::Duel>* duels = nullptr;  // of these, from the same start; null: not known yet
-    std::optional<Error> error{};                      // why it could not be opened
+    std::optional<Error> error{};                      // why it could not be opened, continued or kept
+    std::string last{};                                // name or path of the one opened last, also by an earlier start
+    int shown = 0;  // increases with each breeding that is opened from a file: its sheet is shown then
 };
 
 // The last generation that is complete, with its score against the panel; −1: none is.

@@ -31,6 +31,10 @@ std::optional<Error> other_than_exercise(const std::filesystem::path& path, std:
         return Error{fmt::format("this is a study, and '{}' takes an exercise; run it by 'braitenctl study {}'",
                                  command, path.stem().string()),
                      path.string()};
+    if (kind == FileKind::breeding)
+        return Error{
+            fmt::format("this is a breeding, and '{}' takes an exercise; run it by 'braitenctl breed'", command),
+            path.string()};
     if (kind == FileKind::lecture)
         return Error{fmt::format("this is a lecture, and '{}' takes an exercise; test it by 'check'", command),
                      path.string()};

@@ -18,7 +18,7 @@ namespace braitenlab {
 using SharedExercise = std::shared_ptr<const Exercise>;
 
 Result<SharedExercise> read_exercise(const std::filesystem::path&);
-// Fails for a study and a lecture, which are no exercises.
+// Fails for a study, a breeding and a lecture, which are no exercises.
 Result<SharedExercise> find_exercise(const std::string& path_or_name);
 
 // Why the file, of the given content, cannot be read as an exercise by `command`: it is a study or, unless `command`

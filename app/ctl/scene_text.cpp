@@ -29,6 +29,8 @@ Result<std::string> read_scene_text(const std::filesystem::path& path, std::stri
             return other("a lecture", "use 'check' to test the lecture");
         case FileKind::study:
             return other("a study", "use 'study' to run it");
+        case FileKind::breeding:
+            return other("a breeding", "use 'breed' to run it");
         case FileKind::brain:
             return other("a brain alone", "use 'grade EXERCISE FILE'");
         default:

@@ -110,6 +110,8 @@ int show(const std::string& name) {
         return complain({"this is a lecture, which 'show' does not print; use 'check'", path->string()});
     } else if (kind == FileKind::study) {
         return complain({"this is a study, which 'show' does not print; use 'study'", path->string()});
+    } else if (kind == FileKind::breeding) {
+        return complain({"this is a breeding, which 'show' does not print; use 'breed'", path->string()});
     } else if (kind == FileKind::brain) {
         const auto brain = parse_brain(*text, path->string());
         if (!brain) return complain(brain.error());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/breeding_files.h"
+#include "app/files/data.h"
 #include "app/lab_edits.h"
 #include "app/workspace.h"
 #include "core/io/link.h"
@@ -20,6 +22,7 @@ using evolve::Side;
 using evolve::Tournament;
 
 constexpr std::size_t ticks_per_piece = 300;  // about half a millisecond
+constexpr std::size_t most_kept = 20;         // breedings; a state has about 1 kB a generation
 
 Bred& bred_of(BreedingRuns& runs) { return runs.bred.at(runs.base->fingerprint()); }
 const Bred& bred_of(const BreedingRuns& runs) { return runs.bred.at(runs.base->fingerprint()); }
@@ -58,7 +61,7 @@ private:
 };
 
 void stop_breeding(BreedingRuns& runs) {
-    runs.runs = false;
+    runs.runs = runs.fills = false;
     runs.trials = {}, runs.generation = {}, runs.scores = {};
 }
 
@@ -101,6 +104,46 @@ void fill_matrix(BreedingRuns& runs) {
     for (const Side side : evolve::both_sides) at(runs.verdicts, side) = evolve::verdict_of(known, side);
 }
 
+bool has_begun(const evolve::BreedingState& state) {
+    return !state.panel.generations.front().empty() || !state.main.generations.front().empty();
+}
+
+int generations_in(const evolve::BreedingState& state) {
+    return static_cast<int>(state.panel.generations.front().size() + state.main.generations.front().size());
+}
+
+// Takes over what was bred in a folder, if it is more than what is known. Its matrix is computed anew.
+void take_state(BreedingRuns& runs, const std::filesystem::path& folder) {
+    if (!holds_breeding(folder)) return;
+    auto state = read_breeding_state(*runs.base, folder);
+    if (!state) return void(runs.error = state.error());
+    Bred& bred = bred_of(runs);
+    if (generations_in(*state) <= generations_in(*bred.state)) return;
+    bred.state = std::make_shared<const evolve::BreedingState>(std::move(*state));
+    runs.fills = true;
+}
+
+void take_kept_state(BreedingRuns& runs) {
+    if (!runs.kept_in.empty()) take_state(runs, kept_breeding(runs.kept_in, *runs.base));
+}
+
+// Writes what is bred for the next start of the lab. If another window breeds the same, the one that writes last is
+// kept: its generations are the first ones of the other, or go on from them. The folder may be gone, because another
+// window has removed the oldest.
+void keep_breeding(BreedingRuns& runs) {
+    if (runs.kept_in.empty()) return;
+    const std::filesystem::path folder = kept_breeding(runs.kept_in, *runs.base);
+    const int generations = runs.base->breeding().generations;
+    const bool is_first = runs.kept_for != generations || !holds_breeding(folder);
+    runs.not_kept.reset();
+    if (is_first) runs.not_kept = write_breeding_files(*runs.base, folder);
+    if (!runs.not_kept) runs.not_kept = write_breeding_state(*runs.base, *bred_of(runs).state, folder);
+    drop_oldest_breedings(runs.kept_in, most_kept, runs.most_bytes);
+    if (runs.not_kept || !is_first) return;
+    runs.kept_for = generations;
+    runs.last = breeding_in(folder).string();
+}
+
 void begin_breeding_of(BreedingRuns& runs, BreedingBasePtr base) {
     // More generations of the same breeding: what is known stays, and a breeding that runs goes on.
     const bool is_same = runs.base && runs.base->fingerprint() == base->fingerprint();
@@ -108,11 +151,14 @@ void begin_breeding_of(BreedingRuns& runs, BreedingBasePtr base) {
     stop_breeding(runs);
     runs.runs = goes_on;
     runs.error.reset();
+    if (runs.base && !is_same && !has_begun(*bred_of(runs).state)) runs.bred.erase(runs.base->fingerprint());
     runs.base = std::move(base);
-    if (!runs.bred.contains(runs.base->fingerprint()))
+    if (!is_same) runs.duels.forget(), runs.not_kept.reset(), runs.kept_for = 0;
+    if (!runs.bred.contains(runs.base->fingerprint())) {
         runs.bred[runs.base->fingerprint()].state =
             std::make_shared<const evolve::BreedingState>(evolve::begin_breeding(*runs.base));
-    if (!is_same) runs.duels.forget();
+        take_kept_state(runs);
+    }
     fill_matrix(runs);
 }
 
@@ -122,6 +168,19 @@ void choose_breeding(BreedingRuns& runs, const evolve::Breeding& choice) {
     auto base = read ? evolve::BreedingBase::create(std::move(*read), write_scene(runs.base->scene()), choice.scene)
                      : read.error();
     base ? begin_breeding_of(runs, std::move(*base)) : void(runs.error = base.error());
+}
+
+void open_breeding(BreedingRuns& runs, const std::string& path_or_name) {
+    const auto path = find_shipped(path_or_name, Shipped::breeding);
+    auto base = path ? load_breeding(*path) : path.error();
+    if (!base) {
+        stop_breeding(runs);
+        runs.error = base.error();
+        return;
+    }
+    begin_breeding_of(runs, std::move(*base));
+    if (*path == breeding_in(path->parent_path())) take_state(runs, path->parent_path()), fill_matrix(runs);
+    runs.last = ships(*path) ? runs.base->breeding().id : std::filesystem::absolute(*path).string();
 }
 
 bool is_complete(const BreedingRuns& runs, BreedingCell cell) {
@@ -182,6 +241,7 @@ void take_generation(BreedingRuns& runs, Jobs& jobs) {
     if (auto ended = runs.generation.take()) {
         if (!*ended) return runs.error = ended->error(), stop_breeding(runs);
         bred_of(runs).state = std::move(**ended);
+        keep_breeding(runs);
         fill_matrix(runs);
     }
     auto trials = runs.trials.take();
@@ -247,13 +307,19 @@ std::vector<int> matrix_generations(int complete, int last) {
     return generations;
 }
 
-void open_breeding(BreedingRuns& runs, Result<BreedingBasePtr> base) {
-    if (base) return begin_breeding_of(runs, std::move(*base));
-    stop_breeding(runs);
-    runs.error = base.error();
+void begin_breedings(BreedingRuns& runs, std::filesystem::path kept_in, const std::string& last) {
+    runs.kept_in = std::move(kept_in);
+    if (runs.base) return take_kept_state(runs), fill_matrix(runs);  // of the command line
+    if (!last.empty() && find_shipped(last, Shipped::breeding)) runs.last = last;
+}
+
+void show_breeding(BreedingRuns& runs, const std::filesystem::path& path) {
+    open_breeding(runs, path.string());
+    ++runs.shown;
 }
 
 std::optional<OpenRequest> handle_breeding(BreedingRuns& runs, Workspace& space, const BreedingRequest& wanted) {
+    if (wanted.edit == BreedingEdit::open) open_breeding(runs, wanted.path);
     if (!runs.base) return std::nullopt;
     switch (wanted.edit) {
         case BreedingEdit::open:
@@ -287,6 +353,8 @@ void update_breeding(BreedingRuns& runs, Jobs& jobs) {
     if (runs.runs) {
         const bool breeds = submit_generation(runs, jobs), compares = submit_scores(runs, jobs);
         runs.runs = breeds || compares;
+    } else if (runs.fills) {
+        runs.fills = submit_scores(runs, jobs);
     }
     runs.duels.follow([&](const DuelsQuestion& question) -> Result<Job<std::vector<Duel>>> {
         std::vector<evolve::Trial> trials;
@@ -299,10 +367,10 @@ void update_breeding(BreedingRuns& runs, Jobs& jobs) {
     });
 }
 
-bool is_computing(const BreedingRuns& runs) { return runs.runs || runs.duels.is_computing(); }
+bool is_computing(const BreedingRuns& runs) { return runs.runs || runs.fills || runs.duels.is_computing(); }
 
 BreedingView breeding_of(const BreedingRuns& runs) {
-    BreedingView view{.error = runs.error};
+    BreedingView view{.error = runs.error ? runs.error : runs.not_kept, .last = runs.last, .shown = runs.shown};
     if (!runs.base) return view;
     view.base = runs.base;
     view.state = bred_of(runs).state.get();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -38,10 +39,17 @@ struct DuelsQuestion {
 };
 
 struct BreedingRuns {
-    BreedingBasePtr base{};                // null: none is open
-    std::optional<Error> error{};          // why the last one could not be opened
-    std::map<std::uint64_t, Bred> bred{};  // since the start of the program, by fingerprint; has that of `base`
+    BreedingBasePtr base{};                  // null: none is open
+    std::optional<Error> error{};            // why the last one could not be opened
+    std::map<std::uint64_t, Bred> bred{};    // since the start of the program, by fingerprint; has that of `base`
+    std::filesystem::path kept_in{};         // folder of what is kept for the next start; empty: nothing is
+    std::uintmax_t most_bytes = 64U << 20U;  // of all states there
+    std::optional<Error> not_kept{};         // why what was bred last could not be written there
+    int kept_for = 0;                        // generations of the file that is kept of `base`; 0: none yet
+    std::string last{};                      // name or path of the breeding opened last; empty: none
+    int shown = 0;                           // see BreedingView
     bool runs = false;
+    bool fills = false;                  // computes the matrix of what was read, without breeding
     Job<TrialsPtr> trials{};             // those of the next generation
     Job<BreedingStatePtr> generation{};  // its end
     Job<std::vector<float>> scores{};    // of `cells`
@@ -55,11 +63,14 @@ struct BreedingRuns {
 // 4 … at most 21, and `last`. So no score is computed in vain when the matrix grows.
 std::vector<int> matrix_generations(int complete, int last);
 
-// Opens a breeding, or keeps why it could not be opened. What is running stops.
-void open_breeding(BreedingRuns&, Result<BreedingBasePtr>);
+// Sets the folder, and what an earlier start of the lab had as `last`. One that is gone is forgotten.
+void begin_breedings(BreedingRuns&, std::filesystem::path kept_in, const std::string& last);
 
-// Executes a request, except BreedingEdit::open, which needs files. Returns the request that opens the scene of a
-// match.
+// Opens the breeding of a file, with what was bred beside it (braitenctl breed --out), and shows its sheet. What is
+// bred on is kept for the next start; the folder of the file is not changed.
+void show_breeding(BreedingRuns&, const std::filesystem::path&);
+
+// Executes a request. Returns the request that opens the scene of a match.
 std::optional<OpenRequest> handle_breeding(BreedingRuns&, Workspace&, const BreedingRequest&);
 
 // Call once per turn, after Jobs::deliver.

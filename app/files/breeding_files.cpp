@@ -1,8 +1,12 @@
 #include "app/files/breeding_files.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
@@ -18,6 +22,8 @@ using evolve::Breeding;
 using evolve::BreedingBase;
 
 namespace {
+
+constexpr std::uintmax_t most_bytes = 64U << 20U;  // of a state; about 1 kB a generation
 
 fs::path state_in(const fs::path& folder) { return folder / "state.json"; }
 
@@ -36,7 +42,7 @@ fs::path breeding_in(const fs::path& folder) { return folder / "breeding.toml"; 
 
 bool holds_breeding(const fs::path& folder) {
     std::error_code none;
-    return fs::exists(state_in(folder), none);
+    return fs::is_regular_file(state_in(folder), none);  // a pipe would not end
 }
 
 Result<std::shared_ptr<const BreedingBase>> load_breeding(const fs::path& path) {
@@ -67,8 +73,32 @@ std::optional<Error> write_breeding_state(const BreedingBase& base, const evolve
     return file.commit();
 }
 
+fs::path kept_breeding(const fs::path& all, const BreedingBase& base) {
+    return all / fmt::format("{:016x}", base.fingerprint());
+}
+
+void drop_oldest_breedings(const fs::path& all, std::size_t most, std::uintmax_t bytes) {
+    std::error_code none;
+    std::vector<std::pair<fs::file_time_type, fs::path>> kept;
+    for (fs::directory_iterator each(all, none), end; each != end; each.increment(none))
+        if (holds_breeding(each->path()))
+            kept.emplace_back(fs::last_write_time(state_in(each->path()), none), each->path());
+    std::sort(kept.rbegin(), kept.rend());
+    std::uintmax_t sum = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        std::error_code problem;
+        const std::uintmax_t size = fs::file_size(state_in(kept[i].second), problem);
+        sum += problem ? 0 : size;
+        if (i >= most || sum > bytes) fs::remove_all(kept[i].second, none);
+    }
+}
+
 Result<evolve::BreedingState> read_breeding_state(const BreedingBase& base, const fs::path& folder) {
     const fs::path path = state_in(folder);
+    std::error_code problem;
+    const std::uintmax_t bytes = fs::file_size(path, problem);
+    if (problem) return error_of(message_of("cannot_open", problem.message()), path.string());
+    if (bytes > most_bytes) return error_of(message_of("run_too_large", most_bytes >> 20U), path.string());
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();

@@ -2,6 +2,7 @@
 // continued.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -31,5 +32,11 @@ std::optional<Error> write_breeding_files(const evolve::BreedingBase&, const std
 std::optional<Error> write_breeding_state(const evolve::BreedingBase&, const evolve::BreedingState&,
                                           const std::filesystem::path& folder);
 Result<evolve::BreedingState> read_breeding_state(const evolve::BreedingBase&, const std::filesystem::path& folder);
+
+// The folder in which the window keeps what it has bred, below the one of all of them.
+std::filesystem::path kept_breeding(const std::filesystem::path& all, const evolve::BreedingBase&);
+
+// Removes the folders of breedings whose states were written first, beyond so many or so many bytes of states.
+void drop_oldest_breedings(const std::filesystem::path& all, std::size_t most, std::uintmax_t bytes);
 
 }  // namespace braitenlab

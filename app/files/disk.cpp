@@ -7,6 +7,7 @@
 
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
+#include "core/evolve/breeding_file.h"
 #include "core/insight/study_file.h"
 #include "core/io/run_file.h"
 #include "core/lesson/exercise_file.h"
@@ -36,6 +37,8 @@ bool parses(const FileText& file) {
             return static_cast<bool>(read_lecture(file.path));
         case FileKind::study:
             return static_cast<bool>(insight::parse_study(file.text, file.path.string()));
+        case FileKind::breeding:
+            return static_cast<bool>(evolve::parse_breeding(file.text, file.path.string()));
         case FileKind::run:
             return static_cast<bool>(io::load_run(file.path));
         case FileKind::scene:
@@ -127,8 +130,8 @@ bool leaves_folder(const fs::path& folder, const std::string& named) {
 }  // namespace
 
 std::optional<Error> fault_of_dropped(const FileText& file) {
-    const bool names_files =
-        file.kind == FileKind::exercise || file.kind == FileKind::lecture || file.kind == FileKind::study;
+    const bool names_files = file.kind == FileKind::exercise || file.kind == FileKind::lecture ||
+                             file.kind == FileKind::study || file.kind == FileKind::breeding;
     if (!names_files) return std::nullopt;
     const auto toml = parse_toml(file.text, file.path.string());
     if (!toml) return std::nullopt;  // opening it reports the error

@@ -16,8 +16,8 @@ namespace braitenlab {
 // TOML included, are marked as broken. Hidden files and TOML files of other programs are left out.
 FolderListing list_folder(const std::filesystem::path&);
 
-// The error if an exercise, a lecture or a study names a file outside its own folder that does not ship with the
-// program. For a file that is dropped on the window.
+// The error if an exercise, a lecture, a study or a breeding names a file outside its own folder that does not ship
+// with the program. For a file that is dropped on the window.
 std::optional<Error> fault_of_dropped(const FileText&);
 
 // A path as the user has typed it, made absolute: "~" is the home folder, a relative path starts at `folder`.

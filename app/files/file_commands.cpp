@@ -10,6 +10,7 @@
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
+#include "app/files/breeding_files.h"
 #include "app/files/disk.h"
 #include "app/files/export_folder.h"
 #include "app/files/links.h"
@@ -74,6 +75,7 @@ struct FileCommands {
         if (io::is_link(typed)) return open_link(typed, discard, seed);
         const fs::path path = resolved(typed, folder(), folders.home);
         std::error_code none;
+        if (dropped && holds_breeding(path)) return open(breeding_in(path).string(), discard, true);
         if (fs::is_directory(path, none)) {
             list(path);
             if (dropped) say(lab, {NoticeKind::notice, "files.dropped_folder", path.filename().string()});
@@ -93,6 +95,10 @@ struct FileCommands {
         if (file->kind == FileKind::lecture) return open_pages(path, discard, resume);
         if (file->kind == FileKind::study) {
             show_study(lab.study, path.string());
+            return done(path, {});
+        }
+        if (file->kind == FileKind::breeding) {
+            show_breeding(lab.breeding, path);
             return done(path, {});
         }
         auto opened = open_document(*file, std::nullopt, {});

@@ -212,6 +212,7 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     reader->read("folder", r.folder, "text_in_quotes");
     reader->read("student", r.student, "text_in_quotes");
     reader->read("study", r.study, "text_in_quotes");
+    reader->read("breeding", r.breeding, "text_in_quotes");
     read_view(*reader, r.view);
     read_place(*reader, r.place);
     if (reader->error) return *reader->error;
@@ -243,6 +244,7 @@ std::string write_state(const StoredState& r) {
     visit_flags(r.view, [&](const char* key, bool value) { text.add(key, value); });
     if (!r.student.empty()) text.add("student", r.student);
     if (!r.study.empty()) text.add("study", r.study);
+    if (!r.breeding.empty()) text.add("breeding", r.breeding);
     if (r.place) text.add("x", r.place->x), text.add("y", r.place->y);
     if (!r.view.strips.empty()) text.add("strips", r.view.strips);
     if (r.view.folded) text.add("folded", *r.view.folded);

@@ -48,6 +48,7 @@ struct StoredState {
     std::optional<WindowPlace> place{};  // of the window; nullopt: unknown
     std::string student{};               // file of the student who worked last, see StudentFiles; empty: the first
     std::string study{};                 // StudyRuns::last
+    std::string breeding{};              // BreedingRuns::last
     friend bool operator==(const StoredState&, const StoredState&) = default;
 };
 

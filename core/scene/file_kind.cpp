@@ -21,6 +21,7 @@ FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
         if (line.starts_with("[[step]]") || line.starts_with("[step]")) return FileKind::exercise;
         if (line.starts_with("[[page]]") || line.starts_with("[page]")) return FileKind::lecture;
         if (line.starts_with("[[value]]") || line.starts_with("[value]")) return FileKind::study;
+        if (line.starts_with("[[breed]]") || line.starts_with("[breed]")) return FileKind::breeding;
         is_scene |= line.starts_with("[kind.") || line.starts_with("[arena]") || line.starts_with("[source.");
         is_brain |= line.starts_with("[brain");
     }

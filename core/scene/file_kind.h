@@ -9,12 +9,12 @@
 
 namespace braitenlab {
 
-enum class FileKind { scene, exercise, brain, run, lecture, study };
-inline constexpr int file_kinds = 6;
+enum class FileKind { scene, exercise, brain, run, lecture, study, breeding };
+inline constexpr int file_kinds = 7;
 
 // The kind of a file, by its extension (.run) or by the tables in its text: [[step]] makes an exercise, [[page]] a
-// lecture, [[value]] a study; [kind.…], [arena] or [source.…] a scene; a [brain] without these a brain. Any other text
-// counts as a scene. The text may be malformed: parsing it as this kind reports the error.
+// lecture, [[value]] a study, [[breed]] a breeding; [kind.…], [arena] or [source.…] a scene; a [brain] without these a
+// brain. Any other text counts as a scene. The text may be malformed: parsing it as this kind reports the error.
 FileKind detect_kind(const std::filesystem::path&, std::string_view text);
 
 // The format of a file of other programs by its first bytes, "ZIP", "PDF" or "PNG"; "JSON" for a saved run, too. Empty

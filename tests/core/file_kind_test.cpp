@@ -16,6 +16,7 @@ TEST(FileKind, IsDetectedByTheTables) {
     EXPECT_EQ(detect_kind("a.toml", "  [[step]]\n"), FileKind::exercise) << "indented";
     EXPECT_EQ(detect_kind("a.toml", "scene = \"x\"\n[[page]]\n"), FileKind::lecture);
     EXPECT_EQ(detect_kind("a.toml", "scene = \"x\"\n[[value]]\n"), FileKind::study);
+    EXPECT_EQ(detect_kind("a.toml", "scene = \"x\"\n[[breed]]\n[[breed.gene]]\n"), FileKind::breeding);
     EXPECT_EQ(detect_kind("a.toml", ""), FileKind::scene);
 }
 

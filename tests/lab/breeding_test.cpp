@@ -242,6 +242,116 @@ TEST_F(LabBreeding, InAnExerciseOnlyItsVehicleGetsSensorsAndBrain) {
     }
 }
 
+TEST_F(LabBreeding, AnotherStartOfTheLabGoesOnWithWhatWasBred) {
+    begin_breedings(lab.breeding, folder / "kept", "");
+    ask(BreedingEdit::run);
+    for (int i = 0; i < 100 && last_generation(view()) < 1; ++i) turn();
+    ask(BreedingEdit::stop);
+    const BreedingState before = *view().state;
+    const std::string last = view().last;
+
+    Lab next = opened_lab("2a-coward");
+    begin_breedings(next.breeding, folder / "kept", last);
+    const auto now = [&] { return view_of(next).features.breeding; };
+    EXPECT_EQ(now().last, last);
+    handle(next, BreedingRequest{.path = now().last});
+    ASSERT_TRUE(now().base) << now().error->text();
+    EXPECT_EQ(*now().state, before);
+    for (int i = 0; i < 5; ++i)
+        update_breeding(next.breeding, jobs), jobs.finish(), update_breeding(next.breeding, jobs);
+    EXPECT_EQ(*now().state, before) << "goes on only when asked to";
+    EXPECT_EQ(now().matrix->size(), 2u);
+    for (const float score : now().matrix->scores) EXPECT_GE(score, 0) << "the matrix is complete";
+    handle(next, BreedingRequest{.edit = BreedingEdit::run});
+    for (int i = 0; i < 100 && now().runs; ++i)
+        update_breeding(next.breeding, jobs), jobs.finish(), update_breeding(next.breeding, jobs);
+    EXPECT_EQ(*now().state, bred(3));
+}
+
+TEST_F(LabBreeding, OpensAFolderOfTheCommandLineAndLeavesItAsItIs) {
+    const std::filesystem::path written = folder / "results";
+    ASSERT_FALSE(write_breeding_files(*view().base, written));
+    ASSERT_FALSE(write_breeding_state(*view().base, bred(2), written));
+    const std::string text = *read_text(written / "state.json");
+    Lab next = opened_lab("2a-coward");
+    begin_breedings(next.breeding, folder / "kept", "");
+    const auto now = [&] { return view_of(next).features.breeding; };
+    handle(next, OpenRequest{.path = written.string(), .dropped = true});
+    execute_file_requests(next, files, stored, {.documents = folder.path});
+    ASSERT_TRUE(now().base);
+    EXPECT_EQ(now().shown, 1) << "its sheet opens";
+    EXPECT_EQ(last_generation(now()), 2);
+    handle(next, BreedingRequest{.edit = BreedingEdit::run});
+    for (int i = 0; i < 100 && now().runs; ++i)
+        update_breeding(next.breeding, jobs), jobs.finish(), update_breeding(next.breeding, jobs);
+    EXPECT_EQ(*now().state, bred(3));
+    EXPECT_EQ(*read_text(written / "state.json"), text);
+    handle(next, BreedingRequest{.path = (written / "breeding.toml").string()});
+    EXPECT_EQ(last_generation(now()), 3) << "more is kept than the folder has";
+    put_text(written / "state.json", "{}");
+    handle(next, BreedingRequest{.path = (written / "breeding.toml").string()});
+    ASSERT_TRUE(now().error);
+    EXPECT_NE(now().error->text().find("state.json"), std::string::npos);
+    EXPECT_EQ(last_generation(now()), 3) << "what is known stays";
+    std::filesystem::resize_file(written / "state.json", 65U << 20U);
+    handle(next, BreedingRequest{.path = (written / "breeding.toml").string()});
+    ASSERT_TRUE(now().error);
+    EXPECT_NE(now().error->text().find("larger than 64 MiB"), std::string::npos);
+}
+
+TEST_F(LabBreeding, GoesOnWhileItCannotBeKept) {
+    put_text(folder / "kept", "no folder");
+    begin_breedings(lab.breeding, folder / "kept", "");
+    ask(BreedingEdit::run);
+    for (int i = 0; i < 100 && last_generation(view()) < 1; ++i) turn();
+    EXPECT_TRUE(view().error);
+    std::filesystem::remove(folder / "kept");
+    for (int i = 0; i < 100 && view().runs; ++i) turn();
+    EXPECT_EQ(*view().state, bred(3));
+    EXPECT_FALSE(view().error) << view().error->text();
+    EXPECT_EQ(*read_breeding_state(*view().base, kept_breeding(folder / "kept", *view().base)), bred(3));
+}
+
+TEST_F(LabBreeding, ADamagedKeptStateIsReportedAndReplaced) {
+    const std::filesystem::path kept = kept_breeding(folder / "kept", *view().base);
+    ASSERT_FALSE(write_breeding_files(*view().base, kept));
+    put_text(kept / "state.json", "{");
+    begin_breedings(lab.breeding, folder / "kept", "");
+    ASSERT_TRUE(view().error);
+    EXPECT_NE(view().error->text().find("state.json"), std::string::npos);
+    breed_to_the_end();
+    EXPECT_EQ(*read_breeding_state(*view().base, kept), bred(3));
+}
+
+TEST(KeptBreedings, TheOldestAreRemoved) {
+    const Folder folder;
+    const auto base = load_breeding(*find_shipped("flee", Shipped::breeding));
+    for (int i = 0; i < 4; ++i) {
+        const std::filesystem::path each = folder / ("b" + std::to_string(i));
+        ASSERT_FALSE(write_breeding_files(**base, each));
+        ASSERT_FALSE(write_breeding_state(**base, begin_breeding(**base), each));
+        std::filesystem::last_write_time(each / "state.json",
+                                         std::filesystem::file_time_type::clock::now() - std::chrono::hours(9 - i));
+    }
+    std::filesystem::create_directories(folder / "other");
+    drop_oldest_breedings(folder.path, 2, 1U << 20U);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(holds_breeding(folder / ("b" + std::to_string(i))), i >= 2);
+    EXPECT_TRUE(std::filesystem::exists(folder / "other"));
+    drop_oldest_breedings(folder.path, 2, std::filesystem::file_size(folder / "b3" / "state.json"));
+    EXPECT_FALSE(holds_breeding(folder / "b2")) << "more bytes than asked for";
+    EXPECT_TRUE(holds_breeding(folder / "b3"));
+}
+
+TEST_F(LabBreeding, AnEmptyBreedingIsNotKept) {
+    for (const std::uint64_t seed : {5, 6, 7}) {
+        evolve::Breeding choice = view().base->breeding();
+        choice.seed = seed;
+        handle(lab, BreedingRequest{.edit = BreedingEdit::choose,
+                                    .choice = std::make_shared<const evolve::Breeding>(choice)});
+    }
+    EXPECT_EQ(lab.breeding.bred.size(), 1u);
+}
+
 TEST_F(LabBreeding, OfAnUnknownNameSaysWhichThereAre) {
     handle(lab, BreedingRequest{.path = "chaes"});
     ASSERT_TRUE(view().error);

@@ -38,6 +38,7 @@ TEST(Settings, KeepTheViewAndTheWindow) {
     state.view.followed = {true, false, true, false};
     state.view.strips = {"SL", "SL>N1"};
     state.place = WindowPlace{-20, 40};
+    state.study = "prey-eyes", state.breeding = "/kept/breeding.toml";
     const auto read = parse_state(write_state(state), "s");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(*read, state);

@@ -94,6 +94,16 @@ TEST_F(BreedingDesk, ADraggedNumberIsAChoiceWhenTheMouseIsReleased) {
     EXPECT_GT(desk.last<BreedingRequest>()->choice->seed, 5u);
 }
 
+TEST_F(BreedingDesk, TheOneOfTheLastStartIsOpenedFirst) {
+    BredOnDesk bred(0);
+    desk.view.features.breeding.shipped = &bred.shipped;
+    desk.view.features.breeding.last = "/kept/breeding.toml";
+    desk.panels.sheet = Sheet::breeding;
+    desk.frame(2);
+    ASSERT_TRUE(asked_for(BreedingEdit::open));
+    EXPECT_EQ(desk.last<BreedingRequest>()->path, "/kept/breeding.toml");
+}
+
 TEST_F(BreedingDesk, AClickOnACellWatchesItsMatchInEveryLanguage) {
     BredOnDesk bred(41, 2);
     bred.show(desk);

@@ -38,7 +38,7 @@ void choose(const Breeding& choice, Ui& ui) {
 
 void shipped_choice(const BreedingView& view, Ui& ui, float right) {
     for (const Breeding& each : *view.shipped) {
-        const bool on = view.base && view.base->breeding().id == each.id;
+        const bool on = view.base && view.base->breeding().title == each.title;  // also read from a folder of results
         const std::string id = "breeding.open." + each.id;
         const SmallButton which{id, {}, translated(ui, each.title), on};
         if (&each != &view.shipped->front()) beside_or_below(ui, small_button_width(ui, which, true), right);
@@ -225,10 +225,16 @@ bool breeding_buttons(const BreedingView& view, Ui& ui) {
 
 }  // namespace
 
+void follow_breeding(const LabView& lab, PanelState& state, Ui&) {
+    if (std::exchange(state.sheets.breeding.shown, lab.features.breeding.shown) != lab.features.breeding.shown)
+        state.sheet = Sheet::breeding;
+}
+
 void breeding_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
     const BreedingView& view = lab.features.breeding;
     if (!view.base && !view.error && view.shipped && !view.shipped->empty())
-        ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::open, .path = view.shipped->front().id});
+        ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::open,
+                                               .path = view.last.empty() ? view.shipped->front().id : view.last});
     SheetState& sheet = open_sheet(state, ui, Sheet::breeding, window);
     const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
     if (view.shipped) shipped_choice(view, ui, right);

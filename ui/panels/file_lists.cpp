@@ -37,8 +37,8 @@ void begin_files(FilesState& files, bool saving, FileKind kind) {
 }
 
 std::string_view kind_key(FileKind kind) {
-    constexpr std::array<std::string_view, file_kinds> keys{"files.scene", "files.exercise", "files.brain",
-                                                            "files.run",   "files.lecture",  "files.study"};
+    constexpr std::array<std::string_view, file_kinds> keys{
+        "files.scene", "files.exercise", "files.brain", "files.run", "files.lecture", "files.study", "files.breeding"};
     return keys[static_cast<std::size_t>(kind)];
 }
 

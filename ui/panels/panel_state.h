@@ -239,6 +239,7 @@ struct StudyState {
 struct BreedingSheetState {
     std::vector<BreedingCell> watched;  // BreedingView::watched at the last frame
     double began = 0;                   // wall seconds when these matches began
+    int shown = 0;                      // BreedingView::shown at the last frame
 };
 
 // The sheets about unsaved edits.

@@ -89,6 +89,7 @@ void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the stud
 void mystery_sheet(const LabView&, PanelState&, Ui&, Rect window);    // a hidden brain and the score of a rebuilt one
 void study_sheet(const LabView&, PanelState&, Ui&, Rect window);      // runs of a study, as dots and boxes
 void breeding_sheet(const LabView&, PanelState&, Ui&, Rect window);   // predators and prey that evolve
+void follow_breeding(const LabView&, PanelState&, Ui&);               // opens it for BreedingView::shown
 void follow_study(const LabView&, PanelState&, Ui&);                  // opens it for StudyView::shown
 void take_away_sheet(const LabView&, PanelState&, Ui&, Rect window);  // pictures and clips as files
 void follow_take_away(const LabView&, PanelState&, Ui&);  // closes it once a clip is written; closed, cancels the clip
