@@ -19,7 +19,8 @@
 #include "ui/take_away.h"
 
 namespace braitenlab::evolve {
-struct Breeding;  // core/evolve/breeding_file.h
+struct Breeding;   // core/evolve/breeding_file.h
+struct MayChange;  // core/evolve/scene_breeding.h
 }  // namespace braitenlab::evolve
 
 namespace braitenlab::robots {
@@ -168,17 +169,18 @@ struct BreedingCell {
     int predator = 0, prey = 0;
     friend bool operator==(const BreedingCell&, const BreedingCell&) = default;
 };
-// open: a file or the name of a shipped breeding. choose: `choice`, the open one with other numbers or opponents; what
-// was bred with an earlier choice is kept. run: goes on to the last generation. stop: keeps complete generations.
-// watch: the match of the cell, beside the one watched before. match: opens its scene, at its first start. take: its
-// champions replace predator and prey of the open scene, else as match.
-enum class BreedingEdit { open, choose, run, stop, watch, match, take };
+// open: a file or the name of a shipped breeding. scene: the open scene, of which `may` change. choose: `choice`, the
+// open one with other numbers or opponents; what was bred with an earlier choice is kept. run: goes on to the last
+// generation. stop: keeps complete generations. watch: the match of the cell, beside the one watched before. match:
+// opens its scene, at its first start. take: its champions replace predator and prey of the open scene, else as match.
+enum class BreedingEdit { open, scene, choose, run, stop, watch, match, take };
 struct BreedingRequest {
     BreedingEdit edit = BreedingEdit::open;
     std::string path{};
     std::shared_ptr<const evolve::Breeding> choice{};
     BreedingCell cell{};
-    std::string title{}, story{};  // of the scene of a match
+    std::string title{}, story{};  // of the scene of a match; the title also of a breeding of the open scene
+    std::shared_ptr<const evolve::MayChange> may{};
 };
 struct RobotsRequest {               // of the trial with real robots; nullopt: as before
     std::optional<float> reality{};  // insight::RobotsQuestion

@@ -7,6 +7,7 @@
 #include "app/files/data.h"
 #include "app/lab_edits.h"
 #include "app/workspace.h"
+#include "core/evolve/scene_breeding.h"
 #include "core/io/link.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/subject.h"
@@ -183,6 +184,18 @@ void open_breeding(BreedingRuns& runs, const std::string& path_or_name) {
     runs.last = ships(*path) ? runs.base->breeding().id : std::filesystem::absolute(*path).string();
 }
 
+// It is read from the text of a file, as a choice is.
+void breed_scene(BreedingRuns& runs, const Workspace& space, const BreedingRequest& wanted) {
+    const auto [breeding, scene] =
+        evolve::breeding_of_scene(space.document.session.edited_scene(), *wanted.may, wanted.title);
+    auto read = evolve::parse_breeding(evolve::write_breeding(breeding), breeding.file);
+    auto base =
+        read ? evolve::BreedingBase::create(std::move(*read), write_scene(scene), breeding.scene) : read.error();
+    if (base) return begin_breeding_of(runs, std::move(*base));
+    stop_breeding(runs);
+    runs.error = base.error();
+}
+
 bool is_complete(const BreedingRuns& runs, BreedingCell cell) {
     return std::min(cell.predator, cell.prey) >= 0 && std::max(cell.predator, cell.prey) < complete(runs);
 }
@@ -320,9 +333,11 @@ void show_breeding(BreedingRuns& runs, const std::filesystem::path& path) {
 
 std::optional<OpenRequest> handle_breeding(BreedingRuns& runs, Workspace& space, const BreedingRequest& wanted) {
     if (wanted.edit == BreedingEdit::open) open_breeding(runs, wanted.path);
+    if (wanted.edit == BreedingEdit::scene && wanted.may) breed_scene(runs, space, wanted);
     if (!runs.base) return std::nullopt;
     switch (wanted.edit) {
         case BreedingEdit::open:
+        case BreedingEdit::scene:
             return std::nullopt;
         case BreedingEdit::choose:
             if (wanted.choice) choose_breeding(runs, *wanted.choice);

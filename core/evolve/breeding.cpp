@@ -85,9 +85,17 @@ Genome child_of(const Genome& parent, const Breed& breed, std::uint64_t seed) {
 std::vector<Individual> first_population(const BreedingBase& base, Side side, std::uint64_t run) {
     const Breed* breed = base.breed(side);
     if (!breed) return {Individual{}};
+    const bool from_scene = base.breeding().from_scene;
+    Genome start;
+    for (const Gene& gene : breed->genes) start.push_back(std::clamp(gene.start, gene.low, gene.high));
     std::vector<Individual> population;
-    for (int i = 0; i < base.breeding().population; ++i)
-        population.push_back({first_genome(*breed, seed_for("first", run, side, i))});
+    for (int i = 0; i < base.breeding().population; ++i) {
+        const std::uint64_t seed = seed_for("first", run, side, i);
+        if (!from_scene)
+            population.push_back({first_genome(*breed, seed)});
+        else
+            population.push_back({i == 0 ? start : child_of(start, *breed, seed)});
+    }
     return population;
 }
 

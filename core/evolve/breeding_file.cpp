@@ -25,6 +25,8 @@ void describe(Visitor& v, Of<Gene>) {
     v.number("low", &Gene::low, "", {-1000, 1000}, "smallest number");
     v.number("high", &Gene::high, "", {-1000, 1000}, "largest number; a mutation beyond a limit is reflected at it");
     v.number("mutation", &Gene::mutation, "", {0, 1000}, "standard deviation of the change of a child");
+    v.number("start", &Gene::start, "", {-1000, 1000},
+             "number of the first parent, with `from_scene`; brought into the range");
 }
 
 template <class Visitor>
@@ -41,7 +43,7 @@ void describe(Visitor& v, Of<Breeding>) {
     v.text("scene", &Breeding::scene, limits::text_length,
            "a path relative to this file, or the name of a shipped scene; must be given");
     v.number("seconds", &Breeding::seconds, "s", {1, 600}, "of a trial at most; it ends when the prey is eaten");
-    v.number("generations", &Breeding::generations, "", {1, generations}, "after the first one, which is random");
+    v.number("generations", &Breeding::generations, "", {1, generations}, "after the first one");
     v.number("population", &Breeding::population, "", {2, population}, "individuals of each side");
     v.number("parents", &Breeding::parents, "", {1, population}, "the best individuals, which have children");
     v.number("elite", &Breeding::elite, "", {0, population},
@@ -54,6 +56,9 @@ void describe(Visitor& v, Of<Breeding>) {
            "whether less or more of this number is better for the predator; the opposite is better for the prey");
     v.word("opponents", &Breeding::opponents, "whom an individual meets in its trials");
     v.number("remembered", &Breeding::remembered, "", {1, generations}, "generations, for `best_of_last`");
+    v.flag(
+        "from_scene", &Breeding::from_scene,
+        "the first generation are children of one parent with the numbers `start`, and it itself, instead of random");
     v.number("seed", &Breeding::seed, "", {0, 1e15}, "of the whole breeding");
     v.number("panel", &Breeding::panel, "", {0, panel},
              "opponents of each side that are bred apart and never decide who has children; 0: none");

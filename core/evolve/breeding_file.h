@@ -54,8 +54,9 @@ inline constexpr std::string_view time_to_capture = "time_to_capture";
 struct Gene {
     std::string name;
     std::vector<std::string> paths;  // in the kind: "brain.LL"; with '-' first: gets the negative number
-    float low = -1, high = 1;        // of the number; the first generation is uniform in this range
+    float low = -1, high = 1;        // of the number; a random first generation is uniform in it
     float mutation = 0.1F;           // standard deviation of the change of a child
+    float start = 0;                 // of the first parent, with Breeding::from_scene
     std::vector<int> lines{};        // of the paths in the file
 };
 
@@ -81,7 +82,8 @@ struct Breeding {
     std::optional<insight::StudyMeasure> measure;  // of this word
     Better predator_better = Better::less;         // of the number; for the prey the opposite
     Opponents opponents = Opponents::last;
-    int remembered = 10;  // generations, for best_of_last
+    int remembered = 10;      // generations, for best_of_last
+    bool from_scene = false;  // the first generation are children of Gene::start, the first one is unchanged
     std::uint64_t seed = 1;
     int panel = 8;               // opponents of each side that are bred apart; 0: none
     int panel_generations = 20;  // of the breeding of the panel

@@ -16,6 +16,7 @@
 #include "core/evolve/breeding_json.h"
 #include "core/evolve/duel.h"
 #include "core/evolve/generalist.h"
+#include "core/evolve/scene_breeding.h"
 #include "core/evolve/tournament.h"
 #include "core/maths/fnv.h"
 #include "core/scene/scene_file.h"
@@ -158,6 +159,47 @@ TEST(Breeding, FurtherWiresAndHiddenNeuronsAreGenes) {
             fault_of(top + alone + "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"" + std::string(path) + "\""), scene),
             "")
             << path;
+}
+
+TEST(Breeding, TheFirstGenerationIsMadeOfStartsIfTheFileSaysSo) {
+    std::string starts = both;
+    for (std::size_t at = 0; (at = starts.find("mutation = ", at)) != std::string::npos; at += 30)
+        starts.insert(at, "start = 0.5\n");
+    const auto base = base_of("from_scene = true\n" + top + alone + starts);
+    const BreedingState state = begin_breeding(*base);
+    for (const Side side : both_sides) {
+        const std::vector<Individual>& population = at(state.main.population, side);
+        EXPECT_EQ(population[0].genome, (Genome{0.5F, 0.5F, 0.5F}));
+        std::set<Genome> all;
+        for (const Individual& each : population) {
+            all.insert(each.genome);
+            for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(std::fabs(each.genome[i] - 0.5F), 0.2F * 5);
+        }
+        EXPECT_EQ(all.size(), population.size()) << "children differ";
+    }
+}
+
+TEST(Breeding, OfASceneHasAGeneForEachValueThatMayChange) {
+    const auto names = [](const SceneBreeding& of, std::size_t breed) {
+        std::set<std::string> found;
+        for (const Gene& gene : of.breeding.breeds.at(breed).genes) found.insert(gene.paths.front());
+        return found;
+    };
+    Scene scene = *parse_scene(scene_text, "s.toml");
+    const SceneBreeding all = breeding_of_scene(scene, {}, "Mine");
+    EXPECT_EQ(names(all, 0), (std::set<std::string>{"brain.LL", "brain.LR", "brain.RL", "brain.RR", "brain.LM",
+                                                    "brain.RM", "sensor.SL.angle", "sensor.SR.angle"}));
+    EXPECT_EQ(names(breeding_of_scene(scene, {false, false, true, false}, "Mine"), 1),
+              (std::set<std::string>{"brain.threshold_LL", "brain.threshold_LR", "brain.threshold_RL",
+                                     "brain.threshold_RR"}));
+    for (const Gene& gene : all.breeding.breeds[0].genes)
+        if (gene.paths.front() == "brain.LM") EXPECT_EQ(gene.start, 0.3F);
+    scene.starts[0].brain = scene.kinds[0].brain;
+    turn(*scene.starts[0].brain, Dial::LM, 0.9F);
+    const SceneBreeding own = breeding_of_scene(scene, {}, "Mine");
+    EXPECT_FALSE(own.scene.starts[0].brain) << "the kind has the brain of its vehicle";
+    for (const Gene& gene : own.breeding.breeds[0].genes)
+        if (gene.paths.front() == "brain.LM") EXPECT_EQ(gene.start, 0.9F);
 }
 
 TEST(Breeding, EveryGenomeStaysInTheRangesOfItsGenes) {

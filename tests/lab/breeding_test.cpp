@@ -10,6 +10,7 @@
 #include "app/files/file_commands.h"
 #include "app/lab_requests.h"
 #include "core/evolve/breeding_json.h"
+#include "core/evolve/scene_breeding.h"
 #include "core/scene/file_kind.h"
 #include "tests/folder.h"
 #include "tests/lab/opened_lab.h"
@@ -350,6 +351,33 @@ TEST_F(LabBreeding, AnEmptyBreedingIsNotKept) {
                                     .choice = std::make_shared<const evolve::Breeding>(choice)});
     }
     EXPECT_EQ(lab.breeding.bred.size(), 1u);
+}
+
+TEST_F(LabBreeding, TheOpenSceneIsBredFromWhatItIs) {
+    const std::filesystem::path arena =
+        std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "breeding" / "scenes" / "chase-arena.toml";
+    auto duel = open_document(arena, std::nullopt, {});
+    ASSERT_TRUE(duel);
+    replace_document(lab, std::move(*duel));
+    const auto breed = [&](evolve::MayChange may) {
+        handle(lab, BreedingRequest{.edit = BreedingEdit::scene,
+                                    .title = "Mine",
+                                    .may = std::make_shared<const evolve::MayChange>(may)});
+    };
+    breed({});
+    ASSERT_FALSE(view().error) << view().error->text();
+    EXPECT_EQ(view().base->breeding().title, "Mine");
+    for (const Side side : {Side::predator, Side::prey}) {
+        const evolve::Individual& first = at(view().state->main.population, side).front();
+        EXPECT_EQ(view().base->kind_of(side, first.genome), view().base->kind(side))
+            << "the first one is as in the scene";
+        EXPECT_NE(at(view().state->main.population, side)[1].genome, first.genome);
+    }
+    breed({.weights = false, .biases = false, .thresholds = false, .eyes = false});
+    EXPECT_TRUE(view().error) << "nothing may change";
+    replace_document(lab, std::move(*open_document(*find_shipped("2a-coward"), std::nullopt, {})));
+    breed({});
+    ASSERT_TRUE(view().error) << "it has no roles";
 }
 
 TEST_F(LabBreeding, OfAnUnknownNameSaysWhichThereAre) {

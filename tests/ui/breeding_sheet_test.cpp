@@ -3,6 +3,8 @@
 #include <string>
 
 #include "breeding_on_desk.h"
+#include "core/evolve/scene_breeding.h"
+#include "core/scene/scene_file.h"
 #include "desk.h"
 
 namespace braitenlab::tests::breeding_sheet_test {
@@ -92,6 +94,27 @@ TEST_F(BreedingDesk, ADraggedNumberIsAChoiceWhenTheMouseIsReleased) {
     ASSERT_EQ(desk.all.size(), before + 1);
     ASSERT_TRUE(asked_for(BreedingEdit::choose));
     EXPECT_GT(desk.last<BreedingRequest>()->choice->seed, 5u);
+}
+
+TEST_F(BreedingDesk, TheOpenSceneIsBredWithWhatMayChange) {
+    BredOnDesk bred(3);
+    bred.show(desk);
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("breeding.may_eyes"));
+    desk.click("breeding.open_scene");
+    ASSERT_TRUE(asked_for(BreedingEdit::scene));
+    EXPECT_EQ(*desk.last<BreedingRequest>()->may, evolve::MayChange{});
+    auto own = evolve::breeding_of_scene(bred.base->scene(), {}, "Mine");
+    auto read = evolve::parse_breeding(write_breeding(own.breeding), "scene.toml");
+    ASSERT_TRUE(read) << read.error().text();
+    bred.base = *evolve::BreedingBase::create(std::move(*read), write_scene(own.scene), "scene");
+    bred.state = begin_breeding(*bred.base), bred.matrix = {};
+    bred.show(desk);
+    desk.frame(2);
+    desk.click("breeding.may_eyes");
+    ASSERT_TRUE(asked_for(BreedingEdit::scene));
+    EXPECT_FALSE(desk.last<BreedingRequest>()->may->eyes);
+    EXPECT_TRUE(desk.last<BreedingRequest>()->may->weights);
 }
 
 TEST_F(BreedingDesk, TheOneOfTheLastStartIsOpenedFirst) {

@@ -47,6 +47,45 @@ void shipped_choice(const BreedingView& view, Ui& ui, float right) {
     }
 }
 
+void breed_scene(const LabView& lab, const evolve::MayChange& may, Ui& ui) {
+    BreedingRequest request{.edit = BreedingEdit::scene, .may = std::make_shared<const evolve::MayChange>(may)};
+    const std::string& title = lab.now->scene->title;
+    request.title = title.empty() ? std::string(ui.strings("breeding.open_scene")) : translated(ui, title);
+    ui.outbox.emplace_back(std::move(request));
+}
+
+// The open scene, and what may change in it once it is chosen.
+void scene_choice(const LabView& lab, evolve::MayChange& may, Ui& ui, float right) {
+    const BreedingView& view = lab.features.breeding;
+    const bool on = view.base && view.base->breeding().from_scene;
+    const SmallButton scene{"breeding.open_scene", {}, ui.strings("breeding.open_scene"), on};
+    if (view.shipped && !view.shipped->empty()) beside_or_below(ui, small_button_width(ui, scene, true), right);
+    const Item open = small_button(ui, scene);
+    tooltip(ui, open, ui.strings("breeding.open_scene_how"));
+    if (open.pressed) breed_scene(lab, may, ui);
+    if (!on) return;
+    struct Part {
+        const char* id;
+        bool evolve::MayChange::*part;
+    };
+    constexpr Part parts[]{{"breeding.may_weights", &evolve::MayChange::weights},
+                           {"breeding.may_biases", &evolve::MayChange::biases},
+                           {"breeding.may_thresholds", &evolve::MayChange::thresholds},
+                           {"breeding.may_eyes", &evolve::MayChange::eyes}};
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string_view words = ui.strings("breeding.may");
+    const float height = ui.px(small_button_height), width = text_width(ui, Face::small, words);
+    put(ui, {at.x, at.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text, Face::small);
+    ImGui::Dummy({width, height});
+    for (const Part& each : parts) {
+        const SmallButton which{each.id, {}, ui.strings(each.id), may.*each.part};
+        beside_or_below(ui, small_button_width(ui, which, true), right);
+        const Item item = small_button(ui, which);
+        tooltip(ui, item, ui.strings("breeding.may_how"));
+        if (item.pressed) may.*each.part = !(may.*each.part), breed_scene(lab, may, ui);
+    }
+}
+
 void opponents_choice(const Breeding& now, Ui& ui, float right) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string_view words = ui.strings("breeding.opponents");
@@ -238,6 +277,7 @@ void breeding_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) 
     SheetState& sheet = open_sheet(state, ui, Sheet::breeding, window);
     const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
     if (view.shipped) shipped_choice(view, ui, right);
+    scene_choice(lab, state.sheets.breeding.may, ui, right);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
     if (view.base) {
         const Breeding& breeding = view.base->breeding();

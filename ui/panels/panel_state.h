@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evolve/scene_breeding.h"
 #include "core/insight/axis_value.h"
 #include "core/world/command.h"
 #include "ui/panels/brain_analysis.h"
@@ -240,6 +241,7 @@ struct BreedingSheetState {
     std::vector<BreedingCell> watched;  // BreedingView::watched at the last frame
     double began = 0;                   // wall seconds when these matches began
     int shown = 0;                      // BreedingView::shown at the last frame
+    evolve::MayChange may{};            // in a breeding of the open scene
 };
 
 // The sheets about unsaved edits.
