@@ -164,6 +164,18 @@ std::vector<const TomlMember*> TomlTable::named(std::string_view key, std::size_
     return sorted;
 }
 
+std::vector<const TomlMember*> TomlTable::named_in_order(std::string_view key, std::size_t most) {
+    std::vector<std::pair<std::int64_t, const TomlMember*>> numbered;
+    for (const TomlMember* member : named(key, most)) {
+        TomlTable inner(file_, member->value, path(key) + "." + member->key);
+        numbered.emplace_back(inner.whole(order_key, {-1e6, 1e6}).value_or(0), member);
+    }
+    std::stable_sort(numbered.begin(), numbered.end(), [](auto& a, auto& b) { return a.first < b.first; });
+    std::vector<const TomlMember*> sorted;
+    for (const auto& [number, member] : numbered) sorted.push_back(member);
+    return sorted;
+}
+
 void TomlTable::done() {
     std::vector<const TomlMember*> unknown;
     for (const TomlMember& member : *table_.as_table())

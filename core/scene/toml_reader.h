@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -19,6 +20,10 @@
 #include "core/scene/toml_tree.h"
 
 namespace braitenlab {
+
+// The order of vehicles gives them their numbers, and these their random numbers. This key of a vehicle sets it. It is
+// no value of the scene: the files that the lab writes have the tables in this order.
+inline constexpr std::string_view order_key = "order";
 
 // Reads the keys of one table of a file. Every function returns nullopt or null when the key is absent or its value is
 // wrong; a wrong value adds an error to the file.
@@ -40,6 +45,8 @@ public:
     const TomlNode::List* list_of_tables(std::string_view key, std::size_t most);
     // The tables inside table `key` in the order of the file.
     std::vector<const TomlMember*> named(std::string_view key, std::size_t most);
+    // Likewise, sorted by their whole number `order`, 0 without it; those of equal numbers in the order of the file.
+    std::vector<const TomlMember*> named_in_order(std::string_view key, std::size_t most);
 
     // The value of any type, or null. Makes the key known, as all of the above do.
     const TomlNode* find(std::string_view key);
@@ -248,7 +255,8 @@ private:
 
     template <class Element>
     void read_named(const char* key, std::size_t most, std::vector<Element>& elements) {
-        for (const TomlMember* inner : table_.named(key, most)) {
+        const bool is_ordered = std::is_same_v<Element, Start>;
+        for (const TomlMember* inner : is_ordered ? table_.named_in_order(key, most) : table_.named(key, most)) {
             Element& element = elements.emplace_back();
             element.name = inner->key;
             read(inner->value, table_.path(key) + "." + inner->key, element);
@@ -257,6 +265,7 @@ private:
     template <class Inner>
     void read(const TomlNode& inner, const std::string& path, Inner& object) {
         TomlTable table(table_.file(), inner, path);
+        if constexpr (std::is_same_v<Inner, Start>) table.know({order_key});
         TomlReader<Inner> reader(table, object);
         describe(reader, Of<Inner>{});
         table.done();

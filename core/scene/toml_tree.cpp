@@ -182,7 +182,7 @@ TomlNode& member_of(TomlNode::Table& members, const std::string& key) {
 std::optional<double> TomlNode::as_number() const {
     if (const std::int64_t* whole = as_whole()) return static_cast<double>(*whole);
     const double* number = std::get_if<double>(&content);
-    return number ? std::optional(*number) : std::nullopt;
+    return number ? std::optional(*number + 0.0) : std::nullopt;  // −0 + 0 is 0: both give the same run and hash
 }
 
 const TomlNode* TomlNode::get(std::string_view key) const {

@@ -40,7 +40,7 @@ struct TomlNode {
     const std::string* as_text() const { return std::get_if<std::string>(&content); }
     const std::int64_t* as_whole() const { return std::get_if<std::int64_t>(&content); }
     const bool* as_flag() const { return std::get_if<bool>(&content); }
-    std::optional<double> as_number() const;  // of a whole number, too
+    std::optional<double> as_number() const;  // of a whole number, too; 0 for −0
 
     // The member of this name; null when there is none or this is no table.
     const TomlNode* get(std::string_view key) const;

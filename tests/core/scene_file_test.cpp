@@ -14,6 +14,7 @@
 #include "core/maths/random.h"
 #include "core/scene/nearest.h"
 #include "core/scene/schema.h"
+#include "core/world/world.h"
 #include "tests/core/scenes.h"
 
 namespace braitenlab::tests::scene_file_test {
@@ -546,6 +547,38 @@ TEST(SceneFile, ReadsTheTableOfASensorAndRefusesOneThatIsNoTable) {
               complaint(head + "[[kind.k.sensor.S.point]]\ndistance = 0\nreading = 2\n" + second("1")));
     expect_in("test.toml:3: points belong to the response", complaint("format = 1\n[kind.k.sensor.S]\n" + first));
     expect_in("test.toml:3: 'gamma' is 0, outside 0.2 .. 3", complaint("format = 1\n[kind.k.sensor.S]\ngamma = 0\n"));
+}
+
+TEST(SceneFile, VehiclesAreInTheOrderOfTheirKeyAndElseOfTheFile) {
+    const auto names = [](const Scene& scene) {
+        std::string all;
+        for (const Start& start : scene.starts) all += start.name;
+        return all;
+    };
+    const std::string head = "format = 1\n[kind.k]\n";
+    const auto vehicle = [](const std::string& name, const std::string& order) {
+        return "[vehicle." + name + "]\nkind = \"k\"\n" + (order.empty() ? "" : "order = " + order + "\n");
+    };
+    EXPECT_EQ(names(read(head + vehicle("b", "") + vehicle("a", "") + vehicle("c", ""))), "bac");
+    const std::string ordered = head + vehicle("a", "2") + vehicle("b", "1") + vehicle("d", "") + vehicle("c", "1");
+    EXPECT_EQ(names(read(ordered)), "dbca");
+    EXPECT_EQ(write_scene(read(ordered)).find("order"), std::string::npos) << "the tables are in this order";
+    EXPECT_EQ(names(read(write_scene(read(ordered)))), "dbca");
+    expect_in("test.toml:5: 'order' should be a whole number", complaint(head + vehicle("a", "1.5")));
+    expect_in("test.toml:5: 'order' is 2e+06, outside", complaint(head + vehicle("a", "2000000")));
+    for (const char* other : {"[source.s]", "[kind.vehicle.brain]", "[vehicle.a.sensor.S]"})
+        expect_in("'order'", complaint("format = 1\n" + std::string(other) + "\norder = 1\n"));
+}
+
+TEST(SceneFile, MinusZeroGivesTheRunOfZero) {
+    const auto hash = [](const std::string& zero) {
+        const Scene scene = read("format = 1\n[kind.k]\n[kind.k.sensor.S]\nx = " + zero + "\nangle = " + zero +
+                                 "\n[vehicle.one]\nkind = \"k\"\nx = " + zero + "\nheading = " + zero +
+                                 "\n[source.lamp]\nx = 3\ny = " + zero + "\n");
+        return World::create(scene, 1)->hash();
+    };
+    EXPECT_EQ(hash("-0.0"), hash("0.0"));
+    EXPECT_NE(hash("-0.1"), hash("0.0"));
 }
 
 // Set BRAITENLAB_WRITE_DOCS=1 to write the tables again after a change of the fields.
