@@ -187,7 +187,7 @@ void App::handle_files() {
     for (const Request& request : lab_.window.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) handle_recovery(recover->take);
     if (!lab_.window.files.empty()) execute_file_requests(lab_, files_, settings_.state, folders_);
-    write_student_files(lab_, words_.strings, folders_.documents, std::chrono::system_clock::now());
+    write_report_files(lab_, words_.strings, folders_.documents, std::chrono::system_clock::now());
     for (const auto& file : std::exchange(lab_.window.saved, {})) autosave_.forget_work_on(file);
     if (options_.only_draws() || seconds_since(times_.file_checked) < 0.3) return;
     times_.file_checked = Clock::now();

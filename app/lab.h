@@ -50,7 +50,7 @@ struct ForWindow {
     bool opens_notes = false;                    // the notes of the lecture, in a browser
     bool uploads = false;                        // the user chooses files of the computer
     std::vector<Request> files{};                // to open, to save, to export, to list a folder
-    std::vector<Request> reports{};              // hand-ins and lab records to write
+    std::vector<Request> reports{};              // hand-ins, lab records and figures to write
     std::vector<std::filesystem::path> saved{};  // scene files written: leftovers of earlier work on them are removed
 };
 

@@ -73,6 +73,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const MapRequest& r) { choose_map(lab.map, lab, r); },
                      [&](const StudyRequest& r) {
                          if (r.edit == StudyEdit::save) return lab.window.files.push_back(r);
+                         if (r.edit == StudyEdit::figure) return lab.window.reports.push_back(r);
                          handle_study(lab.study, lab, r);
                      },
                      [&](const BreedingRequest& r) { handle_breeding(lab, r); },

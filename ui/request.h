@@ -157,8 +157,8 @@ struct EmptySlotsRequest {};  // forgets both brains, which closes their card
 struct HideFindingsRequest {};
 // open: a file or the name of a shipped study. build: `study` of the open scene. run: goes on with the runs that are
 // missing. stop: keeps complete runs. save: writes a built study with its scene to the folder of documents, and the
-// table of a study with a file beside it.
-enum class StudyEdit { open, build, run, stop, save };
+// table of a study with a file beside it. figure: writes a new SVG file to the folder of documents.
+enum class StudyEdit { open, build, run, stop, save, figure };
 struct StudyRequest {
     StudyEdit edit = StudyEdit::open;
     std::string path{};

@@ -181,6 +181,7 @@ void handle_study(StudyRuns& study, const Workspace& space, const StudyRequest& 
         case StudyEdit::stop:
             return stop(study);
         case StudyEdit::save:
+        case StudyEdit::figure:
             return;
     }
 }

@@ -38,7 +38,7 @@ struct StudyRuns {
 // Sets the folder, and what an earlier start of the lab had as `last`. A study that is gone is forgotten.
 void begin_studies(StudyRuns&, std::filesystem::path kept_in, const std::string& last);
 
-// Executes a request, except StudyEdit::save, which needs files.
+// Executes a request, except StudyEdit::save and figure, which need files.
 void handle_study(StudyRuns&, const Workspace&, const StudyRequest&);
 
 // Writes a built study and its scene into the folder, and the table of a study with a file beside it; what is already

@@ -10,6 +10,7 @@
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"
 #include "app/reports/lab_record.h"
+#include "app/reports/study_drawing.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
 
@@ -158,6 +159,20 @@ void open_written(Lab& lab, const fs::path& folder) {
     say(lab, {NoticeKind::notice, "notice.page_copied", written});
 }
 
+bool has_all_runs(const StudyRuns& study) { return study.base && study.rows.size() == study.base->study().runs(); }
+
+std::optional<Error> write_figure(Lab& lab, const Strings& strings, const fs::path& folder) {
+    const insight::Study& study = lab.study.base->study();
+    std::error_code none;  // write_whole() reports it
+    fs::create_directories(folder, none);
+    fs::path path;
+    for (int i = 1; path.empty() || fs::exists(path, none); ++i)
+        path = folder / fmt::format("braitenlab-{}-{:03}.svg", study.id, i);
+    if (auto error = write_whole(path, study_drawing(study, lab.study.rows, {}, strings))) return error;
+    say(lab, {NoticeKind::done, "notice.figure", saves_by_download() ? path.filename().string() : path.string()});
+    return std::nullopt;
+}
+
 }  // namespace
 
 HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
@@ -180,16 +195,18 @@ HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
 
 fs::path reports_folder(const fs::path& documents) { return documents / "Braitenlab"; }
 
-void write_student_files(Lab& lab, const Strings& strings, const fs::path& documents, WrittenAt at) {
+void write_report_files(Lab& lab, const Strings& strings, const fs::path& documents, WrittenAt at) {
     const fs::path folder = reports_folder(documents);
     follow_refusal(lab);
     for (const Request& request : std::exchange(lab.window.reports, {})) {
-        if (!lab.document.lesson) continue;
         std::optional<Error> error;
-        if (const auto* given = std::get_if<HandInRequest>(&request)) error = hand_in(lab, *given, folder, at);
-        if (const auto* record = std::get_if<LabRecordRequest>(&request))
+        if (std::holds_alternative<StudyRequest>(request) && has_all_runs(lab.study))
+            error = write_figure(lab, strings, folder);
+        if (const auto* given = std::get_if<HandInRequest>(&request); given && lab.document.lesson)
+            error = hand_in(lab, *given, folder, at);
+        if (const auto* record = std::get_if<LabRecordRequest>(&request); record && lab.document.lesson)
             error = write_lab_record(lab, record->student, strings, folder, at);
-        if (std::holds_alternative<OpenWrittenRequest>(request)) open_written(lab, folder);
+        if (std::holds_alternative<OpenWrittenRequest>(request) && lab.document.lesson) open_written(lab, folder);
         if (error) say(lab, *error);
     }
 }

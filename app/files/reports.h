@@ -1,4 +1,4 @@
-// The files that a student makes of the open exercise: the hand-in and the lab record.
+// Files that a person makes of the open exercise and of a study: the hand-in, the lab record, the figure of a study.
 #pragma once
 
 #include <chrono>
@@ -22,9 +22,9 @@ std::filesystem::path reports_folder(const std::filesystem::path& documents);
 // Executes and clears Lab::reports. Call once a turn. Files are written to reports_folder(), which is created. A
 // hand-in replaces the earlier one of the same student for the exercise, never another student's. Where it changes what
 // the exercise does not offer, and where the earlier one has passed more starts and the request only asks, nothing is
-// written: Attempt::Work::refused says why until the reason has gone. Success is shown as a notice with the path, in a
-// browser with the name among the downloads, failure as a notice with the reason. Without an exercise it writes
-// nothing.
-void write_student_files(Lab&, const Strings&, const std::filesystem::path& documents, WrittenAt);
+// written: Attempt::Work::refused says why until the reason has gone. A figure is a new file. Success is shown as a
+// notice with the path, in a browser with the name among the downloads, failure as a notice with the reason. Without an
+// exercise, or without a study whose runs are complete, that request writes nothing.
+void write_report_files(Lab&, const Strings&, const std::filesystem::path& documents, WrittenAt);
 
 }  // namespace braitenlab

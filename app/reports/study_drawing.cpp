@@ -134,10 +134,12 @@ private:
 
 }  // namespace
 
-std::string study_drawing(const Study& study, const std::vector<insight::StudyRow>& rows, const FigureLabels& labels,
+std::string study_drawing(const Study& study, const std::vector<insight::StudyRow>& rows, const FigureLabels& given,
                           const Strings& strings) {
     const StudyPanels panels(study, rows, strings);
-    const std::string x_label = labels.x.empty() ? with_unit(panels.value().name, panels.value().unit) : labels.x;
+    const auto first_of = [](const std::string& one, const std::string& other) { return one.empty() ? other : one; };
+    const FigureLabels labels{given.title, first_of(given.x, study.axis.x), first_of(given.y, study.axis.y)};
+    const std::string x_label = first_of(labels.x, with_unit(panels.value().name, panels.value().unit));
     std::string drawn;
     for (std::size_t i = 0; i < study.measures.size(); ++i) {
         const insight::StudyMeasureTraits& traits = row_of(study.measures[i]);

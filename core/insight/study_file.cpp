@@ -16,6 +16,7 @@
 namespace braitenlab {
 
 using insight::Study;
+using insight::StudyLabels;
 using insight::StudyValue;
 
 template <class Visitor>
@@ -25,6 +26,14 @@ void describe(Visitor& v, Of<StudyValue>) {
     v.texts("paths", &StudyValue::paths, insight::limits::study_paths, limits::text_length,
             "of the values of the scene that get the level; a path that begins with `-` gets the negative level");
     v.numbers("levels", &StudyValue::levels, insight::limits::study_levels, {-1e6, 1e6}, "one set of runs for each");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<StudyLabels>) {
+    v.text("x", &StudyLabels::x, limits::title_length,
+           "of the horizontal axis, with the unit; without it, the name of the value");
+    v.text("y", &StudyLabels::y, limits::title_length,
+           "of the vertical axis of the first measure; without it, the measure");
 }
 
 template <class Visitor>
@@ -41,6 +50,7 @@ void describe(Visitor& v, Of<Study>) {
              "seed of the first of these runs; then one more for each");
     v.texts("measures", &Study::measure_words, insight::study_measure_table.size(), limits::name_length,
             "what is measured in each run; at least one");
+    v.table("axis", &Study::axis, "words at the axes of its figure");
     v.list("value", &Study::values, insight::limits::study_values, "a value that is varied; at least one");
 }
 

@@ -72,6 +72,11 @@ struct StudyValue {
     std::vector<int> lines{};  // of the paths in the file; empty for a study that was not read
 };
 
+// The words at the axes of a figure; empty: see study_drawing().
+struct StudyLabels {
+    std::string x, y;
+};
+
 struct Study {
     std::string id;    // the file's name without folder and ending
     std::string file;  // as given, for messages; empty for a study that was not read
@@ -84,6 +89,7 @@ struct Study {
     std::vector<StudyValue> values;
     std::vector<std::string> measure_words;
     std::vector<StudyMeasure> measures;  // of the words
+    StudyLabels axis;
 
     std::size_t combinations() const;
     std::size_t runs() const { return combinations() * static_cast<std::size_t>(seeds); }

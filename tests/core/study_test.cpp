@@ -52,6 +52,7 @@ TEST(StudyFile, ThatIsWrittenReadsAsItWas) {
     study.values = {{"a, b", "°", {"kind.x.sensor.SL.angle", "-kind.x.sensor.SR.angle"}, {0.1, 45, -90}},
                     {"LL = RR", "", {"kind.x.brain.LL"}, {-2, 2}}};
     study.measure_words = {"touch", "closest"};
+    study.axis = {"Angle (°)", ""};
     const std::string text = insight::write_study(study);
     const auto read = insight::parse_study(text, "study.toml");
     ASSERT_TRUE(read) << read.error().text();
@@ -59,6 +60,8 @@ TEST(StudyFile, ThatIsWrittenReadsAsItWas) {
     EXPECT_EQ(read->title, study.title);
     EXPECT_EQ(read->seconds, 12.5f);
     EXPECT_EQ(read->first_seed, 42u);
+    EXPECT_EQ(read->axis.x, "Angle (°)");
+    EXPECT_EQ(read->axis.y, "");
     ASSERT_EQ(read->values.size(), 2u);
     EXPECT_EQ(read->values[0].paths, study.values[0].paths);
     EXPECT_EQ(read->values[0].levels, study.values[0].levels);

@@ -43,7 +43,7 @@ Grade graded(int passed) {
 
 void request(Lab& lab, const Request& wanted, const fs::path& documents) {
     handle(lab, wanted);
-    write_student_files(lab, english(), documents, noon);
+    write_report_files(lab, english(), documents, noon);
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ TEST(Reports, TheQuestionAboutABetterHandInEndsOncePresentWorkIsAsGood) {
     request(lab, HandInRequest{"Ana"}, documents.path);
     ASSERT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::earlier_is_better);
     lesson.graded = good;
-    write_student_files(lab, english(), documents.path, noon);
+    write_report_files(lab, english(), documents.path, noon);
     EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::none);
 }
 
@@ -157,7 +157,7 @@ TEST(Reports, AHandInThatTheExerciseDoesNotOfferIsNotWritten) {
     EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::outside_offers);
     EXPECT_TRUE(hand_ins(documents.path).empty());
     handle(lab, Action::undo);
-    write_student_files(lab, english(), documents.path, noon);
+    write_report_files(lab, english(), documents.path, noon);
     EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::none) << "the change is taken back";
     request(lab, HandInRequest{"Ana"}, documents.path);
     EXPECT_EQ(hand_ins(documents.path).size(), 1u);

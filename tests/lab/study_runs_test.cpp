@@ -7,12 +7,14 @@
 
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
+#include "app/files/reports.h"
 #include "app/lab_requests.h"
 #include "core/insight/study_table.h"
 #include "core/maths/angle.h"
 #include "core/scene/file_kind.h"
 #include "tests/folder.h"
 #include "tests/lab/opened_lab.h"
+#include "tests/languages.h"
 
 namespace braitenlab::tests::study_runs_test {
 namespace {
@@ -126,6 +128,21 @@ TEST_F(LabStudy, OfTheOpenSceneIsSavedAsTheFilesThatTheCommandLineReads) {
     EXPECT_EQ(*read_text(table), insight::study_header((*base)->study()) + lines(**base, rows));
     EXPECT_FALSE(std::filesystem::exists(table.string() + ".part"));
     EXPECT_EQ(insight::run_of(*base, 5), rows[5]);
+}
+
+TEST_F(LabStudy, DrawsItsFigureAsANewFileWithTheLabelsOfTheStudy) {
+    put_text(folder / "mine.toml", *read_text(study_file()) + "[axis]\nx = \"Mass (kg)\"\n");
+    handle(lab, StudyRequest{StudyEdit::open, (folder / "mine.toml").string()});
+    handle(lab, StudyRequest{StudyEdit::run});
+    finish();
+    for (const char* name : {"braitenlab-mine-001.svg", "braitenlab-mine-002.svg"}) {
+        handle(lab, StudyRequest{StudyEdit::figure});
+        write_report_files(lab, english(), folder.path, {});
+        const auto text = read_text(saved(name));
+        ASSERT_TRUE(text) << text.error().text();
+        EXPECT_NE(text->find(">Mass (kg)</text>"), std::string::npos);
+        EXPECT_NE(text->find(">closest approach (m)</text>"), std::string::npos);
+    }
 }
 
 TEST_F(LabStudy, ThatIsSavedGoesOnWhereItsFileEnds) {

@@ -64,6 +64,11 @@ TEST(CtlStudy, DrawsMediansAndQuartilesWithNamedAxes) {
     text = shell("cat " + svg).out;
     for (const char* part : {">Mine</text>", ">w (1)</text>", ">d (m)</text>", "Mediane aus 4", ">0,5</text>"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
+    std::ofstream(file, std::ios::app) << "[axis]\nx = \"Weight of LR\"\ny = \"Distance (m)\"\n";
+    ASSERT_EQ(ctl(command + " --x-label w").code, 0);
+    text = shell("cat " + svg).out;
+    for (const char* part : {">w</text>", ">Distance (m)</text>", ">contacts</text>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << ": an option goes before the file";
     expect_refused("study " + file + " --svg a.png", ".svg");
     std::filesystem::remove(file), std::filesystem::remove(svg);
 }

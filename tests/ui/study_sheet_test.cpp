@@ -111,6 +111,17 @@ TEST_F(StudyDesk, SavesTheTableOfTheCompleteRuns) {
     EXPECT_EQ(desk.last<ExportRequest>()->text, "run,seed,eyes,speed,captures,prey\n1,1,80,3.0,0,\n2,2,80,3.0,1,\n");
 }
 
+TEST_F(StudyDesk, SavesTheFigureOfACompleteStudy) {
+    open(2);
+    const std::size_t before = desk.all.size();
+    desk.click("study.figure");
+    EXPECT_EQ(desk.all.size(), before) << "runs are missing";
+    open(240);
+    desk.click("study.figure");
+    ASSERT_TRUE(desk.last<StudyRequest>());
+    EXPECT_EQ(desk.last<StudyRequest>()->edit, StudyEdit::figure);
+}
+
 TEST_F(StudyDesk, AStudyOfTheSceneIsPutTogetherAndRun) {
     desk.now = snapshot(0);
     open(0);

@@ -307,6 +307,12 @@ bool study_buttons(const StudyView& view, Ui& ui) {
     if (save.pressed && is_own) ui.outbox.emplace_back(StudyRequest{StudyEdit::save, {}});
     if (save.pressed && !is_own) save_table(view, ui);
     ImGui::SameLine();
+    ButtonLook figure{icon::save, ui.strings("study.figure")};
+    figure.enabled = view.base && done == view.base->study().runs();
+    const Item draw = button(ui, "study.figure", figure);
+    tooltip(ui, draw, ui.strings("study.figure_how"));
+    if (draw.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::figure, {}});
+    ImGui::SameLine();
     return close_button(ui);
 }
 
