@@ -47,7 +47,7 @@ std::string text(float x, float y, std::string_view words, std::string_view more
 
 std::string edge_svg(const Arena& arena, const FloorMap& map) {
     const char* dashes = arena.edge == Boundary::torus ? " stroke-dasharray=\"8 5\"" : "";
-    const char* width = arena.edge == Boundary::wall ? "3" : "1";
+    const char* width = has_walls(arena.edge) ? "3" : "1";
     if (arena.round)
         return fmt::format(
             "<ellipse cx=\"{0:.1f}\" cy=\"{1:.1f}\" rx=\"{0:.1f}\" ry=\"{1:.1f}\" fill=\"#fafaf8\" stroke=\"#7a5a40\" "

@@ -94,7 +94,7 @@ Message stands_in(const Scene& scene, const Corners& chassis) {
         if (each.solid && overlap(chassis, corners_of(each, source_radius(scene.arena))))
             return message_of("the_solid", in_quotes(each.name));
     const auto is_in = [&](vec2 corner) { return is_inside(scene.arena, corner); };
-    if (scene.arena.edge == Boundary::wall && !std::all_of(chassis.begin(), chassis.end(), is_in))
+    if (has_walls(scene.arena.edge) && !std::all_of(chassis.begin(), chassis.end(), is_in))
         return message_of("the_wall");
     return {};
 }

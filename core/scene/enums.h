@@ -149,11 +149,13 @@ constexpr const auto& table_of(Driver) { return driver_table; }
 static_assert(is_complete_table<driver_table>());
 
 // What bounds the arena. `wall`: walls. `open`: a vehicle that leaves falls off and enters again, at its start or
-// elsewhere. `torus`: a vehicle that leaves on one side enters on the opposite side.
-enum class Boundary { wall, open, torus };
+// elsewhere. `torus`: a vehicle that leaves on one side enters on the opposite side. `rim`: walls that are lower than
+// the obstacle sensors; bumpers feel them.
+enum class Boundary { wall, open, torus, rim };
 
-inline constexpr auto boundary_table =
-    std::to_array<Word<Boundary>>({{Boundary::wall, "wall"}, {Boundary::open, "open"}, {Boundary::torus, "torus"}});
+inline constexpr auto boundary_table = std::to_array<Word<Boundary>>(
+    {{Boundary::wall, "wall"}, {Boundary::open, "open"}, {Boundary::torus, "torus"}, {Boundary::rim, "rim"}});
+constexpr bool has_walls(Boundary edge) { return edge == Boundary::wall || edge == Boundary::rim; }
 constexpr const auto& table_of(Boundary) { return boundary_table; }
 static_assert(is_complete_table<boundary_table>());
 

@@ -138,14 +138,15 @@ bool crosses(const Outline& outline, vec2 a, vec2 b) {
 }
 
 Outlines::Outlines(const Scene& scene, const std::vector<mechanics::Motion>& obstacles) : seam_(scene.arena) {
-    if (scene.arena.edge == Boundary::wall && scene.arena.round) {
+    if (has_walls(scene.arena.edge) && scene.arena.round) {
         add({round_corners(scene.arena)});
-    } else if (scene.arena.edge == Boundary::wall) {
+    } else if (has_walls(scene.arena.edge)) {
         const float w = scene.arena.width / 2, h = scene.arena.height / 2;
         const std::array<vec2, 4> corner{{{-w, -h}, {w, -h}, {w, h}, {-w, h}}};
         for (std::size_t i = 0; i < 4; ++i) add({{corner[i], corner[(i + 1) % 4]}});
     }
     first_obstacle_ = outlines_.size();
+    first_seen_ = scene.arena.edge == Boundary::rim ? first_obstacle_ : 0;
     for (std::size_t i = 0; i < obstacles.size(); ++i) add(outline_of(corners_of(scene.obstacles[i]), obstacles[i]));
     end_obstacle_ = outlines_.size();
     for (const Source& source : scene.sources) {
@@ -213,7 +214,7 @@ float Outlines::total(const CompiledSensor& sensor, const SensorPose& pose) cons
     const float reach = sensor.range + rounding;
     float sum = 0, strongest = 0;
     std::size_t last = outlines_.size();
-    any_image_near(0, outlines_.size(), pose.position, sensor.range, [&](std::size_t i, vec2 shift) {
+    any_image_near(first_seen_, outlines_.size(), pose.position, sensor.range, [&](std::size_t i, vec2 shift) {
         const Box& box = boxes_[i];
         const vec2 at = pose.position + shift;
         if (at.x < box.low.x - reach || at.x > box.high.x + reach || at.y < box.low.y - reach ||

@@ -54,7 +54,8 @@ public:
     // Updates the outlines of movable obstacles.
     void move(const Scene&, const std::vector<mechanics::Motion>& obstacles);
 
-    // Reading of an obstacle sensor: the sum of its responses to all outlines, those across a seam included.
+    // Reading of an obstacle sensor: the sum of its responses to all outlines but a rim's, those across a seam
+    // included.
     float total(const CompiledSensor&, const SensorPose&) const;
 
     // True when an obstacle lies within `range` (m) of the position. When false, nothing is hidden from a sensor there.
@@ -86,7 +87,7 @@ private:
     std::vector<Outline> outlines_;  // walls, obstacles, posts
     std::vector<Circle> circles_;    // bounding circle of each
     std::vector<Box> boxes_;  // bounding box of each; that of a wall, unlike its circle, is far from most sensors
-    std::size_t first_obstacle_ = 0, end_obstacle_ = 0;
+    std::size_t first_obstacle_ = 0, end_obstacle_ = 0, first_seen_ = 0;  // a rim is not seen
 };
 
 }  // namespace braitenlab::sensing

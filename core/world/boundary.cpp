@@ -51,7 +51,7 @@ bool is_outside(const Arena& arena, vec2 position) { return !is_inside(arena, po
 
 void keep_inside(WorldData& s) {
     if (s.scene->arena.edge == Boundary::torus) close_the_torus(s);
-    if (s.scene->arena.edge == Boundary::wall) hold_behind_walls(s);
+    if (has_walls(s.scene->arena.edge)) hold_behind_walls(s);
 }
 
 }  // namespace braitenlab::world

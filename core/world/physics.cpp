@@ -168,10 +168,10 @@ Physics::Physics(const Scene& scene, const std::vector<mechanics::Motion>& obsta
     impl_->world.SetContactListener(impl_.get());
     impl_->world.SetContinuousPhysics(may_skip_an_impact(scene));
     impl_->world.SetAllowSleeping(false);  // the order of islands depends on Box2D's lists
-    if (scene.arena.edge == Boundary::wall && scene.arena.round) {
+    if (has_walls(scene.arena.edge) && scene.arena.round) {
         for (const WallBox& box : round_wall(scene.arena, wall_thickness))
             impl_->add_box(box.middle, box.length, wall_thickness, box.heading);
-    } else if (scene.arena.edge == Boundary::wall) {
+    } else if (has_walls(scene.arena.edge)) {
         const float w = scene.arena.width, h = scene.arena.height, t = wall_thickness;
         impl_->add_box({0, (h + t) / 2}, w + 2 * t, t);
         impl_->add_box({0, -(h + t) / 2}, w + 2 * t, t);

@@ -49,7 +49,8 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.arena = {arena.width / 2, arena.height / 2, static_cast<float>(std::fmod(now.seconds, 60.0)),
                    picture.pixel_scale};
     block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f,
-                    arena.edge == Boundary::open ? 1e6f : 0.0f, static_cast<float>(arena.edge)};
+                    arena.edge == Boundary::open ? 1e6f : 0.0f,
+                    static_cast<float>(has_walls(arena.edge) ? Boundary::wall : arena.edge)};
     block.form = {arena.round ? 1.0f : 0.0f, scale_of(arena), grid_share(arena),
                   (light ? 0.016f : 0.010f) * grid_share(arena)};
     const auto inverse_square = [](float d) { return 1 / (d * d); };

@@ -143,7 +143,7 @@ struct Renderer::Parts {
     std::optional<Lettering> lettering;
     std::vector<LetterInstance> type;
     std::vector<FloorInstance> floor_size{1};
-    bool walled = true;  // Boundary::wall
+    bool walled = true;  // has_walls()
     int calls = 0;
     double seconds = -1;   // of the last snapshot
     float resolution = 1;  // of the last picture
@@ -370,7 +370,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.calls = 0;
     remember(now);
     fill(p.list, now, picture, p.trails);
-    p.walled = !now.scene || now.scene->arena.edge == Boundary::wall;
+    p.walled = !now.scene || has_walls(now.scene->arena.edge);
     p.prepare_contours(now, picture);
     p.prepare_letters(picture);
 

@@ -40,7 +40,7 @@ bool looks_down(const CameraView& camera_view) { return camera_view.view[1][2] >
 void add_metres(Drawing& drawing, const Arena& arena) {
     if (!looks_down(drawing.picture.camera_view)) return;
     const CameraView& camera_view = drawing.picture.camera_view;
-    const bool walled = arena.edge == Boundary::wall;
+    const bool walled = has_walls(arena.edge);
     const WallSize wall = wall_of(arena);
     const Colour quiet = drawing.colours.second_text.with_alpha(0.75f);
     // The grid's bright lines: every 5 m, in a small arena every 50 cm.

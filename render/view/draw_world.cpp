@@ -43,10 +43,11 @@ std::vector<vec2> rectangle(float half_length, float half_width) {
 }
 
 void add_walls(Drawing& drawing, const Arena& arena) {
-    if (arena.edge != Boundary::wall) return;
+    if (!has_walls(arena.edge)) return;
     const float half_w = arena.width / 2, half_h = arena.height / 2;
     const WallSize wall = wall_of(arena);
-    const float thick = wall.thickness / 2, high = wall.height, radius = 0.9f * thick;  // m; the rim is a round bar
+    const float thick = wall.thickness / 2, high = wall.height * (arena.edge == Boundary::rim ? 0.3f : 1),
+                radius = 0.9f * thick;  // m; the rim is a round bar
     const vec4 colour = rgb_with(drawing.colours.rim, 0);
     if (arena.round) {
         for (const WallBox& box : round_wall(arena, wall.thickness)) {

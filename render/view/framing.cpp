@@ -225,7 +225,7 @@ FloorBox action_of(const Snapshot& now) {
 }
 
 float floor_cover(const CameraView& seen, const Arena& arena, Rect area) {
-    const float wall = arena.edge == Boundary::wall ? wall_of(arena).thickness : 0;
+    const float wall = has_walls(arena.edge) ? wall_of(arena).thickness : 0;
     const vec2 half{arena.width / 2 + wall, arena.height / 2 + wall};
     // The part of the floor that lies below the area. The view of a plane is a plane's: its corners decide.
     std::vector<vec2> floor;

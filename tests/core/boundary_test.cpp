@@ -22,6 +22,25 @@ Scene small_arena(Boundary edge, float x, float y, float heading) {
     return scene;
 }
 
+TEST(World, ARimHoldsAVehicleAndOnlyItsBumperFeelsIt) {
+    for (const bool round : {false, true})
+        for (const Boundary edge : {Boundary::wall, Boundary::rim}) {
+            Scene scene = small_arena(edge, 0, 0, 0);
+            scene.arena.round = round;
+            Sensor bumper{.channel = Channel::touch}, eye{.channel = Channel::obstacle};
+            bumper.name = "T", bumper.fov = maths::radians(200), bumper.response = SensorResponse::boolean;
+            eye.name = "O";
+            scene.kinds[0].sensors.insert(scene.kinds[0].sensors.end(), {bumper, eye});
+            const std::size_t first = scene.kinds[0].sensors.size() - 2;
+            World world = make(scene);
+            const Snapshot now = after(world, 10);
+            EXPECT_LT(now.vehicles[0].x, 5);
+            EXPECT_GT(now.vehicles[0].x, 4);
+            EXPECT_EQ(now.sensed[first], 1);
+            EXPECT_EQ(now.sensed[first + 1] > 0, edge == Boundary::wall);
+        }
+}
+
 TEST(World, ATorusMovesAVehicleToTheOppositeEdgeAndKeepsItsSpeed) {
     World world = make(small_arena(Boundary::torus, 0, 1, 0));
     const double lap = 10 / 1.5;

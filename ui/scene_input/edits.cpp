@@ -26,7 +26,7 @@ vec2 clamped_to_arena(const Snapshot& now, vec2 place, float margin = 0) {
 // A vehicle keeps half its width of distance to the walls, so that it can drive away.
 float wall_margin(const Snapshot& now, const SceneObject& object) {
     const VehicleView* vehicle = object.kind == SceneObjectKind::vehicle ? find_vehicle(now, object.index) : nullptr;
-    if (!vehicle || !now.scene || now.scene->arena.edge != Boundary::wall) return 0;
+    if (!vehicle || !now.scene || !has_walls(now.scene->arena.edge)) return 0;
     return kind_of(now, *vehicle).body.width / 2;
 }
 
