@@ -37,6 +37,7 @@ constexpr auto sensor_parts = std::to_array<SensorPart>({
     {Channel::floor, "reflective sensor TCRT5000 module, analog output, 3 mm above the floor", "above black",
      "above white"},
     {Channel::energy, "battery through a divider 10 kΩ : 10 kΩ", "an empty battery", "a full battery"},
+    {Channel::random, "", "", ""},
 });
 
 // part_of() takes the row of a channel by its number.

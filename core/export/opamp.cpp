@@ -149,6 +149,9 @@ std::vector<Resistor> summer(const Plan& plan, const PlanUnit& motor, const std:
 
 std::optional<Error> refusal(const Plan& plan) {
     if (plan.hidden() > 0) return error_of(message_of("circuit_neuron", in_quotes(plan.units[0].name)));
+    for (const Input& input : plan.inputs)
+        if (input.channel == Channel::random)
+            return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
     for (const PlanUnit& motor : plan.units) {
         const std::string name = in_quotes(motor.name);
         if (motor.curve.response != Response::linear)

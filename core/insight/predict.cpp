@@ -64,7 +64,7 @@ Question with_other_chance(Question question, std::uint64_t number) {
 }
 
 bool depends_on_chance(const Snapshot& now) {
-    const auto is_noisy = [](const Sensor& sensor) { return sensor.noise > 0; };
+    const auto is_noisy = [](const Sensor& sensor) { return sensor.noise > 0 || sensor.channel == Channel::random; };
     return std::any_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& vehicle) {
         const std::vector<Sensor>& sensors = kind_of(now, vehicle).sensors;
         return vehicle.driver == Driver::wander || std::any_of(sensors.begin(), sensors.end(), is_noisy);

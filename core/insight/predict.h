@@ -52,8 +52,8 @@ Path predict(const Question&);
 // The question with other random numbers: the same run with other noise from the present tick on. number: from 1.
 Question with_other_chance(Question, std::uint64_t number);
 
-// True if the noise of sensors or a wandering driver changes the run of this world, so that its coming path depends on
-// the seed.
+// True if the noise of sensors, a sensor for `random` or a wandering driver changes the run of this world, so that its
+// coming path depends on the seed.
 bool depends_on_chance(const Snapshot&);
 
 }  // namespace braitenlab::insight

@@ -17,7 +17,8 @@ namespace {
 constexpr float most_mismatch = 0.5f, most_spread = 0.9f, most_dead_band = 0.9f, most_noise = 1, most_latency = 1;
 
 bool has_errors(const Sensor& sensor) {
-    return sensor.channel != Channel::touch && sensor.channel != Channel::energy && sensor.channel != Channel::memory;
+    return sensor.channel != Channel::touch && sensor.channel != Channel::energy && sensor.channel != Channel::memory &&
+           sensor.channel != Channel::random;
 }
 
 float scaled(float own, float typical, bool is_typical, float reality, float most) {

@@ -20,7 +20,8 @@ namespace braitenlab {
 // A sensor for red, green or blue also sees white light, and a sensor for light sees all four. `memory` are the
 // vehicle's own marks. `touch` is a bumper: 1 while the vehicle touches something in the sensor's field, at any range.
 // `floor` is the reflectance below the sensor, `energy` the vehicle's own energy; a boolean sensor for one of these two
-// is 1 from 0.5 on. A vehicle senses neither its own lamps nor its own role.
+// is 1 from 0.5 on; of `random`, a number from 0 to 1 that each sample of each sensor draws anew, a boolean one tosses
+// a coin. A vehicle senses neither its own lamps nor its own role.
 enum class Channel {
     light,
     red,
@@ -36,7 +37,8 @@ enum class Channel {
     memory,
     touch,
     floor,
-    energy
+    energy,
+    random
 };
 
 struct ChannelTraits {
@@ -45,7 +47,8 @@ struct ChannelTraits {
     bool is_summed = false;        // stimuli at points add up: sources, carried lamps, vehicles of a role
     bool is_source = false;        // a source or a carried lamp gives it off; menus offer it
     bool is_light = false;         // white light or a colour; the arena's ambient light adds to it
-    bool is_hidden = false;        // obstacles between stimulus and sensor hide the stimulus
+    bool is_hidden = false;        // obstacles between stimulus and sensor hide the stimulus; vehicles never do
+    bool has_field = true;         // a sensor looks in a direction; else its direction, field and range change nothing
     bool is_mapped = true;         // has a value at every point of the floor, so contours can show it
     std::string_view stem = "S";   // of the names of sensors that are added: SL and SR; SC for a single one
     std::string_view single = {};  // name of a single sensor; empty: stem and C
@@ -89,8 +92,20 @@ inline constexpr auto channel_table = std::to_array<ChannelTraits>({
     {.value = Channel::vehicle, .word = "vehicle", .is_summed = true, .is_hidden = true, .stem = "K"},
     {.value = Channel::memory, .word = "memory", .stem = "Q"},
     {.value = Channel::touch, .word = "touch", .is_mapped = false, .stem = "T", .is_paired = false},
-    {.value = Channel::floor, .word = "floor", .stem = "F"},
-    {.value = Channel::energy, .word = "energy", .is_mapped = false, .stem = "E", .single = "EN", .is_paired = false},
+    {.value = Channel::floor, .word = "floor", .has_field = false, .stem = "F"},
+    {.value = Channel::energy,
+     .word = "energy",
+     .has_field = false,
+     .is_mapped = false,
+     .stem = "E",
+     .single = "EN",
+     .is_paired = false},
+    {.value = Channel::random,
+     .word = "random",
+     .has_field = false,
+     .is_mapped = false,
+     .stem = "Z",
+     .is_paired = false},
 });
 constexpr const auto& table_of(Channel) { return channel_table; }
 inline constexpr int channel_count = static_cast<int>(channel_table.size());

@@ -32,6 +32,7 @@ Sensor new_sensor(Channel channel, float side) {
             sensor.response = SensorResponse::boolean;
             break;
         case Channel::energy:
+        case Channel::random:
             sensor.x = 0, sensor.fov = maths::radians(360), sensor.range = 1;
             break;
         case Channel::obstacle:

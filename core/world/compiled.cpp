@@ -81,7 +81,7 @@ CompiledKind compile_kind(const Kind& kind) {
     CompiledKind compiled;
     for (const Sensor& sensor : kind.sensors) {
         const sensing::CompiledSensor& made = compiled.sensors.emplace_back(sensor);
-        compiled.has_noise = compiled.has_noise || made.noise > 0;
+        compiled.has_noise = compiled.has_noise || made.noise > 0 || made.channel == Channel::random;
         compiled.has_gain_spread = compiled.has_gain_spread || made.gain_spread > 0;
     }
     compiled.delayed_readings = delayed_readings(kind);

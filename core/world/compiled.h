@@ -37,7 +37,8 @@ struct CompiledKind {
     float top_speed = 0, motor_force = 0, dead_band = 0;  // m/s, N, share of the full command
     float friction_spread = 0;                            // see Body
     float mass = 0;                                       // kg
-    bool has_noise = false, has_gain_spread = false;
+    bool has_noise = false;                               // a sensor draws random numbers
+    bool has_gain_spread = false;
     std::uint32_t delayed_readings = 0;
     float reach = 0;  // m, radius of free space round the origin: slightly more than half the diagonal
     std::vector<std::string> sensor_names;

@@ -36,7 +36,9 @@ float read_bumper(const WorldData& s, SensingBuffers& buffers, const CompiledSen
     return 0;
 }
 
-float read_sensor(const WorldData& s, SensingBuffers& buffers, const CompiledSensor& sensor, std::size_t row) {
+// `chance`: of the vehicle in this tick; see CompiledKind::has_noise.
+float read_sensor(const WorldData& s, SensingBuffers& buffers, const CompiledSensor& sensor, std::size_t row,
+                  maths::Random& chance) {
     const mechanics::Motion& m = s.vehicles.motion[row];
     const SensorPose pose = sensing::sensor_pose(sensor, m.position, m.ahead);
     switch (sensor.channel) {
@@ -46,6 +48,8 @@ float read_sensor(const WorldData& s, SensingBuffers& buffers, const CompiledSen
             return read_bumper(s, buffers, sensor, row);
         case Channel::energy:
             return sensing::response_to_amount(sensor, static_cast<float>(s.vehicles.energy[row]));
+        case Channel::random:
+            return sensing::response_to_amount(sensor, chance.uniform(0, 1));
         default:
             return sensing::read_environment(s.environment, buffers.grids, sensor, pose,
                                              static_cast<std::int32_t>(row));
@@ -114,7 +118,7 @@ void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float
         maths::Random gains;
         if (kind.has_gain_spread) gains = gains_for(s, row);
         for (const CompiledSensor& sensor : kind.sensors) {
-            float value = read_sensor(s, buffers, sensor, row);
+            float value = read_sensor(s, buffers, sensor, row, chance);
             if (kind.has_gain_spread) value *= 1 + sensor.gain_spread * gains.uniform(-1, 1);
             if (sensor.noise > 0) value += sensor.noise * chance.normal();
             value = std::clamp(value, 0.0f, 1.0f);  // signals add up and saturate

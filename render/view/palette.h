@@ -70,6 +70,7 @@ inline constexpr auto channel_colours = std::to_array<ChannelColours>({
     {Channel::touch, 0xA4BAD4, 0x465873},
     {Channel::floor, 0xA4BAD4, 0x465873},
     {Channel::energy, 0xA4BAD4, 0x465873},
+    {Channel::random, 0xA4BAD4, 0x465873},
 });
 static_assert(channel_colours.size() == channel_table.size() &&
                   std::equal(channel_colours.begin(), channel_colours.end(), channel_table.begin(),

@@ -106,6 +106,13 @@ TEST(Predict, WithOtherChanceDiffersOnlyWhereThereIsNoise) {
         EXPECT_EQ(insight::predict(insight::with_other_chance(question, 1)) != run, noise > 0);
         EXPECT_EQ(run, driven(session, 0, eight_seconds));
     }
+    Scene scene = with_lamp();
+    for (Sensor& sensor : scene.kinds[0].sensors) sensor.channel = Channel::random;
+    Session session = open_session(scene);
+    const Question question = now_of(session, 0);
+    EXPECT_TRUE(insight::depends_on_chance(session.snapshot()));
+    EXPECT_NE(insight::predict(insight::with_other_chance(question, 1)), insight::predict(question));
+    EXPECT_EQ(insight::predict(question), driven(session, 0, eight_seconds));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Readings of the sensors of every channel in a running world.
+#include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +91,57 @@ TEST(World, ObstaclesBlockLightAndVehiclesButNotHeatAndSmell) {
     EXPECT_GT(reading(scene), 0);
     scene.obstacles.push_back({.name = "box", .x = 3});
     EXPECT_EQ(reading(scene), 0);
+}
+
+TEST(World, VehiclesBlockNothing) {
+    for (const ChannelTraits& row : channel_table) {
+        if (!row.is_source) continue;
+        Scene scene = with(watcher(row.value), {.channel = row.value, .x = 5});
+        const float open = reading(scene);
+        scene.starts.push_back({.name = "between", .kind = "tester", .x = 3});
+        EXPECT_EQ(reading(scene), open) << row.word;
+    }
+}
+
+// Readings of a sensor for chance: a row for each tick, with a column for each of two vehicles.
+std::vector<std::array<float, 2>> chances(Sensor sensor, int ticks, std::uint64_t seed = 1) {
+    sensor.channel = Channel::random;
+    Scene scene = watcher(sensor);
+    scene.starts.push_back({.name = "other", .kind = "tester", .x = 3});
+    World world = make(scene, seed);
+    std::vector<std::array<float, 2>> rows;
+    for (int i = 0; i < ticks; ++i, world.step()) rows.push_back({reading(world, 0), reading(world, 1)});
+    return rows;
+}
+
+TEST(World, ASensorForChanceReadsEveryNumberAsOftenAndAgainWithTheSameSeed) {
+    const auto rows = chances({}, 2000);
+    std::array<int, 4> count{};
+    float sum = 0, together = 0;
+    for (const auto& [one, other] : rows) {
+        ++count[static_cast<std::size_t>(std::min(3.0f, one * 4))];
+        sum += one, together += (one - 0.5f) * (other - 0.5f);
+    }
+    for (const int quarter : count) EXPECT_NEAR(quarter, 500, 70);
+    EXPECT_NEAR(sum / 2000, 0.5f, 0.02f);
+    EXPECT_NEAR(together / 2000, 0, 0.006f) << "two vehicles draw different numbers";
+    EXPECT_EQ(chances({}, 50), std::vector(rows.begin(), rows.begin() + 50));
+    EXPECT_NE(chances({}, 50, 2), std::vector(rows.begin(), rows.begin() + 50));
+}
+
+TEST(World, ASensorForChanceHoldsItsSampleAndABooleanOneTossesACoin) {
+    const auto rows = chances({.response = SensorResponse::boolean, .interval = 0.1f}, 600);
+    int heads = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const float value = rows[i][0];
+        EXPECT_TRUE(value == 0 || value == 1) << value;
+        if ((i - 1) % 6 != 0) {
+            EXPECT_EQ(value, rows[i - 1][0]) << "in tick " << i;
+        }
+        heads += value == 1;
+    }
+    EXPECT_GT(heads, 150);
+    EXPECT_LT(heads, 450);
 }
 
 TEST(World, ObstaclesDoNotBlockLightOnceTheyArePushedAway) {

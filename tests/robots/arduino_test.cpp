@@ -36,6 +36,15 @@ TEST(Arduino, RefusesASensorThatTheRobotCannotHaveByName) {
     EXPECT_TRUE(exported(with_channel(Channel::floor)));
 }
 
+TEST(Export, ASensorForChanceIsAnInputInCAndRefusedByNameElsewhere) {
+    for (const robots::Robot& robot : robots::robots()) {
+        const auto files = robots::export_brain(with_channel(Channel::random), robot.target, robot);
+        EXPECT_EQ(bool(files), robot.target == Target::c) << robot.name;
+        if (files) continue;
+        EXPECT_NE(files.error().what.find("'SL' senses random"), std::string::npos) << files.error().what;
+    }
+}
+
 TEST(Arduino, RefusesMoreSensorsThanThereArePins) {
     const auto files = exported({"", find_preset("3c-values")->brain, {}});
     ASSERT_FALSE(files);

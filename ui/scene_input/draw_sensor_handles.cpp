@@ -22,7 +22,7 @@ namespace {
 // The outline of a sensor's field, from its position along both arms.
 void draw_field(const SceneInputFrame& frame, const Ui& ui, const VehicleView& vehicle, const Sensor& sensor,
                 Colour colour) {
-    if (sensor.channel == Channel::energy || sensor.channel == Channel::floor) return;
+    if (!row_of(sensor.channel).has_field) return;
     const vec2 mount =
         vec2{vehicle.x, vehicle.y} + maths::rotate(vec2{sensor.x, sensor.y}, maths::direction(vehicle.heading));
     const bool is_round = sensor.shape == SensorShape::omni || sensor.fov > 2 * maths::pi - 0.01f;

@@ -23,7 +23,7 @@ constexpr float mount_from_scale = 45;  // pixels per metre; below, the vehicle 
 constexpr double shift_step = 15;  // degrees
 constexpr float full_circle = 2 * maths::pi;
 
-bool has_field(const Sensor& sensor) { return sensor.channel != Channel::energy && sensor.channel != Channel::floor; }
+bool has_field(const Sensor& sensor) { return row_of(sensor.channel).has_field; }
 bool has_range(const Sensor& sensor) { return has_field(sensor) && sensor.channel != Channel::touch; }
 bool has_direction(const Sensor& sensor) { return has_field(sensor) && sensor.shape != SensorShape::omni; }
 

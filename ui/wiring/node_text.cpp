@@ -49,7 +49,7 @@ std::string_view channel_symbol(Channel channel) {
         {Channel::heat, icon::heat}, {Channel::smell, icon::smell}, {Channel::oxygen, icon::oxygen},
         {Channel::obstacle, icon::obstacle}, {Channel::predator, icon::predator}, {Channel::prey, icon::prey},
         {Channel::vehicle, icon::vehicle}, {Channel::memory, icon::memory}, {Channel::touch, icon::touch},
-        {Channel::floor, icon::floor}, {Channel::energy, icon::energy}};
+        {Channel::floor, icon::floor}, {Channel::energy, icon::energy}, {Channel::random, icon::random}};
     // clang-format on
     static_assert(std::size(rows) == channel_count);
     const auto* row = std::find_if(std::begin(rows), std::end(rows), [&](const Row& r) { return r.value == channel; });
