@@ -128,6 +128,23 @@ TEST(ShippedScenes, VehiclesInTheWindTunnelStopWhereTheWindEqualsTheirMotors) {
     }
 }
 
+TEST(ShippedScenes, TheRobotWithEightEyesNeverStopsAtAnObstacle) {
+    const Scene scene = shipped_scene("eight-eyes");
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        std::vector<maths::vec2> way;
+        watch_run(scene, seed, 3 * minute, [&](const Snapshot& now) { way.push_back(position(now.vehicles[0])); });
+        float driven = 0;
+        int standing = 0, longest = 0;
+        for (std::size_t i = 1; i < way.size(); ++i) {
+            driven += maths::distance(way[i - 1], way[i]);
+            standing = maths::distance(way[i - 1], way[i]) < 1e-4f ? standing + 1 : 0;  // slower than 6 mm/s
+            longest = std::max(longest, standing);
+        }
+        EXPECT_GT(driven, 7) << seed;
+        EXPECT_LT(longest, 120) << seed;
+    }
+}
+
 // How often each vehicle falls off the table within 60 s: a fall is a jump to another place.
 std::vector<int> falls(const Scene& scene, std::uint64_t seed) {
     std::vector<int> count;
