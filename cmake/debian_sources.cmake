@@ -48,6 +48,8 @@ function(provide_box2d)
   list(FILTER sources EXCLUDE REGEX "b2_timer.cpp")  # core/world/physics.cpp has another one
   source_library(box2d::box2d "${folder}/include" ${sources})
   target_include_directories(box2d_box2d PRIVATE "${folder}/src")
+  # In a third of the time, with the same bits.
+  set_target_properties(box2d_box2d PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
 endfunction()
 
 function(provide_ZLIB)
