@@ -88,7 +88,7 @@ void waitForButton() {
     setWheel(wheel, 0);
     if (pwm == 200) Serial.println(F("  Is the battery of the motors on? Press the button to try again."));
   } while (pwm == 200);
-  waitForButton();
+  if (digitalRead(BUTTON) == LOW) waitForRelease();  // it may be released already
   calibration.minimum[wheel] = pwm;
   Serial.print(F("  Minimum PWM: "));
   Serial.println(pwm);
