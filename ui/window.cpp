@@ -182,8 +182,9 @@ Prompt within_reach(const Prompt& prompt, const LabView& view, const PanelState&
     constexpr std::array of_brain{"slider.", "bias.", "threshold.", "curve.", "lesion.", "brain."};
     const auto begins = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };
     const bool is_in_brain = std::any_of(of_brain.begin(), of_brain.end(), begins);
+    const bool is_in_exercise = begins("exercise.") || begins("selection.");
     const std::optional<Card> of = is_in_brain              ? std::optional(Card::brain)
-                                   : begins("exercise.")    ? std::optional(Card::exercise)
+                                   : is_in_exercise         ? std::optional(Card::exercise)
                                    : begins("card.sensors") ? std::optional(Card::sensors)
                                                             : std::nullopt;
     if (!of || !traits(*of).shown(view)) return prompt;

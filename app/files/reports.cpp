@@ -68,7 +68,9 @@ void follow_refusal(Lab& lab) {
     const Exercise& exercise = *lab.document.lesson->exercise;
     const Submission now = submission_of(exercise, lab.document.session.snapshot());
     const Grade* grade = grade_of(*lab.document.lesson);
-    if (refused.reason == HandInRefusal::earlier_is_better ? grade && grade->count >= refused.passed
+    // With the solution shown, as many starts are worth less than without; see is_better().
+    const int wanted = refused.passed + (lab.document.lesson->attempt.work.solution_shown ? 1 : 0);
+    if (refused.reason == HandInRefusal::earlier_is_better ? grade && grade->count >= wanted
                                                            : keeps_to_offers(exercise, now))
         refused = {};
 }

@@ -215,11 +215,12 @@ std::vector<VehicleId> all_of(const Lab& lab, Role role) {
     return ids;
 }
 
-// A lab whose selected vehicle is prey.
+// A lab whose selected vehicle is prey, in a run that has begun: none dies before its first tick.
 struct LabWithDyingPrey {
     Lab lab = opened_lab("predator-prey");
     VehicleView dead;
     LabWithDyingPrey() {
+        tick(lab);
         handle(lab, SelectRequest{all_of(lab, Role::prey).front()});
         dead = *selected_vehicle(lab);
     }

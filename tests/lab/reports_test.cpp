@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/course/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "app/playback.h"
 #include "core/lesson/submission.h"
@@ -39,6 +40,13 @@ Grade graded(int passed) {
     for (int i = 0; i < 10; ++i)
         grade.starts.push_back({.seed = static_cast<std::uint64_t>(i + 1), .passed = i < passed});
     return grade;
+}
+
+// The present submission has passed so many of its ten starts.
+void grade_present(Lab& lab, Jobs& jobs, int passed) {
+    Lesson& lesson = *lab.document.lesson;
+    lesson.graded = GradedSubmission{submission_of(*lesson.exercise, lab.document.session.snapshot()), graded(passed)};
+    update_grading(lab, jobs);
 }
 
 void request(Lab& lab, const Request& wanted, const fs::path& documents) {
@@ -102,30 +110,31 @@ TEST(Reports, AHandInReplacesOnlyTheFileOfTheSameStudent) {
 
 TEST(Reports, AHandInReplacesABetterOneOnlyWhenThatIsConfirmed) {
     const Folder documents;
+    Jobs jobs{0};
     Lab lab = solved_exercise();
-    Lesson& lesson = *lab.document.lesson;
-    const Submission solved = with_solution(*lesson.exercise);
-    lesson.graded = GradedSubmission{solved, graded(10)};
-    request(lab, HandInRequest{"Ana"}, documents.path);
-    lesson.graded.reset();
-    handle(lab, Action::undo);
-    const RefusedHandIn& refused = lesson.attempt.work.refused;
     const auto in_file = [&] { return hand_ins(documents.path).begin()->second; };
+    grade_present(lab, jobs, 10);
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    const HandIn solved = in_file();
+    ASSERT_EQ(solved.passed_starts, 10);
+    handle(lab, Action::undo);
+    update_grading(lab, jobs);
+    const RefusedHandIn& refused = lab.document.lesson->attempt.work.refused;
 
     request(lab, HandInRequest{"Ana"}, documents.path);
     EXPECT_EQ(refused.reason, HandInRefusal::earlier_is_better);
     EXPECT_EQ(refused.passed, 10);
     EXPECT_EQ(refused.starts, 10);
-    EXPECT_EQ(in_file().submission.brain, solved.brain) << "it is only asked";
+    EXPECT_EQ(in_file().submission.brain, solved.submission.brain) << "it is only asked";
     request(lab, HandInRequest{"Ana", EarlierHandIn::keep}, documents.path);
     EXPECT_EQ(refused.reason, HandInRefusal::none);
-    EXPECT_EQ(in_file().submission.brain, solved.brain);
+    EXPECT_EQ(in_file().submission.brain, solved.submission.brain);
     request(lab, HandInRequest{"Ana", EarlierHandIn::replace}, documents.path);
     EXPECT_EQ(refused.reason, HandInRefusal::none);
     EXPECT_EQ(in_file().passed_starts, 0);
-    EXPECT_NE(in_file().submission.brain, solved.brain);
+    EXPECT_NE(in_file().submission.brain, solved.submission.brain);
 
-    lesson.graded = GradedSubmission{submission_of(*lesson.exercise, lab.document.session.snapshot()), graded(9)};
+    grade_present(lab, jobs, 9);
     request(lab, HandInRequest{"Ana"}, documents.path);
     EXPECT_EQ(in_file().passed_starts, 9) << "a better one is written without a question";
     EXPECT_EQ(hand_ins(documents.path).size(), 1u);
@@ -133,17 +142,21 @@ TEST(Reports, AHandInReplacesABetterOneOnlyWhenThatIsConfirmed) {
 
 TEST(Reports, TheQuestionAboutABetterHandInEndsOncePresentWorkIsAsGood) {
     const Folder documents;
+    Jobs jobs{0};
     Lab lab = solved_exercise();
-    Lesson& lesson = *lab.document.lesson;
-    const GradedSubmission good{with_solution(*lesson.exercise), graded(10)};
-    lesson.graded = good;
+    const RefusedHandIn& refused = lab.document.lesson->attempt.work.refused;
+    grade_present(lab, jobs, 10);
     request(lab, HandInRequest{"Ana"}, documents.path);
-    lesson.graded.reset();
+    handle(lab, Action::undo);
+    update_grading(lab, jobs);
     request(lab, HandInRequest{"Ana"}, documents.path);
-    ASSERT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::earlier_is_better);
-    lesson.graded = good;
+    ASSERT_EQ(refused.reason, HandInRefusal::earlier_is_better);
     write_report_files(lab, english(), documents.path, noon);
-    EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::none);
+    EXPECT_EQ(refused.reason, HandInRefusal::earlier_is_better) << "it stays until then";
+    handle(lab, Action::redo);
+    update_grading(lab, jobs);
+    write_report_files(lab, english(), documents.path, noon);
+    EXPECT_EQ(refused.reason, HandInRefusal::none);
 }
 
 TEST(Reports, AHandInThatTheExerciseDoesNotOfferIsNotWritten) {
@@ -200,12 +213,17 @@ TEST(Reports, ALabRecordTellsNoTitleBeforeThePrediction) {
     Lab lab = opened_lab("05-aggressor");
     request(lab, LabRecordRequest{"before"}, documents.path);
     handle(lab, PredictRequest{0});
+    request(lab, LabRecordRequest{"answered"}, documents.path);
+    tick(lab);
+    handle(lab, Action::reset);  // no drawing of a run
     request(lab, LabRecordRequest{"after"}, documents.path);
     const auto page = [&](const char* name) {
         std::ifstream file(documents.path / "Braitenlab" / name);
         return std::string{std::istreambuf_iterator<char>(file), {}};
     };
     EXPECT_EQ(page("05-aggressor-before.html").find("Aggressor"), std::string::npos);
+    EXPECT_NE(page("05-aggressor-answered.html"), "");
+    EXPECT_EQ(page("05-aggressor-answered.html").find("Aggressor"), std::string::npos) << "it can still be changed";
     EXPECT_NE(page("05-aggressor-after.html").find("Aggressor"), std::string::npos);
 }
 
@@ -237,7 +255,7 @@ std::size_t drawings(const std::string& page) {
     return found;
 }
 
-TEST(Reports, ALabRecordHasTheBrainOnceThePredictionIsMade) {
+TEST(Reports, ALabRecordHasTheBrainOnceAnAnsweredExerciseIsRun) {
     const Folder documents;
     Lab lab = opened_lab("08-overrun");
     ASSERT_TRUE(lab.document.lesson->exercise->prediction.hides_brain);
@@ -247,9 +265,15 @@ TEST(Reports, ALabRecordHasTheBrainOnceThePredictionIsMade) {
     EXPECT_EQ(drawings(text_of(file)), 0u);
     handle(lab, PredictRequest{0});
     request(lab, LabRecordRequest{"Ana"}, documents.path);
-    const std::string second = text_of(documents.path / "Braitenlab" / lab_record_name("08-overrun", "Ana", 2));
-    EXPECT_EQ(drawings(second), 1u);
-    EXPECT_NE(second.find("2026-11-21"), std::string::npos);
+    const std::string answered = text_of(documents.path / "Braitenlab" / lab_record_name("08-overrun", "Ana", 2));
+    EXPECT_NE(answered, "");
+    EXPECT_EQ(drawings(answered), 0u) << "the answer can still be changed";
+    tick(lab);
+    handle(lab, Action::reset);  // no drawing of a run
+    request(lab, LabRecordRequest{"Ana"}, documents.path);
+    const std::string last = text_of(documents.path / "Braitenlab" / lab_record_name("08-overrun", "Ana", 3));
+    EXPECT_EQ(drawings(last), 1u);
+    EXPECT_NE(last.find("2026-11-21"), std::string::npos);
 }
 
 // The path data of the last run in the lab record of 02-circle that is written now, as the record `number` of Ana.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/lab_requests.h"
+#include "app/lab_selection.h"
 #include "app/playback.h"
 #include "tests/lab/opened_lab.h"
 

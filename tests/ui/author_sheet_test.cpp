@@ -119,8 +119,10 @@ TEST_F(AuthorSheet, APredictionHasItsTrueAnswer) {
     type("author.option.2", "To the lamp");
     type("author.option.3", "To the lamp");
     EXPECT_TRUE(desk.says("Two answers are the same"));
-    desk.panels.sheets.author.options[2].text.clear();
     type("author.option.4", "Away");
+    EXPECT_TRUE(desk.says("Two answers are the same"));
+    desk.panels.sheets.author.options[2].text.clear();  // its field is no longer active and keeps no text of its own
+    desk.frame(2);
     EXPECT_TRUE(desk.says("The true answer is empty"));
     desk.click("author.option.4.answer");
     const Prediction asked = saved().draft->prediction;

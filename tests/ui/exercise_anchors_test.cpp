@@ -48,7 +48,7 @@ void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<s
     note();
     desk.view.settings.map = desk.view.settings.reality = false;  // room for the whole exercise card
     note();
-    desk.lesson.at_start = false;  // title and reason
+    desk.lesson.at_start = false, desk.lesson.attempt.work.has_run = true;  // title and reason
     note();
 }
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/lesson/exercise_file.h"
+#include "core/lesson/selection.h"
 #include "core/lesson/submission.h"
 #include "exercise_on_desk.h"
 #include "render/view/camera.h"
@@ -122,11 +123,29 @@ std::vector<std::vector<Command>> tries_at(const Opened& it, std::string_view an
     return tries;
 }
 
+// What the window points at in this state of the run.
+Prompt suggestion(const Opened& it, const Snapshot& now) {
+    LabView view = it.desk.view;
+    view.now = &now;
+    PromptMemory memory{.opened = it.desk.opened.id, .played = true};
+    return next_prompt(memory, view);
+}
+
+// What it points at a tenth of a second later.
+Prompt next_suggestion(const Opened& it) {
+    World later = it.world.fork();
+    for (int tick = 0; tick < 6; ++tick) later.step();
+    Snapshot now;
+    later.capture(now);
+    return suggestion(it, now);
+}
+
 }  // namespace
 
-// Each suggestion of a change, at each half second of the run as shipped, is tried in a fork of that moment.
+// Each suggestion of a change, at each half second of the run as shipped, is tried in a fork of that moment. A predator
+// that drives past an eye is seen for some ticks. Nobody can follow a suggestion that is gone in a tenth of a second.
 TEST(ExercisesGuided, ASuggestedChangeChangesWhatTheVehicleDoes) {
-    int suggested = 0;
+    int suggested = 0, gone = 0;
     for (Exercise& exercise : course()) {
         Opened it(std::move(exercise));
         it.play_after_prediction();
@@ -134,13 +153,16 @@ TEST(ExercisesGuided, ASuggestedChangeChangesWhatTheVehicleDoes) {
         for (int tick = 0; tick <= 60 * 9 && it.subject(); ++tick, it.world.step(), it.show()) {
             if (tick % 30 != 0) continue;
             it.desk.follow_disclosure();
-            PromptMemory memory{.opened = id, .played = true};
-            const Prompt prompt = next_prompt(memory, it.desk.view);
+            const Prompt prompt = suggestion(it, it.desk.now);
             const bool is_change = prompt.hint == "hint.turn_slider" || prompt.hint == "hint.turn_sensors";
             if (!is_change) continue;
             const auto tries = tries_at(it, prompt.anchor);
             if (prompt.anchor.starts_with("curve.")) continue;  // see Offered
             EXPECT_FALSE(tries.empty()) << id << ": " << prompt.anchor << " is not offered";
+            if (next_suggestion(it).anchor != prompt.anchor) {
+                ++gone;
+                continue;
+            }
             const float left = std::max(2.0f, std::min(8.0f, it.desk.opened.seconds - static_cast<float>(tick) / 60));
             float most = 0;
             for (const auto& commands : tries)
@@ -150,6 +172,7 @@ TEST(ExercisesGuided, ASuggestedChangeChangesWhatTheVehicleDoes) {
         }
     }
     EXPECT_GT(suggested, 20);
+    EXPECT_LE(gone, suggested / 5) << "most suggestions last";
 }
 
 TEST(ExercisesGuided, APromptPointsAtAWidgetInTheWindow) {

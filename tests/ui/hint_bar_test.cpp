@@ -127,6 +127,7 @@ TEST(HintBar, SaysWhileTheMouseDragsASliderHowItMovesFinely) {
 // The slider that pulses is the prompt's; the hint names the key that focuses this one.
 TEST(HintBar, NamesTheKeyOfTheSliderThatPulses) {
     Desk desk(1280, 800, 1, true);
+    desk.frame(2);  // the bar has its width
     for (const auto& [slider, key] : {std::pair{"slider.LL", "1"}, {"slider.RL", "3"}, {"curve.peak", "Ctrl+Tab"}}) {
         desk.show_hint("hint.turn_slider", slider);
         std::vector<std::string> caps;

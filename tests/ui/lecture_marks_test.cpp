@@ -165,9 +165,15 @@ TEST_F(LectureMarks, ALineThatLeavesTheSceneGoesOnBesideIt) {
     desk.frame(2);
     const Rect scene = desk.layout.scene;
     draw({scene.x + scene.w / 2, scene.y + scene.h - 40}, {scene.x + scene.w / 2, scene.y + scene.h + 30});
-    ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 2u);
-    EXPECT_EQ(desk.panels.lecture.marks.lines[0].on, MarkedPart::floor);
-    EXPECT_NE(desk.panels.lecture.marks.lines[1].on, MarkedPart::floor);
+    const Rect strip = desk.layout.hint_bar;
+    ASSERT_GT(strip.y, scene.y + scene.h) << "the line crosses the gap between scene and values";
+    ASSERT_LT(strip.y, scene.y + scene.h + 30);
+    std::vector<MarkedPart> parts;
+    for (const MarkLine& line : desk.panels.lecture.marks.lines) {
+        EXPECT_FALSE(line.points.empty());
+        parts.push_back(line.on);
+    }
+    EXPECT_EQ(parts, (std::vector{MarkedPart::floor, MarkedPart::window, MarkedPart::strip}));
 }
 
 TEST_F(LectureMarks, TheBarCanBeClickedWhileTheMouseDraws) {

@@ -137,7 +137,8 @@ TEST(Sheets, PassNoKeyOfTheLab) {
             desk.key(shortcut.press);
             for (const Request& request : desk.all) {
                 const auto* action = std::get_if<Action>(&request);
-                EXPECT_TRUE(action && of_window.count(*action))
+                const bool is_why_not = std::holds_alternative<NoticeRequest>(request);  // the type is the smallest
+                EXPECT_TRUE(is_why_not ? of_window.contains(shortcut.action) : action && of_window.contains(*action))
                     << key_name(shortcut.press, desk.strings) << " on sheet " << static_cast<int>(sheet);
             }
         }

@@ -39,9 +39,11 @@ constexpr Place page_with_values{"a page with values", {0, 0, 1280, 800}, {17, 2
 // it covers, and those in which the selected vehicle is shorter than it should be then, with its share of the free
 // area's width. All vehicles stay in the picture.
 const std::map<std::string, float> covered_between_cards_later{
-    {"19-mystery", 0.67f},  // two vehicles at opposite ends of the floor
-    {"torus", 0.69f},       // six vehicles on the whole floor
+    {"19-mystery", 0.67f},   // two vehicles at opposite ends of the floor
+    {"torus", 0.69f},        // six vehicles on the whole floor
+    {"22-breeding", 0.55f},  // a vehicle at each wall of a floor that is wider than the room between the cards
 };
+const std::map<std::string, float> covered_between_cards_at_start{{"22-breeding", 0.67f}};
 const std::map<std::string, float> covered_in_lectures_later{
     {"predator-prey", 0.72f},  // twenty vehicles on the whole floor
     {"torus", 0.67f},
@@ -164,7 +166,8 @@ void each_shipped(Expect expect) {
 
 TEST(Framing, CoversTheFreeAreaBesideCardsWithTheFloorOfEachShippedScene) {
     each_shipped([](const Scene& scene, const std::string& name) {
-        expect_framed(scene, name, two_cards, wanted_cover, two_cards.least_share);
+        expect_framed(scene, name, two_cards, least_of(covered_between_cards_at_start, name, wanted_cover),
+                      two_cards.least_share);
     });
 }
 

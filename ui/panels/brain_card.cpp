@@ -29,7 +29,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-// Layout pixels. In a lower column the picture is smaller, and in the lowest the rows are closer.
+// Layout pixels. In a lower column the picture is smaller, and the rows are closer for a vehicle with many; in the
+// lowest they are closer for each.
 constexpr float low_column = 680, lowest_column = 650;
 constexpr float stick_size = 88;  // layout pixels
 
@@ -142,6 +143,12 @@ std::size_t lines_of_description(const LabView& view, const VehicleView& vehicle
     const bool has_neurons =
         std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::neuron; });
     return has_neurons || kind.sensors.size() != 2 ? 1 : 0;
+}
+
+// The space between the rows, in layout pixels. It depends on nothing that an edit of the brain changes.
+float space_of_rows(const LabView& view, const Ui& ui, const VehicleView& vehicle, Rect column) {
+    const bool has_many = sensor_pairs(kind_of(*view.now, vehicle)).size() >= 3;
+    return column.h < ui.px(has_many ? low_column : lowest_column) ? spacing::tight : spacing::small;
 }
 
 // The words, or what fits into `count` lines with an ellipsis.
@@ -409,7 +416,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         title_row(view, state, ui, *vehicle);
         paragraph(ui, ui.strings(unrevealed ? "wiring.hidden" : "brain.hidden"), ui.palette.second_text);
     } else if (open && vehicle) {
-        const float between = ui.px(column.h < ui.px(lowest_column) ? spacing::tight : spacing::small);
+        const float between = ui.px(space_of_rows(view, ui, *vehicle, column));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), between});
         if (buttons[1].pressed) {
             ui.outbox.push_back(Action::drive);

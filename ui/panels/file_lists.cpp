@@ -81,13 +81,15 @@ bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, con
 
 std::string row_anchor(const CatalogueEntry& entry) { return (entry.number > 0 ? "gallery." : "open.") + entry.name; }
 
-// How well the title has the search: as a whole, at its beginning, at that of a word, inside; 0: only the text below.
+// How well the title has the search: as a whole, at its beginning, at that of a word, inside; 0: only the text below. A
+// file name, which is not shown, counts less than the beginning of a title.
 int hit_of(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
     const std::string title = plain_letters(exercise_words(view, ui, entry), Umlauts::as_vowels);
     const bool is_number = entry.number > 0 && number_words(view, entry.number, entry.name) == search;
     if (title == search || is_number) return 4;
-    if (title.starts_with(search) || (entry.number == 0 && entry.name.starts_with(search))) return 3;
-    if (title.find(" " + search) != std::string::npos) return 2;
+    if (title.starts_with(search)) return 3;
+    const bool begins_name = entry.number == 0 && entry.name.starts_with(search);
+    if (begins_name || title.find(" " + search) != std::string::npos) return 2;
     return title.find(search) != std::string::npos ? 1 : 0;
 }
 

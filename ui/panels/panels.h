@@ -156,8 +156,9 @@ Colour colour_of(NoticeKind, const Palette&);
 // brain_card.cpp: "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its file has it.
 std::string kind_name(const Ui&, const Kind&);
 
-// children_sheet.cpp: the generation, and the button that opens the sheet of children. Precondition: an exercise is
-// open.
+// children_sheet.cpp: the generation, and the button that opens the sheet of children; nothing in an exercise without
+// selection by hand. Precondition: an exercise is open.
+void generation_of_selection(const LabView&, Ui&);
 void selection_button(const LabView&, PanelState&, Ui&);
 
 // sensor_card.cpp: "Obstacles left" for a sensor with letters as its name, else its name.

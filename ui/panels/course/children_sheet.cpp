@@ -152,17 +152,21 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
-void selection_button(const LabView& view, PanelState& state, Ui& ui) {
+void generation_of_selection(const LabView& view, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     if (!lesson.selection) return;
     paragraph(ui,
               fill(ui.strings("selection.generation"), {std::to_string(lesson.selection->generation),
                                                         std::to_string(lesson.exercise->selection.generations)}),
               ui.palette.second_text);
+    gap(ui, spacing::small);
+}
+
+void selection_button(const LabView& view, PanelState& state, Ui& ui) {
+    if (!view.lesson->selection) return;
     const Item at = button(ui, "selection.open", {{}, ui.strings("selection.open"), Emphasis::primary});
     tooltip(ui, at, ui.strings("selection.open_how"));
     if (at.pressed) state.sheet = Sheet::children;
-    gap(ui, 12);
 }
 
 }  // namespace braitenlab::ui

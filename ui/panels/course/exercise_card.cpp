@@ -389,7 +389,7 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 // Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. Once the
 // outcome is known, the steps are above it: a change of the brain moves nothing. Of hints and outcome the newer one is
 // nearer to the steps. In the wiring editor the hints are above the steps, which are judged while the scene plays. In a
-// low window the rest scrolls.
+// low window the rest scrolls. The button of a selection by hand does not: hints that are read below point at it.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
@@ -408,7 +408,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         result(view, ui);
         if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
         reason(view, state, ui);
-        if (!hides_outcome(view)) selection_button(view, state, ui);
+        if (!hides_outcome(view)) generation_of_selection(view, ui);
         const bool steps_first = (!lesson.as_given || lesson.attempt.work.outcome_known) && !hides_outcome(view);
         if (!passed && steps_first) steps(view, state, ui);
         const bool hints_last = passed || !steps_first || state.exercise.outcome_newest;
@@ -422,6 +422,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         state.exercise.grade_seen = lesson.grade.has_value();
         scroll_to_aim(ui, rows);
         begin_footer(ui, card, place);
+        if (!hides_outcome(view)) selection_button(view, state, ui);
         exercise_buttons(view, state, ui, card_width(ui, place));
         end_footer(ui, card);
     }

@@ -94,6 +94,7 @@ float height_of(const Ui& ui, std::string_view words, Face face, float width) {
 // Where the smallest type of the options is needed, the words of the question have it too, and gaps are smaller.
 float gap_of_options(Face of_options) { return of_options == Face::strong ? spacing::tight : spacing::medium; }
 Face face_of_text(Face of_options) { return of_options == Face::strong ? Face::strong : Face::title; }
+float gap_of_text(Face of_options) { return of_options == Face::strong ? spacing::small : page_padding; }
 
 // Of the options of a question, each with a row for its hands below it. `indent`: of the words, window pixels.
 float height_of_options(const Ui& ui, const LectureQuestion& asked, Face face, float width, float indent) {
@@ -175,9 +176,16 @@ void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face
     gap(ui, gap_of_options(face));
 }
 
-// Once the answer is known the right option is larger. Each keeps its letter.
-Face face_of_answer(bool right) { return right ? Face::title : Face::strong; }
+// The type of an answer in a lower window. The right option is larger than the others, unless even the smallest reason
+// then has no room: in such a tight answer each bar is directly below its option.
+struct AnswerType {
+    Face of_right, of_reason;
+    bool is_tight() const { return of_right == of_wrong; }
+    Face of_option(bool right) const { return right ? of_right : of_wrong; }
+    static constexpr Face of_wrong = Face::strong;
+};
 
+// Each option keeps its letter.
 std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::size_t option) {
     return letter_of(option) + (is_right(asked, option) ? "  ✓ " : "  ") +
            std::string(translated(ui, asked.options[option]));
@@ -185,16 +193,21 @@ std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::siz
 
 // The largest type in which the reason fits with the options into this height: it pushes no option out of a small
 // window.
-Face face_of_reason(const Ui& ui, const LectureQuestion& asked, Face of_options, float height) {
-    const float below_option = ui.px(bar_thickness + between_answers + 2 * spacing::tight);
+AnswerType type_of_answer(const Ui& ui, const LectureQuestion& asked, Face of_options, float height) {
+    constexpr float reserve = spacing::small;  // of card_around; the right option is smaller only if this does not do
+    constexpr AnswerType largest{Face::title, Face::title};
+    const float below_option = ui.px(bar_thickness + between_answers + spacing::tight);
     float used = ui.px(spacing::tight);
     used += height_of_text(ui, asked, of_options);
     for (std::size_t i = 0; i < asked.options.size(); ++i)
-        used += below_option + height_of(ui, words_of_answer(ui, asked, i), face_of_answer(is_right(asked, i)),
+        used += below_option + height_of(ui, words_of_answer(ui, asked, i), largest.of_option(is_right(asked, i)),
                                          card_width(ui) - ui.px(count_width));
-    for (const Face face : {face_of_answer(true), Face::text})
-        if (used + height_of(ui, translated(ui, asked.why), face, card_width(ui)) <= height) return face;
-    return Face::small;
+    for (const Face face : {largest.of_reason, Face::text, Face::small}) {
+        const float room = face == Face::small ? height + ui.px(reserve) : height;
+        if (used + height_of(ui, translated(ui, asked.why), face, card_width(ui)) <= room)
+            return {largest.of_right, face};
+    }
+    return {AnswerType::of_wrong, Face::small};
 }
 
 // The largest type in which the reason fits below the options in their places; nullopt where none does.
@@ -208,11 +221,11 @@ std::optional<Face> face_of_reason_below(const LectureView& page, const Ui& ui, 
 }
 
 // In a lower window the count is beside the option, and wrong options are smaller: the reason finds room.
-void answered_option(const LectureView& page, Ui& ui, std::size_t option, Face of_reason) {
+void answered_option(const LectureView& page, Ui& ui, std::size_t option, AnswerType type) {
     const LectureQuestion& asked = page.current().question;
     const bool right = is_right(asked, option);
     const Colour colour = right ? ui.palette.success : ui.palette.text;
-    const Face face = face_of_answer(right);
+    const Face face = type.of_option(right);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = line_height(ui, face), width = card_width(ui) - ui.px(count_width);
     put_right(ui, {at.x + card_width(ui), at.y + (line - line_height(ui, Face::title)) / 2}, count_of(page, option),
@@ -220,18 +233,22 @@ void answered_option(const LectureView& page, Ui& ui, std::size_t option, Face o
     mark(ui, option_id("lecture.count.", option), {at.x + width, at.y, ui.px(count_width), line});
     if (right) mark(ui, "lecture.right", {at.x, at.y, width, line});
     even_paragraph(ui, words_of_answer(ui, asked, option), colour, face, width);
+    if (type.is_tight()) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(spacing::tight));
     share_bar(page, ui, option, colour, ui.px(bar_thickness));
-    if (right && !asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
+    if (right && !asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, type.of_reason);
     gap(ui, between_answers);
 }
 
 void answered(const LectureView& page, Ui& ui, Face of_options, float height) {
     const LectureQuestion& asked = page.current().question;
     const auto below = face_of_reason_below(page, ui, of_options, height);
-    const Face of_reason = below ? *below : face_of_reason(ui, asked, of_options, height);
-    for (std::size_t i = 0; i < asked.options.size(); ++i)
-        below ? answered_in_place(page, ui, i, of_options) : answered_option(page, ui, i, of_reason);
-    if (below && !asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
+    if (!below) {
+        const AnswerType type = type_of_answer(ui, asked, of_options, height);
+        for (std::size_t i = 0; i < asked.options.size(); ++i) answered_option(page, ui, i, type);
+        return;
+    }
+    for (std::size_t i = 0; i < asked.options.size(); ++i) answered_in_place(page, ui, i, of_options);
+    if (!asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, *below);
 }
 
 // Minutes and seconds: "12:05".
@@ -282,7 +299,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
         const Face face = page.notes ? Face::strong : face_of_options(*page.lecture, ui, card_width(ui), height);
         if (!asked.text.empty()) {
             even_paragraph(ui, translated(ui, asked.text), ui.palette.text, face_of_text(face));
-            gap(ui, page_padding);
+            gap(ui, gap_of_text(face));
         }
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
         if (!page.shows(PagePart::answer))
