@@ -91,6 +91,21 @@ TEST_F(LongExercise, TheFirstOpenStepStaysInSightWhenTheOutcomeAppears) {
         }
 }
 
+TEST_F(LongExercise, AnotherExerciseBeginsAtItsTop) {
+    Desk desk(800, 600, 1, true);
+    begin(desk, 2);
+    end_run(desk);
+    ASSERT_FALSE(is_in_sight(text_of(desk, desk.opened.steps[0].text))) << "the card has scrolled";
+    desk.opened.id = "99-another";
+    desk.opened.prediction.question = "Where?";
+    desk.lesson.attempt = {};
+    desk.lesson.as_given = true;
+    desk.show_lesson();
+    desk.frame(6);
+    EXPECT_TRUE(is_in_sight(text_of(desk, "Where?")));
+    EXPECT_EQ(cut_above(desk), "");
+}
+
 TEST_F(LongExercise, NoLineIsCutAboveTheOutcomeOnceEveryStepIsDone) {
     for (const char* language : languages_of_rows)
         for (const float height : {640.0f, 700.0f, 730.0f, 768.0f}) {

@@ -229,6 +229,19 @@ TEST_F(Prompts, PointToResetIfTheVehicleSensesNothing) {
     EXPECT_NE(anchor(), "button.reset") << "the vehicle senses the lamp again";
 }
 
+TEST_F(LessonPrompts, PointToResetOnceTheVehicleOfTheExerciseIsGone) {
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->starts.emplace_back().kind = scene->kinds[0].name;
+    desk.now.scene = scene;
+    at(3);
+    EXPECT_NE(next().hint, "hint.gone");
+    desk.now.vehicles.clear();
+    EXPECT_EQ(anchor(), "button.reset");
+    EXPECT_EQ(next().hint, "hint.gone");
+    desk.lesson.attempt.answers.hints_shown = 1;
+    EXPECT_EQ(next().hint, "hint.gone") << "no control that a hint names can change this run";
+}
+
 TEST_F(Prompts, PointToResetIfASingleVehicleIsStuck) {
     alone();
     desk.now.vehicles[0].speed = 0;

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "core/scene/subject.h"
 #include "render/view/pick.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
@@ -232,6 +233,13 @@ bool has_missed_a_change(const PromptMemory& memory, const LabView& view) {
     return memory.brain_at_start && memory.brain_at_start != brain && memory.brain_at_start->wires != brain->wires;
 }
 
+// True once no vehicle that the student changes is left, because it was eaten or has used up its energy.
+bool is_subject_gone(const Snapshot& now) {
+    const int kind = subject_kind(*now.scene);
+    return now.tick > 0 && kind >= 0 &&
+           std::none_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) { return v.kind == kind; });
+}
+
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
@@ -240,6 +248,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
     if (all_steps_done(lesson) && lesson.standing.changed_since_done) return {"button.reset", "hint.changed_since"};
     if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
+    if (is_subject_gone(*view.now)) return {"button.reset", "hint.gone"};
     if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
     if (at_start) return {"button.play", "hint.press_play"};
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};

@@ -275,7 +275,7 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
     exercise_files(view, state, ui, width);
 }
 
-// Forgets what the card of another exercise has scrolled to.
+// Forgets what the card of another exercise has scrolled to, and goes back to its top.
 void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise.id == lesson.exercise->id) return;
     state.exercise.id = lesson.exercise->id;
@@ -283,7 +283,7 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
         state.exercise.note_open = false;
     state.exercise.steps_open = true;
     state.exercise.hints_seen = 0;
-    state.exercise.rows.settling = 0;
+    aim_at(state.exercise.rows, ExerciseRows::Aim::top);
 }
 
 // Once the exercise is passed they can be folded.
