@@ -143,7 +143,8 @@ Prompt next_suggestion(const Opened& it) {
 }  // namespace
 
 // Each suggestion of a change, at each half second of the run as shipped, is tried in a fork of that moment. A predator
-// that drives past an eye is seen for some ticks. Nobody can follow a suggestion that is gone in a tenth of a second.
+// that drives past an eye is seen for some ticks. A suggestion that ends within a tenth of a second is too short to
+// follow.
 TEST(ExercisesGuided, ASuggestedChangeChangesWhatTheVehicleDoes) {
     int suggested = 0, gone = 0;
     for (Exercise& exercise : course()) {
