@@ -22,18 +22,19 @@ bool is_exported(const fs::path& path) {
 
 // True for the names that exports give to their files.
 bool is_name_of_export(const std::string& name) {
-    constexpr std::array<std::string_view, 11> names{"README.md",
+    constexpr std::array<std::string_view, 12> names{"README.md",
                                                      "parts.csv",
-                                                     "brain.h",
-                                                     "brain.py",
-                                                     "main.py",
-                                                     "brain.cir",
                                                      "wiring.svg",
+                                                     "brain.h",
+                                                     "braitenberg/braitenberg.ino",
+                                                     "braitenberg/brain.h",
+                                                     "brain.cir",
+                                                     "brain-exact.cir",
                                                      "brain.net",
                                                      "brain.aesl",
-                                                     "brain-exact.cir",
-                                                     "braitenberg/braitenberg.ino"};
-    return std::find(names.begin(), names.end(), name) != names.end() || name == "braitenberg/brain.h" ||
+                                                     "brain.py",
+                                                     "main.py"};
+    return std::find(names.begin(), names.end(), name) != names.end() ||
            (name.starts_with("wiring-") && name.ends_with(".svg"));
 }
 

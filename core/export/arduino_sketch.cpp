@@ -210,25 +210,27 @@ int meanOfEye(byte i) {
 
 )";
 
-constexpr std::string_view eye_calibration = R"(// `zero` and `one`: what the sensor is shown for the readings 0 and 1.
+constexpr std::string_view eye_calibration =
+    R"(// What the eye measures once the button is pressed, while it is shown this.
+int measured(byte i, const __FlashStringHelper *shown) {
+  Serial.print(shown);
+  Serial.println(F(". Press the button."));
+  waitForButton();
+  const int mean = meanOfEye(i);
+  Serial.print(F("  Measured: "));
+  Serial.println(mean);
+  return mean;
+}
+
+// `zero` and `one`: what the sensor is shown for the readings 0 and 1.
 void calibrateEye(byte i, const __FlashStringHelper *zero, const __FlashStringHelper *one) {
   do {
     Serial.print(F("Sensor "));
     Serial.print(EYE_NAME[i]);
     Serial.print(F(", reading 0: "));
-    Serial.print(zero);
-    Serial.println(F(". Press the button."));
-    waitForButton();
-    calibration.dark[i] = meanOfEye(i);
-    Serial.print(F("  Measured: "));
-    Serial.println(calibration.dark[i]);
+    calibration.dark[i] = measured(i, zero);
     Serial.print(F("  Reading 1: "));
-    Serial.print(one);
-    Serial.println(F(". Press the button."));
-    waitForButton();
-    calibration.bright[i] = meanOfEye(i);
-    Serial.print(F("  Measured: "));
-    Serial.println(calibration.bright[i]);
+    calibration.bright[i] = measured(i, one);
   } while (abs(calibration.bright[i] - calibration.dark[i]) < 20);  // too close: again
 }
 
