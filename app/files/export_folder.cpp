@@ -13,28 +13,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// True if the file, if there is one, was written by an export: each text names the lab near its begin.
+// True if the file, if there is one, was written by an export: each text names the lab in its first 1,000 bytes.
 bool is_exported(const fs::path& path) {
     constexpr std::size_t begin = 1000;
     const auto text = read_text(path);
     return text && std::string_view(*text).substr(0, begin).find("xported from Braitenlab") != std::string_view::npos;
 }
 
-// True for the names that exports give to their files.
-bool is_name_of_export(const std::string& name) {
-    constexpr std::array<std::string_view, 12> names{"README.md",
-                                                     "parts.csv",
-                                                     "wiring.svg",
-                                                     "brain.h",
-                                                     "braitenberg/braitenberg.ino",
-                                                     "braitenberg/brain.h",
-                                                     "brain.cir",
-                                                     "brain-exact.cir",
-                                                     "brain.net",
-                                                     "brain.aesl",
-                                                     "brain.py",
-                                                     "main.py"};
-    return std::find(names.begin(), names.end(), name) != names.end() ||
+// True for a file of an earlier export: it has a name that exports give, and a text names the lab, so that a file of
+// the user with such a name stays. Lists of parts, nets and drawings have no such mark.
+bool is_of_earlier_export(const fs::path& folder, const std::string& name) {
+    constexpr std::array<std::string_view, 9> marked{"README.md",           "brain.h",   "braitenberg/braitenberg.ino",
+                                                     "braitenberg/brain.h", "brain.cir", "brain-exact.cir",
+                                                     "brain.aesl",          "brain.py",  "main.py"};
+    if (std::find(marked.begin(), marked.end(), name) != marked.end()) return is_exported(folder / name);
+    return name == "parts.csv" || name == "brain.net" || name == "wiring.svg" ||
            (name.starts_with("wiring-") && name.ends_with(".svg"));
 }
 
@@ -71,10 +64,11 @@ std::optional<Error> write_export(const fs::path& folder, const std::vector<robo
     if (auto error = write_all(written)) return error;
     std::error_code none;
     for (const std::string& name : earlier)
-        if (is_name_of_export(name) &&
-            std::none_of(files.begin(), files.end(), [&](const auto& file) { return file.name == name; }))
+        if (std::none_of(files.begin(), files.end(), [&](const auto& file) { return file.name == name; }) &&
+            is_of_earlier_export(folder, name))
             fs::remove(folder / name, none);
-    fs::remove(folder / "braitenberg", none);  // only where it is empty
+    const fs::path sketch = folder / "braitenberg";
+    if (!earlier.empty() && fs::is_directory(sketch, none)) fs::remove(sketch, none);  // only where it is empty
     return std::nullopt;
 }
 

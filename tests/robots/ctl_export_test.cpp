@@ -96,13 +96,17 @@ TEST(CtlExport, RemovesWhatAnEarlierExportWroteAndThisOneDoesNot) {
     ASSERT_EQ(ctl("export 3a-love --to opamp" + out).code, 0);
     put_text(folder / "wiring-2.svg", "the second sheet of a larger circuit");
     put_text(folder / "notes.txt", "mine");
+    put_text(folder / "main.py", "mine, with a name that exports give, too");
     ASSERT_EQ(ctl("export 3a-love --to arduino" + out).code, 0);
     EXPECT_EQ(files_in(folder.path),
-              (std::set<std::string>{"README.md", "braitenberg/braitenberg.ino", "braitenberg/brain.h", "notes.txt",
-                                     "parts.csv", "wiring.svg"}));
+              (std::set<std::string>{"README.md", "braitenberg/braitenberg.ino", "braitenberg/brain.h", "main.py",
+                                     "notes.txt", "parts.csv", "wiring.svg"}));
     ASSERT_EQ(ctl("export 3a-love --to c" + out).code, 0);
-    EXPECT_EQ(files_in(folder.path), (std::set<std::string>{"README.md", "brain.h", "notes.txt"}));
+    EXPECT_EQ(files_in(folder.path), (std::set<std::string>{"README.md", "brain.h", "main.py", "notes.txt"}));
     EXPECT_FALSE(fs::exists(folder / "braitenberg"));
+    put_text(folder / "braitenberg", "a compiled program");
+    ASSERT_EQ(ctl("export 3a-love --to c" + out).code, 0);
+    EXPECT_TRUE(fs::exists(folder / "braitenberg"));
 }
 
 TEST(CtlExport, KeepsTheFilesOfAFolderThatHoldsNoExport) {
