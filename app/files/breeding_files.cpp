@@ -89,7 +89,7 @@ void drop_oldest_breedings(const fs::path& all, std::size_t most, std::uintmax_t
         std::error_code problem;
         const std::uintmax_t size = fs::file_size(state_in(kept[i].second), problem);
         sum += problem ? 0 : size;
-        if (i >= most || sum > bytes) fs::remove_all(kept[i].second, none);
+        if (i > 0 && (i >= most || sum > bytes)) fs::remove_all(kept[i].second, none);
     }
 }
 

@@ -36,7 +36,8 @@ Result<evolve::BreedingState> read_breeding_state(const evolve::BreedingBase&, c
 // The folder in which the window keeps what it has bred, below the one of all of them.
 std::filesystem::path kept_breeding(const std::filesystem::path& all, const evolve::BreedingBase&);
 
-// Removes the folders of breedings whose states were written first, beyond so many or so many bytes of states.
+// Removes the folders of breedings whose states were written first, beyond so many or so many bytes of states. The one
+// that was written last stays.
 void drop_oldest_breedings(const std::filesystem::path& all, std::size_t most, std::uintmax_t bytes);
 
 }  // namespace braitenlab

@@ -341,6 +341,8 @@ TEST(KeptBreedings, TheOldestAreRemoved) {
     drop_oldest_breedings(folder.path, 2, std::filesystem::file_size(folder / "b3" / "state.json"));
     EXPECT_FALSE(holds_breeding(folder / "b2")) << "more bytes than asked for";
     EXPECT_TRUE(holds_breeding(folder / "b3"));
+    drop_oldest_breedings(folder.path, 2, 1);
+    EXPECT_TRUE(holds_breeding(folder / "b3")) << "the last one stays";
 }
 
 TEST_F(LabBreeding, AnEmptyBreedingIsNotKept) {
