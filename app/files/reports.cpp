@@ -55,12 +55,13 @@ RefusedHandIn refusal_of(const Exercise& exercise, const HandIn& now, const std:
                          EarlierHandIn wanted) {
     if (!outside_offers(exercise, now.submission).empty()) return {HandInRefusal::outside_offers};
     if (changes_too_many(exercise, now.submission)) return {HandInRefusal::too_many_changes};
-    if (wanted == EarlierHandIn::ask && earlier && is_better(*earlier, now))
-        return {HandInRefusal::earlier_is_better, earlier->passed_starts, earlier->graded_starts};
-    return {};
+    if (wanted != EarlierHandIn::ask || !earlier || !is_better(*earlier, now)) return {};
+    const bool needs_more = now.solution_shown && !earlier->solution_shown;  // as many are worth less; see is_better()
+    return {HandInRefusal::earlier_is_better, earlier->passed_starts, earlier->graded_starts,
+            earlier->passed_starts + (needs_more ? 1 : 0)};
 }
 
-// Forgets the refusal once its reason has gone.
+// Clears the refusal when it no longer applies.
 void follow_refusal(Lab& lab) {
     if (!lab.document.lesson) return;
     RefusedHandIn& refused = lab.document.lesson->attempt.work.refused;
@@ -68,9 +69,7 @@ void follow_refusal(Lab& lab) {
     const Exercise& exercise = *lab.document.lesson->exercise;
     const Submission now = submission_of(exercise, lab.document.session.snapshot());
     const Grade* grade = grade_of(*lab.document.lesson);
-    // With the solution shown, as many starts are worth less than without; see is_better().
-    const int wanted = refused.passed + (lab.document.lesson->attempt.work.solution_shown ? 1 : 0);
-    if (refused.reason == HandInRefusal::earlier_is_better ? grade && grade->count >= wanted
+    if (refused.reason == HandInRefusal::earlier_is_better ? grade && grade->count >= refused.needed
                                                            : keeps_to_offers(exercise, now))
         refused = {};
 }

@@ -18,6 +18,7 @@ enum class HandInRefusal { none, earlier_is_better, outside_offers, too_many_cha
 struct RefusedHandIn {
     HandInRefusal reason = HandInRefusal::none;
     int passed = 0, starts = 0;  // of the earlier hand-in; meaningful with earlier_is_better
+    int needed = 0;              // starts that a hand-in must pass to be as good; meaningful with earlier_is_better
 };
 
 // Each part has a lifetime of its own; assign the part to begin it anew.

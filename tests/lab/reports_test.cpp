@@ -159,6 +159,24 @@ TEST(Reports, TheQuestionAboutABetterHandInEndsOncePresentWorkIsAsGood) {
     EXPECT_EQ(refused.reason, HandInRefusal::none);
 }
 
+TEST(Reports, TheQuestionStaysWhereTheSolutionWasShownInAnEarlierAttempt) {
+    const Folder documents;
+    Jobs jobs{0};
+    Lab lab = solved_exercise();
+    Lesson& lesson = *lab.document.lesson;
+    grade_present(lab, jobs, 5);
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    lab.students.student().exercises[lesson.key].shown = true;
+    ASSERT_FALSE(lesson.attempt.work.solution_shown);
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    ASSERT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::earlier_is_better);
+    write_report_files(lab, english(), documents.path, noon);
+    EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::earlier_is_better);
+    grade_present(lab, jobs, 6);
+    write_report_files(lab, english(), documents.path, noon);
+    EXPECT_EQ(lesson.attempt.work.refused.reason, HandInRefusal::none);
+}
+
 TEST(Reports, AHandInThatTheExerciseDoesNotOfferIsNotWritten) {
     const Folder documents;
     Lab lab = opened_lab("05-aggressor");
