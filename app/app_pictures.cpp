@@ -53,7 +53,7 @@ void App::take_screenshot() {
     std::error_code none;  // write_picture() reports it
     const auto& folder = folders_.pictures;
     std::filesystem::create_directories(folder, none);
-    const auto path = next_screenshot_name(folder);
+    const auto path = free_name(folder, "braitenlab", ".png");
     if (const auto error = write_picture(path)) return show_error(*error);
     say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
 }
@@ -72,7 +72,7 @@ void App::follow_take_away() {
     if (const auto wanted = std::exchange(lab_.window.take_away, std::nullopt)) {
         std::error_code none;  // writing reports it
         std::filesystem::create_directories(folders_.pictures, none);
-        const auto path = next_screenshot_name(folders_.pictures, row_of(wanted->kind).extension);
+        const auto path = free_name(folders_.pictures, "braitenlab", row_of(wanted->kind).extension);
         if (const auto error = take(*wanted, path)) return show_error(*error);
         if (!row_of(wanted->kind).is_clip) say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
     }

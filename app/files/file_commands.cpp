@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "app/course/edit_again.h"
 #include "app/course/exercise_check.h"
 #include "app/course/lab_lecture.h"
@@ -163,9 +161,7 @@ struct FileCommands {
     void save_numbers(const ExportRequest& wanted, const fs::path& into) const {
         std::error_code none;  // write_whole() reports it
         fs::create_directories(into, none);
-        fs::path path;
-        for (int i = 1; path.empty() || fs::exists(path, none); ++i)
-            path = into / fmt::format("braitenlab-{}-{:03}.csv", wanted.name, i);
+        const fs::path path = free_name(into, "braitenlab-" + wanted.name, ".csv");
         if (const auto error = write_whole(path, wanted.text)) return fail(*error);
         say(lab, {NoticeKind::done, "notice.numbers", path.string()});
     }
@@ -371,6 +367,7 @@ void follow_file(Lab& lab, FilesView& view) {
 void refresh(FilesView& view, const Lab& lab) {
     view.save_to = own_file(lab.document).string();
     view.suggested = lab.document.name;
+    view.ships = lab.document.lesson || (!lab.document.path.empty() && ships(lab.document.path));
 }
 
 }  // namespace braitenlab

@@ -166,9 +166,7 @@ std::optional<Error> write_figure(Lab& lab, const Strings& strings, const fs::pa
     const insight::Study& study = lab.study.base->study();
     std::error_code none;  // write_whole() reports it
     fs::create_directories(folder, none);
-    fs::path path;
-    for (int i = 1; path.empty() || fs::exists(path, none); ++i)
-        path = folder / fmt::format("braitenlab-{}-{:03}.svg", study.id, i);
+    const fs::path path = free_name(folder, "braitenlab-" + study.id, ".svg");
     if (auto error = write_whole(path, study_drawing(study, lab.study.rows, {}, strings))) return error;
     say(lab, {NoticeKind::done, "notice.figure", saves_by_download() ? path.filename().string() : path.string()});
     return std::nullopt;

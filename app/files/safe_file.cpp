@@ -147,4 +147,12 @@ std::optional<Error> write_whole(const fs::path& path, std::string_view text) {
     return writer.commit();
 }
 
+std::filesystem::path free_name(const std::filesystem::path& folder, std::string_view stem,
+                                std::string_view extension) {
+    std::error_code none;
+    for (int i = 1;; ++i)
+        if (auto path = folder / fmt::format("{}-{:03}{}", stem, i, extension); !std::filesystem::exists(path, none))
+            return path;
+}
+
 }  // namespace braitenlab

@@ -57,4 +57,7 @@ struct NewFile {
 };
 std::optional<Error> write_all(const std::vector<NewFile>&);
 
+// The first file of the form STEM-001.EXTENSION that the folder does not hold. `extension`: with its dot.
+std::filesystem::path free_name(const std::filesystem::path& folder, std::string_view stem, std::string_view extension);
+
 }  // namespace braitenlab

@@ -96,5 +96,12 @@ TEST(SafeFile, RefusesAFolderAndAPlaceBelowAFile) {
     EXPECT_EQ(text_of(folder / "file"), "text");
 }
 
+TEST(SafeFile, TheNextFreeNameIsNoFileOfTheFolder) {
+    const Folder folder;
+    EXPECT_EQ(free_name(folder.path, "picture", ".png"), folder / "picture-001.png");
+    put_text(folder / "picture-001.png", "");
+    EXPECT_EQ(free_name(folder.path, "picture", ".png"), folder / "picture-002.png");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::safe_file_test

@@ -33,12 +33,5 @@ TEST(Screenshot, KeepsTheOldPictureIfTheDiskIsFull) {
     EXPECT_EQ(text_of(folder / "a.png"), "old");
 }
 
-TEST(Screenshot, ChoosesTheNextFreeName) {
-    const Folder folder;
-    EXPECT_EQ(next_screenshot_name(folder.path), folder / "braitenlab-001.png");
-    put_text(folder / "braitenlab-001.png", "");
-    EXPECT_EQ(next_screenshot_name(folder.path), folder / "braitenlab-002.png");
-}
-
 }  // namespace
 }  // namespace braitenlab::tests::screenshot_test
