@@ -307,7 +307,7 @@ float App::resolution() const {
 
 void App::draw_measured(Picture picture) {
     if (quality_.of != shown_lab().document.name) quality_.choice.start_over(), quality_.of = shown_lab().document.name;
-    const bool due = !lab_.preferences.quality && quality_.choice.measures(facts_.frames, renderer_.copied());
+    const bool due = !lab_.preferences.quality && quality_.choice.measures(facts_.frames, renderer_.reused());
     picture.copied_at_rest = !repeatable() && !due;
     if (due) renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();

@@ -435,7 +435,7 @@ int Renderer::draw_calls() const { return parts_->calls; }
 
 float Renderer::resolution() const { return parts_->resolution; }
 
-bool Renderer::copied() const { return parts_->reused; }
+bool Renderer::reused() const { return parts_->reused; }
 
 bool Renderer::sectors_from_points() const { return parts_->with.sectors_from_points; }
 

@@ -55,7 +55,7 @@ public:
     // Of the last draw(): pixels drawn per pixel of the window, in width and in height; 1 for a copied picture.
     float resolution() const;
     // True if the last draw() copied the picture of the scene; see Picture::copied_at_rest.
-    bool copied() const;
+    bool reused() const;
 
     // True when geometry shaders draw the sensor fields.
     bool sectors_from_points() const;
