@@ -146,7 +146,7 @@ const unsigned long PERIOD = 1000000UL / BRAIN_RATE_HZ;  // microseconds
 void waitBeforeStart() {
   const unsigned long start = millis();
   while (millis() - start < START_DELAY && digitalRead(BUTTON) == HIGH) digitalWrite(LED_BUILTIN, millis() / 125 % 2);
-  while (digitalRead(BUTTON) == LOW) {}
+  if (digitalRead(BUTTON) == LOW) waitForRelease();
   digitalWrite(LED_BUILTIN, LOW);
 }
 
