@@ -73,6 +73,8 @@ Result<Opened> open_asked(const Options& options) {
         return Opened{*path, std::move(*lab)};
     }
     if (const auto file = read_file(*path); file && file->kind == FileKind::breeding) {
+        if (options.seed || !options.settings.empty())
+            return error_of(message_of("breeding_has_own_values"), path->string());
         const auto base = load_breeding(*path);
         if (!base) return base.error();
         auto document = linked_document((*base)->scene());

@@ -27,6 +27,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"student_without_name",
      "the progress of a student without a name; it is not used. Add \"student\" or delete the file"},
     {"too_many_students", "there are more than {} students; this file is not used. Move some files to another folder"},
+    {"breeding_has_own_values", "a breeding takes neither --seed nor --set; change the values in its file"},
     {"settings_ignored", "; the settings are not used"},
     {"settings_kept_aside", "; the settings are not used and kept as {}"},
     {"no_shipped", "there is no file and no shipped scene called '{}'"},

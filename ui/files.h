@@ -55,6 +55,7 @@ struct FilesView {
     FolderListing listing;
     std::string suggested;  // name without extension for a first save
     std::string save_to;    // file that Ctrl+S writes; empty: a name is needed
+    bool ships = false;     // the document is a shipped scene or an exercise, whose story a copy does not take over
     int done = 0;  // number of files opened and saved since the start; a waiting sheet closes when it increases
     std::optional<Error> refused;  // of the last request
     std::string new_folder;        // the last save was refused because this folder does not exist; empty: it was not

@@ -198,9 +198,7 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (!files.begun && files.saving) {
         files.typed.text = view.documents.files->suggested;
         files.title.text = translated(ui, view.now->scene->title);
-        // A copy of another author's scene begins without its story.
-        const bool is_own = !view.documents.files->save_to.empty();
-        files.story.text = is_own ? translated(ui, view.now->scene->story) : std::string_view{};
+        files.story.text = view.documents.files->ships ? std::string_view{} : translated(ui, view.now->scene->story);
         ui.outbox.push_back(BrowseRequest{});
     }
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
