@@ -47,17 +47,23 @@ void shipped_choice(const BreedingView& view, Ui& ui, float right) {
     }
 }
 
-void breed_scene(const LabView& lab, const evolve::MayChange& may, Ui& ui) {
-    BreedingRequest request{.edit = BreedingEdit::scene, .may = std::make_shared<const evolve::MayChange>(may)};
+// Title of the breeding of the open scene.
+std::string title_of_open(const LabView& lab, const Ui& ui) {
     const std::string& title = lab.now->scene->title;
-    request.title = title.empty() ? std::string(ui.strings("breeding.open_scene")) : translated(ui, title);
-    ui.outbox.emplace_back(std::move(request));
+    return std::string(title.empty() ? ui.strings("breeding.open_scene") : translated(ui, title));
+}
+
+void breed_scene(const LabView& lab, const evolve::MayChange& may, Ui& ui) {
+    ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::scene,
+                                           .title = title_of_open(lab, ui),
+                                           .may = std::make_shared<const evolve::MayChange>(may)});
 }
 
 // The open scene, and what may change in it once it is chosen.
 void scene_choice(const LabView& lab, evolve::MayChange& may, Ui& ui, float right) {
     const BreedingView& view = lab.features.breeding;
-    const bool on = view.base && view.base->breeding().from_scene;
+    const bool on =
+        view.base && view.base->breeding().from_scene && view.base->breeding().title == title_of_open(lab, ui);
     const SmallButton scene{"breeding.open_scene", {}, ui.strings("breeding.open_scene"), on};
     if (view.shipped && !view.shipped->empty()) beside_or_below(ui, small_button_width(ui, scene, true), right);
     const Item open = small_button(ui, scene);
