@@ -82,9 +82,15 @@ const SourceView* telling_lamp(const LabView& view) {
     return nullptr;
 }
 
-// True for a vehicle that something holds: what its brain does then changes nothing.
+// True if the brain gives the wheels little or no speed; else something is in the way of a vehicle that stands.
+bool is_halted(const VehicleView& vehicle) {
+    constexpr float at_rest = 0.05f;
+    return std::fabs(vehicle.motor[0]) < at_rest && std::fabs(vehicle.motor[1]) < at_rest;
+}
+
+// True for a vehicle that something holds although its motors turn: what its brain does then changes nothing.
 bool is_held(const LabView& view, const VehicleView& vehicle) {
-    return view.mode == Mode::playing && std::fabs(vehicle.speed) < standstill;
+    return view.mode == Mode::playing && std::fabs(vehicle.speed) < standstill && !is_halted(vehicle);
 }
 
 // Of the controls that the exercise offers, one whose effect the user sees at once: a weight of an eye that sees
@@ -129,12 +135,6 @@ void keep_time(double& since, bool holds, double now) {
 }
 
 bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
-
-// True if the brain gives the wheels little or no speed; else something is in the way of a vehicle that stands.
-bool is_halted(const VehicleView& vehicle) {
-    constexpr float at_rest = 0.05f;
-    return std::fabs(vehicle.motor[0]) < at_rest && std::fabs(vehicle.motor[1]) < at_rest;
-}
 
 // A single vehicle that senses nothing or does not move needs a reset. In scenes with several vehicles both are common.
 void watch_vehicle(PromptMemory& memory, const LabView& view) {
