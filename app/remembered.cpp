@@ -1,6 +1,7 @@
 #include "app/remembered.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/lab_selection.h"
 #include "ui/panels/cards.h"
@@ -8,13 +9,12 @@
 namespace braitenlab {
 
 void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
-    const ViewSettings& kept = stored.settings;
-    lab.view.overlays = kept.overlays;
-    lab.view.canvas_share = kept.canvas_share;
-    lab.view.sensors = kept.sensors;
-    lab.view.outlines = kept.outlines;
-    lab.view.selection.whole_kind = kept.selection.whole_kind;
-    if (!rides(kept.camera.mode) || selected_vehicle(lab)) lab.view.camera.mode = kept.camera.mode;
+    ViewSettings view = stored.settings;
+    view.camera = lab.view.camera, view.selection = lab.view.selection;
+    view.selection.whole_kind = stored.settings.selection.whole_kind;
+    const CameraMode mode = stored.settings.camera.mode;
+    if (!rides(mode) || selected_vehicle(lab)) view.camera.mode = mode;
+    lab.view = std::move(view);
     lab.playback.time_scale = stored.time_scale;
     panels.prompts.followed = stored.followed;
     panels.charts.strips = stored.strips;
@@ -26,15 +26,8 @@ void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
 
 StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
     const ViewSettings& shown = lab.before_lecture ? lab.before_lecture->view : lab.view;
-    StoredView stored;
+    StoredView stored{.settings = for_another_scene(shown)};
     stored.settings.camera.mode = shown.camera.mode;
-    stored.settings.overlays = shown.overlays;
-    stored.settings.overlays.field.reset();
-    TrailColour& trails = stored.settings.overlays.trail_colour;
-    if (trails.value == TrailValue::reading) trails = {};  // depends on the scene
-    stored.settings.canvas_share = shown.canvas_share;
-    stored.settings.sensors = shown.sensors;
-    stored.settings.outlines = shown.outlines;
     stored.settings.selection.whole_kind = lab.view.selection.whole_kind;
     stored.time_scale = lab.playback.time_scale;
     stored.followed = panels.prompts.followed;

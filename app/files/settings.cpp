@@ -148,14 +148,7 @@ std::optional<RecentFile> recent_file(const TomlNode& node) {
 // Reads or writes the values of a stored view that are true or false: visit(key, value).
 template <class View, class Visit>
 void visit_flags(View& view, const Visit& visit) {
-    visit("trails", view.settings.overlays.trails);
-    visit("zones", view.settings.overlays.surfaces);
-    visit("places", view.settings.overlays.memory);
-    visit("labels", view.settings.overlays.labels);
-    visit("last_run", view.settings.overlays.last_run);
-    visit("sensors", view.settings.sensors);
-    visit("outlines", view.settings.outlines);
-    visit("whole_kind", view.settings.selection.whole_kind);
+    visit_kept_flags(view.settings, visit);
     visit("knows_sliders", view.followed.slider);
     visit("knows_lamps", view.followed.lamp);
     visit("knows_wiring", view.followed.wiring);

@@ -30,8 +30,7 @@ struct WindowPlace {
 
 // How the scene was shown last: restored at the next start.
 struct StoredView {
-    ViewSettings settings;  // camera mode, overlays but for the field, sensor fields, share of the diagram, scope; the
-                            // rest is not stored
+    ViewSettings settings;  // of the camera its mode; the file has the flags of visit_kept_flags() and few other values
     float time_scale = 1;
     std::optional<std::vector<std::string>> folded{};  // anchors of the folded cards; nullopt: first start
     ui::PromptsFollowed followed{};

@@ -1,5 +1,5 @@
 // How a scene is shown and what is selected in it. One value, used by the lab, the panels, the renderer and lecture
-// mode: a new view flag is a member here and nowhere else.
+// mode: a new view flag is a member here, and a line of visit_kept_flags() if the next start restores it.
 #pragma once
 
 #include <array>
@@ -88,6 +88,19 @@ struct ViewSettings {
     Selection selection;
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
+
+// The flags that the next start restores: visit(key in its file, flag).
+template <class View, class Visit>
+void visit_kept_flags(View& view, const Visit& visit) {
+    visit("trails", view.overlays.trails);
+    visit("zones", view.overlays.surfaces);
+    visit("places", view.overlays.memory);
+    visit("labels", view.overlays.labels);
+    visit("last_run", view.overlays.last_run);
+    visit("sensors", view.sensors);
+    visit("outlines", view.outlines);
+    visit("whole_kind", view.selection.whole_kind);
+}
 
 // The settings for another scene. Layers and sensor fields stay as they are; camera, intensity field and selection
 // return to their defaults, because they depend on the scene, and so do trails coloured by a sensor; whether edits
