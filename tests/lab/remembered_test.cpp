@@ -38,6 +38,25 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     EXPECT_EQ(view_to_store(next, next_panels), stored);
 }
 
+TEST(Remembered, KeepsEverySwitchOfTheViewButTheCardOfTheValues) {
+    Lab lab = opened_lab("2a-coward"), next = opened_lab("2a-coward");
+    ui::PanelState panels;
+#define LAB_ACTION(id, ...)
+#define UI_ACTION(id, ...)
+#define VIEW_SWITCH(id, ...) handle(lab, Action::id);
+#include "ui/actions.def"
+    StoredState state;
+    state.view = view_to_store(lab, panels);
+    const auto read = parse_state(write_state(state), "s");
+    ASSERT_TRUE(read);
+    restore_view(next, panels, read->view);
+#define LAB_ACTION(id, ...)
+#define UI_ACTION(id, ...)
+#define VIEW_SWITCH(id, keys, flag, ...) \
+    EXPECT_EQ(next.view.flag == lab.view.flag, Action::id != Action::values) << #id;
+#include "ui/actions.def"
+}
+
 TEST(Remembered, DoesNotKeepTheWatchedDiagram) {
     Lab lab = opened_lab("2a-coward");
     const ui::PanelState panels;
