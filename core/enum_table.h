@@ -8,8 +8,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace braitenlab {
 
@@ -58,6 +60,23 @@ constexpr std::string_view word(Enum value) {
     const auto& table = table_of(value);
     const auto i = static_cast<std::size_t>(value);
     return i < table.size() ? table[i].word : std::string_view{};
+}
+
+// The enumerator with this word in a table.
+template <class Row, std::size_t size>
+constexpr auto find_word(const std::array<Row, size>& table, std::string_view word) {
+    std::optional<decltype(Row::value)> found;
+    for (const Row& row : table)
+        if (row.word == word) found = row.value;
+    return found;
+}
+
+// The words of a table in its order.
+template <class Row, std::size_t size>
+std::vector<std::string_view> words_of(const std::array<Row, size>& table) {
+    std::vector<std::string_view> words;
+    for (const Row& row : table) words.push_back(row.word);
+    return words;
 }
 
 }  // namespace braitenlab

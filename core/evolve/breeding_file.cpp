@@ -87,14 +87,11 @@ void check_genes(TomlTable& table, Breed& breed) {
 
 void read_fitness(TomlTable& top, Breeding& breeding) {
     if (breeding.fitness == time_to_capture) return;
-    std::vector<std::string_view> known{time_to_capture};
-    for (const auto& row : insight::study_measure_table) {
-        known.push_back(row.word);
-        if (row.word == breeding.fitness) breeding.measure = row.value;
-    }
-    if (!breeding.measure)
-        top.fail("fitness",
-                 message_of("no_measure", in_quotes(breeding.fitness)) + nearest_of(breeding.fitness, known));
+    breeding.measure = find_word(insight::study_measure_table, breeding.fitness);
+    if (breeding.measure) return;
+    std::vector<std::string_view> known = words_of(insight::study_measure_table);
+    known.insert(known.begin(), time_to_capture);
+    top.fail("fitness", message_of("no_measure", in_quotes(breeding.fitness)) + nearest_of(breeding.fitness, known));
 }
 
 void check_breeding(TomlTable& top, Breeding& breeding) {

@@ -59,13 +59,12 @@ namespace insight {
 namespace {
 
 void read_measures(TomlTable& top, Study& study) {
-    std::vector<std::string_view> known;
-    for (const StudyMeasureTraits& row : study_measure_table) known.push_back(row.word);
     for (const std::string& word : study.measure_words) {
-        const auto found = std::find(known.begin(), known.end(), word);
-        if (found == known.end())
-            return top.fail("measures", message_of("no_measure", in_quotes(word)) + nearest_of(word, known));
-        study.measures.push_back(study_measure_table[static_cast<std::size_t>(found - known.begin())].value);
+        const auto measure = find_word(study_measure_table, word);
+        if (!measure)
+            return top.fail("measures", message_of("no_measure", in_quotes(word)) +
+                                            nearest_of(word, words_of(study_measure_table)));
+        study.measures.push_back(*measure);
     }
 }
 

@@ -39,9 +39,9 @@ void to_json(Json& json, const Enum& value) {
 template <HasWords Enum>
 void from_json(const Json& json, Enum& value) {
     const auto& text = json.get_ref<const std::string&>();
-    for (const auto& named : table_of(Enum{}))
-        if (named.word == text) return void(value = named.value);
-    throw Json::other_error::create(501, "unknown word '" + text + "'", &json);
+    const auto known = find_word(table_of(Enum{}), text);
+    if (!known) throw Json::other_error::create(501, "unknown word '" + text + "'", &json);
+    value = *known;
 }
 
 inline void to_json(Json& json, const Dial& dial) { json = name(dial); }

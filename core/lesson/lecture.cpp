@@ -151,8 +151,6 @@ private:
 
     // The parts named in the texts, separated by spaces.
     std::vector<PagePart> parts_of(const char* key, const std::vector<std::string>& texts) {
-        std::vector<std::string_view> known;
-        for (const PagePartTraits& part : page_part_table) known.push_back(part.word);
         std::vector<PagePart> parts;
         for (const std::string& text : texts)
             for (std::size_t begin = 0; begin < text.size();) {
@@ -160,12 +158,13 @@ private:
                 const std::string word = text.substr(begin, end - begin);
                 begin = end + 1;
                 if (word.empty()) continue;
-                const auto found = std::find(known.begin(), known.end(), word);
-                if (found == known.end()) {
-                    fail(key, message_of("no_page_part", key, in_quotes(word)) + nearest_of(word, known));
+                const auto part = find_word(page_part_table, word);
+                if (!part) {
+                    fail(key, message_of("no_page_part", key, in_quotes(word)) +
+                                  nearest_of(word, words_of(page_part_table)));
                     return parts;
                 }
-                parts.push_back(static_cast<PagePart>(found - known.begin()));
+                parts.push_back(*part);
             }
         return parts;
     }

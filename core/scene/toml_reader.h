@@ -236,9 +236,7 @@ public:
 private:
     template <class Enum>
     std::optional<Enum> read_word(const char* key) {
-        std::vector<std::string_view> known;
-        for (const auto& named : table_of(Enum{})) known.push_back(named.word);
-        const auto which = table_.one_of(key, known);
+        const auto which = table_.one_of(key, words_of(table_of(Enum{})));
         return which ? std::optional(table_of(Enum{})[*which].value) : std::nullopt;
     }
     template <class Type, class Variant>
