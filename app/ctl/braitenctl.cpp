@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/outputs.h"
@@ -43,6 +44,11 @@ std::optional<Error> ending_fault(std::string_view option, const std::string& fi
     return Error{fmt::format("{} writes a file {}; end its name with it", option, ending), file};
 }
 
+std::optional<Error> json_beside_csv(std::string_view csv, bool json) {
+    if (csv != standard_output || !json) return std::nullopt;
+    return Error{"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"};
+}
+
 Result<Strings> strings_of(const std::string& language) {
     const auto data = data_folder();
     if (!data) return data.error();
@@ -55,17 +61,7 @@ int threads_for(int wanted) {
 
 namespace {
 
-std::string column_words() {
-    std::string words;
-    for (const auto& row : io::column_group_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
-    return words;
-}
-
-std::string target_words() {
-    std::string words;
-    for (const auto& row : robots::target_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
-    return words;
-}
+std::string listed_words(const auto& table) { return fmt::format("{}", fmt::join(words_of(table), ", ")); }
 
 std::string target_robots() {
     std::string words;
@@ -84,12 +80,6 @@ void add_choice(CLI::App& command, BrainChoice& choice) {
         ->excludes(kind);
 }
 
-std::string measure_words() {
-    std::string words;
-    for (const auto& row : insight::map_measure_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
-    return words;
-}
-
 constexpr const char* brain_file_help =
     "a brain, a scene, a saved run, a hand-in, or the name of a shipped scene or preset";
 
@@ -105,6 +95,13 @@ void add_labels(CLI::App& command, FigureLabels& labels) {
     command.add_option("--title", labels.title, "title of the drawing")->type_name("TEXT");
     command.add_option("--x-label", labels.x, "words at the horizontal axis, with the unit")->type_name("TEXT");
     command.add_option("--y-label", labels.y, "words at the vertical axis, with the unit")->type_name("TEXT");
+}
+
+void add_settings(CLI::App& command, std::vector<std::string>& settings, const std::string& what) {
+    command.add_option("--set", settings, "one value of the scene, " + what)
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_threads(CLI::App& command, int& threads) {
@@ -129,10 +126,7 @@ CLI::App* add_robustness(CLI::App& app, RobustnessOptions& tried) {
         ->check(CLI::Range(1.0, 600.0));
     command->add_option("--vehicle", tried.vehicle, "the robot, by its name; default: the first vehicle");
     command->add_option("--brain", tried.brain, "of an exercise: this brain; default: its solution")->type_name("FILE");
-    command->add_option("--set", tried.settings, "one value of the scene, for every run")
-        ->type_name("PATH=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_settings(*command, tried.settings, "for every run");
     add_threads(*command, tried.threads);
     add_table(*command, tried.table);
     command->add_flag("--json", tried.json, "print the robots as one JSON object");
@@ -151,10 +145,7 @@ CLI::App* add_picture(CLI::App& app, PictureOptions& options) {
     command->add_option("--seconds", options.seconds, "simulated time of the paths; default: 20")
         ->check(CLI::Range(0.1, 600.0));
     command->add_option("--seed", options.seed, "seed of the run; default: 1");
-    command->add_option("--set", options.settings, "one value of the scene, for the paths")
-        ->type_name("PATH=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_settings(*command, options.settings, "for the paths");
     command->add_option("--lang", options.language, "language of the words; default: en")->type_name("CODE");
     return command;
 }
@@ -163,7 +154,8 @@ CLI::App* add_export(CLI::App& app, ExportOptions& options) {
     CLI::App* command = app.add_subcommand("export", "write a brain as a program for a robot");
     command->add_option("BRAIN", options.file, brain_file_help)->required();
     add_choice(*command, options.choice);
-    command->add_option("--to", options.target, "what is written: " + target_words())->type_name("TARGET");
+    command->add_option("--to", options.target, "what is written: " + listed_words(robots::target_table))
+        ->type_name("TARGET");
     command->add_option("--robot", options.robot, "the robot; without it, the target's own: " + target_robots())
         ->type_name("NAME");
     command->add_option("--out", options.folder, "the folder of the files; created when missing")
@@ -279,9 +271,9 @@ CLI::App* add_link(CLI::App& app, LinkOptions& options) {
 }
 
 void add_marks(CLI::App& command, ClassOptions& options) {
-    std::string words;
-    for (const auto& row : platform_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
-    command.add_option("--gradebook", options.platform, "write the marks as this platform imports them: " + words)
+    command
+        .add_option("--gradebook", options.platform,
+                    "write the marks as this platform imports them: " + listed_words(platform_table))
         ->type_name("PLATFORM");
     command.add_option("--marks", options.marks, "the file of the marks; -: to standard output")->type_name("FILE");
     command.add_option("--list", options.list, "the list of students that the platform has exported, as CSV")
@@ -312,16 +304,13 @@ int command_line(int argc, char** argv) {
         ->add_option("--seed", options.seed,
                      "seed of the random numbers, 1 without it; the same seed gives the same run; A:B: a run per seed")
         ->type_name("SEED");
-    run_command
-        ->add_option("--set", options.settings,
-                     "one value of the scene, e.g. kind.prey.brain.LL=0.5; A:B:STEP or V1,V2,…: a run per value")
-        ->type_name("PATH=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_settings(*run_command, options.settings, "e.g. kind.prey.brain.LL=0.5; A:B:STEP or V1,V2,…: a run per value");
     run_command->add_flag("--json", options.json, "print the final state as one JSON object");
     run_command->add_option("--csv", options.csv, "write a row per vehicle per 0.1 s; -: to standard output")
         ->type_name("FILE");
-    run_command->add_option("--columns", options.columns, "further columns of the CSV file: " + column_words())
+    run_command
+        ->add_option("--columns", options.columns,
+                     "further columns of the CSV file: " + listed_words(io::column_group_table))
         ->type_name("WORD,…")
         ->delimiter(',')
         ->expected(1)
@@ -374,7 +363,9 @@ int command_line(int argc, char** argv) {
         ->type_name("PATH=A:B");
     map_command->add_option("--y", mapped.y, "values from the bottom to the top; default: LR=RL=-2:2")
         ->type_name("PATH=A:B");
-    map_command->add_option("--measure", mapped.measure, "what a cell shows: " + measure_words() + "; default: kind")
+    map_command
+        ->add_option("--measure", mapped.measure,
+                     "what a cell shows: " + listed_words(insight::map_measure_table) + "; default: kind")
         ->type_name("NAME");
     map_command->add_option("--size", mapped.size, "cells along an axis, 2 to 128; default: 32");
     map_command->add_option("--seeds", mapped.seeds, "runs of each cell, 1 to 64; default: 1");
@@ -382,10 +373,7 @@ int command_line(int argc, char** argv) {
     map_command->add_option("--seconds", mapped.seconds, "simulated time of each run; default: 20")
         ->check(CLI::Range(1.0, 600.0));
     map_command->add_option("--vehicle", mapped.vehicle, "the vehicle that is judged, by its name; default: the first");
-    map_command->add_option("--set", mapped.settings, "one value of the scene, for every run")
-        ->type_name("PATH=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_settings(*map_command, mapped.settings, "for every run");
     add_threads(*map_command, mapped.threads);
     map_command->add_flag("--json", mapped.json, "print the map as one JSON object");
     map_command->add_option("--csv", mapped.csv, "write a row per cell; -: to standard output")->type_name("FILE");

@@ -224,11 +224,8 @@ int print_matrix(const BreedOptions& options, const Base& base, const BreedingSt
     if (!numbers) return complain(numbers.error());
     if (numbers->empty()) return interrupted();
     const evolve::Tournament tournament = tournament_of(*base, state, matrix_generations, *numbers);
-    if (!options.csv.empty()) {
-        TableFile out(options.csv, *style);
-        out.write(matrix_csv(tournament, kind));
-        if (const auto error = out.close()) return complain(*error);
-    }
+    if (!options.csv.empty())
+        if (const auto error = write_table(options.csv, *style, matrix_csv(tournament, kind))) return complain(*error);
     if (!options.svg.empty())
         if (const auto error =
                 write_whole(options.svg, matrix_drawing(*base, tournament, kind, options.labels, strings)))

@@ -9,9 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
-#include "app/files/data.h"
-#include "core/scene/nearest.h"
-#include "core/scene/scene_file.h"
+#include "app/ctl/report.h"
 
 namespace braitenlab {
 
@@ -25,22 +23,6 @@ struct BothRuns {
     ComparedRun run_of_a, run_of_b;
 };
 
-Result<Scene> scene_of_file(const std::string& file) {
-    const auto path = find_shipped(file);
-    if (!path) return path.error();
-    const auto text = read_scene_text(*path, "compare", "a scene");
-    if (!text) return text.error();
-    return parse_scene(*text, path->string(), {});
-}
-
-const VehicleView* vehicle_named(const Snapshot& start, const std::string& name) {
-    if (start.vehicles.empty()) return nullptr;
-    if (name.empty()) return &start.vehicles.front();
-    for (const VehicleView& each : start.vehicles)
-        if (each.start >= 0 && start.scene->starts[static_cast<std::size_t>(each.start)].name == name) return &each;
-    return nullptr;
-}
-
 Result<Design> design_of_file(const std::string& file, const std::vector<Sensor>& own) {
     auto read = brain_of_file(file, {});
     if (!read) return read.error();
@@ -48,14 +30,14 @@ Result<Design> design_of_file(const std::string& file, const std::vector<Sensor>
 }
 
 Result<BothRuns> run_both(const CompareOptions& options) {
-    const auto scene = scene_of_file(options.file);
+    const auto scene = read_scene_with(options.file, {}, "compare", "a scene");
     if (!scene) return scene.error();
     const auto world = World::create(*scene, options.seed);
     if (!world) return world.error();
     const Snapshot start = snapshot_of(*world);
-    const VehicleView* vehicle = vehicle_named(start, options.vehicle);
-    if (!vehicle && options.vehicle.empty()) return Error{"the scene has no vehicle", options.file};
-    if (!vehicle) return Error{"the scene has no vehicle " + in_quotes(options.vehicle), "--vehicle"};
+    const auto id = vehicle_at_start(start, options.vehicle, options.file);
+    if (!id) return id.error();
+    const VehicleView* vehicle = find_vehicle(start, *id);
     const std::vector<Sensor>& own = kind_of(start, *vehicle).sensors;
     auto a = design_of_file(options.a, own), b = design_of_file(options.b, own);
     if (!a) return a.error();
@@ -75,20 +57,15 @@ Result<BothRuns> run_both(const CompareOptions& options) {
     return both;
 }
 
-nlohmann::ordered_json number_json(float number) {
-    if (!std::isfinite(number)) return nullptr;
-    return std::round(static_cast<double>(number) * 1e5) / 1e5;
-}
-
 std::string compare_json(const CompareOptions& options, const BothRuns& both) {
     nlohmann::ordered_json json{{"scene", options.file}, {"seed", options.seed}, {"seconds", options.seconds}};
     for (const auto& row : insight::compare_measure_table) {
         const auto index = static_cast<std::size_t>(row.value);
         const auto differs = insight::difference(both.run_of_a.numbers, both.run_of_b.numbers, row.value);
         json["measures"][std::string(row.word)] = {{"unit", row.unit},
-                                                   {"a", number_json(both.run_of_a.numbers[index])},
-                                                   {"b", number_json(both.run_of_b.numbers[index])},
-                                                   {"difference", number_json(differs.value_or(NAN))}};
+                                                   {"a", rounded_json(both.run_of_a.numbers[index])},
+                                                   {"b", rounded_json(both.run_of_b.numbers[index])},
+                                                   {"difference", rounded_json(differs.value_or(NAN))}};
     }
     return json.dump() + "\n";
 }

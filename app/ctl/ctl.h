@@ -11,7 +11,9 @@
 #include "app/ctl/brain_of_file.h"
 #include "app/ctl/table_file.h"
 #include "app/reports/map_file.h"
+#include "core/enum_table.h"
 #include "core/result.h"
+#include "core/scene/nearest.h"
 #include "core/world/world.h"
 #include "ui/strings.h"
 
@@ -31,6 +33,18 @@ int interrupted();
 // The error if the file of this option is given and has another ending than this one, ".svg". It is written in one
 // format only, whatever its name is.
 std::optional<Error> ending_fault(std::string_view option, const std::string& file, std::string_view ending);
+
+// The error if the table is written to standard output, which also gets a JSON object.
+std::optional<Error> json_beside_csv(std::string_view csv, bool json);
+
+// The enumerator with this word in a table. The error begins with `none`, "there is no measure", and names the nearest
+// word.
+template <class Table>
+auto named_in(const Table& table, const std::string& word, const std::string& none, const std::string& option)
+    -> Result<decltype(Table::value_type::value)> {
+    if (const auto value = find_word(table, word)) return *value;
+    return Error{none + " " + in_quotes(word) + name_nearest(word, words_of(table)), option};
+}
 
 // The strings of a language of the program.
 Result<Strings> strings_of(const std::string& language);
@@ -159,9 +173,9 @@ Result<std::string> read_scene_text(const std::filesystem::path&, std::string_vi
 Result<Scene> read_scene_with(const std::string& file, const std::vector<std::string>& settings,
                               std::string_view command, std::string_view takes);
 
-// The vehicle with the start of this name in a world of the scene; without a name the first vehicle. Fails with the
-// nearest name.
-Result<VehicleId> vehicle_at_start(const Scene&, std::uint64_t seed, const std::string& name, const std::string& file);
+// The vehicle with the start of this name in a world's first state; without a name the first vehicle. Fails with the
+// nearest name. `file`: that of the scene.
+Result<VehicleId> vehicle_at_start(const Snapshot& start, const std::string& name, const std::string& file);
 
 // The number of worker threads of Jobs: `wanted`, or one per processor if that is 0.
 int threads_for(int wanted);

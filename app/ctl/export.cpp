@@ -36,22 +36,11 @@ Result<robots::BrainToExport> brain_to_export(const std::string& file, const Bra
     return robots::BrainToExport{title, std::move(found->brain), std::move(found->sensors)};
 }
 
-template <class Row>
-std::vector<std::string_view> words_of(const Row& rows) {
-    std::vector<std::string_view> words;
-    for (const auto& row : rows) words.push_back(row.word);
-    return words;
-}
-
 Result<robots::Target> target_of(const std::string& given) {
-    if (given.empty()) {
-        const auto words = words_of(robots::target_table);
-        return Error{fmt::format("is missing; give one of {}", fmt::join(words, ", ")), "--to"};
-    }
-    for (const auto& row : robots::target_table)
-        if (row.word == given) return row.value;
-    return Error{"there is no target " + in_quotes(given) + name_nearest(given, words_of(robots::target_table)),
-                 "--to"};
+    if (given.empty())
+        return Error{fmt::format("is missing; give one of {}", fmt::join(words_of(robots::target_table), ", ")),
+                     "--to"};
+    return named_in(robots::target_table, given, "there is no target", "--to");
 }
 
 Result<const robots::Robot*> robot_of(const std::string& given, robots::Target target) {
@@ -90,9 +79,7 @@ int think_vectors(const ThinkOptions& options) {
     const auto vectors =
         robots::golden_vectors(*brain, static_cast<float>(options.rate_hz), options.ticks, options.seed);
     if (!vectors) return complain(vectors.error());
-    TableFile table(options.vectors);
-    table.write(robots::write_csv(*vectors));
-    if (const auto error = table.close()) return complain(*error);
+    if (const auto error = write_table(options.vectors, {}, robots::write_csv(*vectors))) return complain(*error);
     return exit_code::done;
 }
 

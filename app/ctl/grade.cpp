@@ -84,9 +84,8 @@ int grade_all(const ClassOptions& options) {
     }
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());
-    TableFile table(csv.empty() ? std::string(standard_output) : csv, *style);
-    table.write(rows);
-    if (const auto error = table.close()) return complain(*error);
+    if (const auto error = write_table(csv.empty() ? std::string(standard_output) : csv, *style, rows))
+        return complain(*error);
     return all_read ? exit_code::done : exit_code::bad_input;
 }
 

@@ -18,7 +18,6 @@
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
-#include "core/scene/nearest.h"
 
 namespace braitenlab {
 
@@ -124,9 +123,8 @@ std::optional<Error> write_results(const ClassReport& report, const Strings& str
     const auto style = style_of(options.table);
     if (!style) return style.error();
     if (options.csv.empty() && !options.marks.empty()) return std::nullopt;
-    TableFile table(options.csv.empty() ? std::string(standard_output) : options.csv, *style);
-    table.write(class_csv(report, strings));
-    return table.close();
+    return write_table(options.csv.empty() ? std::string(standard_output) : options.csv, *style,
+                       class_csv(report, strings));
 }
 
 std::optional<Error> check_marks(const ClassOptions& options) {
@@ -135,11 +133,8 @@ std::optional<Error> check_marks(const ClassOptions& options) {
                    ? std::nullopt
                    : std::optional(Error{"--marks, --list, --column and --points belong to --gradebook PLATFORM"});
     if (options.marks.empty()) return Error{"give the file of the marks with --marks FILE", "--gradebook"};
-    std::vector<std::string_view> known;
-    for (const auto& row : platform_table) known.push_back(row.word);
-    if (std::find(known.begin(), known.end(), options.platform) != known.end()) return std::nullopt;
-    return Error{"there is no platform " + in_quotes(options.platform) + name_nearest(options.platform, known),
-                 "--gradebook"};
+    const auto platform = named_in(platform_table, options.platform, "there is no platform", "--gradebook");
+    return platform ? std::nullopt : std::optional(platform.error());
 }
 
 std::string names_of(const std::vector<std::string>& names) {
@@ -152,8 +147,7 @@ std::string names_of(const std::vector<std::string>& names) {
 // Writes the marks. Returns exit_code::bad_input where one has no place in the list.
 int write_marks(const ClassReport& report, const Strings& strings, const ClassOptions& options) {
     GradebookOptions wanted{.list_name = options.list, .column = options.column, .points = options.points};
-    for (const auto& row : platform_table)
-        if (row.word == options.platform) wanted.platform = row.value;
+    if (const auto platform = find_word(platform_table, options.platform)) wanted.platform = *platform;
     if (!options.list.empty()) {
         auto list = read_text(options.list);
         if (!list) return complain(list.error());

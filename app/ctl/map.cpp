@@ -12,13 +12,13 @@
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/parts.h"
+#include "app/ctl/report.h"
 #include "app/ctl/table_file.h"
 #include "app/files/png.h"
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"
 #include "app/reports/map_file.h"
 #include "core/io/csv.h"
-#include "core/scene/nearest.h"
 #include "core/scene/sensor_pairs.h"
 #include "ui/map_look.h"
 
@@ -34,21 +34,13 @@ using insight::MapCells;
 using insight::MapMeasure;
 using insight::MapPlace;
 
-Result<MapMeasure> measure_named(const std::string& word) {
-    std::vector<std::string_view> known;
-    for (const auto& row : insight::map_measure_table) known.push_back(row.word);
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end())
-        return Error{"there is no measure " + in_quotes(word) + name_nearest(word, known), "--measure"};
-    return static_cast<MapMeasure>(found - known.begin());
-}
-
 // The vehicle that is judged, and the kind whose brain the dials set.
 std::optional<Error> choose_vehicle(const MapOptions& options, insight::MapQuestion& question) {
-    const auto vehicle = vehicle_at_start(question.scene, question.seed, options.vehicle, options.file);
+    const auto world = World::create(question.scene, question.seed);
+    if (!world) return world.error();
+    const Snapshot start = snapshot_of(*world);
+    const auto vehicle = vehicle_at_start(start, options.vehicle, options.file);
     if (!vehicle) return vehicle.error();
-    Snapshot start;
-    World::create(question.scene, question.seed)->capture(start);
     const VehicleView& judged = *find_vehicle(start, *vehicle);
     question.vehicle = judged.id;
     question.target = {no_vehicle, judged.kind};
@@ -125,16 +117,11 @@ Result<MapCells> compute(const MapOptions& options, const std::shared_ptr<const 
     return cells;
 }
 
-nlohmann::ordered_json number_or_null(float number) {
-    if (!std::isfinite(number)) return nullptr;
-    return std::round(static_cast<double>(number) * 1e5) / 1e5;
-}
-
 std::string json_text(const insight::MapQuestion& question, const MapCells& cells, MapMeasure measure) {
     nlohmann::ordered_json json;
     const auto values = [&](const MapAxis& axis) {
         auto list = nlohmann::ordered_json::array();
-        for (int i = 0; i < cells.size; ++i) list.push_back(number_or_null(insight::value_at(axis, i, cells.size)));
+        for (int i = 0; i < cells.size; ++i) list.push_back(rounded_json(insight::value_at(axis, i, cells.size)));
         return list;
     };
     json["scene"] = question.scene.name;
@@ -146,11 +133,11 @@ std::string json_text(const insight::MapQuestion& question, const MapCells& cell
         auto row = nlohmann::ordered_json::array(), shares = nlohmann::ordered_json::array();
         for (int x = 0; x < cells.size; ++x) {
             const MapCell& cell = *cells.at({x, y});
-            shares.push_back(number_or_null(cell.agree));
+            shares.push_back(rounded_json(cell.agree));
             if (measure == MapMeasure::behaviour)
                 row.push_back(word(cell.outcome.behaviour));
             else
-                row.push_back(number_or_null(insight::number_of(cell.outcome, measure)));
+                row.push_back(rounded_json(insight::number_of(cell.outcome, measure)));
         }
         rows.push_back(std::move(row)), agree.push_back(std::move(shares));
     }
@@ -234,8 +221,7 @@ std::string plain_text(const insight::MapQuestion& question, const MapCells& cel
 }
 
 std::optional<Error> check_outputs(const MapOptions& options) {
-    if (options.csv == standard_output && options.json)
-        return Error{"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"};
+    if (auto error = json_beside_csv(options.csv, options.json)) return error;
     if (auto error = ending_fault("--png", options.png, ".png")) return error;
     return ending_fault("--svg", options.svg, ".svg");
 }
@@ -246,9 +232,7 @@ std::optional<Error> write_map(const MapOptions& options, const insight::MapQues
     if (!options.csv.empty()) {
         const auto style = style_of(options.table);
         if (!style) return style.error();
-        TableFile table(options.csv, *style);
-        table.write(table_text(asked, cells));
-        if (auto error = table.close()) return error;
+        if (auto error = write_table(options.csv, *style, table_text(asked, cells))) return error;
     }
     if (!options.png.empty())
         if (auto error = write_whole(options.png, picture(cells, measure))) return error;
@@ -274,7 +258,7 @@ Result<Part> part_of_map(std::string_view text) {
 
 int map(const MapOptions& options) {
     if (const auto error = check_outputs(options)) return complain(*error);
-    const auto measure = measure_named(options.measure);
+    const auto measure = named_in(insight::map_measure_table, options.measure, "there is no measure", "--measure");
     if (!measure) return complain(measure.error());
     const auto strings = strings_of(options.table.language);
     if (!strings) return complain(strings.error());

@@ -10,9 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
-#include "app/files/data.h"
+#include "app/ctl/report.h"
 #include "app/jobs/jobs.h"
-#include "core/scene/scene_file.h"
 
 namespace braitenlab {
 
@@ -23,11 +22,7 @@ using insight::MysteryScore;
 using insight::MysteryStart;
 
 Result<insight::MysteryQuestion> mystery_question(const MysteryOptions& options) {
-    const auto path = find_shipped(options.file);
-    if (!path) return path.error();
-    const auto text = read_scene_text(*path, "mystery", "a scene");
-    if (!text) return text.error();
-    const auto scene = parse_scene(*text, path->string(), {});
+    const auto scene = read_scene_with(options.file, {}, "mystery", "a scene");
     if (!scene) return scene.error();
     const auto world = World::create(*scene, options.seed);
     if (!world) return world.error();
@@ -64,22 +59,20 @@ MysteryScore computed(const std::shared_ptr<const MysteryBase>& base, int thread
     return insight::score_of(std::move(**job.take()));
 }
 
-double rounded(float number) { return std::round(static_cast<double>(number) * 1e5) / 1e5; }
-
 std::string mystery_json(const MysteryScore& score) {
     nlohmann::ordered_json json{{"score", score.score},
-                                {"gap_m", rounded(score.gap)},
-                                {"random_gap_m", rounded(score.random_gap)},
-                                {"still_gap_m", rounded(score.still_gap)}};
+                                {"gap_m", rounded_json(score.gap)},
+                                {"random_gap_m", rounded_json(score.random_gap)},
+                                {"still_gap_m", rounded_json(score.still_gap)}};
     json["starts"] = nlohmann::ordered_json::array();
     for (const MysteryStart& start : score.starts) {
         const Pose& at = start.hidden.front();
-        json["starts"].push_back({{"x", rounded(at.x)},
-                                  {"y", rounded(at.y)},
-                                  {"heading", rounded(at.heading)},
-                                  {"gap_m", rounded(start.gap)},
-                                  {"random_gap_m", rounded(start.random_gap)},
-                                  {"still_gap_m", rounded(start.still_gap)}});
+        json["starts"].push_back({{"x", rounded_json(at.x)},
+                                  {"y", rounded_json(at.y)},
+                                  {"heading", rounded_json(at.heading)},
+                                  {"gap_m", rounded_json(start.gap)},
+                                  {"random_gap_m", rounded_json(start.random_gap)},
+                                  {"still_gap_m", rounded_json(start.still_gap)}});
     }
     return json.dump() + "\n";
 }

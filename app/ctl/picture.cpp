@@ -3,11 +3,9 @@
 #include <string>
 
 #include "app/ctl/ctl.h"
-#include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "app/reports/brain_drawing.h"
 #include "app/reports/paths_file.h"
-#include "core/scene/settings.h"
 #include "core/session/session.h"
 
 namespace braitenlab {
@@ -22,13 +20,7 @@ std::optional<Error> write_wiring(const PictureOptions& options, const Strings& 
 }
 
 std::optional<Error> write_paths(const PictureOptions& options, const Strings& strings) {
-    const auto path = find_shipped(options.file);
-    if (!path) return path.error();
-    const auto text = read_scene_text(*path, "picture --paths", "a scene");
-    if (!text) return text.error();
-    const auto settings = parse_settings(options.settings);
-    if (!settings) return settings.error();
-    const auto scene = parse_scene(*text, path->string(), *settings);
+    const auto scene = read_scene_with(options.file, options.settings, "picture --paths", "a scene");
     if (!scene) return scene.error();
     const auto session = Session::open(*scene, options.seed);
     if (!session) return session.error();

@@ -1,5 +1,7 @@
 #include "app/ctl/report.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -54,6 +56,11 @@ Json vehicles_json(const Snapshot& now) {
 }
 
 }  // namespace
+
+Json rounded_json(float number) {
+    if (!std::isfinite(number)) return nullptr;
+    return std::round(static_cast<double>(number) * 1e5) / 1e5;
+}
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 

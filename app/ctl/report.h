@@ -1,12 +1,17 @@
-// The final state of a run: the JSON object and the summary of `braitenctl run`.
+// The final state of a run: the JSON object and the summary of `braitenctl run`; numbers of all JSON objects.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "core/world/snapshot.h"
 
 namespace braitenlab {
+
+// The number to five decimals; null if it is not finite.
+nlohmann::ordered_json rounded_json(float);
 
 // Sixteen hexadecimal digits.
 std::string hash_text(std::uint64_t);

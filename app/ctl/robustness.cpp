@@ -10,6 +10,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
+#include "app/ctl/report.h"
 #include "app/ctl/table_file.h"
 #include "app/files/data.h"
 #include "app/jobs/robots.h"
@@ -58,18 +59,13 @@ Result<Tried> tried_scene(const RobustnessOptions& options) {
     return Tried{scene->name, std::move(*scene), nullptr};
 }
 
-nlohmann::ordered_json rounded_number(float number) {
-    if (!std::isfinite(number)) return nullptr;
-    return std::round(static_cast<double>(number) * 1e5) / 1e5;
-}
-
 nlohmann::ordered_json robot_json(const RobotResult& robot) {
     nlohmann::ordered_json json{{"seed", robot.seed}, {"works", robot.works}, {"kind", word(robot.outcome.behaviour)}};
     json["failed_step"] = nullptr;
     if (robot.failed_step >= 0) json["failed_step"] = robot.failed_step + 1;
-    json["seconds"] = rounded_number(robot.seconds);
-    json["closest_m"] = rounded_number(robot.outcome.closest);
-    json["final_m"] = rounded_number(robot.outcome.final_distance);
+    json["seconds"] = rounded_json(robot.seconds);
+    json["closest_m"] = rounded_json(robot.outcome.closest);
+    json["final_m"] = rounded_json(robot.outcome.final_distance);
     return json;
 }
 
@@ -77,16 +73,16 @@ std::string json_text(const Tried& tried, const insight::Robots& robots, const R
     const insight::RobotsQuestion& question = robots.question();
     const Reality used = insight::reality_of(robots.scene().kinds[static_cast<std::size_t>(robots.kind())]);
     nlohmann::ordered_json json{{tried.exercise ? "exercise" : "scene", tried.name},
-                                {"reality", rounded_number(question.reality)},
+                                {"reality", rounded_json(question.reality)},
                                 {"robots", question.robots},
                                 {"working", report.working},
-                                {"share", rounded_number(report.share())},
+                                {"share", rounded_json(report.share())},
                                 {"weakest", report.weakest + 1}};
     json["figures"] = {
-        {"mismatch", rounded_number(used.mismatch)},   {"gain_spread", rounded_number(used.gain_spread)},
-        {"noise", rounded_number(used.noise)},         {"latency", rounded_number(used.latency)},
-        {"dead_band", rounded_number(used.dead_band)}, {"friction_spread", rounded_number(used.friction_spread)},
-        {"interval", rounded_number(used.interval)},   {"bits", used.bits}};
+        {"mismatch", rounded_json(used.mismatch)},   {"gain_spread", rounded_json(used.gain_spread)},
+        {"noise", rounded_json(used.noise)},         {"latency", rounded_json(used.latency)},
+        {"dead_band", rounded_json(used.dead_band)}, {"friction_spread", rounded_json(used.friction_spread)},
+        {"interval", rounded_json(used.interval)},   {"bits", used.bits}};
     json["ideal"] = robot_json(report.ideal);
     json["each"] = nlohmann::ordered_json::array();
     for (const RobotResult& robot : report.robots) json["each"].push_back(robot_json(robot));
@@ -144,15 +140,15 @@ std::string plain_text(const Tried& tried, const insight::Robots& robots, const 
 }  // namespace
 
 int robustness(const RobustnessOptions& options) {
-    if (options.csv == standard_output && options.json)
-        return complain(
-            {"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"});
+    if (const auto error = json_beside_csv(options.csv, options.json)) return complain(*error);
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());
     auto tried = tried_scene(options);
     if (!tried) return complain(tried.error());
     const std::uint64_t seed = options.seed.value_or(tried->exercise ? tried->exercise->seed : 1);
-    const auto vehicle = vehicle_at_start(tried->scene, seed, options.vehicle, options.file);
+    const auto world = World::create(tried->scene, seed);
+    if (!world) return complain(world.error());
+    const auto vehicle = vehicle_at_start(snapshot_of(*world), options.vehicle, options.file);
     if (!vehicle) return complain(vehicle.error());
     const double seconds =
         options.seconds.value_or(tried->exercise ? static_cast<double>(tried->exercise->seconds) : 20.0);
@@ -169,11 +165,8 @@ int robustness(const RobustnessOptions& options) {
     if (is_told_to_end()) return interrupted();
     const auto report = *job.take();
     if (!report) return complain(report.error());
-    if (!options.csv.empty()) {
-        TableFile table(options.csv, *style);
-        table.write(table_text(*report));
-        if (const auto error = table.close()) return complain(*error);
-    }
+    if (!options.csv.empty())
+        if (const auto error = write_table(options.csv, *style, table_text(*report))) return complain(*error);
     if (options.json) std::cout << json_text(*tried, **robots, *report);
     if (!options.json && options.csv != standard_output) std::cout << plain_text(*tried, **robots, *report);
     return exit_code::done;

@@ -51,14 +51,11 @@ std::optional<Error> check_options(const RunOptions& options, const Sweep& sweep
 }
 
 Result<std::set<io::ColumnGroup>> column_groups(const std::vector<std::string>& words) {
-    std::vector<std::string_view> known;
-    for (const auto& row : io::column_group_table) known.push_back(row.word);
     std::set<io::ColumnGroup> groups;
     for (const std::string& given : words) {
-        const auto found = std::find(known.begin(), known.end(), given);
-        if (found == known.end())
-            return Error{"there are no columns " + in_quotes(given) + name_nearest(given, known), "--columns"};
-        groups.insert(static_cast<io::ColumnGroup>(found - known.begin()));
+        const auto group = named_in(io::column_group_table, given, "there are no columns", "--columns");
+        if (!group) return group.error();
+        groups.insert(*group);
     }
     return groups;
 }

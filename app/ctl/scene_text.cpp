@@ -8,7 +8,6 @@
 #include "app/files/data.h"
 #include "core/io/run_file.h"
 #include "core/scene/file_kind.h"
-#include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/settings.h"
 
@@ -51,16 +50,11 @@ Result<Scene> read_scene_with(const std::string& file, const std::vector<std::st
     return parse_scene(*text, path->string(), *settings);
 }
 
-Result<VehicleId> vehicle_at_start(const Scene& scene, std::uint64_t seed, const std::string& name,
-                                   const std::string& file) {
-    const auto world = World::create(scene, seed);
-    if (!world) return world.error();
-    Snapshot start;
-    world->capture(start);
+Result<VehicleId> vehicle_at_start(const Snapshot& start, const std::string& name, const std::string& file) {
     if (start.vehicles.empty()) return Error{"the scene has no vehicle", file};
     if (name.empty()) return start.vehicles.front().id;
     std::vector<std::string_view> names;
-    for (const Start& each : scene.starts) names.push_back(each.name);
+    for (const Start& each : start.scene->starts) names.push_back(each.name);
     const auto found = std::find(names.begin(), names.end(), name);
     const auto with_start = std::find_if(start.vehicles.begin(), start.vehicles.end(), [&](const VehicleView& each) {
         return found != names.end() && each.start == found - names.begin();

@@ -158,9 +158,7 @@ int study(const StudyOptions& options) {
     const auto base = load_study(*path);
     if (!base) return complain(base.error());
     const bool prints = options.csv == standard_output;
-    if (prints && options.json)
-        return complain(
-            {"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"});
+    if (const auto error = json_beside_csv(options.csv, options.json)) return complain(*error);
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());
     if (const auto error = ending_fault("--svg", options.svg, ".svg")) return complain(*error);
@@ -186,9 +184,7 @@ int study(const StudyOptions& options) {
         if (const auto error = write_whole(options.svg, study_drawing(done, table.rows(), options.labels, *strings)))
             return complain(*error);
     if (prints) {
-        TableFile out(options.csv, *style);
-        out.write(table.text());
-        const auto error = out.close();
+        const auto error = write_table(options.csv, *style, table.text());
         return error ? complain(*error) : exit_code::done;
     }
     std::cout << (options.json ? summary_json(done, table.rows()) : summary_text(done, table.rows()));

@@ -35,6 +35,12 @@ std::optional<Error> TableFile::close() {
     return Error{"could not be written; check that the folder exists, may be written to and has room", path_};
 }
 
+std::optional<Error> write_table(const std::string& path, const io::CsvStyle& style, std::string_view lines) {
+    TableFile table(path, style);
+    table.write(lines);
+    return table.close();
+}
+
 Result<io::CsvStyle> style_of(const TableOptions& options) {
     if (!options.for_excel) return io::CsvStyle{};
     const auto strings = strings_of(options.language);

@@ -41,6 +41,9 @@ private:
     std::ostream* stream_ = nullptr;  // standard output or `device_`; null for a regular file
 };
 
+// A table of one piece.
+std::optional<Error> write_table(const std::string& path, const io::CsvStyle&, std::string_view lines);
+
 // The options --excel and --lang of a table.
 struct TableOptions {
     bool for_excel = false;
