@@ -16,8 +16,7 @@ using evolve::Breed;
 using evolve::Breeding;
 using evolve::Gene;
 
-template <class Visitor>
-void describe(Visitor& v, Of<Gene>) {
+void describe(auto& v, Of<Gene>) {
     v.text("name", &Gene::name, limits::name_length, "of the gene; must be given");
     v.texts("paths", &Gene::paths, evolve::limits::paths, limits::text_length,
             "of the values of the kind that get the number, like `brain.LL`; a path that begins with `-` gets the "
@@ -29,14 +28,12 @@ void describe(Visitor& v, Of<Gene>) {
              "number of the first parent, with `from_scene`; brought into the range");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Breed>) {
+void describe(auto& v, Of<Breed>) {
     v.text("kind", &Breed::kind, limits::name_length, "a kind of the scene with the role predator or prey");
     v.list("gene", &Breed::genes, evolve::limits::genes, "a number that is inherited; at least one");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Breeding>) {
+void describe(auto& v, Of<Breeding>) {
     using namespace evolve::limits;
     v.text("title", &Breeding::title, limits::title_length, "must be given");
     v.text("story", &Breeding::story, limits::text_length, "what the breeding asks, in a sentence or two");

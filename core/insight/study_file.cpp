@@ -19,8 +19,7 @@ using insight::Study;
 using insight::StudyLabels;
 using insight::StudyValue;
 
-template <class Visitor>
-void describe(Visitor& v, Of<StudyValue>) {
+void describe(auto& v, Of<StudyValue>) {
     v.text("name", &StudyValue::name, limits::name_length, "of the column in the table; must be given");
     v.text("unit", &StudyValue::unit, 8, "for display");
     v.texts("paths", &StudyValue::paths, insight::limits::study_paths, limits::text_length,
@@ -28,16 +27,14 @@ void describe(Visitor& v, Of<StudyValue>) {
     v.numbers("levels", &StudyValue::levels, insight::limits::study_levels, {-1e6, 1e6}, "one set of runs for each");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<StudyLabels>) {
+void describe(auto& v, Of<StudyLabels>) {
     v.text("x", &StudyLabels::x, limits::title_length,
            "of the horizontal axis, with the unit; without it, the name of the value");
     v.text("y", &StudyLabels::y, limits::title_length,
            "of the vertical axis of the first measure; without it, the measure");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Study>) {
+void describe(auto& v, Of<Study>) {
     v.text("title", &Study::title, limits::title_length, "must be given");
     v.text("story", &Study::story, limits::text_length, "what the study asks, in a sentence or two");
     v.text("scene", &Study::scene, limits::text_length,

@@ -75,19 +75,13 @@ class JsonWriter {
 public:
     JsonWriter(const T& object, Json& json) : object_(object), json_(json) {}
 
-    template <class Number>
-    void number(const char* key, Number T::*member, const char*, Range, const char*) {
-        json_[key] = object_.*member;
-    }
+    void number(const char* key, auto T::*member, const char*, Range, const char*) { json_[key] = object_.*member; }
     void angle(const char* key, float T::*member, Range, const char*) { json_[key] = object_.*member; }  // rad
     void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
         if (object_.*member) json_[key] = *(object_.*member);
     }
     void flag(const char* key, bool T::*member, const char*) { json_[key] = object_.*member; }
-    template <class Enum>
-    void word(const char* key, Enum T::*member, const char*) {
-        json_[key] = object_.*member;
-    }
+    void word(const char* key, auto T::*member, const char*) { json_[key] = object_.*member; }
     template <class Enum>
     void word(const char* key, std::optional<Enum> T::*member, const char*) {
         if (object_.*member) json_[key] = *(object_.*member);
@@ -101,10 +95,7 @@ public:
         JsonWriter<Part> inner(object_.*member, json_);
         describe(inner, Of<Part>{});
     }
-    template <class Inner>
-    void table(const char* key, Inner T::*member, const char*) {
-        json_[key] = object_.*member;
-    }
+    void table(const char* key, auto T::*member, const char*) { json_[key] = object_.*member; }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
         json_[key] = object_.*member;
@@ -113,10 +104,7 @@ public:
     void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
         if (object_.*member) json_[key] = *(object_.*member);
     }
-    template <class Element>
-    void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        json_[key] = object_.*member;
-    }
+    void list(const char* key, auto T::*member, std::size_t, const char*) { json_[key] = object_.*member; }
     void brain(const char* key, BrainGraph T::*member, const char*) { json_[key] = object_.*member; }
     void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
         if (object_.*member) json_[key] = *(object_.*member);
@@ -132,8 +120,7 @@ class JsonReader {
 public:
     JsonReader(const Json& json, T& object) : json_(json), object_(object) {}
 
-    template <class Number>
-    void number(const char* key, Number T::*member, const char*, Range, const char*) {
+    void number(const char* key, auto T::*member, const char*, Range, const char*) {
         json_.at(key).get_to(object_.*member);
     }
     void angle(const char* key, float T::*member, Range, const char*) { json_.at(key).get_to(object_.*member); }
@@ -141,10 +128,7 @@ public:
         if (json_.contains(key)) object_.*member = json_.at(key).get<maths::vec2>();
     }
     void flag(const char* key, bool T::*member, const char*) { json_.at(key).get_to(object_.*member); }
-    template <class Enum>
-    void word(const char* key, Enum T::*member, const char*) {
-        json_.at(key).get_to(object_.*member);
-    }
+    void word(const char* key, auto T::*member, const char*) { json_.at(key).get_to(object_.*member); }
     template <class Enum>
     void word(const char* key, std::optional<Enum> T::*member, const char*) {
         if (json_.contains(key)) object_.*member = json_.at(key).get<Enum>();
@@ -160,10 +144,7 @@ public:
         JsonReader<Part> inner(json_, object_.*member);
         describe(inner, Of<Part>{});
     }
-    template <class Inner>
-    void table(const char* key, Inner T::*member, const char*) {
-        json_.at(key).get_to(object_.*member);
-    }
+    void table(const char* key, auto T::*member, const char*) { json_.at(key).get_to(object_.*member); }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
         json_.at(key).get_to(object_.*member);
@@ -172,10 +153,7 @@ public:
     void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
         if (json_.contains(key)) object_.*member = json_.at(key).get<std::vector<Element>>();
     }
-    template <class Element>
-    void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        json_.at(key).get_to(object_.*member);
-    }
+    void list(const char* key, auto T::*member, std::size_t, const char*) { json_.at(key).get_to(object_.*member); }
     void brain(const char* key, BrainGraph T::*member, const char*) { json_.at(key).get_to(object_.*member); }
     void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
         if (json_.contains(key)) object_.*member = json_.at(key).get<BrainGraph>();

@@ -10,8 +10,7 @@ namespace limits {
 inline constexpr std::size_t hints = 32, options = 8, offers = 16, wrong_answers = 16;
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Check>) {
+void describe(auto& v, Of<Check>) {
     v.variant("goal", &Check::goal, "what the vehicle must do; each goal has keys of its own, listed under Goals");
     v.text("vehicle", &Check::vehicle, limits::name_length,
            "NAME of the [vehicle.NAME] that must do it; without it, the scene's first");
@@ -21,15 +20,13 @@ void describe(Visitor& v, Of<Check>) {
     v.number("after", &Check::after, "", {0, limits::steps}, "number of a step that must be done first; 0: none");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<ShownCheck>) {
+void describe(auto& v, Of<ShownCheck>) {
     v.text("option", &ShownCheck::option, limits::text_length,
            "the text of the option that the check belongs to; without it, `answer`, whichever that is");
     v.part(&ShownCheck::check);
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Prediction>) {
+void describe(auto& v, Of<Prediction>) {
     v.text("question", &Prediction::question, limits::text_length, "asked before the outcome is visible, never graded");
     v.texts("options", &Prediction::options, limits::options, limits::text_length, "two or more to choose from");
     v.choice("answer", &Prediction::answer, &Prediction::options, "the option that the run shows");
@@ -48,28 +45,24 @@ void describe(Visitor& v, Of<Prediction>) {
            "meets the checks of the answer, and not all of another option's");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Step>) {
+void describe(auto& v, Of<Step>) {
     v.text("text", &Step::text, limits::text_length, "what is to be seen");
     v.part(&Step::check);
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Hint>) {
+void describe(auto& v, Of<Hint>) {
     v.text("text", &Hint::text, limits::text_length, "from a nudge to the whole solution, one after the other");
     v.text("anchor", &Hint::anchor, limits::title_length, "id of the widget that pulses, like slider.LR");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Answer>) {
+void describe(auto& v, Of<Answer>) {
     v.text("name", &Answer::name, limits::title_length, "of a wrong answer: what it is");
     v.text("text", &Answer::text, limits::text_length, "of a wrong answer: what to tell a student who gives it");
     v.brain_keys(&Answer::brain, "a brain in place of the shipped one");
     v.settings("set", &Answer::settings, "values of the scene, by their paths, that differ from those as shipped");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Mutation>) {
+void describe(auto& v, Of<Mutation>) {
     v.number("strength", &Mutation::strength, "", {0, 2}, "standard deviation of the error of a copied weight");
     v.flag("weights", &Mutation::weights, "the copy's weights have errors");
     v.flag("thresholds", &Mutation::thresholds, "the copy's thresholds have errors, a quarter as large");
@@ -77,8 +70,7 @@ void describe(Visitor& v, Of<Mutation>) {
     v.number("rewiring", &Mutation::rewiring, "", {0, 1}, "probability that the copy loses a wire or gets a new one");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<SelectionRules>) {
+void describe(auto& v, Of<SelectionRules>) {
     v.number("children", &SelectionRules::children, "", {2, 9}, "number of copies from which the student chooses");
     v.number("generations", &SelectionRules::generations, "", {1, 99}, "most choices");
     v.part(&SelectionRules::mutation);
@@ -86,15 +78,13 @@ void describe(Visitor& v, Of<SelectionRules>) {
              "strength for the children of the shipped brain, so that the first ones differ visibly; 0: as the others");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<MedianRule>) {
+void describe(auto& v, Of<MedianRule>) {
     v.number("step", &MedianRule::step, "", {1, limits::steps}, "number of the step whose measured value is compared");
     v.number("factor", &MedianRule::factor, "", {0.01f, 100},
              "what the step needs is this many times the median as shipped; `check` warns if it is not");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Exercise>) {
+void describe(auto& v, Of<Exercise>) {
     v.text(
         "id", &Exercise::id, limits::title_length,
         "names the exercise in hand-ins, whatever its file is called; without it, the file's name without its ending "

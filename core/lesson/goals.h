@@ -56,16 +56,13 @@ struct NoneOf {
     std::vector<Check> checks;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Of<AllOf>) {
+void describe(auto& v, Of<AllOf>) {
     v.list("check", &AllOf::checks, limits::checks, "a check with its own goal; at least one");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<AnyOf>) {
+void describe(auto& v, Of<AnyOf>) {
     v.list("check", &AnyOf::checks, limits::checks, "a check with its own goal; at least one");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<NoneOf>) {
+void describe(auto& v, Of<NoneOf>) {
     v.list("check", &NoneOf::checks, limits::checks, "a check with its own goal; at least one");
 }
 

@@ -14,15 +14,13 @@
 
 namespace braitenlab {
 
-template <class Visitor>
-void describe(Visitor& v, Of<Submission>) {
+void describe(auto& v, Of<Submission>) {
     v.table("body", &Submission::body, "chassis and wheels, as in a kind");
     v.named("sensor", &Submission::sensors, limits::sensors, "a sensor, as in a kind");
     v.brain("brain", &Submission::brain, "as in a kind");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<HandIn>) {
+void describe(auto& v, Of<HandIn>) {
     constexpr Range counts{0, 1e6};
     v.text("student", &HandIn::student, limits::student_length, "name of the student; required");
     v.text("exercise", &HandIn::exercise, limits::title_length, "id of the exercise, like 05-aggressor; required");

@@ -18,8 +18,7 @@ namespace limits {
 inline constexpr std::size_t pages = 100, page_steps = 16, answers = 6, notes = 4000, caption = 120;
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<LectureQuestion>) {
+void describe(auto& v, Of<LectureQuestion>) {
     v.text("text", &LectureQuestion::text, limits::text_length,
            "what the lecturer asks; without it, the caption is the question");
     v.texts("options", &LectureQuestion::options, limits::answers, limits::caption,
@@ -28,8 +27,7 @@ void describe(Visitor& v, Of<LectureQuestion>) {
     v.text("why", &LectureQuestion::why, limits::text_length, "the reason, shown with the answer");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<LecturePage>) {
+void describe(auto& v, Of<LecturePage>) {
     v.text("scene", &LecturePage::scene, limits::text_length,
            "name of a shipped scene, or a path relative to this file; a page has a scene or an exercise");
     v.text("exercise", &LecturePage::exercise, limits::text_length,
@@ -62,8 +60,7 @@ void describe(Visitor& v, Of<LecturePage>) {
     v.table("question", &LecturePage::question, "a question with a count of raised hands");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Lecture>) {
+void describe(auto& v, Of<Lecture>) {
     v.text("title", &Lecture::title, limits::title_length, "must be given");
     v.number("minutes", &Lecture::minutes, "min", {1, 600}, "of the whole lecture; must be given");
     v.list("page", &Lecture::pages, limits::pages, "a page; at least one");

@@ -39,8 +39,7 @@ public:
         check(key, value, degrees);
     }
     void flag(const char*, bool T::*, const char*) {}
-    template <class Enum>
-    void word(const char*, Enum T::*, const char*) {}
+    void word(const char*, auto T::*, const char*) {}
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
         if ((object_.*member).size() > longest) fail(key, message_of("longer_than", key, longest));
     }
@@ -74,8 +73,7 @@ public:
             describe(inner, Of<Element>{});
         }
     }
-    template <class Graph>
-    void brain(const char*, Graph T::*, const char*) {}  // checked as a whole, below
+    void brain(const char*, auto T::*, const char*) {}  // checked as a whole, below
 
 private:
     template <class Element>

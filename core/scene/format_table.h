@@ -26,8 +26,7 @@ public:
     // Keys of another struct in the same table, with the defaults that the outer struct gives them.
     FormatTable(std::string path, const T& defaults) : defaults_(defaults), path_(std::move(path)) {}
 
-    template <class Number>
-    void number(const char* key, Number T::*member, const char* unit, Range range, const char* meaning) {
+    void number(const char* key, auto T::*member, const char* unit, Range range, const char* meaning) {
         // A default outside the range stands for "no default".
         const bool has_default = range.holds(static_cast<double>(defaults_.*member));
         row(key, unit, limits_text(range), has_default ? fmt::format("{}", defaults_.*member) : "", meaning);

@@ -21,22 +21,13 @@ public:
     PathList(const T& object, std::string prefix, std::vector<std::string>& paths)
         : object_(object), prefix_(std::move(prefix)), paths_(paths) {}
 
-    template <class Number>
-    void number(const char* key, Number T::*, const char*, Range, const char*) {
-        paths_.push_back(prefix_ + key);
-    }
+    void number(const char* key, auto T::*, const char*, Range, const char*) { paths_.push_back(prefix_ + key); }
     void angle(const char* key, float T::*, Range, const char*) { paths_.push_back(prefix_ + key); }
     void flag(const char* key, bool T::*, const char*) { paths_.push_back(prefix_ + key); }
-    template <class Enum>
-    void word(const char* key, Enum T::*, const char*) {
-        paths_.push_back(prefix_ + key);
-    }
+    void word(const char* key, auto T::*, const char*) { paths_.push_back(prefix_ + key); }
     void text(const char* key, std::string T::*, std::size_t, const char*) { paths_.push_back(prefix_ + key); }
     void colour(const char* key, std::string T::*, const char*) { paths_.push_back(prefix_ + key); }
-    template <class Inner>
-    void table(const char* key, Inner T::*member, const char*) {
-        walk(object_.*member, prefix_ + key + ".");
-    }
+    void table(const char* key, auto T::*member, const char*) { walk(object_.*member, prefix_ + key + "."); }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
         for (const Element& element : object_.*member) walk(element, prefix_ + key + "." + element.name + ".");
@@ -46,8 +37,7 @@ public:
         if (!(object_.*member)) return;
         for (const Element& element : *(object_.*member)) walk(element, prefix_ + key + "." + element.name + ".");
     }
-    template <class Element>
-    void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
+    void list(const char*, auto T::*, std::size_t, const char*) {}
     void brain(const char* key, BrainGraph T::*, const char*) { walk(FourNeurons{}, prefix_ + key + "."); }
     void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
         if (object_.*member) walk(FourNeurons{}, prefix_ + key + ".");

@@ -17,16 +17,12 @@ namespace {
 template <class T>
 struct NoNumbers {
     void flag(const char*, bool T::*, const char*) {}
-    template <class Word>
-    void word(const char*, Word T::*, const char*) {}
+    void word(const char*, auto T::*, const char*) {}
     void text(const char*, std::string T::*, std::size_t, const char*) {}
     void colour(const char*, std::string T::*, const char*) {}
-    template <class Element>
-    void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
-    template <class List>
-    void named(const char*, List T::*, std::size_t, const char*) {}
-    template <class Graph>
-    void brain(const char*, Graph T::*, const char*) {}
+    void list(const char*, auto T::*, std::size_t, const char*) {}
+    void named(const char*, auto T::*, std::size_t, const char*) {}
+    void brain(const char*, auto T::*, const char*) {}
 };
 
 template <class T>
@@ -36,8 +32,7 @@ struct NumberReader : NoNumbers<T> {
     std::optional<SceneNumber> found{};
 
     NumberReader(const T& of, std::string_view key) : record(of), wanted(key) {}
-    template <class Number>
-    void number(const char* key, Number T::*member, const char* unit, Range range, const char*) {
+    void number(const char* key, auto T::*member, const char* unit, Range range, const char*) {
         if (key == wanted) found = SceneNumber{static_cast<double>(record.*member), range, unit};
     }
     void angle(const char* key, float T::*member, Range degrees, const char*) {

@@ -54,8 +54,7 @@ inline constexpr Range place_range{-1000, 1000};
 inline constexpr Range mount_range{-10, 10};
 inline constexpr Range canvas_range{-limits::place, limits::place};
 
-template <class Visitor>
-void describe(Visitor& v, Of<Arena>) {
+void describe(auto& v, Of<Arena>) {
     v.number("width", &Arena::width, "m", {0.5, 2000}, "along x");
     v.number("height", &Arena::height, "m", {0.5, 2000}, "along y");
     v.word("edge", &Arena::edge, "what bounds the arena");
@@ -67,8 +66,7 @@ void describe(Visitor& v, Of<Arena>) {
     v.number("lux", &Arena::lux, "lx", {0, 100000}, "illuminance of photocells by ambient light");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Ecology>) {
+void describe(auto& v, Of<Ecology>) {
     v.number("population", &Ecology::population, "", {0, limits::vehicles},
              "vehicles placed at random; kinds by their shares");
     v.number("drain", &Ecology::drain, "1/s", {0, 1}, "energy loss of every vehicle");
@@ -77,15 +75,13 @@ void describe(Visitor& v, Of<Ecology>) {
              "without movement until a new generation starts; 0: never");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<PopulationGoal>) {
+void describe(auto& v, Of<PopulationGoal>) {
     v.word("role", &PopulationGoal::role, "of the vehicles that are counted; `none`: no goal");
     v.number("count", &PopulationGoal::count, "", {1, limits::vehicles}, "smallest number of these vehicles");
     v.number("seconds", &PopulationGoal::seconds, "s", {1, 3600}, "without a break");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Wheel>) {
+void describe(auto& v, Of<Wheel>) {
     v.number("x", &Wheel::x, "m", mount_range, "ahead of the origin");
     v.number("y", &Wheel::y, "m", mount_range, "left of the origin");
     v.number("radius", &Wheel::radius, "m", {0.005, 5}, "from axle to floor");
@@ -96,8 +92,7 @@ void describe(Visitor& v, Of<Wheel>) {
     v.number("area", &Wheel::area, "m²", {0, 1}, "contact area, for rolling drag");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Body>) {
+void describe(auto& v, Of<Body>) {
     v.number("length", &Body::length, "m", {0.05, 20}, "of the chassis");
     v.number("width", &Body::width, "m", {0.05, 20}, "of the chassis");
     v.number("mass", &Body::mass, "kg", {0.05, 1000}, "of the whole vehicle");
@@ -114,8 +109,7 @@ void describe(Visitor& v, Of<Body>) {
     v.list("wheel", &Body::wheels, limits::wheels, "replace the standard four when there is at least one");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Sensor>) {
+void describe(auto& v, Of<Sensor>) {
     v.word("channel", &Sensor::channel, "what it senses");
     v.word("shape", &Sensor::shape, "of its field of view");
     v.word("response", &Sensor::response,
@@ -138,14 +132,12 @@ void describe(Visitor& v, Of<Sensor>) {
     v.list("point", &Sensor::points, limits::response_points, "a measured reading, for the response `table`");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<ResponsePoint>) {
+void describe(auto& v, Of<ResponsePoint>) {
     v.number("distance", &ResponsePoint::distance, "m", {0, 100}, "from the sensor; ascending from point to point");
     v.number("reading", &ResponsePoint::reading, "", {0, 1}, "there, of a stimulus of strength 1 on the axis");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<CarriedLamp>) {
+void describe(auto& v, Of<CarriedLamp>) {
     v.word("channel", &CarriedLamp::channel, "what it gives off");
     v.number("x", &CarriedLamp::x, "m", mount_range, "ahead of the origin");
     v.number("y", &CarriedLamp::y, "m", mount_range, "left of the origin");
@@ -154,22 +146,19 @@ void describe(Visitor& v, Of<CarriedLamp>) {
              "intensity at strength 1, for photocells; 0: by strength");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Waypoint>) {
+void describe(auto& v, Of<Waypoint>) {
     v.number("x", &Waypoint::x, "m", place_range, "position");
     v.number("y", &Waypoint::y, "m", place_range, "position");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<PlaceMemory>) {
+void describe(auto& v, Of<PlaceMemory>) {
     v.number("marks", &PlaceMemory::marks, "", {0, limits::marks},
              "maximum; a new mark replaces the oldest; 0: no memory");
     v.number("fade", &PlaceMemory::fade, "s", {0.1, 3600}, "half-life of a mark's strength");
     v.number("strength", &PlaceMemory::strength, "", {0, 1}, "of a new mark");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Kind>) {
+void describe(auto& v, Of<Kind>) {
     v.word("role", &Kind::role, "how it appears to others; predators bite prey");
     v.word("driver", &Kind::driver, "what commands its motors");
     v.number("share", &Kind::share, "", {0, 1000}, "weight in the random population, relative to the other kinds");
@@ -183,8 +172,7 @@ void describe(Visitor& v, Of<Kind>) {
     v.brain("brain", &Kind::brain, "computes motor commands from sensor readings");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Start>) {
+void describe(auto& v, Of<Start>) {
     v.text("kind", &Start::kind, limits::name_length, "name of its kind; required");
     v.number("x", &Start::x, "m", place_range, "start position");
     v.number("y", &Start::y, "m", place_range, "start position");
@@ -198,8 +186,7 @@ void describe(Visitor& v, Of<Start>) {
     v.brain("brain", &Start::brain, "its own brain; default: that of its kind");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Member>) {
+void describe(auto& v, Of<Member>) {
     v.text("kind", &Member::kind, limits::name_length, "name of its kind; default: chosen by the shares");
     v.flag("placed", &Member::placed, "it starts at the pose below instead of a random one");
     v.number("x", &Member::x, "m", place_range, "start position");
@@ -212,14 +199,12 @@ void describe(Visitor& v, Of<Member>) {
     v.brain("brain", &Member::brain, "its own brain; default: that of its kind");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<OnTime>) {
+void describe(auto& v, Of<OnTime>) {
     v.number("from", &OnTime::from, "s", {0, 3600}, "when it goes on");
     v.number("until", &OnTime::until, "s", {0, 3600}, "when it goes off");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Source>) {
+void describe(auto& v, Of<Source>) {
     v.word("channel", &Source::channel, "what it gives off");
     v.number("x", &Source::x, "m", place_range, "position");
     v.number("y", &Source::y, "m", place_range, "position");
@@ -230,14 +215,12 @@ void describe(Visitor& v, Of<Source>) {
     v.list("on", &Source::on, limits::on_times, "a time in which it is on; default: always on");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<PolygonCorner>) {
+void describe(auto& v, Of<PolygonCorner>) {
     v.number("x", &PolygonCorner::x, "m", place_range, "relative to the object's centre, along its heading");
     v.number("y", &PolygonCorner::y, "m", place_range, "relative to the object's centre, to the left of its heading");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Obstacle>) {
+void describe(auto& v, Of<Obstacle>) {
     v.number("x", &Obstacle::x, "m", place_range, "centre");
     v.number("y", &Obstacle::y, "m", place_range, "centre");
     v.angle("heading", &Obstacle::heading, {-360, 360}, "of its length, counter-clockwise from +x");
@@ -247,8 +230,7 @@ void describe(Visitor& v, Of<Obstacle>) {
     v.list("corner", &Obstacle::corners, limits::corners, "of a convex polygon instead of a box; counter-clockwise");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Zone>) {
+void describe(auto& v, Of<Zone>) {
     v.number("x", &Zone::x, "m", place_range, "centre");
     v.number("y", &Zone::y, "m", place_range, "centre");
     v.angle("heading", &Zone::heading, {-360, 360}, "of its length, counter-clockwise from +x");
@@ -264,8 +246,7 @@ void describe(Visitor& v, Of<Zone>) {
     v.list("corner", &Zone::corners, limits::corners, "of a convex polygon instead of a rectangle; counter-clockwise");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Scene>) {
+void describe(auto& v, Of<Scene>) {
     v.text("name", &Scene::name, limits::name_length, "default: the file's stem");
     v.text("title", &Scene::title, limits::title_length, "shown in the window");
     v.text("story", &Scene::story, limits::text_length, "one line about the scene");
@@ -300,8 +281,7 @@ struct BrainText {
     std::vector<WireText> wires;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Of<FourNeurons>) {
+void describe(auto& v, Of<FourNeurons>) {
     v.number("LL", &FourNeurons::LL, "", weight_range, "the wire from the left eye to the left motor");
     v.number("LR", &FourNeurons::LR, "", weight_range, "the wire from the right eye to the left motor");
     v.number("RL", &FourNeurons::RL, "", weight_range, "the wire from the left eye to the right motor");
@@ -315,16 +295,14 @@ void describe(Visitor& v, Of<FourNeurons>) {
     v.number("RM", &FourNeurons::RM, "", bias_range, "added to the right motor");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Curve>) {
+void describe(auto& v, Of<Curve>) {
     v.word("curve", &Curve::response, "output as a function of the input x");
     v.number("peak", &Curve::peak, "", {-limits::peak, limits::peak},
              "position of the step, the sigmoid's middle or the hump");
     v.number("width", &Curve::width, "", {0.001, limits::width}, "of the sigmoid or the hump");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Node>) {
+void describe(auto& v, Of<Node>) {
     v.text("name", &Node::name, limits::name_length, "required; of a sensor node: the name of the vehicle's sensor");
     v.number("id", &Node::id, "", {0, 1e9}, "default: the largest id before it + 1");
     v.word("kind", &Node::kind, "the motors are ML and MR");
@@ -335,8 +313,7 @@ void describe(Visitor& v, Of<Node>) {
     v.place("place", &Node::place, canvas_range, "centre on the wiring canvas: to the right, down");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<Wire>) {
+void describe(auto& v, Of<Wire>) {
     v.number("weight", &Wire::weight, "", weight_range, "factor on the input");
     v.number("threshold", &Wire::threshold, "", threshold_range, "an input of smaller size counts as 0");
     v.part(&Wire::curve);
@@ -346,20 +323,15 @@ void describe(Visitor& v, Of<Wire>) {
     v.number("decay", &Wire::decay, "1/s", {0, limits::decay}, "rate at which the learned weight fades");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<NodeText>) {
-    v.part(&NodeText::node);
-}
+void describe(auto& v, Of<NodeText>) { v.part(&NodeText::node); }
 
-template <class Visitor>
-void describe(Visitor& v, Of<WireText>) {
+void describe(auto& v, Of<WireText>) {
     v.text("from", &WireText::from, limits::name_length, "a node's name");
     v.text("to", &WireText::to, limits::name_length, "a node's name");
     v.part(&WireText::wire);
 }
 
-template <class Visitor>
-void describe(Visitor& v, Of<BrainText>) {
+void describe(auto& v, Of<BrainText>) {
     v.part(&BrainText::dials);
     v.place("place_SL", &BrainText::place_SL, canvas_range, "centre of SL on the wiring canvas: to the right, down");
     v.place("place_SR", &BrainText::place_SR, canvas_range, "of SR");
@@ -374,9 +346,6 @@ struct BrainFile {
     BrainGraph brain;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Of<BrainFile>) {
-    v.brain("brain", &BrainFile::brain, "as in a kind");
-}
+void describe(auto& v, Of<BrainFile>) { v.brain("brain", &BrainFile::brain, "as in a kind"); }
 
 }  // namespace braitenlab

@@ -91,16 +91,10 @@ template <class T>
 struct KeyNames {
     std::vector<std::string_view> names;
 
-    template <class Number>
-    void number(const char* key, Number T::*, const char*, Range, const char*) {
-        names.emplace_back(key);
-    }
+    void number(const char* key, auto T::*, const char*, Range, const char*) { names.emplace_back(key); }
     void text(const char* key, std::string T::*, std::size_t, const char*) { names.emplace_back(key); }
     void flag(const char* key, bool T::*, const char*) { names.emplace_back(key); }
-    template <class Element>
-    void list(const char* key, std::vector<Element> T::*, std::size_t, const char*) {
-        names.emplace_back(key);
-    }
+    void list(const char* key, auto T::*, std::size_t, const char*) { names.emplace_back(key); }
     template <class... Types>
     void variant(const char* key, std::variant<Types...> T::*, const char*) {
         names.emplace_back(key);
@@ -159,8 +153,7 @@ public:
         TomlReader<Part> reader(table_, object_.*member);
         describe(reader, Of<Part>{});
     }
-    template <class Inner>
-    void table(const char* key, Inner T::*member, const char*) {
+    void table(const char* key, auto T::*member, const char*) {
         if (const TomlNode* inner = table_.table(key)) read(*inner, table_.path(key), object_.*member);
     }
     template <class Element>

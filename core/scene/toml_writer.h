@@ -49,8 +49,7 @@ public:
     void number(const char* key, float T::*member, const char*, Range, const char*) {
         if (differs(member)) line(key, toml_text::number(object_.*member));
     }
-    template <class Whole>
-    void number(const char* key, Whole T::*member, const char*, Range, const char*) {
+    void number(const char* key, auto T::*member, const char*, Range, const char*) {
         if (differs(member)) line(key, fmt::format("{}", object_.*member));
     }
     void angle(const char* key, float T::*member, Range, const char*) {
@@ -63,8 +62,7 @@ public:
     void flag(const char* key, bool T::*member, const char*) {
         if (differs(member)) line(key, object_.*member ? "true" : "false");
     }
-    template <class Enum>
-    void word(const char* key, Enum T::*member, const char*) {
+    void word(const char* key, auto T::*member, const char*) {
         if (differs(member)) line(key, fmt::format("\"{}\"", braitenlab::word(object_.*member)));
     }
     template <class Enum>
@@ -120,10 +118,7 @@ public:
         inner.write_brain();
         add(inner);
     }
-    template <class Inner>
-    void table(const char* key, Inner T::*member, const char*) {
-        write(object_.*member, key, false);
-    }
+    void table(const char* key, auto T::*member, const char*) { write(object_.*member, key, false); }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
         write_named(key, object_.*member);
@@ -154,10 +149,7 @@ public:
     }
 
 private:
-    template <class Value>
-    bool differs(Value T::*member) const {
-        return all_ || !(object_.*member == defaults_.*member);
-    }
+    bool differs(auto T::*member) const { return all_ || !(object_.*member == defaults_.*member); }
 
     void line(std::string_view key, const std::string& value) { values_ += fmt::format("{} = {}\n", key, value); }
 

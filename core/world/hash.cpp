@@ -40,43 +40,27 @@ struct StructDigest {
     const T& object;
     Digest& digest;
 
-    template <class Number>
-    void number(const char*, Number T::*member, const char*, Range, const char*) {
-        digest.add(object.*member);
-    }
+    void number(const char*, auto T::*member, const char*, Range, const char*) { digest.add(object.*member); }
     void angle(const char*, float T::*member, Range, const char*) { digest.add(object.*member); }
     void place(const char*, std::optional<maths::vec2> T::*, Range, const char*) {}
     void flag(const char*, bool T::*member, const char*) { digest.add(static_cast<std::int32_t>(object.*member)); }
-    template <class Enum>
-    void word(const char*, Enum T::*member, const char*) {
-        digest.add(static_cast<std::int32_t>(object.*member));
-    }
+    void word(const char*, auto T::*member, const char*) { digest.add(static_cast<std::int32_t>(object.*member)); }
     template <class Enum>
     void word(const char*, std::optional<Enum> T::*member, const char*) {
         if (object.*member) digest.add(static_cast<std::int32_t>(*(object.*member)));
     }
     void text(const char*, std::string T::*member, std::size_t, const char*) { digest.add(object.*member); }
     void colour(const char*, std::string T::*, const char*) {}
-    template <class Part>
-    void part(Part T::*member) {
-        add_described(digest, object.*member);
-    }
-    template <class Inner>
-    void table(const char*, Inner T::*member, const char*) {
-        add_described(digest, object.*member);
-    }
+    void part(auto T::*member) { add_described(digest, object.*member); }
+    void table(const char*, auto T::*member, const char*) { add_described(digest, object.*member); }
     template <class Element>
     void named(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
         add_all(digest, object.*member);
     }
     template <class Element>
     void named(const char*, std::optional<std::vector<Element>> T::*, std::size_t, const char*) {}
-    template <class Element>
-    void list(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
-        add_all(digest, object.*member);
-    }
-    template <class Graph>
-    void brain(const char*, Graph T::*, const char*) {}
+    void list(const char*, auto T::*member, std::size_t, const char*) { add_all(digest, object.*member); }
+    void brain(const char*, auto T::*, const char*) {}
 };
 
 template <class T>

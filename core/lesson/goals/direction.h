@@ -45,31 +45,22 @@ std::optional<Reading> measure(const TurnsAway&, TurnsAway::State&, const Observ
 std::optional<Reading> measure(const Faces&, Faces::State&, const Observation&);
 
 // ── Keys in files, each of which must be given; an empty source is the nearest one ──
-template <class Visitor>
-void describe(Visitor& v, Of<TurnsTo>) {
+void describe(auto& v, Of<TurnsTo>) {
     v.text("source", &TurnsTo::source, limits::name_length, "name of a source of the scene");
     v.number("degrees", &TurnsTo::degrees, "°", {0.5, 180}, "largest angle between the heading and the source");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<TurnsAway>) {
+void describe(auto& v, Of<TurnsAway>) {
     v.text("source", &TurnsAway::source, limits::name_length, "name of a source of the scene");
     v.number("degrees", &TurnsAway::degrees, "°", {0.5, 180}, "smallest angle between the heading and the source");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Faces>) {
+void describe(auto& v, Of<Faces>) {
     v.text("source", &Faces::source, limits::name_length, "name of a source of the scene; empty: the nearest one");
     v.number("degrees", &Faces::degrees, "°", {0.5, 180}, "largest angle between the heading and the source");
 }
 
 // ── States, for saved work ──
-template <class Visitor>
-void describe(Visitor& v, Of<TurnsTo::State>) {
-    v.flag("was_outside", &TurnsTo::State::was_outside, "");
-}
-template <class Visitor>
-void describe(Visitor& v, Of<TurnsAway::State>) {
-    v.flag("was_inside", &TurnsAway::State::was_inside, "");
-}
+void describe(auto& v, Of<TurnsTo::State>) { v.flag("was_outside", &TurnsTo::State::was_outside, ""); }
+void describe(auto& v, Of<TurnsAway::State>) { v.flag("was_inside", &TurnsAway::State::was_inside, ""); }
 template <class Visitor>
 void describe(Visitor&, Of<Faces::State>) {}
 

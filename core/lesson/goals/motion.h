@@ -100,40 +100,26 @@ std::optional<Reading> measure(const KeepsMoving&, KeepsMoving::State&, const Ob
 std::optional<Reading> measure(const SpeedFollows&, SpeedFollows::State&, const Observation&);
 
 // ── Keys in files, each of which must be given ──
-template <class Visitor>
-void describe(Visitor& v, Of<Runs>) {
-    v.number("seconds", &Runs::seconds, "s", {0.1, 600}, "duration of the run");
-}
-template <class Visitor>
-void describe(Visitor& v, Of<Survives>) {
+void describe(auto& v, Of<Runs>) { v.number("seconds", &Runs::seconds, "s", {0.1, 600}, "duration of the run"); }
+void describe(auto& v, Of<Survives>) {
     v.number("seconds", &Survives::seconds, "s", {0.1, 600}, "duration of the run");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<SpeedsUp>) {
+void describe(auto& v, Of<SpeedsUp>) {
     v.text("source", &SpeedsUp::source, limits::name_length, "name of a source of the scene; empty: the nearest one");
     v.number("metres", &SpeedsUp::metres, "m", {0.01, 100}, "distance at which the speed is compared");
     v.number("factor", &SpeedsUp::factor, "×", {0.01, 100}, "smallest ratio to the speed after the first second");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Rests>) {
-    v.number("speed", &Rests::speed, "m/s", {0.001, 10}, "largest speed");
-}
-template <class Visitor>
-void describe(Visitor& v, Of<Drives>) {
-    v.number("speed", &Drives::speed, "m/s", {0.001, 10}, "smallest speed");
-}
-template <class Visitor>
-void describe(Visitor& v, Of<KeepsSpeed>) {
+void describe(auto& v, Of<Rests>) { v.number("speed", &Rests::speed, "m/s", {0.001, 10}, "largest speed"); }
+void describe(auto& v, Of<Drives>) { v.number("speed", &Drives::speed, "m/s", {0.001, 10}, "smallest speed"); }
+void describe(auto& v, Of<KeepsSpeed>) {
     v.number("from", &KeepsSpeed::from, "m/s", {-10, 10}, "smallest speed along the heading");
     v.number("to", &KeepsSpeed::to, "m/s", {-10, 10}, "largest speed along the heading");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<KeepsMoving>) {
+void describe(auto& v, Of<KeepsMoving>) {
     v.number("speed", &KeepsMoving::speed, "m/s", {0.001, 10}, "a vehicle that moves slower rests");
     v.number("seconds", &KeepsMoving::seconds, "s", {0, 600}, "longest rest");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<SpeedFollows>) {
+void describe(auto& v, Of<SpeedFollows>) {
     v.text("sensor", &SpeedFollows::sensor, limits::name_length, "name of a sensor of the vehicle");
     v.number("correlation", &SpeedFollows::correlation, "", {-1, 1}, "smallest correlation");
     v.number("seconds", &SpeedFollows::seconds, "s", {0.1, 600}, "duration of the run before it can be met");
@@ -142,12 +128,8 @@ void describe(Visitor& v, Of<SpeedFollows>) {
 // ── States, for saved work ──
 template <class Visitor>
 void describe(Visitor&, Of<Runs::State>) {}
-template <class Visitor>
-void describe(Visitor& v, Of<Survives::State>) {
-    v.number("fell_at", &Survives::State::fell_at, "s", {-1, 1e6}, "");
-}
-template <class Visitor>
-void describe(Visitor& v, Of<SpeedsUp::State>) {
+void describe(auto& v, Of<Survives::State>) { v.number("fell_at", &Survives::State::fell_at, "s", {-1, 1e6}, ""); }
+void describe(auto& v, Of<SpeedsUp::State>) {
     v.number("first_speed", &SpeedsUp::State::first_speed, "m/s", {0, 1e6}, "");
     v.number("ratio", &SpeedsUp::State::ratio, "×", {0, 1e6}, "");
     v.flag("decided", &SpeedsUp::State::decided, "");
@@ -158,13 +140,11 @@ template <class Visitor>
 void describe(Visitor&, Of<Drives::State>) {}
 template <class Visitor>
 void describe(Visitor&, Of<KeepsSpeed::State>) {}
-template <class Visitor>
-void describe(Visitor& v, Of<KeepsMoving::State>) {
+void describe(auto& v, Of<KeepsMoving::State>) {
     v.number("slow_since", &KeepsMoving::State::slow_since, "ticks", {-1, 1e15}, "");
     v.number("longest", &KeepsMoving::State::longest, "ticks", {0, 1e15}, "");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<SpeedFollows::State>) {
+void describe(auto& v, Of<SpeedFollows::State>) {
     v.number("count", &SpeedFollows::State::count, "", {0, 1e9}, "");
     v.number("mean_speed", &SpeedFollows::State::mean_speed, "m/s", {-1e6, 1e6}, "");
     v.number("mean_reading", &SpeedFollows::State::mean_reading, "", {-1e6, 1e6}, "");

@@ -83,55 +83,44 @@ std::optional<Reading> measure(const Recharges&, Recharges::State&, const Observ
 std::optional<Reading> measure(const Matches&, Matches::State&, const Observation&);
 
 // ── Keys in files, each of which must be given ──
-template <class Visitor>
-void describe(Visitor& v, Of<Follows>) {
+void describe(auto& v, Of<Follows>) {
     v.text("other", &Follows::other, limits::name_length, "NAME of the [vehicle.NAME] that is followed");
     v.number("metres", &Follows::metres, "m", {0.01, 100}, "largest distance");
     v.number("degrees", &Follows::degrees, "°", {0.5, 180}, "largest angle between the heading and the other vehicle");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Collides>) {
+void describe(auto& v, Of<Collides>) {
     v.number("count", &Collides::count, "", {0, 1e6}, "largest number of contacts");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Captures>) {
+void describe(auto& v, Of<Captures>) {
     v.number("count", &Captures::count, "", {1, 1e6}, "smallest number of captures");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Population>) {
+void describe(auto& v, Of<Population>) {
     v.text("kind", &Population::kind, limits::name_length, "name of a kind of the scene");
     v.number("count", &Population::count, "", {1, limits::vehicles}, "smallest number of vehicles");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Recharges>) {
+void describe(auto& v, Of<Recharges>) {
     v.number("low", &Recharges::low, "", {0, 1}, "energy below which it needs energy");
     v.number("high", &Recharges::high, "", {0, 1}, "energy above which it is recharged");
     v.number("count", &Recharges::count, "", {1, 1000}, "smallest number of times");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Matches>) {
+void describe(auto& v, Of<Matches>) {
     v.number("metres", &Matches::metres, "m", {0.001, 100}, "largest mean distance");
     v.number("seconds", &Matches::seconds, "s", {0.1, 600}, "duration of the run before it can be met");
 }
 
 // ── States, for saved work ──
-template <class Visitor>
-void describe(Visitor& v, Of<Follows::State>) {
-    v.number("degrees", &Follows::State::degrees, "°", {0, 180}, "");
-}
+void describe(auto& v, Of<Follows::State>) { v.number("degrees", &Follows::State::degrees, "°", {0, 180}, ""); }
 template <class Visitor>
 void describe(Visitor&, Of<Collides::State>) {}
 template <class Visitor>
 void describe(Visitor&, Of<Captures::State>) {}
 template <class Visitor>
 void describe(Visitor&, Of<Population::State>) {}
-template <class Visitor>
-void describe(Visitor& v, Of<Recharges::State>) {
+void describe(auto& v, Of<Recharges::State>) {
     v.flag("is_low", &Recharges::State::is_low, "");
     v.number("times", &Recharges::State::times, "", {0, 1e9}, "");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Matches::State>) {
+void describe(auto& v, Of<Matches::State>) {
     v.number("count", &Matches::State::count, "", {0, 1e9}, "");
     v.number("mean", &Matches::State::mean, "m", {0, 1e6}, "");
 }

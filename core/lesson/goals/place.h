@@ -130,53 +130,44 @@ std::optional<Reading> measure(const FollowsLine&, FollowsLine::State&, const Ob
 // ── Keys in files, each of which must be given ──
 inline constexpr const char* source_meaning = "name of a source of the scene; empty: the nearest one";
 
-template <class Visitor>
-void describe(Visitor& v, Of<Touches>) {
+void describe(auto& v, Of<Touches>) {
     v.text("source", &Touches::source, limits::name_length, source_meaning);
     v.number("metres", &Touches::metres, "m", {0.01, 100},
              "largest distance between the vehicle's origin and the source");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Avoids>) {
+void describe(auto& v, Of<Avoids>) {
     v.text("source", &Avoids::source, limits::name_length, source_meaning);
     v.number("metres", &Avoids::metres, "m", {0.01, 100},
              "smallest distance between the vehicle's origin and the source");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<KeepsDistance>) {
+void describe(auto& v, Of<KeepsDistance>) {
     v.text("source", &KeepsDistance::source, limits::name_length, source_meaning);
     v.number("from", &KeepsDistance::from, "m", {0, 100}, "smallest distance");
     v.number("to", &KeepsDistance::to, "m", {0, 100}, "largest distance");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Circles>) {
+void describe(auto& v, Of<Circles>) {
     v.text("source", &Circles::source, limits::name_length, "name of a source of the scene");
     v.number("from", &Circles::from, "m", {0, 100}, "smallest distance");
     v.number("to", &Circles::to, "m", {0, 100}, "largest distance");
     v.number("rounds", &Circles::rounds, "", {0.01, 1000}, "number of rounds");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<SteadyDistance>) {
+void describe(auto& v, Of<SteadyDistance>) {
     v.text("source", &SteadyDistance::source, limits::name_length, "name of a source of the scene");
     v.number("percent", &SteadyDistance::percent, "%", {0.1, 100}, "largest variation");
     v.number("seconds", &SteadyDistance::seconds, "s", {0.1, 600}, "duration");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Visits>) {
+void describe(auto& v, Of<Visits>) {
     v.number("metres", &Visits::metres, "m", {0.01, 100}, "largest distance to a visited source");
     v.number("count", &Visits::count, "", {1, 64}, "number of different sources");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Enters>) {
+void describe(auto& v, Of<Enters>) {
     v.text("zone", &Enters::zone, limits::name_length, "name of a zone of the scene");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<DrivesThrough>) {
+void describe(auto& v, Of<DrivesThrough>) {
     v.text("left", &DrivesThrough::left, limits::name_length, "name of an obstacle: one post of the gate");
     v.text("right", &DrivesThrough::right, limits::name_length, "name of an obstacle: the other post");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<FollowsLine>) {
+void describe(auto& v, Of<FollowsLine>) {
     v.number("metres", &FollowsLine::metres, "m", {0.01, 10}, "largest distance to the tape");
     v.number("laps", &FollowsLine::laps, "", {0.01, 100}, "number of laps");
 }
@@ -184,40 +175,30 @@ void describe(Visitor& v, Of<FollowsLine>) {
 // ── States, for saved work ──
 template <class Visitor>
 void describe(Visitor&, Of<Touches::State>) {}
-template <class Visitor>
-void describe(Visitor& v, Of<Avoids::State>) {
-    v.number("nearest", &Avoids::State::nearest, "m", {-1, 1e6}, "");
-}
+void describe(auto& v, Of<Avoids::State>) { v.number("nearest", &Avoids::State::nearest, "m", {-1, 1e6}, ""); }
 template <class Visitor>
 void describe(Visitor&, Of<KeepsDistance::State>) {}
-template <class Visitor>
-void describe(Visitor& v, Of<Circles::State>) {
+void describe(auto& v, Of<Circles::State>) {
     v.flag("inside", &Circles::State::inside, "");
     v.number("bearing", &Circles::State::bearing, "rad", {-4, 4}, "");
     v.number("turned", &Circles::State::turned, "rad", {-1e15, 1e15}, "");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<SteadyDistance::State>) {
+void describe(auto& v, Of<SteadyDistance::State>) {
     v.number("since", &SteadyDistance::State::since, "ticks", {-1, 1e15}, "");
     v.number("nearest", &SteadyDistance::State::nearest, "m", {0, 1e6}, "");
     v.number("furthest", &SteadyDistance::State::furthest, "m", {0, 1e6}, "");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<Visits::State>) {
-    v.number("visited", &Visits::State::visited, "", {0, 1.8e19}, "");
-}
+void describe(auto& v, Of<Visits::State>) { v.number("visited", &Visits::State::visited, "", {0, 1.8e19}, ""); }
 template <class Visitor>
 void describe(Visitor&, Of<Enters::State>) {}
-template <class Visitor>
-void describe(Visitor& v, Of<DrivesThrough::State>) {
+void describe(auto& v, Of<DrivesThrough::State>) {
     v.flag("begun", &DrivesThrough::State::begun, "");
     v.flag("crossed", &DrivesThrough::State::crossed, "");
     v.number("x", &DrivesThrough::State::x, "m", {-1e6, 1e6}, "");
     v.number("y", &DrivesThrough::State::y, "m", {-1e6, 1e6}, "");
     v.number("moves", &DrivesThrough::State::moves, "", {0, 1e15}, "");
 }
-template <class Visitor>
-void describe(Visitor& v, Of<FollowsLine::State>) {
+void describe(auto& v, Of<FollowsLine::State>) {
     v.flag("begun", &FollowsLine::State::begun, "");
     v.number("bearing", &FollowsLine::State::bearing, "rad", {-4, 4}, "");
     v.number("turned", &FollowsLine::State::turned, "rad", {-1e15, 1e15}, "");
