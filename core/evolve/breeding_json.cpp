@@ -16,22 +16,8 @@ void from_json(const Json& json, Individual& each) {
     json.at("genes").get_to(each.genome), json.at("parent").get_to(each.parent);
 }
 
-void to_json(Json& json, const Generation& g) {
-    json = {{"champion", g.champion},   {"index", g.index}, {"best", g.best},      {"median", g.median},
-            {"diversity", g.diversity}, {"panel", g.panel}, {"parents", g.parents}};
-}
-void from_json(const Json& json, Generation& g) {
-    json.at("champion").get_to(g.champion), json.at("index").get_to(g.index), json.at("best").get_to(g.best);
-    json.at("median").get_to(g.median), json.at("diversity").get_to(g.diversity), json.at("panel").get_to(g.panel);
-    json.at("parents").get_to(g.parents);
-}
-
-void to_json(Json& json, const Lineage& lineage) {
-    json = {{"population", lineage.population}, {"generations", lineage.generations}};
-}
-void from_json(const Json& json, Lineage& lineage) {
-    json.at("population").get_to(lineage.population), json.at("generations").get_to(lineage.generations);
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Generation, champion, index, best, median, diversity, panel, parents)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Lineage, population, generations)
 
 namespace {
 

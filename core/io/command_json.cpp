@@ -10,39 +10,9 @@ namespace braitenlab {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pose, x, y, heading)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Target, vehicle, kind)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensorPair, left, right)
-inline void to_json(Json& json, const TurnDial& c) {
-    json = {{"target", c.target}, {"dial", c.dial}, {"value", c.value}};
-    if (c.pair != SensorPair{}) json["pair"] = c.pair;
-}
-inline void from_json(const Json& json, TurnDial& c) {
-    json.at("target").get_to(c.target);
-    json.at("dial").get_to(c.dial);
-    json.at("value").get_to(c.value);
-    if (json.contains("pair")) json.at("pair").get_to(c.pair);
-}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetBrain, target, brain)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NodePlace, node, at)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlaceNodes, target, places)
-inline void to_json(Json& json, const AddVehicle& c) {
-    json = {{"kind", c.kind},     {"at", c.at}, {"brain", c.brain}, {"energy", c.energy},
-            {"driver", c.driver}, {"id", c.id}, {"start", c.start}, {"before", c.before}};
-    if (c.sensors) json["sensors"] = *c.sensors;
-    if (!c.colour.empty()) json["colour"] = c.colour;
-    if (c.look != Look{}) json["look"] = c.look;
-}
-inline void from_json(const Json& json, AddVehicle& c) {
-    json.at("kind").get_to(c.kind);
-    json.at("at").get_to(c.at);
-    json.at("brain").get_to(c.brain);
-    json.at("energy").get_to(c.energy);
-    json.at("driver").get_to(c.driver);
-    json.at("id").get_to(c.id);
-    json.at("start").get_to(c.start);
-    json.at("before").get_to(c.before);
-    if (json.contains("sensors")) c.sensors = json.at("sensors").get<std::vector<Sensor>>();
-    if (json.contains("colour")) json.at("colour").get_to(c.colour);
-    if (json.contains("look")) json.at("look").get_to(c.look);
-}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveVehicle, vehicle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveVehicle, vehicle, x, y, heading)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChooseDriver, vehicle, driver)
@@ -51,76 +21,65 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetLook, vehicle, look)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditStart, start, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditMember, member, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetSensors, target, sensors)
-template <class Object>
-void to_json(Json& json, const AddObject<Object>& c) {
-    json = {{ObjectList<Object>::word, c.object}, {"before", c.before}};
-}
-template <class Object>
-void from_json(const Json& json, AddObject<Object>& c) {
-    json.at(ObjectList<Object>::word).get_to(c.object);
-    json.at("before").get_to(c.before);
-}
-template <class Object>
-void to_json(Json& json, const RemoveObject<Object>& c) {
-    json = {{ObjectList<Object>::word, c.index}};
-}
-template <class Object>
-void from_json(const Json& json, RemoveObject<Object>& c) {
-    json.at(ObjectList<Object>::word).get_to(c.index);
-}
-template <class Object>
-void to_json(Json& json, const EditObject<Object>& c) {
-    json = {{ObjectList<Object>::word, c.index}, {"to", c.to}};
-}
-template <class Object>
-void from_json(const Json& json, EditObject<Object>& c) {
-    json.at(ObjectList<Object>::word).get_to(c.index);
-    json.at("to").get_to(c.to);
-}
-template <class Object>
-constexpr bool has_heading = requires(Object object) {
-    object.heading;
-};
-template <class Object>
-void to_json(Json& json, const MoveObject<Object>& c) {
-    json = {{ObjectList<Object>::word, c.index}, {"x", c.x}, {"y", c.y}};
-    if (has_heading<Object>) json["heading"] = c.heading;
-}
-template <class Object>
-void from_json(const Json& json, MoveObject<Object>& c) {
-    json.at(ObjectList<Object>::word).get_to(c.index);
-    json.at("x").get_to(c.x);
-    json.at("y").get_to(c.y);
-    if (has_heading<Object>) json.at("heading").get_to(c.heading);
-}
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObjects, of_vehicles, of_sources, of_obstacles, of_zones)
-inline void to_json(Json& json, const Retitle& c) {
-    json = Json::object();
-    if (c.title) json["title"] = *c.title;
-    if (c.story) json["story"] = *c.story;
-}
-inline void from_json(const Json& json, Retitle& c) {
-    if (json.contains("title")) c.title = json.at("title").get<std::string>();
-    if (json.contains("story")) c.story = json.at("story").get<std::string>();
-}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditArena, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditEcology, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddKind, kind, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveKind, kind)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditKind, kind, to)
-inline void to_json(Json& json, const SetPopulation& c) {
-    json = {{"kind", c.kind}, {"count", c.count}, {"vehicles", c.vehicles}, {"shares", c.shares}};
-    if (c.population) json["population"] = *c.population;
+
+// Commands with members that are left out, or with other keys than the names of their members.
+void visit_command(auto members, auto& c, Of<TurnDial>) {
+    members.value("target", c.target), members.value("dial", c.dial), members.value("value", c.value);
+    members.unusual("pair", c.pair, SensorPair{});
 }
-inline void from_json(const Json& json, SetPopulation& c) {
-    json.at("kind").get_to(c.kind);
-    json.at("count").get_to(c.count);
-    json.at("vehicles").get_to(c.vehicles);
-    json.at("shares").get_to(c.shares);
-    if (json.contains("population")) c.population = json.at("population").get<int>();
+void visit_command(auto members, auto& c, Of<AddVehicle>) {
+    members.value("kind", c.kind), members.value("at", c.at), members.value("brain", c.brain);
+    members.value("energy", c.energy), members.value("driver", c.driver), members.value("id", c.id);
+    members.value("start", c.start), members.value("before", c.before);
+    members.optional("sensors", c.sensors);
+    members.unusual("colour", c.colour, std::string()), members.unusual("look", c.look, Look{});
 }
-inline void to_json(Json& json, const NewPopulation&) { json = Json::object(); }
-inline void from_json(const Json&, NewPopulation&) {}
+void visit_command(auto members, auto& c, Of<Retitle>) {
+    members.optional("title", c.title), members.optional("story", c.story);
+}
+void visit_command(auto members, auto& c, Of<SetPopulation>) {
+    members.value("kind", c.kind), members.value("count", c.count);
+    members.value("vehicles", c.vehicles), members.value("shares", c.shares);
+    members.optional("population", c.population);
+}
+void visit_command(auto, auto&, Of<NewPopulation>) {}
+template <class Object>
+void visit_command(auto members, auto& c, Of<AddObject<Object>>) {
+    members.value(ObjectList<Object>::word, c.object), members.value("before", c.before);
+}
+template <class Object>
+void visit_command(auto members, auto& c, Of<RemoveObject<Object>>) {
+    members.value(ObjectList<Object>::word, c.index);
+}
+template <class Object>
+void visit_command(auto members, auto& c, Of<EditObject<Object>>) {
+    members.value(ObjectList<Object>::word, c.index), members.value("to", c.to);
+}
+template <class Object>
+void visit_command(auto members, auto& c, Of<MoveObject<Object>>) {
+    members.value(ObjectList<Object>::word, c.index), members.value("x", c.x), members.value("y", c.y);
+    if constexpr (requires(Object object) { object.heading; }) members.value("heading", c.heading);
+}
+
+template <class T>
+concept Visited = requires(io::JsonReader members, T& command) {
+    visit_command(members, command, Of<T>{});
+};
+template <Visited T>
+void to_json(Json& json, const T& command) {
+    json = Json::object();
+    visit_command(io::JsonWriter{json}, command, Of<T>{});
+}
+template <Visited T>
+void from_json(const Json& json, T& command) {
+    visit_command(io::JsonReader{json}, command, Of<T>{});
+}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObjects, of_vehicles, of_sources, of_obstacles, of_zones)
 
 namespace {
 

@@ -58,144 +58,108 @@ inline void to_json(Json& json, const vec2& v) { json = {v.x, v.y}; }
 inline void from_json(const Json& json, vec2& v) { json.at(0).get_to(v.x), json.at(1).get_to(v.y); }
 }  // namespace maths
 
-// Node ids of a wire's two ends.
-inline void add_ends(Json& json, const Wire& wire) { json["from"] = wire.from, json["to"] = wire.to; }
-inline void take_ends(const Json& json, Wire& wire) {
-    json.at("from").get_to(wire.from), json.at("to").get_to(wire.to);
-}
-
 void to_json(Json&, const BrainGraph&);
 void from_json(const Json&, BrainGraph&);
 
 // ── Structs described in core/scene/schema.h ────────────────────────────────────────────────────────────────────────
 namespace io {
 
-template <class T>
-class JsonWriter {
-public:
-    JsonWriter(const T& object, Json& json) : object_(object), json_(json) {}
+// Writes or reads the visited members of an object, so that one list of them serves both directions.
+struct JsonWriter {
+    Json& json;
+    void value(const char* key, const auto& member) { json[key] = member; }
+    // Without the key it is nullopt.
+    void optional(const char* key, const auto& member) {
+        if (member) json[key] = *member;
+    }
+    // Without the key it is as usual.
+    void unusual(const char* key, const auto& member, const auto& usual) {
+        if (member != usual) json[key] = member;
+    }
+};
+struct JsonReader {
+    const Json& json;
+    void value(const char* key, auto& member) { json.at(key).get_to(member); }
+    template <class Value>
+    void optional(const char* key, std::optional<Value>& member) {
+        if (json.contains(key)) member = json.at(key).get<Value>();
+    }
+    void unusual(const char* key, auto& member, const auto&) {
+        if (json.contains(key)) json.at(key).get_to(member);
+    }
+};
 
-    void number(const char* key, auto T::*member, const char*, Range, const char*) { json_[key] = object_.*member; }
-    void angle(const char* key, float T::*member, Range, const char*) { json_[key] = object_.*member; }  // rad
-    void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
-        if (object_.*member) json_[key] = *(object_.*member);
-    }
-    void flag(const char* key, bool T::*member, const char*) { json_[key] = object_.*member; }
-    void word(const char* key, auto T::*member, const char*) { json_[key] = object_.*member; }
-    template <class Enum>
-    void word(const char* key, std::optional<Enum> T::*member, const char*) {
-        if (object_.*member) json_[key] = *(object_.*member);
-    }
-    void text(const char* key, std::string T::*member, std::size_t, const char*) { json_[key] = object_.*member; }
+template <class T, class Members, class Object>
+void visit_described(Members, Object&);
+
+// The visitor of core/scene/schema.h for both directions. Object: T, or const T for a JsonWriter.
+template <class T, class Members, class Object>
+class JsonVisitor {
+public:
+    JsonVisitor(Members members, Object& object) : members_(members), object_(object) {}
+
+    void number(const char* key, auto T::*member, const char*, Range, const char*) { add(key, object_.*member); }
+    void angle(const char* key, auto T::*member, Range, const char*) { add(key, object_.*member); }  // rad
+    void place(const char* key, auto T::*member, Range, const char*) { add(key, object_.*member); }
+    void flag(const char* key, auto T::*member, const char*) { add(key, object_.*member); }
+    void word(const char* key, auto T::*member, const char*) { add(key, object_.*member); }
+    void text(const char* key, auto T::*member, std::size_t, const char*) { add(key, object_.*member); }
     void colour(const char* key, std::string T::*member, const char*) {
-        if (!(object_.*member).empty()) json_[key] = object_.*member;
+        members_.unusual(key, object_.*member, std::string());
     }
     template <class Part>
     void part(Part T::*member) {
-        JsonWriter<Part> inner(object_.*member, json_);
-        describe(inner, Of<Part>{});
+        visit_described<Part>(members_, object_.*member);
     }
-    void table(const char* key, auto T::*member, const char*) { json_[key] = object_.*member; }
-    template <class Element>
-    void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        json_[key] = object_.*member;
-    }
-    template <class Element>
-    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
-        if (object_.*member) json_[key] = *(object_.*member);
-    }
-    void list(const char* key, auto T::*member, std::size_t, const char*) { json_[key] = object_.*member; }
-    void brain(const char* key, BrainGraph T::*member, const char*) { json_[key] = object_.*member; }
-    void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
-        if (object_.*member) json_[key] = *(object_.*member);
-    }
+    void table(const char* key, auto T::*member, const char*) { add(key, object_.*member); }
+    void named(const char* key, auto T::*member, std::size_t, const char*) { add(key, object_.*member); }
+    void list(const char* key, auto T::*member, std::size_t, const char*) { add(key, object_.*member); }
+    void brain(const char* key, auto T::*member, const char*) { add(key, object_.*member); }
 
 private:
-    const T& object_;
-    Json& json_;
+    void add(const char* key, auto& member) {
+        if constexpr (requires { member.has_value(); })
+            members_.optional(key, member);
+        else
+            members_.value(key, member);
+    }
+    Members members_;
+    Object& object_;
 };
 
-template <class T>
-class JsonReader {
-public:
-    JsonReader(const Json& json, T& object) : json_(json), object_(object) {}
-
-    void number(const char* key, auto T::*member, const char*, Range, const char*) {
-        json_.at(key).get_to(object_.*member);
-    }
-    void angle(const char* key, float T::*member, Range, const char*) { json_.at(key).get_to(object_.*member); }
-    void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
-        if (json_.contains(key)) object_.*member = json_.at(key).get<maths::vec2>();
-    }
-    void flag(const char* key, bool T::*member, const char*) { json_.at(key).get_to(object_.*member); }
-    void word(const char* key, auto T::*member, const char*) { json_.at(key).get_to(object_.*member); }
-    template <class Enum>
-    void word(const char* key, std::optional<Enum> T::*member, const char*) {
-        if (json_.contains(key)) object_.*member = json_.at(key).get<Enum>();
-    }
-    void text(const char* key, std::string T::*member, std::size_t, const char*) {
-        json_.at(key).get_to(object_.*member);
-    }
-    void colour(const char* key, std::string T::*member, const char*) {
-        if (json_.contains(key)) json_.at(key).get_to(object_.*member);
-    }
-    template <class Part>
-    void part(Part T::*member) {
-        JsonReader<Part> inner(json_, object_.*member);
-        describe(inner, Of<Part>{});
-    }
-    void table(const char* key, auto T::*member, const char*) { json_.at(key).get_to(object_.*member); }
-    template <class Element>
-    void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        json_.at(key).get_to(object_.*member);
-    }
-    template <class Element>
-    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
-        if (json_.contains(key)) object_.*member = json_.at(key).get<std::vector<Element>>();
-    }
-    void list(const char* key, auto T::*member, std::size_t, const char*) { json_.at(key).get_to(object_.*member); }
-    void brain(const char* key, BrainGraph T::*member, const char*) { json_.at(key).get_to(object_.*member); }
-    void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
-        if (json_.contains(key)) object_.*member = json_.at(key).get<BrainGraph>();
-    }
-
-private:
-    const Json& json_;
-    T& object_;
-};
+// The members of a T that its description has.
+template <class T, class Members, class Object>
+void visit_described(Members members, Object& object) {
+    JsonVisitor<T, Members, Object> visitor(members, object);
+    describe(visitor, Of<T>{});
+}
 
 }  // namespace io
 
 template <class T>
-concept Described = std::is_class_v<T> && requires(io::JsonWriter<Scene>& any_visitor) {
+concept Described = std::is_class_v<T> && requires(io::JsonVisitor<Scene, io::JsonReader, Scene>& any_visitor) {
     describe(any_visitor, Of<T>{});
 };
 
 template <Described T>
+void visit_members(auto members, auto& object) {
+    if constexpr (requires { object.name; }) members.value("name", object.name);
+    if constexpr (std::is_same_v<T, Wire>) members.value("from", object.from), members.value("to", object.to);
+    // The schema has it as the table `sealed` of a scene file.
+    if constexpr (std::is_same_v<T, Kind>) members.unusual("hidden", object.hidden, false);
+    io::visit_described<T>(members, object);
+}
+template <Described T>
 void to_json(Json& json, const T& object) {
     json = Json::object();
-    if constexpr (requires { object.name; }) json["name"] = object.name;
-    if constexpr (std::is_same_v<T, Wire>) add_ends(json, object);
-    if constexpr (std::is_same_v<T, Kind>)
-        if (object.hidden) json["hidden"] = true;  // the schema has it as the table `sealed` of a scene file
-    io::JsonWriter<T> writer(object, json);
-    describe(writer, Of<T>{});
+    visit_members<T>(io::JsonWriter{json}, object);
 }
 template <Described T>
 void from_json(const Json& json, T& object) {
-    if constexpr (requires { object.name; }) json.at("name").get_to(object.name);
-    if constexpr (std::is_same_v<T, Wire>) take_ends(json, object);
-    if constexpr (std::is_same_v<T, Kind>) object.hidden = json.contains("hidden") && json.at("hidden").get<bool>();
-    io::JsonReader<T> reader(json, object);
-    describe(reader, Of<T>{});
+    visit_members<T>(io::JsonReader{json}, object);
 }
 
-inline void to_json(Json& json, const BrainGraph& graph) { json = {{"nodes", graph.nodes}, {"wires", graph.wires}}; }
-inline void from_json(const Json& json, BrainGraph& graph) {
-    json.at("nodes").get_to(graph.nodes);
-    json.at("wires").get_to(graph.wires);
-}
-
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BrainGraph, nodes, wires)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, label, colour)
 
 // ── Commands: {"TurnDial": {…}} ─────────────────────────────────────────────────────────────────────────────────────

@@ -14,20 +14,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VehicleLook, vehicle, look)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EventCounts, captures, deaths, births, contacts, falls)
 
 namespace mechanics {
-void to_json(io::Json& json, const Motion& m) {
-    json = {{"place", m.position},
-            {"ahead", m.ahead},
-            {"velocity", m.velocity},
-            {"turning", m.angular_velocity},
-            {"heading", m.heading}};
+void visit_motion(auto members, auto& m) {
+    members.value("place", m.position), members.value("ahead", m.ahead), members.value("velocity", m.velocity);
+    members.value("turning", m.angular_velocity), members.value("heading", m.heading);
 }
-void from_json(const io::Json& json, Motion& m) {
-    json.at("place").get_to(m.position);
-    json.at("ahead").get_to(m.ahead);
-    json.at("velocity").get_to(m.velocity);
-    json.at("turning").get_to(m.angular_velocity);
-    json.at("heading").get_to(m.heading);
-}
+void to_json(io::Json& json, const Motion& m) { visit_motion(io::JsonWriter{json}, m); }
+void from_json(const io::Json& json, Motion& m) { visit_motion(io::JsonReader{json}, m); }
 }  // namespace mechanics
 
 namespace world {
@@ -179,6 +171,14 @@ std::optional<Error> read_vehicles(const Json& json, const Scene& scene, BrainMa
     return std::nullopt;
 }
 
+void visit_world_values(auto members, auto& m) {
+    members.value("seed", m.seed), members.value("tick", m.tick), members.value("generation", m.generation);
+    members.value("still_ticks", m.still_ticks), members.value("next_id", m.next_id);
+    members.value("events", m.events), members.value("bites", m.bites), members.value("strikes", m.strikes);
+    members.value("marks", m.marks), members.value("looks", m.looks);
+    members.value("obstacles", m.obstacles), members.value("touching", m.touching);
+}
+
 }  // namespace
 
 Json state_json(const State& m) {
@@ -186,11 +186,9 @@ Json state_json(const State& m) {
     Json kind_brains = Json::array();
     for (const SharedBrain& brain : m.kind_brains) kind_brains.push_back(brains.add(brain));
     Json vehicles = vehicles_json(m.vehicles, brains);
-    return {
-        {"scene", *m.scene},  {"brains", brains.graphs},    {"newcomers", kind_brains},     {"seed", m.seed},
-        {"tick", m.tick},     {"generation", m.generation}, {"still_ticks", m.still_ticks}, {"next_id", m.next_id},
-        {"events", m.events}, {"bites", m.bites},           {"strikes", m.strikes},         {"marks", m.marks},
-        {"looks", m.looks},   {"vehicles", vehicles},       {"obstacles", m.obstacles},     {"touching", m.touching}};
+    Json json{{"scene", *m.scene}, {"brains", brains.graphs}, {"newcomers", kind_brains}, {"vehicles", vehicles}};
+    visit_world_values(JsonWriter{json}, m);
+    return json;
 }
 
 Result<State> read_state(const Json& json) {
@@ -205,19 +203,8 @@ Result<State> read_state(const Json& json) {
         if (!brain) return brain.error();
         m.kind_brains.push_back(*brain);
     }
-    json.at("seed").get_to(m.seed);
+    visit_world_values(JsonReader{json}, m);
     m.parts_seed = m.seed;  // other worlds are predictions, which are not saved
-    json.at("tick").get_to(m.tick);
-    json.at("generation").get_to(m.generation);
-    json.at("still_ticks").get_to(m.still_ticks);
-    json.at("next_id").get_to(m.next_id);
-    json.at("events").get_to(m.events);
-    json.at("bites").get_to(m.bites);
-    json.at("strikes").get_to(m.strikes);
-    json.at("marks").get_to(m.marks);
-    json.at("looks").get_to(m.looks);
-    json.at("obstacles").get_to(m.obstacles);
-    json.at("touching").get_to(m.touching);
     if (auto error = read_vehicles(json.at("vehicles"), *scene, brains, m.vehicles)) return *error;
     if (auto error = check_state(m)) return *error;
     return m;

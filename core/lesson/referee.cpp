@@ -270,8 +270,7 @@ Json state_json(const CheckState& state) {
                 goal = Json::array();
                 for (const CheckState& each : own.checks) goal.push_back(state_json(each));
             } else {
-                io::JsonWriter<Own> writer(own, goal);
-                describe(writer, Of<Own>{});
+                io::visit_described<Own>(io::JsonWriter{goal}, own);
             }
         },
         state.goal);
@@ -290,19 +289,24 @@ void read_state(const Json& json, CheckState& state) {
             if constexpr (requires { own.checks; }) {
                 for (std::size_t i = 0; i < own.checks.size(); ++i) read_state(goal.at(i), own.checks[i]);
             } else {
-                io::JsonReader<Own> reader(goal, own);
-                describe(reader, Of<Own>{});
+                io::visit_described<Own>(io::JsonReader{goal}, own);
             }
         },
         state.goal);
 }
 
+void visit_run_values(auto members, auto& state) {
+    members.value("tick", state.tick), members.value("begun", state.begun);
+    members.value("disturbed", state.disturbed), members.value("by_hand", state.by_hand);
+    members.value("changed", state.changed), members.value("was_changed", state.was_changed);
+    members.value("subjects", state.subjects);
+}
+
 }  // namespace
 
 std::string write_referee_state(const RefereeState& state) {
-    Json json{{"tick", state.tick},         {"begun", state.begun},     {"disturbed", state.disturbed},
-              {"by_hand", state.by_hand},   {"changed", state.changed}, {"was_changed", state.was_changed},
-              {"subjects", state.subjects}, {"steps", Json::array()}};
+    Json json{{"steps", Json::array()}};
+    visit_run_values(io::JsonWriter{json}, state);
     for (const RefereeState::Judged& step : state.steps) {
         Json& judged = json["steps"].emplace_back(state_json(step.check));
         judged["done"] = step.done;
@@ -314,13 +318,7 @@ std::optional<RefereeState> read_referee_state(std::string_view text, const Exer
     RefereeState state = Referee(exercise).state();
     try {
         const Json json = Json::parse(text);
-        json.at("tick").get_to(state.tick);
-        json.at("begun").get_to(state.begun);
-        json.at("disturbed").get_to(state.disturbed);
-        json.at("by_hand").get_to(state.by_hand);
-        json.at("changed").get_to(state.changed);
-        json.at("was_changed").get_to(state.was_changed);
-        json.at("subjects").get_to(state.subjects);
+        visit_run_values(io::JsonReader{json}, state);
         if (state.begun && state.subjects.size() != subject_count(exercise)) return std::nullopt;
         const Json& steps = json.at("steps");
         if (steps.size() != state.steps.size()) return std::nullopt;
