@@ -112,25 +112,16 @@ void check_breeding(TomlTable& top, Breeding& breeding) {
 Result<Breeding> parse_breeding(std::string_view toml, const std::string& file_name) {
     auto file = parse_toml(toml, file_name);
     if (!file) return file.error();
-    check_format(*file);
     Breeding breeding;
     breeding.id = std::filesystem::path(file_name).stem().string();
     breeding.file = file_name;
-    TomlTable top(*file, file->root, "");
-    top.find("format");
-    TomlReader<Breeding> reader(top, breeding);
-    describe(reader, Of<Breeding>{});
-    top.done();
+    TomlTable top = read_top(*file, breeding);
     if (!file->failed()) check_breeding(top, breeding);
     if (file->failed()) return file->error();
     return breeding;
 }
 
-std::string write_breeding(const Breeding& breeding) {
-    TomlWriter<Breeding> writer(breeding, "");
-    describe(writer, Of<Breeding>{});
-    return "format = 1\n" + writer.text("", true);
-}
+std::string write_breeding(const Breeding& breeding) { return write_top(breeding); }
 
 std::vector<TranslatableText> texts_of(const Breeding& breeding) {
     const std::string begin = "breeding." + breeding.id + ".";

@@ -114,26 +114,17 @@ std::size_t Study::combinations() const {
 Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
     auto file = parse_toml(toml, file_name);
     if (!file) return file.error();
-    check_format(*file);
     Study study;
     study.id = std::filesystem::path(file_name).stem().string();
     study.file = file_name;
-    TomlTable top(*file, file->root, "");
-    top.find("format");
-    TomlReader<Study> reader(top, study);
-    describe(reader, Of<Study>{});
-    top.done();
+    TomlTable top = read_top(*file, study);
     if (!file->failed()) check_study(top, study);
     if (file->failed()) return file->error();
     note_lines(top, study);
     return study;
 }
 
-std::string write_study(const Study& study) {
-    TomlWriter<Study> writer(study, "");
-    describe(writer, Of<Study>{});
-    return "format = 1\n" + writer.text("", true);
-}
+std::string write_study(const Study& study) { return write_top(study); }
 
 std::vector<std::size_t> levels_of(const Study& study, std::size_t combination) {
     std::vector<std::size_t> levels(study.values.size());

@@ -89,21 +89,14 @@ std::string lab_record_name(const std::string& exercise, const std::string& stud
 std::string write_hand_in(HandIn hand_in) {
     hand_in.student = utf8_cut(std::move(hand_in.student), limits::student_length);
     hand_in.notes = utf8_cut(std::move(hand_in.notes), limits::notes_length);
-    TomlWriter<HandIn> writer(hand_in, "");
-    describe(writer, Of<HandIn>{});
-    return "format = 1\n" + writer.text("", false);
+    return write_top(hand_in);
 }
 
 Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name) {
     auto file = parse_toml(toml, std::move(file_name));
     if (!file) return file.error();
-    check_format(*file);
     HandIn hand_in;
-    TomlTable top(*file, file->root, "");
-    top.find("format");
-    TomlReader<HandIn> reader(top, hand_in);
-    describe(reader, Of<HandIn>{});
-    top.done();
+    TomlTable top = read_top(*file, hand_in);
     if (!file->failed()) check_hand_in(top, hand_in);
     if (file->failed()) return file->error();
     return hand_in;

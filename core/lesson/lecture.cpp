@@ -207,15 +207,10 @@ float minutes_of_pages(const Lecture& lecture) {
 namespace {
 
 Lecture read_lecture_file(TomlFile& file, const fs::path& path, const fs::path& exercises) {
-    check_format(file);
     Lecture lecture;
     lecture.id = path.stem().string();
     lecture.path = path;
-    TomlTable top(file, file.root, "");
-    top.find("format");
-    TomlReader<Lecture> reader(top, lecture);
-    describe(reader, Of<Lecture>{});
-    top.done();
+    TomlTable top = read_top(file, lecture);
     check_lecture(top, lecture, path, exercises);
     return lecture;
 }

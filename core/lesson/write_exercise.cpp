@@ -6,11 +6,9 @@
 namespace braitenlab {
 
 std::string write_exercise(const Exercise& exercise) {
-    TomlWriter<Exercise> texts(exercise, "");
-    describe(texts, Of<Exercise>{});
     TomlWriter<Scene> scene(exercise.scene, "scene.");
     describe(scene, Of<Scene>{});
-    return "format = 1\n" + texts.text("", false) + scene.text("[scene]", false);
+    return write_top(exercise) + scene.text("[scene]", false);
 }
 
 }  // namespace braitenlab

@@ -276,4 +276,16 @@ private:
     T& object_;
 };
 
+// Reads a whole file with its format number. Returns its top, for further checks.
+template <class T>
+TomlTable read_top(TomlFile& file, T& object) {
+    check_format(file);
+    TomlTable top(file, file.root, "");
+    top.find("format");
+    TomlReader<T> reader(top, object);
+    describe(reader, Of<T>{});
+    top.done();
+    return top;
+}
+
 }  // namespace braitenlab

@@ -193,4 +193,12 @@ private:
     bool all_ = false;
 };
 
+// A whole file with its format number. The opposite of read_top().
+template <class T>
+std::string write_top(const T& object) {
+    TomlWriter<T> writer(object, "");
+    describe(writer, Of<T>{});
+    return "format = 1\n" + writer.text("", false);
+}
+
 }  // namespace braitenlab

@@ -56,16 +56,9 @@ std::string write_scene(const Scene& scene) {
     std::string sealed;
     for (Kind& kind : plain.kinds)
         if (kind.hidden) sealed += fmt::format("{} = \"{}\"\n", kind.name, seal(std::exchange(kind.brain, {})));
-    TomlWriter<Scene> writer(plain, "");
-    describe(writer, Of<Scene>{});
-    return "format = 1\n" + writer.text("", false) + (sealed.empty() ? "" : "\n[sealed]\n" + sealed);
+    return write_top(plain) + (sealed.empty() ? "" : "\n[sealed]\n" + sealed);
 }
 
-std::string write_brain(const BrainGraph& graph) {
-    const BrainFile file{graph};
-    TomlWriter<BrainFile> writer(file, "");
-    describe(writer, Of<BrainFile>{});
-    return "format = 1\n" + writer.text("", false);
-}
+std::string write_brain(const BrainGraph& graph) { return write_top(BrainFile{graph}); }
 
 }  // namespace braitenlab
