@@ -55,6 +55,9 @@ struct SensorPart {
 };
 const SensorPart& part_of(const Input&);  // a sensor of unknown channel is an eye
 
+// The error if a sensor has no part, or the board has fewer analog inputs than the brain has sensors.
+std::optional<Error> sensor_fault(const Plan&, std::string_view board, int analog_inputs);
+
 // What a table of sensors adds to a sensor of unknown channel; empty for the others.
 std::string_view doubt_about(const Input&);
 

@@ -6,7 +6,9 @@
 #include "core/export/arduino.h"
 #include "core/export/text.h"
 #include "core/export/wiring_svg.h"
+#include "core/messages.h"
 #include "core/scene/enums.h"
+#include "core/scene/nearest.h"
 
 namespace braitenlab::robots::arduino {
 
@@ -134,6 +136,15 @@ std::string_view doubt_about(const Input& input) {
 
 const SensorPart& part_of(const Input& input) {
     return sensor_parts[static_cast<std::size_t>(input.channel.value_or(Channel::light))];
+}
+
+std::optional<Error> sensor_fault(const Plan& plan, std::string_view board, int inputs) {
+    for (const Input& input : plan.inputs)
+        if (part_of(input).part.empty())
+            return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
+    const auto most = static_cast<std::size_t>(inputs);
+    if (plan.inputs.size() <= most) return std::nullopt;
+    return error_of(message_of("no_pin", in_quotes(plan.inputs[most].name), plan.inputs.size(), board, most));
 }
 
 std::string readme(const Plan& plan, int robot_rate) {

@@ -13,29 +13,6 @@ namespace braitenlab::robots {
 
 namespace {
 
-bool any_curve(const Plan& plan, Response response) {
-    for (const PlanUnit& unit : plan.units) {
-        if (unit.curve.response == response) return true;
-        for (const PlanTap& tap : unit.taps)
-            if (tap.curve.response == response) return true;
-    }
-    return false;
-}
-
-bool any_threshold(const Plan& plan) {
-    for (const PlanUnit& unit : plan.units)
-        for (const PlanTap& tap : unit.taps)
-            if (tap.threshold > 0) return true;
-    return false;
-}
-
-bool any_learns(const Plan& plan) {
-    for (const PlanUnit& unit : plan.units)
-        for (const PlanTap& tap : unit.taps)
-            if (tap.learning_rate > 0) return true;
-    return false;
-}
-
 struct Helper {
     Response response;
     std::string_view text;
@@ -220,26 +197,27 @@ std::string c_header(const Plan& plan, Curves curves) {
         " *         // brain.left and brain.right are the commands of the wheels, -1 to 1\n"
         " */\n"
         "#ifndef BRAIN_H\n#define BRAIN_H\n\n";
-    const bool needs_exponential = any_curve(plan, Response::sigmoid) || any_curve(plan, Response::hump);
+    const bool needs_exponential = has_response(plan, Response::sigmoid) || has_response(plan, Response::hump);
     const bool is_looked_up = needs_exponential && curves == Curves::looked_up;
     if (is_looked_up)
         text += "#include <avr/pgmspace.h>\n#include <stdint.h>\n\n";
     else if (needs_exponential)
         text += "#include <math.h>  /* expf */\n\n";
     text += fmt::format("#define BRAIN_RATE_HZ {:g}  /* calls of brain_think() per second */\n", plan.rate_hz);
-    if (any_learns(plan)) text += fmt::format("#define BRAIN_PERIOD {}  /* s */\n", c_number(plan.period()));
+    if (has_wire(plan, [](const PlanTap& tap) { return tap.learning_rate > 0; }))
+        text += fmt::format("#define BRAIN_PERIOD {}  /* s */\n", c_number(plan.period()));
     text += "\n" + structure(plan) + "\n";
     text +=
         "static inline float brain_clamp(float x, float low, float high) {\n"
         "    return x < low ? low : x > high ? high : x;\n}\n\n";
-    if (any_threshold(plan))
+    if (has_threshold(plan))
         text +=
             "/* Threshold of a wire: an input of smaller size counts as 0. */\n"
             "static inline float brain_masked(float x, float threshold) {\n"
             "    return (x < 0.0f ? -x : x) < threshold ? 0.0f : x;\n}\n\n";
     if (is_looked_up) text += table_lookup();
     for (const Helper& helper : helpers) {
-        if (!any_curve(plan, helper.response)) continue;
+        if (!has_response(plan, helper.response)) continue;
         text += (curves == Curves::looked_up ? table_function(helper.response).value_or(std::string(helper.text))
                                              : std::string(helper.text)) +
                 "\n";

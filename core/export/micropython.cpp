@@ -34,22 +34,6 @@ constexpr std::string_view added_text =
     "\n\n# The sum, and what a float is too short for: it is added to the next step.\n"
     "def added(value, step):\n    total = value + step\n    return total, step - (total - value)\n";
 
-bool uses(const Plan& plan, Response response) {
-    for (const PlanUnit& unit : plan.units) {
-        if (unit.curve.response == response) return true;
-        for (const PlanTap& tap : unit.taps)
-            if (tap.curve.response == response) return true;
-    }
-    return false;
-}
-
-bool uses_threshold(const Plan& plan) {
-    for (const PlanUnit& unit : plan.units)
-        for (const PlanTap& tap : unit.taps)
-            if (tap.threshold > 0) return true;
-    return false;
-}
-
 std::string through(const Curve& curve, const std::string& x) {
     const ResponseTraits& row = traits(curve.response);
     if (curve.response == Response::linear) return x;
@@ -191,13 +175,7 @@ Numbers on the micro:bit have 30 bits and are cut, not rounded, so a command dif
 }  // namespace
 
 std::optional<Error> refusal(const Plan& plan) {
-    for (const Input& input : plan.inputs)
-        if (arduino::part_of(input).part.empty())
-            return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
-    const auto inputs = static_cast<std::size_t>(analog_inputs);
-    if (plan.inputs.size() > inputs)
-        return error_of(
-            message_of("no_pin", in_quotes(plan.inputs[inputs].name), plan.inputs.size(), "micro:bit", inputs));
+    if (const auto fault = arduino::sensor_fault(plan, "micro:bit", analog_inputs)) return fault;
     const std::size_t bytes = brain_py(plan).size();
     if (bytes > static_cast<std::size_t>(largest_brain)) return too_large(plan, bytes, "micro:bit", largest_brain);
     return std::nullopt;
@@ -212,7 +190,7 @@ Error too_large(const Plan& plan, std::size_t bytes, std::string_view robot, int
     return error_of(message_of("program_bytes", bytes, most, in_quotes(longest->name), robot, largest));
 }
 
-bool needs_exp(const Plan& plan) { return uses(plan, Response::sigmoid) || uses(plan, Response::hump); }
+bool needs_exp(const Plan& plan) { return has_response(plan, Response::sigmoid) || has_response(plan, Response::hump); }
 
 std::string think_py(const Plan& plan) {
     std::string text = fmt::format("RATE_HZ = {:g}\n", plan.rate_hz);
@@ -235,9 +213,9 @@ std::string think_py(const Plan& plan) {
         for (const PlanTap& tap : unit.taps)
             if (!tap.learned_id.empty()) keep_sum(tap.learned_id);
     if (any_sum) text += added_text;
-    if (uses_threshold(plan)) text += "\n\ndef masked(x, threshold):\n    return 0.0 if abs(x) < threshold else x\n";
+    if (has_threshold(plan)) text += "\n\ndef masked(x, threshold):\n    return 0.0 if abs(x) < threshold else x\n";
     for (const Function& function : functions)
-        if (uses(plan, function.response)) text += "\n\n" + std::string(function.text);
+        if (has_response(plan, function.response)) text += "\n\n" + std::string(function.text);
     std::string parameters;
     for (const Input& input : plan.inputs) parameters += (parameters.empty() ? "" : ", ") + input.id;
     text += fmt::format(

@@ -188,6 +188,11 @@ Range range_of(const Curve& curve, Range inputs) {
     return values;
 }
 
+bool has_response(const Plan& plan, Response response) {
+    const auto is_it = [response](const auto& part) { return part.curve.response == response; };
+    return std::any_of(plan.units.begin(), plan.units.end(), is_it) || has_wire(plan, is_it);
+}
+
 Result<Plan> make_plan(const BrainToExport& given, float rate_hz) {
     const std::vector<const Node*> sensors = sensors_by_id(given.brain);
     std::vector<std::string> names;

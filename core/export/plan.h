@@ -2,6 +2,7 @@
 // Every target is written from a plan, so all targets compute the same.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,18 @@ struct BrainToExport {
 // a covered sensor becomes a part of the bias. `rate_hz`: calls of the brain per second, above 0. Fails as compile()
 // does.
 Result<Plan> make_plan(const BrainToExport&, float rate_hz);
+
+// True if a unit or a wire has this response.
+bool has_response(const Plan&, Response);
+
+// True if the test is true of a wire.
+bool has_wire(const Plan& plan, const auto& test) {
+    return std::any_of(plan.units.begin(), plan.units.end(),
+                       [&](const PlanUnit& unit) { return std::any_of(unit.taps.begin(), unit.taps.end(), test); });
+}
+inline bool has_threshold(const Plan& plan) {
+    return has_wire(plan, [](const PlanTap& tap) { return tap.threshold > 0; });
+}
 
 // Values of a response for inputs of this range.
 Range range_of(const Curve&, Range inputs);
