@@ -153,16 +153,4 @@ MysteryScore score_of(std::vector<MysteryStart> starts) {
     return score;
 }
 
-MysteryScore mystery_score(const std::shared_ptr<const MysteryBase>& base) {
-    constexpr std::size_t piece = 1024;
-    std::vector<MysteryStart> starts;
-    for (std::size_t start = 0; start < base->question().starts; ++start) {
-        MysteryRun run(base, start);
-        while (!run.advance(piece)) {
-        }
-        starts.push_back(run.result());
-    }
-    return score_of(std::move(starts));
-}
-
 }  // namespace braitenlab::insight

@@ -94,7 +94,4 @@ private:
 
 MysteryScore score_of(std::vector<MysteryStart>);
 
-// The whole score.
-MysteryScore mystery_score(const std::shared_ptr<const MysteryBase>&);
-
 }  // namespace braitenlab::insight

@@ -104,12 +104,6 @@ std::optional<std::size_t> other_option_shown(const Exercise& exercise) {
     return std::nullopt;
 }
 
-bool shows_prediction(const Exercise& exercise) {
-    const auto answer = static_cast<std::size_t>(exercise.prediction.answer);
-    if (!checks_of_option(exercise.prediction, answer).empty() && !shown_run(exercise, answer).passed) return false;
-    return !other_option_shown(exercise);
-}
-
 std::vector<bool> passed_starts(const Grade& grade) {
     std::vector<bool> passed;
     for (const StartResult& start : grade.starts) passed.push_back(start.passed);

@@ -63,10 +63,6 @@ StartResult shown_run(const Exercise&, std::size_t option);
 // Index of an option other than the answer whose checks the run meets; nullopt: none.
 std::optional<std::size_t> other_option_shown(const Exercise&);
 
-// True if the run shows what the prediction's answer says: it meets all checks of this option, and of no other option
-// that has checks.
-bool shows_prediction(const Exercise&);
-
 struct Grade {
     std::vector<StartResult> starts;
     int count = 0;      // number of starts that passed

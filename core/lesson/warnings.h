@@ -23,7 +23,7 @@ int word_count(std::string_view);
 std::vector<Error> warnings_of(const Exercise&, std::string_view toml, const std::filesystem::path&);
 
 // Why the run with the shipped brain contradicts the prediction's answer: it meets the checks of another option, or the
-// first check of the answer that it does not meet. nullopt if shows_prediction().
+// first check of the answer that it does not meet. nullopt if the run shows what the answer says.
 std::optional<Error> prediction_fault(const Exercise&, std::string_view toml, const std::filesystem::path&);
 
 // One for each text of a shipped exercise that `translations` (exercises/words/de.toml …) lacks, at the text's line.

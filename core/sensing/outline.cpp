@@ -39,27 +39,6 @@ bool is_in_range(const CompiledSensor& sensor, const SensorPose& pose, const Seg
     return maths::dot(d, d) <= sensor.range_squared;
 }
 
-// response_to_outline for an outline moved by −shift.
-float response_to_shifted(const CompiledSensor& sensor, const SensorPose& pose, const Outline& outline, vec2 shift) {
-    float nearest = std::numeric_limits<float>::max();
-    vec2 way;
-    constexpr std::size_t most_of_an_object = 8;
-    const bool many = side_count(outline) > most_of_an_object;  // a round wall: most sides are out of range
-    for (std::size_t i = 0; i < side_count(outline); ++i) {
-        const Segment whole = side(outline, i) - shift;
-        if (many && !is_in_range(sensor, pose, whole)) continue;
-        const Clipped clipped = clip_to_field(sensor, pose, whole);
-        for (int k = 0; k < clipped.count; ++k) {
-            const Segment& part = clipped.part[static_cast<std::size_t>(k)];
-            const vec2 d = maths::nearest_on_segment(pose.position, part.a, part.b) - pose.position;
-            if (maths::dot(d, d) < nearest) nearest = maths::dot(d, d), way = d;
-        }
-    }
-    if (nearest > sensor.range_squared) return 0;
-    // The nearest point often lies on the field's border, where rounding would fail a second in_field test.
-    return response_in_field(sensor, nearest, std::sqrt(nearest), maths::dot(way, pose.axis), 1);
-}
-
 // Bodies in contact at the start of a step may be slightly apart at its end.
 constexpr float touching_distance = 0.05f;  // m
 
@@ -106,8 +85,24 @@ Clipped clip_to_field(const CompiledSensor& sensor, const SensorPose& pose, cons
     return clipped;
 }
 
-float response_to_outline(const CompiledSensor& sensor, const SensorPose& pose, const Outline& outline) {
-    return response_to_shifted(sensor, pose, outline, {});
+float response_to_outline(const CompiledSensor& sensor, const SensorPose& pose, const Outline& outline, vec2 shift) {
+    float nearest = std::numeric_limits<float>::max();
+    vec2 way;
+    constexpr std::size_t most_of_an_object = 8;
+    const bool many = side_count(outline) > most_of_an_object;  // a round wall: most sides are out of range
+    for (std::size_t i = 0; i < side_count(outline); ++i) {
+        const Segment whole = side(outline, i) - shift;
+        if (many && !is_in_range(sensor, pose, whole)) continue;
+        const Clipped clipped = clip_to_field(sensor, pose, whole);
+        for (int k = 0; k < clipped.count; ++k) {
+            const Segment& part = clipped.part[static_cast<std::size_t>(k)];
+            const vec2 d = maths::nearest_on_segment(pose.position, part.a, part.b) - pose.position;
+            if (maths::dot(d, d) < nearest) nearest = maths::dot(d, d), way = d;
+        }
+    }
+    if (nearest > sensor.range_squared) return 0;
+    // The nearest point often lies on the field's border, where rounding would fail a second in_field test.
+    return response_in_field(sensor, nearest, std::sqrt(nearest), maths::dot(way, pose.axis), 1);
 }
 
 bool touches_field(const CompiledSensor& bumper, const Body& body, const mechanics::Motion& motion,
@@ -221,7 +216,7 @@ float Outlines::total(const CompiledSensor& sensor, const SensorPose& pose) cons
             at.y > box.high.y + reach)
             return false;
         if (i != last) sum += strongest, strongest = 0, last = i;
-        strongest = std::max(strongest, response_to_shifted(sensor, pose, outlines_[i], shift));
+        strongest = std::max(strongest, response_to_outline(sensor, pose, outlines_[i], shift));
         return false;
     });
     return sum + strongest;

@@ -35,8 +35,8 @@ struct Clipped {
 };
 Clipped clip_to_field(const CompiledSensor&, const SensorPose&, const Segment&);
 
-// Response to the outline's nearest point inside the field; 0 when no part of it lies there.
-float response_to_outline(const CompiledSensor&, const SensorPose&, const Outline&);
+// Response to the nearest point inside the field of the outline moved by −shift; 0 when no part of it lies there.
+float response_to_outline(const CompiledSensor&, const SensorPose&, const Outline&, maths::vec2 shift = {});
 
 // True when the straight line from a to b crosses the outline.
 bool crosses(const Outline&, maths::vec2 a, maths::vec2 b);

@@ -39,7 +39,14 @@ MysteryQuestion question(const FourNeurons& rebuilt) {
 MysteryScore score(const MysteryQuestion& asked) {
     const auto base = MysteryBase::create(asked);
     EXPECT_TRUE(base) << base.error().text();
-    return insight::mystery_score(*base);
+    std::vector<insight::MysteryStart> starts;
+    for (std::size_t start = 0; start < asked.starts; ++start) {
+        insight::MysteryRun run(*base, start);
+        while (!run.advance(1024)) {
+        }
+        starts.push_back(run.result());
+    }
+    return insight::score_of(std::move(starts));
 }
 
 TEST(Mystery, TheSameBrainHasAllPointsAndAnotherFewer) {
