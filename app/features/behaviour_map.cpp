@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/course/lesson_view.h"
+#include "app/jobs/in_pieces.h"
 #include "app/lab_selection.h"
 #include "app/workspace.h"
 #include "core/scene/scene_number.h"
@@ -40,18 +41,6 @@ private:
     MapPlace place_;
     std::vector<insight::Outcome> runs_;
     std::optional<insight::MapRun> run_;
-};
-
-class PathOfCell {
-public:
-    PathOfCell(const std::shared_ptr<const MapBase>& base, MapPlace place) : run_(base, place, 0) {}
-    std::optional<insight::Path> operator()() {
-        if (!run_.advance(ticks_per_step)) return std::nullopt;
-        return run_.path();
-    }
-
-private:
-    insight::MapRun run_;
 };
 
 void forget_map(BehaviourMap& map) {
@@ -198,7 +187,9 @@ void submit_cells(BehaviourMap& map, Jobs& jobs) {
 void follow_path(BehaviourMap& map, Jobs& jobs) {
     if (!map.hovered || !map.base) return map.path.forget();
     if (!map.path.is_about(*map.hovered)) map.path.forget(), map.path.ask(*map.hovered);
-    map.path.follow([&](MapPlace place) { return jobs.submit(PathOfCell(map.base, place)); });
+    map.path.follow([&](MapPlace place) {
+        return jobs.submit(InPieces(insight::MapRun(map.base, place, 0), ticks_per_step, &insight::MapRun::path));
+    });
 }
 
 bool have_common_value(const AxisValue& a, const AxisValue& b) {

@@ -5,6 +5,7 @@
 
 #include "app/files/breeding_files.h"
 #include "app/files/data.h"
+#include "app/jobs/in_pieces.h"
 #include "app/lab_edits.h"
 #include "app/workspace.h"
 #include "core/evolve/scene_breeding.h"
@@ -45,20 +46,6 @@ private:
     BreedingBasePtr base_;
     std::vector<evolve::Trial> trials_;
     std::vector<float> seconds_;
-};
-
-// A match to watch as a part of a job.
-class DuelPiece {
-public:
-    DuelPiece(const BreedingBasePtr& base, const evolve::Trial& trial) : base_(base), run_(*base, trial) {}
-    std::optional<Duel> operator()() {
-        if (!run_.advance(ticks_per_piece)) return std::nullopt;
-        return run_.duel();
-    }
-
-private:
-    BreedingBasePtr base_;
-    evolve::DuelRun run_;
 };
 
 void stop_breeding(BreedingRuns& runs) {
@@ -377,7 +364,7 @@ void update_breeding(BreedingRuns& runs, Jobs& jobs) {
             trials.push_back(first_trial(runs, cell, question.cells.front()));
         const std::size_t count = trials.size();
         return jobs.submit(count, [base = runs.base, all = std::move(trials)](std::size_t part) {
-            return DuelPiece(base, all[part]);
+            return InPieces(evolve::DuelRun(*base, all[part]), ticks_per_piece, &evolve::DuelRun::duel);
         });
     });
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/course/lesson_view.h"
+#include "app/jobs/in_pieces.h"
 #include "app/lab_edits.h"
 #include "app/lab_selection.h"
 #include "app/workspace.h"
@@ -14,20 +15,6 @@ namespace braitenlab {
 namespace {
 
 constexpr std::size_t mystery_ticks = 300;  // about half a millisecond with one vehicle
-
-// The runs from one start as a part of a job.
-class MysteryPiece {
-public:
-    MysteryPiece(const std::shared_ptr<const insight::MysteryBase>& base, std::size_t start) : run_(base, start) {}
-    std::optional<insight::MysteryStart> operator()() {
-        if (!run_.advance(mystery_ticks)) return std::nullopt;
-        return run_.result();
-    }
-    float progress() const { return run_.progress(); }
-
-private:
-    insight::MysteryRun run_;
-};
 
 const VehicleView* first_hidden(const Workspace& space) {
     for (const VehicleView& each : shown_snapshot(space).vehicles)
@@ -131,8 +118,11 @@ void update_mystery(MysteryRuns& runs, const Workspace& space, Jobs& jobs) {
         const auto base = insight::MysteryBase::create(question);
         if (!base) return base.error();
         return jobs.submit(
-            question.starts, [base = *base](std::size_t start) { return MysteryPiece(base, start); },
-            [](std::vector<insight::MysteryStart> starts) { return insight::score_of(std::move(starts)); });
+            question.starts,
+            [base = *base](std::size_t start) {
+                return InPieces(insight::MysteryRun(base, start), mystery_ticks, &insight::MysteryRun::result);
+            },
+            insight::score_of);
     });
 }
 

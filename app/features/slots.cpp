@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/course/lesson_view.h"
+#include "app/jobs/in_pieces.h"
 #include "app/lab_edits.h"
 #include "app/lab_selection.h"
 #include "app/workspace.h"
@@ -17,20 +18,6 @@ constexpr float compared_seconds = 30;     // outside exercises
 constexpr std::size_t design_ticks = 120;  // about half a millisecond with one vehicle
 
 std::string letter(std::size_t slot) { return slot == 0 ? "A" : "B"; }
-
-// The run of a design as a part of a job.
-class DesignPiece {
-public:
-    DesignPiece(const insight::CompareQuestion& question, const insight::Design& design) : run_(question, design) {}
-    std::optional<insight::ComparedRun> operator()() {
-        if (!run_.advance(design_ticks)) return std::nullopt;
-        return run_.run();
-    }
-    float progress() const { return run_.progress(); }
-
-private:
-    insight::DesignRun run_;
-};
 
 std::string_view why_no_slots(const Workspace& space) {
     const VehicleView* vehicle = find_vehicle(shown_snapshot(space), space.view.selection.vehicle);
@@ -141,8 +128,10 @@ void update_slots(Slots& slots, const Workspace& space, Jobs& jobs) {
     if (asked->run != space.document.run_id) return slots.runs.forget();
     slots.runs.follow([&](const SlotRuns& runs) {
         const auto shared = std::make_shared<const SlotRuns>(runs);
-        return jobs.submit(2,
-                           [shared](std::size_t part) { return DesignPiece(shared->question, shared->designs[part]); });
+        return jobs.submit(2, [shared](std::size_t part) {
+            return InPieces(insight::DesignRun(shared->question, shared->designs[part]), design_ticks,
+                            &insight::DesignRun::run);
+        });
     });
     if (slots.runs.error()) slots.runs.forget();
 }

@@ -5,6 +5,7 @@
 
 #include "app/files/data.h"
 #include "app/files/disk.h"
+#include "app/jobs/in_pieces.h"
 #include "app/lab_selection.h"
 #include "app/workspace.h"
 #include "core/insight/axis_value.h"
@@ -15,19 +16,6 @@ namespace {
 
 constexpr std::size_t runs_per_job = 8;
 constexpr std::size_t study_ticks = 60;  // a few milliseconds with twenty vehicles
-
-// A run of a study as a part of a job.
-class RunPiece {
-public:
-    RunPiece(const std::shared_ptr<const insight::StudyBase>& base, std::size_t run) : run_(base, run) {}
-    std::optional<insight::StudyRow> operator()() {
-        if (!run_.advance(study_ticks)) return std::nullopt;
-        return run_.row();
-    }
-
-private:
-    insight::StudyRun run_;
-};
 
 void stop(StudyRuns& study) {
     study.runs = false;
@@ -227,8 +215,9 @@ void update_study(StudyRuns& study, Jobs& jobs) {
     while (study.jobs.size() < jobs_at_once && study.begun < all) {
         const std::size_t first = study.begun;
         const std::size_t count = std::min(parts_of_next_job(study.jobs.size(), runs_per_job), all - first);
-        study.jobs.push_back(
-            jobs.submit(count, [base = study.base, first](std::size_t part) { return RunPiece(base, first + part); }));
+        study.jobs.push_back(jobs.submit(count, [base = study.base, first](std::size_t part) {
+            return InPieces(insight::StudyRun(base, first + part), study_ticks, &insight::StudyRun::row);
+        }));
         study.begun += count;
     }
     if (study.rows.size() == all) study.runs = false;
