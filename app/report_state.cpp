@@ -33,73 +33,59 @@ Json pixel(const CameraView& camera_view, float x, float y, float height = 0) {
 
 constexpr std::size_t most_objects = 64;
 
-Json vehicles_json(const Snapshot& now, const CameraView& camera_view) {
+// The first things of a list, each as `row(thing, its index)`.
+Json listed(const auto& things, const auto& row) {
     Json all = Json::array();
-    for (std::size_t i = 0; i < std::min(most_objects, now.vehicles.size()); ++i) {
-        const VehicleView& v = now.vehicles[i];
-        all.push_back({{"id", v.id},
-                       {"kind", v.kind},
-                       {"driver", word(v.driver)},
-                       {"x", plain(v.x)},
-                       {"y", plain(v.y)},
-                       {"heading", plain(v.heading)},
-                       {"at", pixel(camera_view, v.x, v.y, 0.15f)}});
-    }
+    for (std::size_t i = 0; i < std::min(most_objects, things.size()); ++i)
+        all.push_back(row(things[i], static_cast<int>(i)));
     return all;
 }
 
-Json sources_json(const Snapshot& now, const CameraView& camera_view) {
-    Json all = Json::array();
-    for (std::size_t i = 0; i < std::min(most_objects, now.scene->sources.size()); ++i) {
-        const Source& s = now.scene->sources[i];
-        all.push_back({{"name", s.name},
-                       {"channel", word(s.channel)},
-                       {"x", plain(s.x)},
-                       {"y", plain(s.y)},
-                       {"strength", plain(s.strength)},
-                       {"solid", s.solid},
-                       {"at", pixel(camera_view, s.x, s.y)}});
-    }
-    return all;
-}
-
-Json obstacles_json(const Snapshot& now, const CameraView& camera_view) {
-    Json all = Json::array();
-    for (std::size_t i = 0; i < std::min(most_objects, now.scene->obstacles.size()); ++i) {
-        const Obstacle& o = now.scene->obstacles[i];
-        const Pose place = *place_of(now, {SceneObjectKind::obstacle, static_cast<int>(i)});
-        all.push_back({{"name", o.name},
-                       {"x", plain(place.x)},
-                       {"y", plain(place.y)},
-                       {"heading", plain(place.heading)},
-                       {"length", plain(o.length)},
-                       {"width", plain(o.width)},
-                       {"mass", plain(o.mass)},
-                       {"corners", o.corners.size()},
-                       {"at", pixel(camera_view, place.x, place.y, obstacle_height(now.scene->arena))}});
-    }
-    return all;
-}
-
-Json zones_json(const Snapshot& now, const CameraView& camera_view) {
-    Json all = Json::array();
-    for (std::size_t i = 0; i < std::min(most_objects, now.scene->zones.size()); ++i) {
-        const Zone& z = now.scene->zones[i];
-        all.push_back({{"name", z.name},
-                       {"x", plain(z.x)},
-                       {"y", plain(z.y)},
-                       {"heading", plain(z.heading)},
-                       {"length", plain(z.length)},
-                       {"width", plain(z.width)},
-                       {"round", z.round},
-                       {"surface", word(z.surface)},
-                       {"at", pixel(camera_view, z.x, z.y)}});
-    }
-    return all;
+void add_objects(Json& state, const Snapshot& now, const CameraView& camera_view) {
+    state["vehicles"] = listed(now.vehicles, [&](const VehicleView& v, int) {
+        return Json{{"id", v.id},
+                    {"kind", v.kind},
+                    {"driver", word(v.driver)},
+                    {"x", plain(v.x)},
+                    {"y", plain(v.y)},
+                    {"heading", plain(v.heading)},
+                    {"at", pixel(camera_view, v.x, v.y, 0.15f)}};
+    });
+    state["sources"] = listed(now.scene->sources, [&](const Source& s, int) {
+        return Json{{"name", s.name},
+                    {"channel", word(s.channel)},
+                    {"x", plain(s.x)},
+                    {"y", plain(s.y)},
+                    {"strength", plain(s.strength)},
+                    {"solid", s.solid},
+                    {"at", pixel(camera_view, s.x, s.y)}};
+    });
+    state["obstacles"] = listed(now.scene->obstacles, [&](const Obstacle& o, int index) {
+        const Pose place = *place_of(now, {SceneObjectKind::obstacle, index});
+        return Json{{"name", o.name},
+                    {"x", plain(place.x)},
+                    {"y", plain(place.y)},
+                    {"heading", plain(place.heading)},
+                    {"length", plain(o.length)},
+                    {"width", plain(o.width)},
+                    {"mass", plain(o.mass)},
+                    {"corners", o.corners.size()},
+                    {"at", pixel(camera_view, place.x, place.y, obstacle_height(now.scene->arena))}};
+    });
+    state["zones"] = listed(now.scene->zones, [&](const Zone& z, int) {
+        return Json{{"name", z.name},
+                    {"x", plain(z.x)},
+                    {"y", plain(z.y)},
+                    {"heading", plain(z.heading)},
+                    {"length", plain(z.length)},
+                    {"width", plain(z.width)},
+                    {"round", z.round},
+                    {"surface", word(z.surface)},
+                    {"at", pixel(camera_view, z.x, z.y)}};
+    });
 }
 
 void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
-    const CameraView& camera_view = frame.camera_view;
     const Snapshot& now = shown_snapshot(lab);
     state["thing"] = {{"kind", word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
     state["chosen"] = selected_objects(lab.view.selection).size();
@@ -110,10 +96,7 @@ void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& sce
     state["cursor"] = frame.hand ? "hand" : "arrow";
     state["tool"] = word(scene_input.tool);
     state["corners"] = scene_input.corners.size();
-    state["vehicles"] = vehicles_json(now, camera_view);
-    state["sources"] = sources_json(now, camera_view);
-    state["obstacles"] = obstacles_json(now, camera_view);
-    state["zones"] = zones_json(now, camera_view);
+    add_objects(state, now, frame.camera_view);
 }
 
 Json exercise_json(const Lab& lab) {
@@ -193,14 +176,11 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle, con
                        std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& w) { return w.cut; });
     state["driver"] = vehicle ? word(vehicle->driver) : "";
     state["motor"] = vehicle ? Json{plain(vehicle->motor[0]), plain(vehicle->motor[1])} : Json(nullptr);
-    Json ranges = Json::array();
-    if (vehicle)
-        for (const Sensor& sensor : kind_of(now, *vehicle).sensors) ranges.push_back(plain(sensor.range));
-    state["sensor_ranges"] = std::move(ranges);
-    for (const std::string_view key : {"sensor_names", "sensor_angles"}) state[std::string(key)] = Json::array();
+    for (const char* key : {"sensor_ranges", "sensor_names", "sensor_angles"}) state[key] = Json::array();
     state["neurons"] = state["learned"] = Json::object();
     if (vehicle) {
         for (const Sensor& sensor : kind_of(now, *vehicle).sensors) {
+            state["sensor_ranges"].push_back(plain(sensor.range));
             state["sensor_names"].push_back(sensor.name);
             state["sensor_angles"].push_back(plain(maths::degrees(sensor.angle)));
         }
