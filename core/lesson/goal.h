@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/scene/schema.h"
@@ -57,6 +58,11 @@ struct Reading {
     bool met = false;   // true while the goal is met
     bool lost = false;  // true when the goal cannot be met any more in this run
 };
+
+// A state without values.
+template <class State>
+requires std::is_empty_v<State>
+void describe(auto&, Of<State>) {}
 
 // A second value of a goal, measured together with the first one; at most `needed`. A goal with one has a function
 // second(State).

@@ -26,44 +26,30 @@ struct CheckState;
 
 namespace goals {
 
-// Met while all of its checks are met at the same time.
-struct AllOf {
-    static constexpr Traits traits{"all_of", "", false, 0, "every one of its checks is met at the same time"};
+enum class Combines { all, any, none };
+
+// Met by its checks together. One of Combines::none judges checks about vehicles that are in the scene; use it beside
+// `runs`.
+template <Combines how>
+struct Combination {
+    static constexpr Traits traits =
+        how == Combines::all   ? Traits{"all_of", "", false, 0, "every one of its checks is met at the same time"}
+        : how == Combines::any ? Traits{"any_of", "", false, 0, "at least one of its checks is met"}
+                               : Traits{"none_of", "", false, 0,
+                                        "none of its checks has been met in the run so far, "
+                                        "with their vehicles still in the scene"};
     struct State {
         std::vector<CheckState> checks;
     };
     std::vector<Check> checks;
 };
+using AllOf = Combination<Combines::all>;
+using AnyOf = Combination<Combines::any>;
+using NoneOf = Combination<Combines::none>;
 
-// Met while at least one of its checks is met.
-struct AnyOf {
-    static constexpr Traits traits{"any_of", "", false, 0, "at least one of its checks is met"};
-    struct State {
-        std::vector<CheckState> checks;
-    };
-    std::vector<Check> checks;
-};
-
-// Met as long as none of its checks has been met and the vehicles that these are about are in the scene. Combine it
-// with `runs`.
-struct NoneOf {
-    static constexpr Traits traits{"none_of", "", false, 0,
-                                   "none of its checks has been met in the run so far, "
-                                   "with their vehicles still in the scene"};
-    struct State {
-        std::vector<CheckState> checks;
-    };
-    std::vector<Check> checks;
-};
-
-void describe(auto& v, Of<AllOf>) {
-    v.list("check", &AllOf::checks, limits::checks, "a check with its own goal; at least one");
-}
-void describe(auto& v, Of<AnyOf>) {
-    v.list("check", &AnyOf::checks, limits::checks, "a check with its own goal; at least one");
-}
-void describe(auto& v, Of<NoneOf>) {
-    v.list("check", &NoneOf::checks, limits::checks, "a check with its own goal; at least one");
+template <Combines how>
+void describe(auto& v, Of<Combination<how>>) {
+    v.list("check", &Combination<how>::checks, limits::checks, "a check with its own goal; at least one");
 }
 
 }  // namespace goals

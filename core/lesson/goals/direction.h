@@ -61,7 +61,5 @@ void describe(auto& v, Of<Faces>) {
 // ── States, for saved work ──
 void describe(auto& v, Of<TurnsTo::State>) { v.flag("was_outside", &TurnsTo::State::was_outside, ""); }
 void describe(auto& v, Of<TurnsAway::State>) { v.flag("was_inside", &TurnsAway::State::was_inside, ""); }
-template <class Visitor>
-void describe(Visitor&, Of<Faces::State>) {}
 
 }  // namespace braitenlab::goals

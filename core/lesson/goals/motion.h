@@ -126,20 +126,12 @@ void describe(auto& v, Of<SpeedFollows>) {
 }
 
 // ── States, for saved work ──
-template <class Visitor>
-void describe(Visitor&, Of<Runs::State>) {}
 void describe(auto& v, Of<Survives::State>) { v.number("fell_at", &Survives::State::fell_at, "s", {-1, 1e6}, ""); }
 void describe(auto& v, Of<SpeedsUp::State>) {
     v.number("first_speed", &SpeedsUp::State::first_speed, "m/s", {0, 1e6}, "");
     v.number("ratio", &SpeedsUp::State::ratio, "×", {0, 1e6}, "");
     v.flag("decided", &SpeedsUp::State::decided, "");
 }
-template <class Visitor>
-void describe(Visitor&, Of<Rests::State>) {}
-template <class Visitor>
-void describe(Visitor&, Of<Drives::State>) {}
-template <class Visitor>
-void describe(Visitor&, Of<KeepsSpeed::State>) {}
 void describe(auto& v, Of<KeepsMoving::State>) {
     v.number("slow_since", &KeepsMoving::State::slow_since, "ticks", {-1, 1e15}, "");
     v.number("longest", &KeepsMoving::State::longest, "ticks", {0, 1e15}, "");

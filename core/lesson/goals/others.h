@@ -110,12 +110,6 @@ void describe(auto& v, Of<Matches>) {
 
 // ── States, for saved work ──
 void describe(auto& v, Of<Follows::State>) { v.number("degrees", &Follows::State::degrees, "°", {0, 180}, ""); }
-template <class Visitor>
-void describe(Visitor&, Of<Collides::State>) {}
-template <class Visitor>
-void describe(Visitor&, Of<Captures::State>) {}
-template <class Visitor>
-void describe(Visitor&, Of<Population::State>) {}
 void describe(auto& v, Of<Recharges::State>) {
     v.flag("is_low", &Recharges::State::is_low, "");
     v.number("times", &Recharges::State::times, "", {0, 1e9}, "");

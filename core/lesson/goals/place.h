@@ -173,11 +173,7 @@ void describe(auto& v, Of<FollowsLine>) {
 }
 
 // ── States, for saved work ──
-template <class Visitor>
-void describe(Visitor&, Of<Touches::State>) {}
 void describe(auto& v, Of<Avoids::State>) { v.number("nearest", &Avoids::State::nearest, "m", {-1, 1e6}, ""); }
-template <class Visitor>
-void describe(Visitor&, Of<KeepsDistance::State>) {}
 void describe(auto& v, Of<Circles::State>) {
     v.flag("inside", &Circles::State::inside, "");
     v.number("bearing", &Circles::State::bearing, "rad", {-4, 4}, "");
@@ -189,8 +185,6 @@ void describe(auto& v, Of<SteadyDistance::State>) {
     v.number("furthest", &SteadyDistance::State::furthest, "m", {0, 1e6}, "");
 }
 void describe(auto& v, Of<Visits::State>) { v.number("visited", &Visits::State::visited, "", {0, 1.8e19}, ""); }
-template <class Visitor>
-void describe(Visitor&, Of<Enters::State>) {}
 void describe(auto& v, Of<DrivesThrough::State>) {
     v.flag("begun", &DrivesThrough::State::begun, "");
     v.flag("crossed", &DrivesThrough::State::crossed, "");
