@@ -41,6 +41,11 @@ std::optional<Error> write_paths(const Lab& lab, const Strings& strings, const s
     return write_whole(path, paths_file(session.recording(), session.earliest(), now.tick, now.scene->title, strings));
 }
 
+Error too_large(const std::filesystem::path& path) {
+    const int most = render::Offscreen::largest();
+    return error_of(message_of("picture_too_large", most, most), path.string());
+}
+
 }  // namespace
 
 std::optional<Error> App::write_picture(const std::filesystem::path& path) {
@@ -92,15 +97,6 @@ std::optional<Error> App::take(const TakeAway& wanted, const std::filesystem::pa
     if (wanted.kind == TakeKind::paths) return write_paths(lab_, words_.strings, path);
     return wanted.kind == TakeKind::window ? write_window(path, width, height) : write_scene(path, width, height);
 }
-
-namespace {
-
-Error too_large(const std::filesystem::path& path) {
-    const int most = render::Offscreen::largest();
-    return error_of(message_of("picture_too_large", most, most), path.string());
-}
-
-}  // namespace
 
 std::optional<Error> App::write_scene(const std::filesystem::path& path, int width, int height) {
     render::Offscreen canvas(width, height);

@@ -58,35 +58,6 @@ void apply_and_select(Workspace& space, const Command& command, std::uint64_t ge
     if (const SceneObject added = ui::added_by(space.document.session.snapshot(), command)) select(space, added);
 }
 
-}  // namespace
-
-void undo(Workspace& space) {
-    change(space, [&] { return space.document.session.undo(); });
-}
-
-void redo(Workspace& space) {
-    change(space, [&] { return space.document.session.redo(); });
-}
-
-void edit(Workspace& space, const EditRequest& r) {
-    const bool from_diagram = r.gesture >= gestures::canvas && r.gesture < gestures::viewport;
-    if (from_diagram && space.playback.mode == Mode::playing) set_mode(space, Mode::paused);
-    apply_and_select(space, r.command, r.gesture);
-}
-
-void paste(Workspace& space, const Scene& copy, std::optional<maths::vec2> at) {
-    const std::uint64_t gesture = new_gesture(space);
-    std::vector<SceneObject> added;
-    for (const Command& command : ui::pasted(space.document.session.snapshot(), copy, at)) {
-        const Command with_room = ui::with_room(space.document.session.snapshot(), command);
-        if (!apply(space, with_room, gesture)) break;  // the notice says why
-        if (const SceneObject one = ui::added_by(space.document.session.snapshot(), with_room)) added.push_back(one);
-    }
-    select_objects(space, added);
-}
-
-namespace {
-
 void erase(Workspace& space) {
     const std::uint64_t gesture = new_gesture(space);
     for (const Command& command :
@@ -118,6 +89,31 @@ void select_all(Workspace& space) {
 }
 
 }  // namespace
+
+void undo(Workspace& space) {
+    change(space, [&] { return space.document.session.undo(); });
+}
+
+void redo(Workspace& space) {
+    change(space, [&] { return space.document.session.redo(); });
+}
+
+void edit(Workspace& space, const EditRequest& r) {
+    const bool from_diagram = r.gesture >= gestures::canvas && r.gesture < gestures::viewport;
+    if (from_diagram && space.playback.mode == Mode::playing) set_mode(space, Mode::paused);
+    apply_and_select(space, r.command, r.gesture);
+}
+
+void paste(Workspace& space, const Scene& copy, std::optional<maths::vec2> at) {
+    const std::uint64_t gesture = new_gesture(space);
+    std::vector<SceneObject> added;
+    for (const Command& command : ui::pasted(space.document.session.snapshot(), copy, at)) {
+        const Command with_room = ui::with_room(space.document.session.snapshot(), command);
+        if (!apply(space, with_room, gesture)) break;  // the notice says why
+        if (const SceneObject one = ui::added_by(space.document.session.snapshot(), with_room)) added.push_back(one);
+    }
+    select_objects(space, added);
+}
 
 void act_on_objects(Workspace& space, Action action) {
     if (space.playback.mode == Mode::wiring) return;

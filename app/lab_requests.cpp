@@ -42,6 +42,18 @@ bool selects(const Request& request) {
            std::holds_alternative<SelectObjectsRequest>(request);
 }
 
+// Adds a request that only moves an object as a part of this gesture; false for any other request.
+bool add_move(MoveObjects& all, const Request& request, std::uint64_t gesture) {
+    const auto* edit = std::get_if<EditRequest>(&request);
+    if (!edit || edit->gesture != gesture || gesture == 0) return false;
+    return std::visit(
+        Match{[&](const MoveVehicle& c) { return all.of_vehicles.push_back(c), true; },
+              [&](const MoveSource& c) { return all.of_sources.push_back(c), true; },
+              [&](const MoveObstacle& c) { return all.of_obstacles.push_back(c), true; },
+              [&](const MoveZone& c) { return all.of_zones.push_back(c), true; }, [](const auto&) { return false; }},
+        edit->command);
+}
+
 }  // namespace
 
 void handle(Lab& lab, const Request& request) {
@@ -127,22 +139,6 @@ void handle(Lab& lab, const Request& request) {
                      }},
                request);
 }
-
-namespace {
-
-// Adds a request that only moves an object as a part of this gesture; false for any other request.
-bool add_move(MoveObjects& all, const Request& request, std::uint64_t gesture) {
-    const auto* edit = std::get_if<EditRequest>(&request);
-    if (!edit || edit->gesture != gesture || gesture == 0) return false;
-    return std::visit(
-        Match{[&](const MoveVehicle& c) { return all.of_vehicles.push_back(c), true; },
-              [&](const MoveSource& c) { return all.of_sources.push_back(c), true; },
-              [&](const MoveObstacle& c) { return all.of_obstacles.push_back(c), true; },
-              [&](const MoveZone& c) { return all.of_zones.push_back(c), true; }, [](const auto&) { return false; }},
-        edit->command);
-}
-
-}  // namespace
 
 void handle_all(Lab& lab, const Outbox& requests) {
     for (auto next = requests.begin(); next != requests.end();) {

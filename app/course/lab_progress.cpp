@@ -45,38 +45,6 @@ bool is_new_attempt(Lab& lab) {
     return std::exchange(lab.progress_of, now) != now;
 }
 
-}  // namespace
-
-void follow_progress(Lab& lab) {
-    if (!lab.document.lesson || lab.pages) return;  // a page of a lecture is no attempt of a student
-    Lesson& lesson = *lab.document.lesson;
-    const ExerciseProgress* known = stored_progress(lab);
-    if (is_new_attempt(lab)) lesson.attempt.notes = known ? known->notes : std::string();
-    const ExerciseProgress before = known ? *known : ExerciseProgress{};
-    ExerciseProgress now = progressed(before, lesson);
-    lesson.standing.has_kept =
-        now.submission && *now.submission != submission_of(*lesson.exercise, lab.document.session.snapshot());
-    lesson.standing.passed_before = now.passed;
-    if (now == before) return;
-    lab.students.before_reset.reset();
-    lab.students.student().exercises[lesson.key] = std::move(now);
-}
-
-bool is_kept(const Lab& lab, const Submission& submission) {
-    const ExerciseProgress* known = stored_progress(lab);
-    return known && known->submission == submission;
-}
-
-void take_kept_submission(Lab& lab) {
-    const ExerciseProgress* known = stored_progress(lab);
-    if (!known || !known->submission) return;
-    const bool shown = known->shown;
-    give_submission(lab, Submission(*known->submission));
-    if (shown) lab.document.lesson->attempt.work.solution_shown = true;
-}
-
-namespace {
-
 void choose_student(Lab& lab, std::size_t index) {
     StudentBook& book = lab.students;
     if (index >= book.all.size() || index == book.current) return;
@@ -121,6 +89,34 @@ void restore_student(Lab& lab) {
 }
 
 }  // namespace
+
+void follow_progress(Lab& lab) {
+    if (!lab.document.lesson || lab.pages) return;  // a page of a lecture is no attempt of a student
+    Lesson& lesson = *lab.document.lesson;
+    const ExerciseProgress* known = stored_progress(lab);
+    if (is_new_attempt(lab)) lesson.attempt.notes = known ? known->notes : std::string();
+    const ExerciseProgress before = known ? *known : ExerciseProgress{};
+    ExerciseProgress now = progressed(before, lesson);
+    lesson.standing.has_kept =
+        now.submission && *now.submission != submission_of(*lesson.exercise, lab.document.session.snapshot());
+    lesson.standing.passed_before = now.passed;
+    if (now == before) return;
+    lab.students.before_reset.reset();
+    lab.students.student().exercises[lesson.key] = std::move(now);
+}
+
+bool is_kept(const Lab& lab, const Submission& submission) {
+    const ExerciseProgress* known = stored_progress(lab);
+    return known && known->submission == submission;
+}
+
+void take_kept_submission(Lab& lab) {
+    const ExerciseProgress* known = stored_progress(lab);
+    if (!known || !known->submission) return;
+    const bool shown = known->shown;
+    give_submission(lab, Submission(*known->submission));
+    if (shown) lab.document.lesson->attempt.work.solution_shown = true;
+}
 
 void edit_students(Lab& lab, const StudentRequest& request) {
     if (request.edit == StudentEdit::choose) choose_student(lab, request.index);

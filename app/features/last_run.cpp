@@ -15,6 +15,39 @@ namespace {
 constexpr std::size_t most_vehicles = 16, most_poses = 36000;  // 7 MB
 constexpr std::size_t least_poses = 30;
 
+// Paths long enough to be shown, by the ids in another run.
+RunPaths renumbered(RunPaths paths, const std::map<VehicleId, VehicleId>& ids) {
+    RunPaths shown{paths.run, {}};
+    for (auto& [id, path] : paths.paths)
+        if (const auto found = ids.find(id); found != ids.end() && path.size() >= least_poses)
+            shown.paths[found->second] = std::move(path);
+    return shown;
+}
+
+UndoOfReturn undo_of(const Workspace& space, UndoOfReturn::State state) {
+    return {state, space.document.edits, space.document.session.latest()};
+}
+
+bool is(const LastRun& runs, const Workspace& space, UndoOfReturn::State state) {
+    const UndoOfReturn now = undo_of(space, state), &then = runs.undo;
+    return has_left_run(runs, space) && then.state == state && then.edits == now.edits && then.latest == now.latest;
+}
+
+LessonBefore lesson_before(const Lesson& lesson) {
+    return {lesson.attempt.work, lesson.standing, lesson.graded,
+            lesson.selecting ? lesson.selecting->parents : std::vector<Parent>{}};
+}
+
+void give_back(Lesson& lesson, LessonBefore before, std::uint64_t seed) {
+    lesson.attempt.work = std::move(before.work);
+    lesson.standing = before.standing;
+    lesson.standing.starts_tested.reset();
+    lesson.graded = std::move(before.graded);
+    lesson.grading.reset();
+    lesson.selecting.reset();
+    if (!before.parents.empty()) lesson.selecting = Selecting{.parents = std::move(before.parents), .start = seed};
+}
+
 }  // namespace
 
 void record_paths(LastRun& runs, const Workspace& space) {
@@ -34,28 +67,6 @@ void record_paths(LastRun& runs, const Workspace& space) {
         if (path.size() == now.tick) path.push_back({vehicle.x, vehicle.y, vehicle.heading});
     }
 }
-
-namespace {
-
-// Paths long enough to be shown, by the ids in another run.
-RunPaths renumbered(RunPaths paths, const std::map<VehicleId, VehicleId>& ids) {
-    RunPaths shown{paths.run, {}};
-    for (auto& [id, path] : paths.paths)
-        if (const auto found = ids.find(id); found != ids.end() && path.size() >= least_poses)
-            shown.paths[found->second] = std::move(path);
-    return shown;
-}
-
-UndoOfReturn undo_of(const Workspace& space, UndoOfReturn::State state) {
-    return {state, space.document.edits, space.document.session.latest()};
-}
-
-bool is(const LastRun& runs, const Workspace& space, UndoOfReturn::State state) {
-    const UndoOfReturn now = undo_of(space, state), &then = runs.undo;
-    return has_left_run(runs, space) && then.state == state && then.edits == now.edits && then.latest == now.latest;
-}
-
-}  // namespace
 
 const ReferencePath* path_of_selected(const LastRun& runs, const Workspace& space) {
     const RunPaths& present = runs.present;
@@ -79,25 +90,6 @@ void keep_run(LastRun& runs, const Workspace& space, LeftRun ended, const std::m
     ended.new_ids = new_ids;
     runs.left = std::move(ended);
 }
-
-namespace {
-
-LessonBefore lesson_before(const Lesson& lesson) {
-    return {lesson.attempt.work, lesson.standing, lesson.graded,
-            lesson.selecting ? lesson.selecting->parents : std::vector<Parent>{}};
-}
-
-void give_back(Lesson& lesson, LessonBefore before, std::uint64_t seed) {
-    lesson.attempt.work = std::move(before.work);
-    lesson.standing = before.standing;
-    lesson.standing.starts_tested.reset();
-    lesson.graded = std::move(before.graded);
-    lesson.grading.reset();
-    lesson.selecting.reset();
-    if (!before.parents.empty()) lesson.selecting = Selecting{.parents = std::move(before.parents), .start = seed};
-}
-
-}  // namespace
 
 LeftRun run_before_start_over(LastRun& runs, const Workspace& space) {
     record_paths(runs, space);

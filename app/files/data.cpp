@@ -46,21 +46,6 @@ std::vector<fs::path> toml_files(const fs::path& folder) {
     return files;
 }
 
-}  // namespace
-
-const char* version_text() { return version; }
-
-Result<fs::path> data_folder() {
-    std::string looked;
-    for (const fs::path& folder : candidate_folders()) {
-        if (file_exists(folder / "exercises" / "scenes")) return folder;
-        looked += (looked.empty() ? "" : ", ") + folder.string();
-    }
-    return error_of(message_of("no_data", looked));
-}
-
-namespace {
-
 bool is_of(Shipped wanted, std::string_view folder) {
     switch (wanted) {
         case Shipped::exercise:
@@ -88,6 +73,17 @@ Message no_shipped(Shipped wanted, const std::string& name) {
 }
 
 }  // namespace
+
+const char* version_text() { return version; }
+
+Result<fs::path> data_folder() {
+    std::string looked;
+    for (const fs::path& folder : candidate_folders()) {
+        if (file_exists(folder / "exercises" / "scenes")) return folder;
+        looked += (looked.empty() ? "" : ", ") + folder.string();
+    }
+    return error_of(message_of("no_data", looked));
+}
 
 Result<fs::path> find_shipped(const std::string& path_or_name, Shipped wanted) {
     if (file_exists(path_or_name)) return fs::path(path_or_name);

@@ -95,6 +95,22 @@ std::optional<FileEntry> entry_of(const fs::directory_entry& found, std::uintmax
     return entry;
 }
 
+bool leaves_folder(const fs::path& folder, const std::string& named) {
+    const fs::path path = fs::path(named).lexically_normal();
+    const bool leaves = path.has_root_path() || (!path.empty() && *path.begin() == "..");
+    return leaves && !ships((folder / path).lexically_normal());
+}
+
+// The scene's text with the comments of the file that the document was opened from, if it can be read afterwards.
+std::string with_comments_of(const Document& document, std::string text, const fs::path& path) {
+    if (document.lesson || document.path.empty()) return text;
+    const auto old = read_file(document.path);
+    if (!old || old->kind != FileKind::scene || !has_comments(old->text)) return text;
+    std::string commented = with_comments(text, old->text);
+    const auto plain = parse_scene(text, path.string()), read = parse_scene(commented, path.string());
+    return plain && read && *plain == *read ? commented : text;
+}
+
 }  // namespace
 
 FolderListing list_folder(const fs::path& wanted) {
@@ -118,16 +134,6 @@ FolderListing list_folder(const fs::path& wanted) {
     });
     return listing;
 }
-
-namespace {
-
-bool leaves_folder(const fs::path& folder, const std::string& named) {
-    const fs::path path = fs::path(named).lexically_normal();
-    const bool leaves = path.has_root_path() || (!path.empty() && *path.begin() == "..");
-    return leaves && !ships((folder / path).lexically_normal());
-}
-
-}  // namespace
 
 std::optional<Error> fault_of_dropped(const FileText& file) {
     const bool names_files = file.kind == FileKind::exercise || file.kind == FileKind::lecture ||
@@ -166,20 +172,6 @@ fs::path own_file(const Document& document) {
     const bool is_scene = file && file->kind == FileKind::scene && has_format_line(file->text);
     return is_scene ? document.path : fs::path{};
 }
-
-namespace {
-
-// The scene's text with the comments of the file that the document was opened from, if it can be read afterwards.
-std::string with_comments_of(const Document& document, std::string text, const fs::path& path) {
-    if (document.lesson || document.path.empty()) return text;
-    const auto old = read_file(document.path);
-    if (!old || old->kind != FileKind::scene || !has_comments(old->text)) return text;
-    std::string commented = with_comments(text, old->text);
-    const auto plain = parse_scene(text, path.string()), read = parse_scene(commented, path.string());
-    return plain && read && *plain == *read ? commented : text;
-}
-
-}  // namespace
 
 std::optional<Error> save_as(const Workspace& space, const fs::path& path, FileKind kind) {
     if (kind == FileKind::scene) {

@@ -264,6 +264,29 @@ struct FileCommands {
     }
 };
 
+// True if the file that was read again says what the document was opened from: only its time or its comments differ.
+bool says_the_same(const Document& opened, const Document& now) {
+    if (!now.file || *opened.file != *now.file || opened.lesson.has_value() != now.lesson.has_value()) return false;
+    return !now.lesson || write_exercise(*opened.lesson->exercise) == write_exercise(*now.lesson->exercise);
+}
+
+// In Document::noticed: the file with this mark was told to have changed beside unsaved edits.
+FileMark told_of(FileMark mark) { return {mark.written, ~mark.size}; }
+
+void reload(Lab& lab, FilesView& view, Document opened) {
+    const Playback before{
+        .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};
+    const Camera camera = lab.view.camera;
+    const bool whole_kind = lab.view.selection.whole_kind;
+    replace_document(lab, std::move(opened));
+    lab.playback = before;
+    lab.view.camera = camera;
+    lab.view.selection.whole_kind = whole_kind;
+    refresh(view, lab);
+    say(lab, {NoticeKind::notice, "files.reloaded", title_of(lab.document)});
+    if (lab.document.lesson) set_mode(lab, Mode::paused), check_exercise_for_author(lab);
+}
+
 }  // namespace
 
 void add_recent_file(StoredState& state, const fs::path& file, const Document& document) {
@@ -307,33 +330,6 @@ bool may_leave(const Lab& lab, FilesView& view) {
     view.refused.reset();
     return false;
 }
-
-namespace {
-
-// True if the file that was read again says what the document was opened from: only its time or its comments differ.
-bool says_the_same(const Document& opened, const Document& now) {
-    if (!now.file || *opened.file != *now.file || opened.lesson.has_value() != now.lesson.has_value()) return false;
-    return !now.lesson || write_exercise(*opened.lesson->exercise) == write_exercise(*now.lesson->exercise);
-}
-
-// In Document::noticed: the file with this mark was told to have changed beside unsaved edits.
-FileMark told_of(FileMark mark) { return {mark.written, ~mark.size}; }
-
-void reload(Lab& lab, FilesView& view, Document opened) {
-    const Playback before{
-        .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};
-    const Camera camera = lab.view.camera;
-    const bool whole_kind = lab.view.selection.whole_kind;
-    replace_document(lab, std::move(opened));
-    lab.playback = before;
-    lab.view.camera = camera;
-    lab.view.selection.whole_kind = whole_kind;
-    refresh(view, lab);
-    say(lab, {NoticeKind::notice, "files.reloaded", title_of(lab.document)});
-    if (lab.document.lesson) set_mode(lab, Mode::paused), check_exercise_for_author(lab);
-}
-
-}  // namespace
 
 void follow_file(Lab& lab, FilesView& view) {
     Document& document = lab.document;

@@ -38,6 +38,29 @@ fs::path behind_links(const fs::path& path) {
     return problem ? path : target;
 }
 
+// The folders above a path that do not exist, the highest last.
+std::vector<fs::path> missing_folders(fs::path folder) {
+    std::vector<fs::path> missing;
+    std::error_code none;
+    for (; !folder.empty() && !fs::exists(folder, none); folder = folder.parent_path()) missing.push_back(folder);
+    return missing;
+}
+
+std::optional<Error> commit_all(const std::vector<NewFile>& files) {
+    std::vector<FileWriter> writers;
+    writers.reserve(files.size());
+    for (const NewFile& file : files) {
+        std::error_code problem;
+        fs::create_directories(behind_links(file.path).parent_path(), problem);
+        if (problem) return not_saved(file.path, errno_of(problem));
+        writers.emplace_back(file.path).write(file.text);
+        if (auto error = writers.back().complete()) return error;
+    }
+    for (FileWriter& writer : writers)
+        if (auto error = writer.commit()) return error;
+    return std::nullopt;
+}
+
 }  // namespace
 
 FileWriter::FileWriter(const fs::path& path, bool flush) : wanted_(path), path_(behind_links(path)), flush_(flush) {
@@ -98,33 +121,6 @@ std::optional<Error> FileWriter::commit() {
     if (flush_) flush_folder_to_disk(path_.parent_path());
     return std::nullopt;
 }
-
-namespace {
-
-// The folders above a path that do not exist, the highest last.
-std::vector<fs::path> missing_folders(fs::path folder) {
-    std::vector<fs::path> missing;
-    std::error_code none;
-    for (; !folder.empty() && !fs::exists(folder, none); folder = folder.parent_path()) missing.push_back(folder);
-    return missing;
-}
-
-std::optional<Error> commit_all(const std::vector<NewFile>& files) {
-    std::vector<FileWriter> writers;
-    writers.reserve(files.size());
-    for (const NewFile& file : files) {
-        std::error_code problem;
-        fs::create_directories(behind_links(file.path).parent_path(), problem);
-        if (problem) return not_saved(file.path, errno_of(problem));
-        writers.emplace_back(file.path).write(file.text);
-        if (auto error = writers.back().complete()) return error;
-    }
-    for (FileWriter& writer : writers)
-        if (auto error = writer.commit()) return error;
-    return std::nullopt;
-}
-
-}  // namespace
 
 std::optional<Error> write_all(const std::vector<NewFile>& files) {
     std::vector<fs::path> made;

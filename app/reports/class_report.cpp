@@ -80,6 +80,25 @@ std::string failed_step_text(const ClassReport& report, const Grade& grade, cons
     return text;
 }
 
+class CsvLine {
+public:
+    explicit CsvLine(std::string& out) : out_(out) {}
+    void text(const std::string& cell) {
+        const std::string safe = io::spreadsheet_text(cell);
+        io::add_csv_cell(out_, std::string_view(safe));
+        out_ += ',';
+    }
+    void number(std::optional<int> cell) {
+        if (cell) io::add_csv_cell(out_, std::int64_t{*cell});
+        out_ += ',';
+    }
+    void yes_or_no(std::optional<bool> cell) { text(!cell ? "" : *cell ? "yes" : "no"); }
+    void end() { out_.back() = '\n'; }
+
+private:
+    std::string& out_;
+};
+
 }  // namespace
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
@@ -241,29 +260,6 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
     const std::string words(translated(strings, report.exercise->wrong[*row.resembles].text));
     return text + fill(strings("report.alike"), {words}) + " " + step;
 }
-
-namespace {
-
-class CsvLine {
-public:
-    explicit CsvLine(std::string& out) : out_(out) {}
-    void text(const std::string& cell) {
-        const std::string safe = io::spreadsheet_text(cell);
-        io::add_csv_cell(out_, std::string_view(safe));
-        out_ += ',';
-    }
-    void number(std::optional<int> cell) {
-        if (cell) io::add_csv_cell(out_, std::int64_t{*cell});
-        out_ += ',';
-    }
-    void yes_or_no(std::optional<bool> cell) { text(!cell ? "" : *cell ? "yes" : "no"); }
-    void end() { out_.back() = '\n'; }
-
-private:
-    std::string& out_;
-};
-
-}  // namespace
 
 std::string class_csv(const ClassReport& report, const Strings& strings) {
     const Exercise& exercise = *report.exercise;

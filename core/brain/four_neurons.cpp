@@ -43,6 +43,47 @@ const Node* sensor_of(const BrainGraph& graph, Dial dial, const SensorPair& pair
 bool is_bias(Dial dial) { return entry(dial).sensor == nullptr; }
 bool is_weight(Dial dial) { return dial <= Dial::RR; }
 
+struct Ends {
+    NodeId left_eye, right_eye, left_motor, right_motor;
+};
+
+std::optional<Ends> ends(const BrainGraph& brain, const SensorPair& pair) {
+    const auto id = [&](const std::string& name, NodeKind kind) {
+        const Node* node = find_node(brain, name);
+        return node && node->kind == kind ? node->id : NodeId{-1};
+    };
+    const Ends e{id(pair.left, NodeKind::sensor), id(pair.right, NodeKind::sensor), id("ML", NodeKind::motor),
+                 id("MR", NodeKind::motor)};
+    const bool whole = e.left_eye >= 0 && e.right_eye >= 0 && e.left_motor >= 0 && e.right_motor >= 0;
+    return whole ? std::optional(e) : std::nullopt;
+}
+
+// Sets the wire from `from` to `to` to the model, or removes it when the model is null. Lesions stay.
+void copy_wire(BrainGraph& brain, const Wire* model, NodeId from, NodeId to) {
+    Wire* wire = find_wire(brain, from, to);
+    if (!model) {
+        std::erase_if(brain.wires, [&](const Wire& w) { return w.from == from && w.to == to; });
+        return;
+    }
+    Wire made = *model;
+    made.from = from, made.to = to;
+    made.cut = wire && wire->cut;
+    if (wire)
+        *wire = made;
+    else
+        brain.wires.push_back(made);
+}
+
+// Swaps the parameters of two wires, except lesions.
+void swap_wires(BrainGraph& brain, NodeId eye, NodeId one_motor, NodeId other_motor) {
+    const Wire* one = find_wire(brain, eye, one_motor);
+    const Wire* other = find_wire(brain, eye, other_motor);
+    const std::optional<Wire> first = one ? std::optional(*one) : std::nullopt;
+    const std::optional<Wire> second = other ? std::optional(*other) : std::nullopt;
+    copy_wire(brain, second ? &*second : nullptr, eye, one_motor);
+    copy_wire(brain, first ? &*first : nullptr, eye, other_motor);
+}
+
 }  // namespace
 
 std::string_view name(Dial dial) { return entry(dial).word; }
@@ -146,51 +187,6 @@ void turn(BrainGraph& graph, Dial dial, float value, const SensorPair& pair) {
     if (!wire) wire = &graph.wires.emplace_back(Wire{.from = sensor->id, .to = motor->id, .weight = 0});
     (is_weight(dial) ? wire->weight : wire->threshold) = value;
 }
-
-namespace {
-
-struct Ends {
-    NodeId left_eye, right_eye, left_motor, right_motor;
-};
-
-std::optional<Ends> ends(const BrainGraph& brain, const SensorPair& pair) {
-    const auto id = [&](const std::string& name, NodeKind kind) {
-        const Node* node = find_node(brain, name);
-        return node && node->kind == kind ? node->id : NodeId{-1};
-    };
-    const Ends e{id(pair.left, NodeKind::sensor), id(pair.right, NodeKind::sensor), id("ML", NodeKind::motor),
-                 id("MR", NodeKind::motor)};
-    const bool whole = e.left_eye >= 0 && e.right_eye >= 0 && e.left_motor >= 0 && e.right_motor >= 0;
-    return whole ? std::optional(e) : std::nullopt;
-}
-
-// Sets the wire from `from` to `to` to the model, or removes it when the model is null. Lesions stay.
-void copy_wire(BrainGraph& brain, const Wire* model, NodeId from, NodeId to) {
-    Wire* wire = find_wire(brain, from, to);
-    if (!model) {
-        std::erase_if(brain.wires, [&](const Wire& w) { return w.from == from && w.to == to; });
-        return;
-    }
-    Wire made = *model;
-    made.from = from, made.to = to;
-    made.cut = wire && wire->cut;
-    if (wire)
-        *wire = made;
-    else
-        brain.wires.push_back(made);
-}
-
-// Swaps the parameters of two wires, except lesions.
-void swap_wires(BrainGraph& brain, NodeId eye, NodeId one_motor, NodeId other_motor) {
-    const Wire* one = find_wire(brain, eye, one_motor);
-    const Wire* other = find_wire(brain, eye, other_motor);
-    const std::optional<Wire> first = one ? std::optional(*one) : std::nullopt;
-    const std::optional<Wire> second = other ? std::optional(*other) : std::nullopt;
-    copy_wire(brain, second ? &*second : nullptr, eye, one_motor);
-    copy_wire(brain, first ? &*first : nullptr, eye, other_motor);
-}
-
-}  // namespace
 
 BrainGraph mirrored(BrainGraph brain, const SensorPair& pair) {
     const auto e = ends(brain, pair);

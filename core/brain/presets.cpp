@@ -191,21 +191,6 @@ std::vector<Preset> make_presets() {
     return list;
 }
 
-}  // namespace
-
-std::span<const Preset> presets() {
-    static const std::vector<Preset> list = make_presets();
-    return list;
-}
-
-const Preset* find_preset(std::string_view name) {
-    const auto list = presets();
-    const auto found = std::find_if(list.begin(), list.end(), [&](const Preset& p) { return p.name == name; });
-    return found == list.end() ? nullptr : &*found;
-}
-
-namespace {
-
 // These nodes and the neurons that they feed, directly or through neurons.
 std::set<NodeId> fed_by(const BrainGraph& brain, std::set<NodeId> nodes) {
     for (bool grows = true; grows;) {
@@ -248,6 +233,17 @@ void copy_positions(const BrainGraph& brain, const BrainGraph& preset, BrainGrap
 }
 
 }  // namespace
+
+std::span<const Preset> presets() {
+    static const std::vector<Preset> list = make_presets();
+    return list;
+}
+
+const Preset* find_preset(std::string_view name) {
+    const auto list = presets();
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Preset& p) { return p.name == name; });
+    return found == list.end() ? nullptr : &*found;
+}
 
 BrainGraph graft(const BrainGraph& brain, const BrainGraph& preset) {
     BrainGraph made = preset;

@@ -234,6 +234,30 @@ std::vector<Command> set_start(const ValueSubject& subject, const AxisValue& axi
         });
 }
 
+// Gives the part of the subject's vehicle to all that its target holds. `own`: the part of a start or a member.
+template <class Part, class Own>
+void place_part(Scene& scene, const ValueSubject& subject, const Part& part, Part Kind::*of_kind, Own own) {
+    const std::string& kind = scene.kinds[static_cast<std::size_t>(subject.vehicle.kind)].name;
+    if (subject.target.vehicle == no_vehicle) {
+        for (Start& start : scene.starts)
+            if (start.kind == kind) own(start).reset();
+        for (Member& member : scene.members)
+            if (member.kind == kind) own(member).reset();
+        scene.kinds[static_cast<std::size_t>(subject.vehicle.kind)].*of_kind = part;
+        return;
+    }
+    if (subject.vehicle.start >= 0) {
+        own(scene.starts[static_cast<std::size_t>(subject.vehicle.start)]) = part;
+        return;
+    }
+    const int number = number_in_population(subject.now, subject.vehicle.id);
+    auto place = std::find_if(scene.members.begin(), scene.members.end(),
+                              [&](const Member& member) { return number_of(member) >= number; });
+    if (place == scene.members.end() || number_of(*place) != number)
+        place = scene.members.insert(place, Member{.name = std::to_string(number), .kind = kind});
+    own(*place) = part;
+}
+
 }  // namespace
 
 std::vector<AxisValue> axis_values(const ValueSubject& subject) { return ValueList(subject).all(); }
@@ -283,34 +307,6 @@ std::vector<Command> commands_that_set(const ValueSubject& subject, const AxisVa
     }
     return {};
 }
-
-namespace {
-
-// Gives the part of the subject's vehicle to all that its target holds. `own`: the part of a start or a member.
-template <class Part, class Own>
-void place_part(Scene& scene, const ValueSubject& subject, const Part& part, Part Kind::*of_kind, Own own) {
-    const std::string& kind = scene.kinds[static_cast<std::size_t>(subject.vehicle.kind)].name;
-    if (subject.target.vehicle == no_vehicle) {
-        for (Start& start : scene.starts)
-            if (start.kind == kind) own(start).reset();
-        for (Member& member : scene.members)
-            if (member.kind == kind) own(member).reset();
-        scene.kinds[static_cast<std::size_t>(subject.vehicle.kind)].*of_kind = part;
-        return;
-    }
-    if (subject.vehicle.start >= 0) {
-        own(scene.starts[static_cast<std::size_t>(subject.vehicle.start)]) = part;
-        return;
-    }
-    const int number = number_in_population(subject.now, subject.vehicle.id);
-    auto place = std::find_if(scene.members.begin(), scene.members.end(),
-                              [&](const Member& member) { return number_of(member) >= number; });
-    if (place == scene.members.end() || number_of(*place) != number)
-        place = scene.members.insert(place, Member{.name = std::to_string(number), .kind = kind});
-    own(*place) = part;
-}
-
-}  // namespace
 
 void place_sensors(Scene& scene, const ValueSubject& subject) {
     place_part(

@@ -67,10 +67,6 @@ void check_hand_in(TomlTable& top, const HandIn& hand_in) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 std::string numbered_name(const std::string& exercise, const std::string& student, int number) {
     const std::string more = number > 1 ? fmt::format("-{}", number) : "";
     return for_file_name(exercise) + "-" + for_file_name(student) + more;

@@ -189,23 +189,6 @@ void check_lecture(TomlTable& top, Lecture& lecture, const fs::path& path, const
     }
 }
 
-}  // namespace
-
-bool shows(const LecturePage& page, PagePart part, int steps) {
-    bool shown = page.at_first[index_of(part)];
-    const std::size_t done = std::min(page.reveal.size(), static_cast<std::size_t>(std::max(0, steps)));
-    for (std::size_t i = 0; i < done; ++i) shown |= page.reveal[i][index_of(part)];
-    return shown;
-}
-
-float minutes_of_pages(const Lecture& lecture) {
-    float sum = 0;
-    for (const LecturePage& page : lecture.pages) sum += page.minutes;
-    return sum;
-}
-
-namespace {
-
 Lecture read_lecture_file(TomlFile& file, const fs::path& path, const fs::path& exercises) {
     Lecture lecture;
     lecture.id = path.stem().string();
@@ -214,24 +197,6 @@ Lecture read_lecture_file(TomlFile& file, const fs::path& path, const fs::path& 
     check_lecture(top, lecture, path, exercises);
     return lecture;
 }
-
-}  // namespace
-
-Result<Lecture> parse_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
-    auto file = parse_toml(toml, path.string());
-    if (!file) return file.error();
-    Lecture lecture = read_lecture_file(*file, path, exercises);
-    if (file->failed()) return file->error();
-    return lecture;
-}
-
-Result<Lecture> load_lecture(const fs::path& path, const fs::path& exercises) {
-    const auto text = read_text(path);
-    if (!text) return text.error();
-    return parse_lecture(*text, path, exercises);
-}
-
-namespace {
 
 // The first error of the page's scene or exercise, or a selected vehicle that it does not have.
 std::optional<Error> error_of_page(const Lecture& lecture, const LecturePage& page) {
@@ -255,6 +220,33 @@ std::optional<Error> error_of_page(const Lecture& lecture, const LecturePage& pa
 }
 
 }  // namespace
+
+bool shows(const LecturePage& page, PagePart part, int steps) {
+    bool shown = page.at_first[index_of(part)];
+    const std::size_t done = std::min(page.reveal.size(), static_cast<std::size_t>(std::max(0, steps)));
+    for (std::size_t i = 0; i < done; ++i) shown |= page.reveal[i][index_of(part)];
+    return shown;
+}
+
+float minutes_of_pages(const Lecture& lecture) {
+    float sum = 0;
+    for (const LecturePage& page : lecture.pages) sum += page.minutes;
+    return sum;
+}
+
+Result<Lecture> parse_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
+    auto file = parse_toml(toml, path.string());
+    if (!file) return file.error();
+    Lecture lecture = read_lecture_file(*file, path, exercises);
+    if (file->failed()) return file->error();
+    return lecture;
+}
+
+Result<Lecture> load_lecture(const fs::path& path, const fs::path& exercises) {
+    const auto text = read_text(path);
+    if (!text) return text.error();
+    return parse_lecture(*text, path, exercises);
+}
 
 std::optional<Error> check_pages(const Lecture& lecture) {
     for (const LecturePage& page : lecture.pages)

@@ -47,6 +47,30 @@ Sensor new_sensor(Channel channel, float side) {
     return sensor;
 }
 
+void add_pair(std::vector<Sensor>& sensors, const char* stem, Channel channel, float degrees, float field, float range,
+              float half_distance = Sensor{}.half_distance) {
+    for (const float side : {1.0f, -1.0f}) {
+        Sensor& sensor = sensors.emplace_back(new_sensor(channel, side));
+        sensor.name = std::string(stem) + (side > 0 ? "L" : "R");
+        sensor.x = 0.3f, sensor.y = side * 0.24f;
+        sensor.angle = side * maths::radians(degrees), sensor.fov = maths::radians(field);
+        sensor.range = range, sensor.half_distance = half_distance;
+    }
+}
+
+// The tortoise's photocell, which sees a light above it.
+Sensor photocell() {
+    Sensor sensor = new_sensor(Channel::light, 0);
+    sensor.name = "UP", sensor.shape = SensorShape::omni;
+    sensor.x = 0, sensor.fov = maths::radians(360), sensor.range = 3;
+    return sensor;
+}
+
+// True for a preset whose eyes sense a certain channel.
+bool is_about_channels(const std::vector<Sensor>& sensors) {
+    return sensors.size() > 2 || sensors.front().channel != Channel::light;
+}
+
 }  // namespace
 
 const Sensor* find_sensor(const std::vector<Sensor>& sensors, const std::string& name) {
@@ -131,34 +155,6 @@ std::vector<Sensor> with_sensors(std::vector<Sensor> sensors, const std::vector<
     }
     return sensors;
 }
-
-namespace {
-
-void add_pair(std::vector<Sensor>& sensors, const char* stem, Channel channel, float degrees, float field, float range,
-              float half_distance = Sensor{}.half_distance) {
-    for (const float side : {1.0f, -1.0f}) {
-        Sensor& sensor = sensors.emplace_back(new_sensor(channel, side));
-        sensor.name = std::string(stem) + (side > 0 ? "L" : "R");
-        sensor.x = 0.3f, sensor.y = side * 0.24f;
-        sensor.angle = side * maths::radians(degrees), sensor.fov = maths::radians(field);
-        sensor.range = range, sensor.half_distance = half_distance;
-    }
-}
-
-// The tortoise's photocell, which sees a light above it.
-Sensor photocell() {
-    Sensor sensor = new_sensor(Channel::light, 0);
-    sensor.name = "UP", sensor.shape = SensorShape::omni;
-    sensor.x = 0, sensor.fov = maths::radians(360), sensor.range = 3;
-    return sensor;
-}
-
-// True for a preset whose eyes sense a certain channel.
-bool is_about_channels(const std::vector<Sensor>& sensors) {
-    return sensors.size() > 2 || sensors.front().channel != Channel::light;
-}
-
-}  // namespace
 
 std::vector<Sensor> preset_sensors(const Preset& preset) {
     std::vector<Sensor> sensors;

@@ -177,6 +177,19 @@ TomlNode& member_of(TomlNode::Table& members, const std::string& key) {
     return at->value;
 }
 
+// The table of a list that has this name, or goes FROM-TO; null if there is none.
+TomlNode* list_element(TomlNode::List& list, std::string_view part) {
+    const auto text_of = [](const TomlNode& element, std::string_view key) {
+        const TomlNode* value = element.get(key);
+        return value && value->as_text() ? *value->as_text() : std::string();
+    };
+    const auto found = std::find_if(list.begin(), list.end(), [&](const TomlNode& element) {
+        return element.as_table() &&
+               (text_of(element, "name") == part || text_of(element, "from") + "-" + text_of(element, "to") == part);
+    });
+    return found == list.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::optional<double> TomlNode::as_number() const {
@@ -246,23 +259,6 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
                         line);
     }
 }
-
-namespace {
-
-// The table of a list that has this name, or goes FROM-TO; null if there is none.
-TomlNode* list_element(TomlNode::List& list, std::string_view part) {
-    const auto text_of = [](const TomlNode& element, std::string_view key) {
-        const TomlNode* value = element.get(key);
-        return value && value->as_text() ? *value->as_text() : std::string();
-    };
-    const auto found = std::find_if(list.begin(), list.end(), [&](const TomlNode& element) {
-        return element.as_table() &&
-               (text_of(element, "name") == part || text_of(element, "from") + "-" + text_of(element, "to") == part);
-    });
-    return found == list.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 bool put(TomlNode& root, const Setting& setting) {
     TomlNode* node = &root;

@@ -206,6 +206,16 @@ Commands bringing_back(const Snapshot& now, const RemoveKind& c) {
     return {add};
 }
 
+bool moves_same(const MoveObjects& a, const MoveObjects& b) {
+    const auto same = [](const auto& one, const auto& other, auto number) {
+        return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                          [number](const auto& x, const auto& y) { return x.*number == y.*number; });
+    };
+    return same(a.of_vehicles, b.of_vehicles, &MoveVehicle::vehicle) &&
+           same(a.of_sources, b.of_sources, &MoveSource::index) &&
+           same(a.of_obstacles, b.of_obstacles, &MoveObstacle::index) && same(a.of_zones, b.of_zones, &MoveZone::index);
+}
+
 }  // namespace
 
 std::vector<Command> undoing(const Snapshot& now, const Command& command) {
@@ -261,20 +271,6 @@ Command repeating(const Snapshot& after, const Command& command) {
     const VehicleView* v = add->id == no_vehicle ? &after.vehicles.back() : find_vehicle(after, add->id);
     return v ? Command(bringing_back(after, *v)) : command;
 }
-
-namespace {
-
-bool moves_same(const MoveObjects& a, const MoveObjects& b) {
-    const auto same = [](const auto& one, const auto& other, auto number) {
-        return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                          [number](const auto& x, const auto& y) { return x.*number == y.*number; });
-    };
-    return same(a.of_vehicles, b.of_vehicles, &MoveVehicle::vehicle) &&
-           same(a.of_sources, b.of_sources, &MoveSource::index) &&
-           same(a.of_obstacles, b.of_obstacles, &MoveObstacle::index) && same(a.of_zones, b.of_zones, &MoveZone::index);
-}
-
-}  // namespace
 
 bool supersedes(const Command& later, const Command& earlier) {
     if (later.index() != earlier.index()) return false;

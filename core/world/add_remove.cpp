@@ -135,72 +135,6 @@ std::optional<Error> add_last(WorldData& s, Scene& scene, const AddVehicle& c, s
     return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
-    if (auto error = refusal(s, c)) return error;
-    std::optional<FreeSpace> free_space;
-    Scene scene = *s.scene;
-    if (auto error = add_last(s, scene, c, free_space)) return error;
-    s.scene = std::make_shared<const Scene>(std::move(scene));
-    const auto& ids = s.vehicles.id;
-    if (ids.size() > 1 && ids[ids.size() - 2] > ids.back()) sort_rows(s);
-    return std::nullopt;
-}
-
-std::optional<Error> execute(WorldData& s, const RemoveVehicle& c) {
-    if (s.vehicles.size() == 0) return error_of(message_of("no_vehicle_left"));
-    const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
-    if (!row) return unknown_vehicle(c.vehicle);
-    Scene scene = *s.scene;
-    remove_from_scene(s, scene, *row);
-    s.scene = std::make_shared<const Scene>(std::move(scene));
-    remove_vehicles(s, {*row});
-    return std::nullopt;
-}
-
-std::optional<Error> execute(WorldData& s, const MoveVehicle& c) {
-    const auto row = s.row_of(c.vehicle);
-    if (!row) return unknown_vehicle(c.vehicle);
-    if (!is_finite({c.x, c.y, c.heading})) return not_finite();
-    s.physics.set_pose(*row, {c.x, c.y, maths::wrap_angle(c.heading)});
-    read_motion(s, *row);
-    return std::nullopt;
-}
-
-std::optional<Error> execute(WorldData& s, const SetLook& c) {
-    if (!s.row_of(c.vehicle)) return unknown_vehicle(c.vehicle);
-    if (auto error = check_look(c.look)) return error;
-    set_look(s.looks, c.vehicle, c.look);
-    return std::nullopt;
-}
-
-std::optional<Error> execute(WorldData& s, const EditStart& c) {
-    if (auto error = missing(s.scene->starts, c.start, "start")) return error;
-    Scene scene = *s.scene;
-    Start& start = *iterator_at(scene.starts, c.start);
-    const std::string name = start.name;
-    start = c.to;
-    if (start.name.empty()) start.name = name;
-    if (auto error = check_scene(scene)) return error;
-    s.scene = std::make_shared<const Scene>(std::move(scene));
-    return std::nullopt;
-}
-
-std::optional<Error> execute(WorldData& s, const EditMember& c) {
-    Scene scene = *s.scene;
-    std::erase_if(scene.members, [&](const Member& member) { return number_of(member) == c.member; });
-    if (c.to) {
-        scene.members.push_back(*c.to);
-        scene.members.back().name = std::to_string(c.member);
-    }
-    if (auto error = check_scene(scene)) return error;
-    s.scene = std::make_shared<const Scene>(std::move(scene));
-    return std::nullopt;
-}
-
-namespace {
-
 std::optional<Error> refusal(const WorldData& s, const SetPopulation& c) {
     if (auto error = missing(s.scene->kinds, c.kind, "kind")) return error;
     const auto of_kind = std::count(s.vehicles.kind.begin(), s.vehicles.kind.end(), c.kind);
@@ -278,6 +212,68 @@ void set_numbers(Scene& scene, const State& before, const SetPopulation& c) {
 }
 
 }  // namespace
+
+std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
+    if (auto error = refusal(s, c)) return error;
+    std::optional<FreeSpace> free_space;
+    Scene scene = *s.scene;
+    if (auto error = add_last(s, scene, c, free_space)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    const auto& ids = s.vehicles.id;
+    if (ids.size() > 1 && ids[ids.size() - 2] > ids.back()) sort_rows(s);
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const RemoveVehicle& c) {
+    if (s.vehicles.size() == 0) return error_of(message_of("no_vehicle_left"));
+    const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
+    if (!row) return unknown_vehicle(c.vehicle);
+    Scene scene = *s.scene;
+    remove_from_scene(s, scene, *row);
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    remove_vehicles(s, {*row});
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const MoveVehicle& c) {
+    const auto row = s.row_of(c.vehicle);
+    if (!row) return unknown_vehicle(c.vehicle);
+    if (!is_finite({c.x, c.y, c.heading})) return not_finite();
+    s.physics.set_pose(*row, {c.x, c.y, maths::wrap_angle(c.heading)});
+    read_motion(s, *row);
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const SetLook& c) {
+    if (!s.row_of(c.vehicle)) return unknown_vehicle(c.vehicle);
+    if (auto error = check_look(c.look)) return error;
+    set_look(s.looks, c.vehicle, c.look);
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const EditStart& c) {
+    if (auto error = missing(s.scene->starts, c.start, "start")) return error;
+    Scene scene = *s.scene;
+    Start& start = *iterator_at(scene.starts, c.start);
+    const std::string name = start.name;
+    start = c.to;
+    if (start.name.empty()) start.name = name;
+    if (auto error = check_scene(scene)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const EditMember& c) {
+    Scene scene = *s.scene;
+    std::erase_if(scene.members, [&](const Member& member) { return number_of(member) == c.member; });
+    if (c.to) {
+        scene.members.push_back(*c.to);
+        scene.members.back().name = std::to_string(c.member);
+    }
+    if (auto error = check_scene(scene)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
 
 std::optional<Error> execute(WorldData& s, const SetPopulation& c) {
     if (auto error = refusal(s, c)) return error;

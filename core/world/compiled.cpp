@@ -21,17 +21,6 @@ Role role_by_wiring(const BrainGraph& graph, const Kind& kind) {
     return Role::none;
 }
 
-}  // namespace
-
-Result<SharedBrain> compile_brain(const BrainGraph& graph, const Kind& kind) {
-    auto brain = compile(graph, sensor_names(kind));
-    if (!brain) return brain.error();
-    const Role role = kind.role == Role::wiring ? role_by_wiring(graph, kind) : kind.role;
-    return std::make_shared<const CompiledBrain>(CompiledBrain{graph, std::move(*brain), role});
-}
-
-namespace {
-
 // Largest fraction of the body's motion that the wheels cancel within one tick if each wheel stops its masses `along`
 // and `across`. 1: the body stops. Above 1: the motion reverses. Above 2: it grows. Computed as the largest eigenvalue
 // of the map from the body's velocity (forward, sideways, angular) to the change by the wheels' impulses, by power
@@ -69,6 +58,13 @@ void limit_overshoot(const Body& body, std::vector<CompiledWheel>& wheels, float
 }
 
 }  // namespace
+
+Result<SharedBrain> compile_brain(const BrainGraph& graph, const Kind& kind) {
+    auto brain = compile(graph, sensor_names(kind));
+    if (!brain) return brain.error();
+    const Role role = kind.role == Role::wiring ? role_by_wiring(graph, kind) : kind.role;
+    return std::make_shared<const CompiledBrain>(CompiledBrain{graph, std::move(*brain), role});
+}
 
 std::uint32_t delayed_readings(const Kind& kind) {
     std::uint32_t count = 0;

@@ -57,6 +57,25 @@ std::optional<Error> refusal(const State& m, const PlaceNodes& c) {
     return std::nullopt;
 }
 
+Command keeping_places(Command later, const PlaceNodes& edit) {
+    if (auto* brain = std::get_if<SetBrain>(&later); brain && brain->target == edit.target)
+        set_places(brain->brain, edit.places);
+    if (auto* places = std::get_if<PlaceNodes>(&later); places && places->target == edit.target)
+        std::erase_if(places->places, [&](const NodePlace& place) {
+            return std::any_of(edit.places.begin(), edit.places.end(),
+                               [&](const NodePlace& known) { return known.node == place.node; });
+        });
+    return later;
+}
+
+Command keeping_texts(Command later, const Retitle& edit) {
+    if (auto* texts = std::get_if<Retitle>(&later)) {
+        if (edit.title) texts->title.reset();
+        if (edit.story) texts->story.reset();
+    }
+    return later;
+}
+
 }  // namespace
 
 bool is_cosmetic(const Command& command) {
@@ -97,29 +116,6 @@ std::shared_ptr<const State> with_cosmetic(const std::shared_ptr<const State>& s
     if (refused) return state;
     return edited;
 }
-
-namespace {
-
-Command keeping_places(Command later, const PlaceNodes& edit) {
-    if (auto* brain = std::get_if<SetBrain>(&later); brain && brain->target == edit.target)
-        set_places(brain->brain, edit.places);
-    if (auto* places = std::get_if<PlaceNodes>(&later); places && places->target == edit.target)
-        std::erase_if(places->places, [&](const NodePlace& place) {
-            return std::any_of(edit.places.begin(), edit.places.end(),
-                               [&](const NodePlace& known) { return known.node == place.node; });
-        });
-    return later;
-}
-
-Command keeping_texts(Command later, const Retitle& edit) {
-    if (auto* texts = std::get_if<Retitle>(&later)) {
-        if (edit.title) texts->title.reset();
-        if (edit.story) texts->story.reset();
-    }
-    return later;
-}
-
-}  // namespace
 
 Command keeping_cosmetic(Command later, const Command& edit) {
     if (const auto* places = std::get_if<PlaceNodes>(&edit)) return keeping_places(std::move(later), *places);

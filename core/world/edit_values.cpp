@@ -28,6 +28,13 @@ void bring_vehicles_inside(WorldData& s) {
     }
 }
 
+void rename_kind(Scene& scene, const std::string& from, const std::string& to) {
+    for (Start& start : scene.starts)
+        if (start.kind == from) start.kind = to;
+    for (Member& member : scene.members)
+        if (member.kind == from) member.kind = to;
+}
+
 }  // namespace
 
 std::optional<Error> execute(WorldData& s, const EditArena& c) {
@@ -83,17 +90,6 @@ std::optional<Error> execute(WorldData& s, const RemoveKind& c) {
     replace_scene(s, std::move(scene));
     return std::nullopt;
 }
-
-namespace {
-
-void rename_kind(Scene& scene, const std::string& from, const std::string& to) {
-    for (Start& start : scene.starts)
-        if (start.kind == from) start.kind = to;
-    for (Member& member : scene.members)
-        if (member.kind == from) member.kind = to;
-}
-
-}  // namespace
 
 std::optional<Error> execute(WorldData& s, const EditKind& c) {
     if (auto error = missing(s.scene->kinds, c.kind, "kind")) return error;

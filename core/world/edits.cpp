@@ -61,6 +61,21 @@ void rest(WorldData& s, const Scene& scene, int obstacle) {
     *iterator_at(s.obstacles, obstacle) = at_rest(scene.obstacles[static_cast<std::size_t>(obstacle)]);
 }
 
+std::optional<Error> refusal(const WorldData& s, const std::vector<MoveVehicle>& moves) {
+    for (const MoveVehicle& c : moves) {
+        if (!s.row_of(c.vehicle)) return unknown_vehicle(c.vehicle);
+        if (!is_finite({c.x, c.y, c.heading})) return not_finite();
+    }
+    return std::nullopt;
+}
+
+template <class Object>
+std::optional<Error> move_all_in(Scene& scene, const std::vector<MoveObject<Object>>& moves) {
+    for (const MoveObject<Object>& move : moves)
+        if (auto error = move_in(scene, move)) return error;
+    return std::nullopt;
+}
+
 }  // namespace
 
 void compile_again(WorldData& s, int index, const Kind& kind) {
@@ -147,25 +162,6 @@ template std::optional<Error> execute(WorldData&, const AddZone&);
 template std::optional<Error> execute(WorldData&, const RemoveZone&);
 template std::optional<Error> execute(WorldData&, const EditZone&);
 template std::optional<Error> execute(WorldData&, const MoveZone&);
-
-namespace {
-
-std::optional<Error> refusal(const WorldData& s, const std::vector<MoveVehicle>& moves) {
-    for (const MoveVehicle& c : moves) {
-        if (!s.row_of(c.vehicle)) return unknown_vehicle(c.vehicle);
-        if (!is_finite({c.x, c.y, c.heading})) return not_finite();
-    }
-    return std::nullopt;
-}
-
-template <class Object>
-std::optional<Error> move_all_in(Scene& scene, const std::vector<MoveObject<Object>>& moves) {
-    for (const MoveObject<Object>& move : moves)
-        if (auto error = move_in(scene, move)) return error;
-    return std::nullopt;
-}
-
-}  // namespace
 
 std::optional<Error> execute(WorldData& s, const MoveObjects& c) {
     if (auto error = refusal(s, c.of_vehicles)) return error;

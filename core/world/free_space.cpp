@@ -17,6 +17,62 @@ namespace {
 constexpr float source_reach = 0.65f;  // m, radius kept free round each source, solid or not
 constexpr int most_cells_a_block = 256;
 
+using Corners = std::vector<vec2>;
+
+// The corners of the chassis.
+Corners corners_at(const Body& body, vec2 position, vec2 ahead) {
+    const float x = body.length / 2, y = body.width / 2;
+    Corners corners;
+    for (const vec2 own : {vec2{x, y}, vec2{-x, y}, vec2{-x, -y}, vec2{x, -y}})
+        corners.push_back(position + maths::rotate(own, ahead));
+    return corners;
+}
+
+// Overlap of the projections of two outlines on the normal of the edge a–b, m; negative: they are apart.
+float overlap_across(const Corners& one, const Corners& other, vec2 a, vec2 b) {
+    const vec2 normal = maths::normalise(vec2{a.y - b.y, b.x - a.x});
+    const auto extent = [normal](const Corners& corners) {
+        std::pair<float, float> range{maths::dot(corners[0], normal), maths::dot(corners[0], normal)};
+        for (const vec2 corner : corners) {
+            range.first = std::min(range.first, maths::dot(corner, normal));
+            range.second = std::max(range.second, maths::dot(corner, normal));
+        }
+        return range;
+    };
+    const auto first = extent(one), second = extent(other);
+    return std::min(first.second, second.second) - std::max(first.first, second.first);
+}
+
+// True if two convex outlines overlap by more than bodies in contact do: no edge of either separates them.
+bool are_inside_each_other(const Corners& one, const Corners& other) {
+    constexpr float contact = 0.02f;  // m
+    for (const Corners* corners : {&one, &other})
+        for (std::size_t i = 0; i < corners->size(); ++i)
+            if (overlap_across(one, other, (*corners)[i], (*corners)[(i + 1) % corners->size()]) <= contact)
+                return false;
+    return true;
+}
+
+// True if the chassis of a vehicle at this pose would be inside another vehicle or an obstacle.
+bool is_blocked(const WorldData& s, int kind, const Pose& pose) {
+    const auto body_of = [&s](std::size_t of_kind) -> const Body& { return s.scene->kinds[of_kind].body; };
+    const Corners chassis =
+        corners_at(body_of(static_cast<std::size_t>(kind)), {pose.x, pose.y}, maths::direction(pose.heading));
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        const mechanics::Motion& m = s.vehicles.motion[row];
+        const float reach = s.kinds[static_cast<std::size_t>(kind)].reach + s.kinds[s.kind(row)].reach;
+        if (maths::distance(m.position, {pose.x, pose.y}) > reach) continue;
+        if (are_inside_each_other(chassis, corners_at(body_of(s.kind(row)), m.position, m.ahead))) return true;
+    }
+    for (std::size_t i = 0; i < s.obstacles.size(); ++i) {
+        Corners obstacle;
+        for (const vec2 corner : corners_of(s.scene->obstacles[i]))
+            obstacle.push_back(s.obstacles[i].position + maths::rotate(corner, s.obstacles[i].ahead));
+        if (are_inside_each_other(chassis, obstacle)) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 FreeSpace::FreeSpace(const WorldData& s) {
@@ -100,66 +156,6 @@ bool FreeSpace::is_free(vec2 position, float reach) const {
         }
     return true;
 }
-
-namespace {
-
-using Corners = std::vector<vec2>;
-
-// The corners of the chassis.
-Corners corners_at(const Body& body, vec2 position, vec2 ahead) {
-    const float x = body.length / 2, y = body.width / 2;
-    Corners corners;
-    for (const vec2 own : {vec2{x, y}, vec2{-x, y}, vec2{-x, -y}, vec2{x, -y}})
-        corners.push_back(position + maths::rotate(own, ahead));
-    return corners;
-}
-
-// Overlap of the projections of two outlines on the normal of the edge a–b, m; negative: they are apart.
-float overlap_across(const Corners& one, const Corners& other, vec2 a, vec2 b) {
-    const vec2 normal = maths::normalise(vec2{a.y - b.y, b.x - a.x});
-    const auto extent = [normal](const Corners& corners) {
-        std::pair<float, float> range{maths::dot(corners[0], normal), maths::dot(corners[0], normal)};
-        for (const vec2 corner : corners) {
-            range.first = std::min(range.first, maths::dot(corner, normal));
-            range.second = std::max(range.second, maths::dot(corner, normal));
-        }
-        return range;
-    };
-    const auto first = extent(one), second = extent(other);
-    return std::min(first.second, second.second) - std::max(first.first, second.first);
-}
-
-// True if two convex outlines overlap by more than bodies in contact do: no edge of either separates them.
-bool are_inside_each_other(const Corners& one, const Corners& other) {
-    constexpr float contact = 0.02f;  // m
-    for (const Corners* corners : {&one, &other})
-        for (std::size_t i = 0; i < corners->size(); ++i)
-            if (overlap_across(one, other, (*corners)[i], (*corners)[(i + 1) % corners->size()]) <= contact)
-                return false;
-    return true;
-}
-
-// True if the chassis of a vehicle at this pose would be inside another vehicle or an obstacle.
-bool is_blocked(const WorldData& s, int kind, const Pose& pose) {
-    const auto body_of = [&s](std::size_t of_kind) -> const Body& { return s.scene->kinds[of_kind].body; };
-    const Corners chassis =
-        corners_at(body_of(static_cast<std::size_t>(kind)), {pose.x, pose.y}, maths::direction(pose.heading));
-    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
-        const mechanics::Motion& m = s.vehicles.motion[row];
-        const float reach = s.kinds[static_cast<std::size_t>(kind)].reach + s.kinds[s.kind(row)].reach;
-        if (maths::distance(m.position, {pose.x, pose.y}) > reach) continue;
-        if (are_inside_each_other(chassis, corners_at(body_of(s.kind(row)), m.position, m.ahead))) return true;
-    }
-    for (std::size_t i = 0; i < s.obstacles.size(); ++i) {
-        Corners obstacle;
-        for (const vec2 corner : corners_of(s.scene->obstacles[i]))
-            obstacle.push_back(s.obstacles[i].position + maths::rotate(corner, s.obstacles[i].ahead));
-        if (are_inside_each_other(chassis, obstacle)) return true;
-    }
-    return false;
-}
-
-}  // namespace
 
 Pose nearest_free_pose(const WorldData& s, int kind, const Pose& pose) {
     if (!is_blocked(s, kind, pose)) return pose;

@@ -78,6 +78,37 @@ void drop_stretches(std::vector<float>& flat, std::vector<std::uint32_t>& first,
     flat.resize(kept);
 }
 
+Pose elsewhere(const WorldData& s, std::size_t row) {
+    FreeSpace free_space(s);
+    return free_pose(s, free_space, s.vehicles.kind[row], s.vehicles.id[row]);
+}
+
+// The kinds of the next generation, one for each row. The shares give the numbers; vehicles with a brain or sensors of
+// their own keep their kind first. A vehicle with a start keeps its kind and is not counted.
+std::vector<int> next_kinds(const WorldData& s, const Vehicles& before) {
+    std::vector<int> counts(s.kinds.size(), 0), kinds = before.kind;
+    std::vector<int> wanted;
+    for (const int start : before.start) {
+        if (start >= 0) continue;
+        wanted.push_back(most_wanted(*s.scene, counts));
+        ++counts[static_cast<std::size_t>(wanted.back())];
+    }
+    std::vector<std::size_t> others;
+    for (std::size_t row = 0; row < before.size(); ++row) {
+        if (before.start[row] >= 0) continue;
+        const auto kind = static_cast<std::size_t>(before.kind[row]);
+        const SharedBrain &brain = before.brain[row], &of_kind = s.kind_brains[kind];
+        const bool has_own = before.design[row] || (brain != of_kind && brain->graph != of_kind->graph);
+        const auto kept = has_own ? std::find(wanted.begin(), wanted.end(), before.kind[row]) : wanted.end();
+        if (kept != wanted.end())
+            wanted.erase(kept);
+        else
+            others.push_back(row);
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) kinds[others[i]] = wanted[i];
+    return kinds;
+}
+
 }  // namespace
 
 // Gains of the left and right motor: 1 ± Body::mismatch, uniformly distributed. They depend on the seed and the id
@@ -134,15 +165,6 @@ void add_vehicle(WorldData& s, int kind, int start, VehicleId id, SharedBrain br
     v.motion.back() = s.physics.motion(v.id.size() - 1);
     s.readings_are_stale = true;
 }
-
-namespace {
-
-Pose elsewhere(const WorldData& s, std::size_t row) {
-    FreeSpace free_space(s);
-    return free_pose(s, free_space, s.vehicles.kind[row], s.vehicles.id[row]);
-}
-
-}  // namespace
 
 void respawn(WorldData& s, std::size_t row) {
     Vehicles& v = s.vehicles;
@@ -210,36 +232,6 @@ void spawn_population(WorldData& s) {
     }
     s.lay_out_grids();
 }
-
-namespace {
-
-// The kinds of the next generation, one for each row. The shares give the numbers; vehicles with a brain or sensors of
-// their own keep their kind first. A vehicle with a start keeps its kind and is not counted.
-std::vector<int> next_kinds(const WorldData& s, const Vehicles& before) {
-    std::vector<int> counts(s.kinds.size(), 0), kinds = before.kind;
-    std::vector<int> wanted;
-    for (const int start : before.start) {
-        if (start >= 0) continue;
-        wanted.push_back(most_wanted(*s.scene, counts));
-        ++counts[static_cast<std::size_t>(wanted.back())];
-    }
-    std::vector<std::size_t> others;
-    for (std::size_t row = 0; row < before.size(); ++row) {
-        if (before.start[row] >= 0) continue;
-        const auto kind = static_cast<std::size_t>(before.kind[row]);
-        const SharedBrain &brain = before.brain[row], &of_kind = s.kind_brains[kind];
-        const bool has_own = before.design[row] || (brain != of_kind && brain->graph != of_kind->graph);
-        const auto kept = has_own ? std::find(wanted.begin(), wanted.end(), before.kind[row]) : wanted.end();
-        if (kept != wanted.end())
-            wanted.erase(kept);
-        else
-            others.push_back(row);
-    }
-    for (std::size_t i = 0; i < others.size(); ++i) kinds[others[i]] = wanted[i];
-    return kinds;
-}
-
-}  // namespace
 
 // Replaces all vehicles by the same number of vehicles with the same ids, so that a selection in the window stays
 // valid. Vehicles with a start return to it. The kinds of the others are chosen again by the shares, which restores the
