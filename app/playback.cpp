@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <string>
 
 #include "app/course/lesson_view.h"
 #include "app/lab_selection.h"

@@ -1,7 +1,6 @@
 #include "app/viewport.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <optional>
 

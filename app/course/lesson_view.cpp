@@ -1,6 +1,5 @@
 #include "app/course/lesson_view.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/lesson/selection.h"

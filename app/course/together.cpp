@@ -1,6 +1,5 @@
 #include "app/course/together.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace braitenlab {

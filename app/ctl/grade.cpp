@@ -1,5 +1,4 @@
 // braitenctl grade: grades brains against an exercise, one row each.
-#include <algorithm>
 
 #include <fmt/format.h>
 

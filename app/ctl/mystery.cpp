@@ -2,7 +2,6 @@
 #include "core/insight/mystery.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <utility>
 

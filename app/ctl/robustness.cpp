@@ -1,7 +1,6 @@
 // braitenctl robustness: how many robots of a design do what the ideal robot does.
 #include "core/insight/robustness.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 

@@ -1,6 +1,5 @@
 // The text of a scene's file for the commands that run scenes.
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 

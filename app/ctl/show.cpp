@@ -1,6 +1,5 @@
 // braitenctl show: prints what a file contains.
 #include <iostream>
-#include <map>
 
 #include <fmt/format.h>
 

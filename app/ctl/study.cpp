@@ -2,7 +2,6 @@
 #include "core/insight/study.h"
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>

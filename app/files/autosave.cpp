@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/course/lab_lesson.h"
 #include "app/files/file_commands.h"
 #include "app/files/safe_file.h"
 #include "core/io/run_file.h"

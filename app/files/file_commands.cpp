@@ -1,12 +1,10 @@
 #include "app/files/file_commands.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/course/edit_again.h"
 #include "app/course/exercise_check.h"
 #include "app/course/lab_lecture.h"
-#include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
 #include "app/files/breeding_files.h"
 #include "app/files/disk.h"
@@ -22,7 +20,6 @@
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/exercise_id.h"
 #include "core/lesson/write_exercise.h"
-#include "core/match.h"
 #include "core/messages.h"
 
 namespace braitenlab {

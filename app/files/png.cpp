@@ -1,7 +1,6 @@
 #include "app/files/png.h"
 
 #include <cassert>
-#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 

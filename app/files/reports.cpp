@@ -1,7 +1,6 @@
 #include "app/files/reports.h"
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
 #include <fmt/chrono.h>

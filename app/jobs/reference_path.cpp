@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "core/lesson/reference.h"
-#include "core/lesson/submission.h"
 
 namespace braitenlab {
 

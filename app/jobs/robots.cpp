@@ -1,6 +1,5 @@
 #include "app/jobs/robots.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>

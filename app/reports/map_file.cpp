@@ -5,12 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "app/reports/axes.h"
-#include "app/reports/html.h"
 #include "app/reports/svg_file.h"
 #include "ui/map_look.h"
 #include "ui/number_text.h"

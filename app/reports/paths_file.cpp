@@ -1,10 +1,8 @@
 #include "app/reports/paths_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

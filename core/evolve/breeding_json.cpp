@@ -1,7 +1,5 @@
 #include "core/evolve/breeding_json.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "core/io/json.h"

@@ -1,5 +1,4 @@
 // The C99 header brain.h: the brain as one structure and one function. It is valid C++11, too, for Arduino.
-#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "core/export/micropython.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>

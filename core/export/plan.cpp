@@ -1,9 +1,7 @@
 #include "core/export/plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
-#include <string_view>
 
 #include "core/export/text.h"
 

@@ -1,7 +1,6 @@
 #include "core/export/thymio.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "core/export/arduino.h"
-#include "core/export/text.h"
 #include "core/xml_text.h"
 
 namespace braitenlab::robots {

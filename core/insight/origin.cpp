@@ -1,6 +1,5 @@
 #include "core/insight/origin.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "core/maths/angle.h"

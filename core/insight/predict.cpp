@@ -1,7 +1,6 @@
 #include "core/insight/predict.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace braitenlab::insight {
 

@@ -1,6 +1,5 @@
 #include "core/insight/study_file.h"
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <concepts>
 
 #include "core/io/state_json.h"

@@ -1,7 +1,6 @@
 // Commands as JSON, for the log of a run file.
 #include <array>
 #include <string>
-#include <type_traits>
 
 #include "core/io/json.h"
 

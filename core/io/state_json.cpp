@@ -1,7 +1,5 @@
 #include "core/io/state_json.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 

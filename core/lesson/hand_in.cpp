@@ -1,6 +1,5 @@
 #include "core/lesson/hand_in.h"
 
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "core/lesson/lecture.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 
-#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "core/scene/nearest.h"

@@ -1,7 +1,6 @@
 #include "core/session/undo.h"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 #include "core/match.h"

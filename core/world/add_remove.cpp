@@ -1,6 +1,4 @@
 // Commands that add, remove and move vehicles and edit starts, in the running world and in its scene.
-#include <cmath>
-#include <iterator>
 #include <numeric>
 
 #include "core/scene/population.h"

@@ -1,6 +1,5 @@
 // Ecology: bites, energy, falls, deaths, births and the inactivity timer.
 #include <algorithm>
-#include <cmath>
 
 #include "core/brain/brain.h"
 #include "core/world/world_data.h"

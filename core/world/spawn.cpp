@@ -1,6 +1,5 @@
 // Spawning: kinds and poses of vehicles that enter the world, and their removal.
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/maths/angle.h"
