@@ -39,9 +39,6 @@ const Node* sensor_of(const BrainGraph& graph, Dial dial, const SensorPair& pair
     return find_node(graph, pair.*entry(dial).sensor);
 }
 
-bool is_bias(Dial dial) { return entry(dial).sensor == nullptr; }
-bool is_weight(Dial dial) { return dial <= Dial::RR; }
-
 struct Ends {
     NodeId left_eye, right_eye, left_motor, right_motor;
 };

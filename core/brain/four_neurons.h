@@ -21,6 +21,8 @@ inline constexpr std::array<Dial, 10> all_dials{
     Dial::LL,           Dial::LR,           Dial::RL,           Dial::RR, Dial::threshold_LL,
     Dial::threshold_LR, Dial::threshold_RL, Dial::threshold_RR, Dial::LM, Dial::RM};
 inline constexpr std::array<Dial, 4> weight_dials{Dial::LL, Dial::LR, Dial::RL, Dial::RR};
+constexpr bool is_weight(Dial dial) { return dial <= Dial::RR; }
+constexpr bool is_bias(Dial dial) { return dial >= Dial::LM; }
 
 struct DialRange {
     float low, high;

@@ -16,11 +16,6 @@ namespace {
 // Of a child: weights and biases as in the shipped breedings.
 constexpr float weight_error = 0.3F, bias_error = 0.15F, threshold_error = 0.1F, angle_error = 20;
 
-bool is_bias_dial(Dial dial) { return dial == Dial::LM || dial == Dial::RM; }
-bool is_weight_dial(Dial dial) {
-    return std::find(weight_dials.begin(), weight_dials.end(), dial) != weight_dials.end();
-}
-
 void add_gene(Breed& breed, const std::string& path, float low, float high, float mutation, float now) {
     if (breed.genes.size() == limits::genes) return;
     breed.genes.push_back({.name = utf8_cut(path, braitenlab::limits::name_length),
@@ -44,9 +39,9 @@ void add_brain(Breed& breed, const BrainGraph& brain, const MayChange& may) {
         for (const Dial dial : all_dials) {
             const std::string path = "brain." + std::string(name(dial));
             const float now = at(text.dials, dial);
-            if (is_bias_dial(dial) && may.biases) add_bias(path, now);
-            if (is_weight_dial(dial) && may.weights) add_weight(path, now);
-            if (!is_bias_dial(dial) && !is_weight_dial(dial) && may.thresholds) add_threshold(path, now);
+            if (is_bias(dial) && may.biases) add_bias(path, now);
+            if (is_weight(dial) && may.weights) add_weight(path, now);
+            if (!is_bias(dial) && !is_weight(dial) && may.thresholds) add_threshold(path, now);
         }
     for (const WireText& each : text.wires) {
         const std::string path = "brain.wire." + each.from + "-" + each.to + ".";

@@ -59,11 +59,6 @@ constexpr float narrow_card = 236, narrow_threshold_width = 52;
 // Where no more sliders are offered, there is room for what their letters mean.
 constexpr std::size_t few_offers = 2;
 
-bool is_weight(Dial dial) {
-    return std::any_of(std::begin(weight_sliders), std::end(weight_sliders),
-                       [dial](const DialSlider& each) { return each.dial == dial; });
-}
-
 // In a lower window the two biases share a row; layout pixels. The picture of more than four wires is higher.
 constexpr float low_window = 700, low_window_of_graph = 900;
 
