@@ -19,8 +19,8 @@ struct SceneBreeding {
 };
 
 // A gene for each such value of the first kind with either role; those of further wires and nodes have paths as
-// core/scene/settings.h describes. A kind without such values, or whose brain is hidden, does not evolve. The result is
-// checked by BreedingBase::create, also whether the scene has one vehicle of each role.
+// put() in core/scene/toml_tree.h describes. A kind without such values, or whose brain is hidden, does not evolve. The
+// result is checked by BreedingBase::create, also whether the scene has one vehicle of each role.
 SceneBreeding breeding_of_scene(Scene, const MayChange&, std::string title);
 
 }  // namespace braitenlab::evolve

@@ -64,10 +64,18 @@ std::vector<std::string> setting_paths(const Scene& scene) {
     return paths;
 }
 
-// True for a path of a wire or a further node of a brain: "kind.prey.brain.wire.OL-ML.weight". Whether the brain has it
-// is judged by put().
-bool is_in_brain_list(std::string_view path) {
-    return path.find(".brain.wire.") != path.npos || path.find(".brain.node.") != path.npos;
+// True for a path into the further wires or nodes of a brain that has such: "kind.prey.brain.wire.OL-ML.weight".
+// Whether it has this one is judged by put().
+bool is_in_brain_list(const TomlNode& root, std::string_view path) {
+    for (const std::string_view list : {".brain.wire.", ".brain.node."}) {
+        const std::size_t at = path.find(list);
+        if (at == path.npos) continue;
+        const TomlNode* node = &root;
+        for (const std::string& part : split_path(path.substr(0, at + list.size() - 1)))
+            if (node) node = node->get(part);
+        return node && node->as_list();
+    }
+    return false;
 }
 
 std::string joined(const std::string& table, const std::string& path) {
@@ -131,10 +139,10 @@ std::string_view nearest_path(const std::string& path, std::span<const std::stri
 
 std::optional<Error> apply(const Setting& setting, const std::string& table, TomlFile& file,
                            const std::vector<std::string>& known) {
-    const bool exists =
-        std::find(known.begin(), known.end(), setting.path) != known.end() || is_in_brain_list(setting.path);
     Setting in_file = setting;
     in_file.path = joined(table, setting.path);
+    const bool exists =
+        std::find(known.begin(), known.end(), setting.path) != known.end() || is_in_brain_list(file.root, in_file.path);
     if (exists && put(file.root, in_file)) {
         file.settings.push_back(in_file);
         return std::nullopt;

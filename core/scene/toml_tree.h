@@ -90,8 +90,9 @@ struct TomlFile {
 // stack with neither its size nor its depth.
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name);
 
-// Sets a value in the tree and makes the tables on the way. The text is read as a TOML value, else taken as a string.
-// False when the path runs through a value that is no table.
+// Sets a value in the tree and makes the tables on the way. In a list the path goes on in the table whose name or
+// FROM-TO is the next part of the path. The text is read as a TOML value, else taken as a string. False when the path
+// runs through another value, or through a list without such a table.
 bool put(TomlNode& root, const Setting&);
 
 // Adds an error unless `format = 1` is in the file.

@@ -154,11 +154,17 @@ TEST(Breeding, FurtherWiresAndHiddenNeuronsAreGenes) {
     const auto again = BreedingBase::create(*parse_breeding(file, "b.toml"), write_scene((*base)->scene()), "s.toml");
     ASSERT_TRUE(again) << again.error().text();
     EXPECT_EQ((*again)->fingerprint(), (*base)->fingerprint()) << "as it is in a folder of results";
-    for (const char* path : {"brain.wire.SL-MM.weight", "brain.wire.SL-H.wieght", "brain.node.G.bias"})
-        EXPECT_NE(
-            fault_of(top + alone + "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"" + std::string(path) + "\""), scene),
-            "")
-            << path;
+    const auto has_fault = [&](const std::string& in, const std::string& path, std::string_view id) {
+        const auto breeding =
+            parse_breeding(top + alone + "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"" + path + "\""), "b.toml");
+        const auto wrong = BreedingBase::create(*breeding, in, "s.toml");
+        return !wrong && std::any_of(wrong.error().phrases.begin(), wrong.error().phrases.end(),
+                                     [id](const Phrase& phrase) { return phrase.id == id; });
+    };
+    EXPECT_TRUE(has_fault(scene, "brain.wire.SL-MM.weight", "no_such_value"));
+    EXPECT_TRUE(has_fault(scene, "brain.wire.SL-H.wieght", "unknown_key"));
+    EXPECT_TRUE(has_fault(scene, "brain.node.G.bias", "no_such_value"));
+    EXPECT_TRUE(has_fault(scene_text, "brain.wire.SL-H.weight", "no_such_value")) << "of a kind without further wires";
 }
 
 TEST(Breeding, TheFirstGenerationIsMadeOfStartsIfTheFileSaysSo) {

@@ -16,6 +16,7 @@
 #include "core/scene/schema.h"
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
+#include "tests/tells.h"
 
 namespace braitenlab::tests::scene_file_test {
 namespace {
@@ -342,6 +343,11 @@ TEST(SceneFile, NamesTheNearestPathForAnUnknownSetting) {
               complaint(small_scene, {{"kind.prey.brain.LX", "1"}}));
     expect_in("the nearest is 'source.lamp.x'", complaint(small_scene, {{"source.lump.x", "1"}}));
     expect_in("the nearest is 'kind.prey.brain.LL'", complaint(small_scene, {{"brain.LL", "1"}}));
+    for (const char* path : {"kind.prey.brain.wire.SL-ML.weight", "kind.pray.brain.node.N.bias"}) {
+        const auto scene = parse_scene(small_scene, "s.toml", {{path, "1"}});
+        ASSERT_FALSE(scene) << path;
+        EXPECT_TRUE(tells(scene.error(), message_of("no_such_value", in_quotes(path))));
+    }
     complaint(small_scene, {{"kind.prey.brain", "1"}});
     complaint(small_scene, {{"", "1"}});
     complaint(small_scene, {{"...", "1"}});
