@@ -42,7 +42,7 @@ fs::path breeding_in(const fs::path& folder) { return folder / "breeding.toml"; 
 
 bool holds_breeding(const fs::path& folder) {
     std::error_code none;
-    return fs::is_regular_file(state_in(folder), none);  // a pipe would not end
+    return fs::is_regular_file(state_in(folder), none);  // reading a pipe could block
 }
 
 Result<std::shared_ptr<const BreedingBase>> load_breeding(const fs::path& path) {

@@ -23,11 +23,11 @@ Result<std::filesystem::path> data_folder();
 enum class Shipped { any, exercise, study, breeding };
 
 // A path of a file, or the name of a shipped scene ("2a-coward"), exercise ("05-aggressor"), lecture, study or
-// breeding. Fails
-// with the nearest shipped name of what is wanted.
+// breeding. Fails with
+// the nearest shipped name of what is wanted.
 Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Shipped wanted = Shipped::any);
 
-// The shipped exercises, scenes, lectures, studies and breedings, each sorted by file name.
+// The shipped exercises, scenes with those of robots, lectures, studies and breedings, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();
 std::vector<std::filesystem::path> shipped_scenes();
 std::vector<std::filesystem::path> shipped_lectures();

@@ -83,7 +83,7 @@ struct Breeding {
     Better predator_better = Better::less;         // of the number; for the prey the opposite
     Opponents opponents = Opponents::last;
     int remembered = 10;      // generations, for best_of_last
-    bool from_scene = false;  // the first generation are children of Gene::start, the first one is unchanged
+    bool from_scene = false;  // the first generation: the parent with the numbers Gene::start, and its children
     std::uint64_t seed = 1;
     int panel = 8;               // opponents of each side that are bred apart; 0: none
     int panel_generations = 20;  // of the breeding of the panel

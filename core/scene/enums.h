@@ -20,8 +20,8 @@ namespace braitenlab {
 // A sensor for red, green or blue also sees white light, and a sensor for light sees all four. `memory` are the
 // vehicle's own marks. `touch` is a bumper: 1 while the vehicle touches something in the sensor's field, at any range.
 // `floor` is the reflectance below the sensor, `energy` the vehicle's own energy; a boolean sensor for one of these two
-// is 1 from 0.5 on; of `random`, a number from 0 to 1 that each sample of each sensor draws anew, a boolean one tosses
-// a coin. A vehicle senses neither its own lamps nor its own role.
+// is 1 from 0.5 on. `random` is a number from 0 to 1, drawn for each sample; a boolean sensor is 1 with probability
+// 0.5. A vehicle senses neither its own lamps nor its own role.
 enum class Channel {
     light,
     red,
