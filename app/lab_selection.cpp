@@ -156,8 +156,7 @@ void forget_vehicle_notice(Workspace& space) {
 VehicleId id_at_start(const Scene& scene, std::uint64_t seed, const Snapshot& now, const VehicleView& vehicle) {
     const auto world = World::create(scene, seed);
     if (!world) return no_vehicle;
-    Snapshot start;
-    world->capture(start);
+    const Snapshot start = snapshot_of(*world);
     const int number = vehicle.start < 0 ? number_in_population(now, vehicle.id) : -1;
     for (const VehicleView& each : start.vehicles) {
         if (each.start != vehicle.start) continue;

@@ -100,8 +100,7 @@ Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice,
 Result<BrainOfFile> load_run_brain(const std::filesystem::path& path, const BrainChoice& choice) {
     const auto saved = io::load_run(path);
     if (!saved) return saved.error();
-    Snapshot now;
-    World::restore(saved->checkpoint).capture(now);
+    const Snapshot now = snapshot_of(World::restore(saved->checkpoint));
     return brain_of_run(now, choice, path.string());
 }
 

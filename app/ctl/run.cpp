@@ -201,8 +201,7 @@ Result<SweepInput> prepare(const RunOptions& options, const Sweep& sweep, const 
             return scene.error();
     const auto world = world_of(input, 0);
     if (!world) return world.error();
-    Snapshot start;
-    world->capture(start);
+    const Snapshot start = snapshot_of(*world);
     input.columns = io::vehicle_columns(start, groups);
     return input;
 }

@@ -82,8 +82,7 @@ void show_exercise(const Exercise& exercise) {
 int show_run(const std::string& file) {
     const auto run = io::load_run(file);
     if (!run) return complain(run.error());
-    Snapshot now;
-    World::restore(run->checkpoint).capture(now);
+    const Snapshot now = snapshot_of(World::restore(run->checkpoint));
     std::cout << fmt::format("saved run at {:.1f} s, seed {}: {} vehicles, generation {}\n", now.seconds, now.seed,
                              now.vehicles.size(), now.generation);
     Scene scene = *now.scene;

@@ -116,8 +116,7 @@ Result<std::shared_ptr<const Robots>> Robots::create(RobotsQuestion question) {
         return Error{fmt::format("reality is 0 (ideal) to {:g}; 1 is as in the scene", limits::reality)};
     const auto world = World::create(question.scene, question.seed);
     if (!world) return world.error();
-    Snapshot start;
-    world->capture(start);
+    const Snapshot start = snapshot_of(*world);
     const VehicleView* vehicle = find_vehicle(start, question.vehicle);
     if (!vehicle) return Error{"the scene has no vehicle that could be tried as a robot"};
     auto robots = std::make_shared<Robots>();

@@ -13,8 +13,7 @@ Reference::Reference(const Exercise& exercise, const Submission& submission, std
     auto world = World::create(scene_with(exercise, submission), seed);
     if (!world) return;
     world_ = std::move(*world);
-    Snapshot start;
-    world_->capture(start);
+    const Snapshot start = snapshot_of(*world_);
     for (const VehicleView& vehicle : start.vehicles)
         if (vehicle.start == static_cast<int>(start_index)) subject_ = vehicle.id;
     add_pose();

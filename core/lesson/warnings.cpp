@@ -150,8 +150,7 @@ void warn_of_start(const Exercise& exercise, const WarningPlaces& places, std::u
         known.push_back(key);
         found.push_back(std::move(error));
     };
-    Snapshot now;
-    world->capture(now);
+    Snapshot now = snapshot_of(*world);
     for (const VehicleView& vehicle : now.vehicles) {
         const Message in = stands_in(exercise.scene, chassis_of(kind_of(now, vehicle).body, vehicle));
         if (in.text.empty() || vehicle.start < 0) continue;
