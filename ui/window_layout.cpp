@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/map_parts.h"
+#include "ui/panels/panels.h"
 #include "ui/widgets/menu_bar.h"
 
 namespace braitenlab::ui {
@@ -23,6 +25,7 @@ constexpr float wide_window = 1600;                                // has room f
 constexpr float narrow_window = 1200;                              // a narrower window has narrower cards and margins
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
+constexpr float narrow_scene = 480, above_scene = 4;
 
 struct ColumnWidths {
     float margin, left, right;
@@ -180,6 +183,13 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
 
     if (view.mode == Mode::wiring) {
+    // Between two cards of a small window the tools are above the scene, so that they cover none of it.
+    const bool is_scene_narrow = l.scene.w < narrow_scene * scale;
+    if (is_scene_narrow && !view.lecture && !watches && view.mode != Mode::wiring && l.tools.w <= 0) {
+        const float strip = (tool_palette_height(l.scene.w / scale) + above_scene) * scale;
+        l.tools = l.scene;
+        l.scene.y += strip, l.scene.h = std::max(0.0f, l.scene.h - strip);
+    }
         // There is no left column in a narrow window and without an exercise.
         if (!view.lesson || width / scale < narrow_window || (view.pages && !open.left)) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;

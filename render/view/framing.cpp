@@ -134,6 +134,13 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
     return box;
 }
 
+// In a narrow free area, as between the cards of a small window, the floor covers less, so that what the vehicle drives
+// to stays in the picture and the camera rests.
+float cover_for(Rect free_area) {
+    constexpr float narrow = 0.85f;  // width by height
+    return wanted_cover * std::min(1.0f, free_area.w / std::max(free_area.h, 1.0f) / narrow);
+}
+
 float share_of(const FloorBox& box, const Snapshot& now, const VehicleView& vehicle, const FramingInput& in) {
     const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
     const float wanted = std::max(in.least_share * in.free_area.w, 1.0f);
@@ -309,7 +316,7 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in, boo
             share_of_room = std::min(1.0f, share_of(wanted(now, larger, choice), now, *vehicle, larger));
         }
         const CameraView seen = look(tilted.camera, arena, nullptr, in.window, in.free_area, &box);
-        r.cover = std::min(1.0f, floor_cover(seen, arena, in.free_area) / (wanted_cover + cover_to_drive));
+        r.cover = std::min(1.0f, floor_cover(seen, arena, in.free_area) / (cover_for(in.free_area) + cover_to_drive));
         r.worth = 3 * r.share + 1.5f * r.cover + 0.5f * share_of_room -
                   0.1f * std::fabs(choice.elevation - Camera{}.elevation);
         if (rests_ && choice.elevation == choice_.elevation) r.worth += worth_of_rest;
@@ -360,7 +367,7 @@ float Framing::fulfilment(const Snapshot& now, FramingInput in) const {
     if (is_default_elevation(in.camera)) in.camera.elevation = choice_.elevation;
     const FloorBox box = wanted(now, in, choice_);
     const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
-    const float cover = floor_cover(seen, now.scene->arena, in.free_area) / wanted_cover;
+    const float cover = floor_cover(seen, now.scene->arena, in.free_area) / cover_for(in.free_area);
     const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
     return vehicle ? std::min(cover, share_of(box, now, *vehicle, in) / enough_of_length) : cover;
 }

@@ -366,6 +366,27 @@ TEST(InformationCard, SelectsTheVehicleOfTheClickedEnergyBar) {
     EXPECT_GE(std::get<SelectRequest>(desk.all[0]).vehicle, 0);
 }
 
+TEST(WindowLayout, TheToolsOfASmallWindowCoverNothingOfTheScene) {
+    struct Small {
+        float width, height, scale;
+    };
+    for (const Small w : {Small{800, 600, 1}, {1024, 768, 1}, {1280, 800, 1.25f}, {1280, 800, 1}}) {
+        Desk desk(w.width, w.height, w.scale, true);
+        desk.open_exercise();
+        desk.frame(3);
+        const CameraView camera = look({}, desk.now.scene->arena, nullptr, desk.layout.window, desk.layout.scene);
+        desk.view.camera_view = &camera;
+        desk.frame(3);
+        const bool is_corner = w.width / w.scale >= 1200;
+        for (const char* id : {"tool.hand", "tool.ruler"}) {
+            EXPECT_EQ(overlap(desk.where(id), desk.where("viewport")), is_corner) << w.width << " " << w.scale << id;
+            EXPECT_FALSE(overlap(desk.where(id), desk.where("card.brain"))) << w.width;
+            EXPECT_FALSE(overlap(desk.where(id), desk.where("card.exercise"))) << w.width;
+        }
+        EXPECT_GE(desk.layout.scene.h, 0.4f * w.height);
+    }
+}
+
 TEST(WindowLayout, LimitsTheScaleToWhatFitsIntoTheWindow) {
     EXPECT_EQ(fitting_scale(1, {0, 0, 1024, 768}, false), 1);
     EXPECT_EQ(fitting_scale(3, {0, 0, 1024, 768}, false), 1);

@@ -185,6 +185,40 @@ TEST(Framing, KeepsTheSharesOfVehicleAndFloorInARunOfEachShippedScene) {
         expect_framed_in_run(scene, name, lectures[0], least_of(covered_in_lectures_later, name, wanted_cover),
                              least_of(small_in_lectures_later, name, lectures[0].least_share));
     });
+// The area below the tools, in windows of 800 x 600 and of 1024 x 768 pixels.
+TEST(Framing, ShowsAllThatAnExerciseIsAboutBetweenTheCardsOfASmallWindow) {
+    constexpr Place small_windows[]{{"800 x 600", {0, 0, 800, 600}, {288, 156, 200, 294}, 0.05f},
+                                    {"1024 x 768", {0, 0, 1024, 768}, {288, 124, 408, 494}, 0.05f}};
+    for (const auto& file : fs::directory_iterator(fs::path(BRAITENLAB_SOURCE) / "exercises" / "guided")) {
+        const auto lesson = load_exercise(file.path());
+        ASSERT_TRUE(lesson);
+        for (const Place& place : small_windows) {
+            SCOPED_TRACE(file.path().stem().string() + ", " + place.name);
+            const auto world = World::create(lesson->scene, lesson->seed);
+            Snapshot now;
+            world->capture(now);
+            const FramingInput in = input(place, now.vehicles.front().id);
+            Framing framing;
+            const FloorBox box = framing.follow(now, in);
+            const CameraView seen =
+                look(framing.raised(in.camera), now.scene->arena, nullptr, in.window, in.free_area, &box);
+            const auto is_seen = [&](float x, float y) {
+                const auto at = project(seen, {x, y});
+                return at && place.free_area.contains(at->x, at->y);
+            };
+            for (const VehicleView& each : now.vehicles) EXPECT_TRUE(is_seen(each.x, each.y)) << "vehicle " << each.id;
+            for (const SourceView& each : now.sources) EXPECT_TRUE(is_seen(each.x, each.y)) << "source";
+            for (const Step& step : lesson->steps) {
+                const auto* gate = std::get_if<goals::DrivesThrough>(&step.check.goal);
+                for (const Obstacle& post : now.scene->obstacles) {
+                    const bool is_of_gate = gate && (post.name == gate->left || post.name == gate->right);
+                    EXPECT_TRUE(!is_of_gate || is_seen(post.x, post.y)) << post.name;
+                }
+            }
+        }
+    }
+}
+
 }
 
 namespace {

@@ -50,6 +50,7 @@ void toolbar(const LabView&, PanelState&, Ui&, Rect);
 void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect, std::string_view hint);  // `hint`: key of a prompt's words, or empty
 void tool_palette(const LabView&, PanelState&, Ui&, Rect area);   // in the upper left corner of the area
+float tool_palette_height(float width);                           // of its rows in an area of this width, layout pixels
 // Where it is drawn; width 0 where it is not.
 Rect place_of_tool_palette(const LabView&, const Ui&, Rect area);
 void scene_menu(const LabView&, PanelState&, Ui&, Rect window);  // menu of an object or of the floor

@@ -73,20 +73,24 @@ void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
     }
 }
 
-// Tools in a row: all, or those that a narrow area has room for.
-std::size_t tools_in_a_row(const Ui& ui, Rect area) {
-    const float fitting = (area.w - 2 * ui.px(tool_pad)) / ui.px(tool_size);
+// Tools in a row: all, or those that a narrow area has room for. `width`: layout pixels.
+std::size_t tools_in_a_row(float width) {
+    const float fitting = (width - 2 * tool_pad) / tool_size;
     return static_cast<std::size_t>(std::clamp(fitting, 1.0f, static_cast<float>(tool_looks.size())));
 }
 
 }  // namespace
 
+float tool_palette_height(float width) {
+    const std::size_t in_a_row = tools_in_a_row(width), rows = (tool_looks.size() + in_a_row - 1) / in_a_row;
+    return static_cast<float>(rows) * tool_size + 2 * tool_pad;
+}
+
 Rect place_of_tool_palette(const LabView& view, const Ui& ui, Rect area) {
     if (!view.camera_view || view.mode == Mode::wiring || view.lecture) return {};
-    const float inset = ui.px(tool_pad), size = ui.px(tool_size);
-    const std::size_t in_a_row = tools_in_a_row(ui, area), rows = (tool_looks.size() + in_a_row - 1) / in_a_row;
-    return {area.x, area.y, static_cast<float>(in_a_row) * size + 2 * inset,
-            static_cast<float>(rows) * size + 2 * inset};
+    const float width = area.w / ui.px(1);
+    const float row = static_cast<float>(tools_in_a_row(width)) * tool_size + 2 * tool_pad;
+    return {area.x, area.y, ui.px(row), ui.px(tool_palette_height(width))};
 }
 
 void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
@@ -95,7 +99,7 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
     const float size = ui.px(tool_size), inset = ui.px(tool_pad);
     begin_bar(ui, "tools", bar, false, Corner::box);
     const Palette& p = ui.palette;
-    const std::size_t in_a_row = tools_in_a_row(ui, area);
+    const std::size_t in_a_row = tools_in_a_row(area.w / ui.px(1));
     for (std::size_t i = 0; i < tool_looks.size(); ++i) {
         const ToolLook& look = tool_looks[i];
         ImGui::SetCursorScreenPos({bar.x + inset + static_cast<float>(i % in_a_row) * size,
