@@ -277,34 +277,111 @@ TEST(ExercisesGuided, NoWidgetMovesWhileTheTextOfTheExerciseGrows) {
         }
 }
 
-TEST(ExercisesGuided, AnswersAndStepsAreReachedInASmallWindow) {
-    struct Window {
-        float width, height, scale;
+namespace {
+
+struct SmallWindow {
+    float width, height, scale;
+};
+const SmallWindow small_windows[]{{800, 600, 1}, {1280, 800, fitting_scale(2, {0, 0, 1280, 800}, false)}};
+
+// The part of the exercise's card that scrolls: between its heading and the buttons at its foot.
+Rect body_of_exercise(const Desk& desk) {
+    const Rect card = desk.where("card.exercise"), heading = desk.where("card.exercise.fold");
+    const auto top_of = [&](const char* id) {
+        const Rect* at = desk.anchors.find(id);
+        return at ? at->y : card.y + card.h;
     };
+    const float top = heading.y + heading.h;
+    const float bottom = std::min({top_of("exercise.hint"), top_of("exercise.reset"), top_of("selection.open")});
+    return {card.x, top, card.w, bottom - top};
+}
+
+bool is_in_body(const Desk& desk, const std::string& id) {
+    const Rect body = body_of_exercise(desk), *at = desk.anchors.find(id);
+    return at && at->y >= body.y - 1 && at->y + std::min(at->h, desk.layout.scale * 40) <= body.y + body.h + 1;
+}
+
+// Turns the wheel over the card until the widget is in its body.
+bool scrolls_to(Desk& desk, const std::string& id) {
+    const Rect body = body_of_exercise(desk);
+    desk.point(body.x + body.w / 2, body.y + body.h / 2);
+    for (int turn = 0; turn < 60; ++turn) {
+        if (is_in_body(desk, id)) return true;
+        ImGui::GetIO().MouseWheel = turn < 30 ? -0.5f : 0.5f;
+        desk.frame(2);
+    }
+    return false;
+}
+
+// Opens the cards that can be beside that of the exercise; those of the map and of the brains take most of the column.
+void open_other_cards(Opened& it, const insight::MapCells& cells, bool all) {
+    PanelState& panels = it.desk.panels;
+    for (const Card card : {Card::sensors, Card::information, Card::brain}) panels.card(card).folded = false;
+    for (const Card card : {Card::information, Card::brain}) panels.card(card).opened_by_user = true;
+    if (!all) return;
+    it.desk.view.settings.values = it.desk.view.settings.map = true;
+    it.desk.view.features.map =
+        MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
+}
+
+}  // namespace
+
+TEST(ExercisesGuided, AnswersAndStepsAreReachedInASmallWindowWhateverOtherCardsAreOpen) {
+    const insight::MapCells cells{8};
     for (const Exercise& exercise : course())
-        for (const Window w : {Window{800, 600, 1}, {1280, 800, fitting_scale(2, {0, 0, 1280, 800}, false)}}) {
-            if (exercise.prediction.options.empty()) continue;
+        for (const SmallWindow& w : small_windows)
+            for (const int others : {0, 1, 2}) {
+                SCOPED_TRACE(exercise.id + " " + std::to_string(w.width) + " " + std::to_string(others));
+                Opened it(exercise, w.width, w.height, w.scale);
+                if (others > 0) open_other_cards(it, cells, others > 1);
+                it.desk.frame(12);
+                for (std::size_t i = 0; i < exercise.prediction.options.size(); ++i)
+                    EXPECT_TRUE(scrolls_to(it.desk, "exercise.predict." + std::to_string(i + 1))) << i;
+                it.play_after_prediction();
+                it.desk.frame(8);
+                for (std::size_t i = 0; i < exercise.steps.size(); ++i)
+                    EXPECT_TRUE(scrolls_to(it.desk, "exercise.step." + std::to_string(i + 1))) << i;
+            }
+}
+
+TEST(ExercisesGuided, TheStepsAreInSightInTheWiringEditorOfASmallWindow) {
+    for (const Exercise& exercise : course())
+        for (const SmallWindow& w : small_windows) {
+            SCOPED_TRACE(exercise.id + " " + std::to_string(w.width));
             Opened it(exercise, w.width, w.height, w.scale);
-            it.desk.frame(8);
-            const Rect card = it.desk.where("card.exercise");
-            // Wheel clicks over the card until the widget is in it.
-            const auto reaches = [&](const std::string& id) {
-                it.desk.point(card.x + card.w / 2, card.y + card.h / 2);
-                for (int turn = 0; turn < 40; ++turn) {
-                    const Rect* at = it.desk.anchors.find(id);
-                    if (at && inside(*at, card)) return true;
-                    ImGui::GetIO().MouseWheel = turn < 20 ? -1.0f : 1.0f;
-                    it.desk.frame(2);
-                }
-                return false;
-            };
-            const std::string last = "exercise.predict." + std::to_string(exercise.prediction.options.size());
-            EXPECT_TRUE(reaches("exercise.predict.1")) << exercise.id << " " << w.width;
-            EXPECT_TRUE(reaches(last)) << exercise.id << " " << w.width;
             it.play_after_prediction();
-            it.desk.frame(4);
-            EXPECT_TRUE(reaches("exercise.step." + std::to_string(exercise.steps.size()))) << exercise.id << w.width;
+            it.desk.frame(6);
+            it.desk.view.mode = Mode::wiring;
+            it.desk.frame(8);
+            EXPECT_TRUE(is_in_body(it.desk, "exercise.step.1"));
+            for (std::size_t i = 0; i < exercise.steps.size(); ++i)
+                EXPECT_TRUE(scrolls_to(it.desk, "exercise.step." + std::to_string(i + 1))) << i;
         }
+}
+
+TEST(ExercisesGuided, NoWidgetMovesWhenAllStartsAreShownAtOnce) {
+    for (const Exercise& exercise : course()) {
+        Opened it(exercise);
+        it.play_after_prediction();
+        for (Verdict& verdict : it.desk.lesson.verdicts) verdict.done = true;
+        it.desk.lesson.attempt.work.outcome_known = true;
+        it.desk.lesson.grade = graded(std::vector<bool>(static_cast<std::size_t>(exercise.starts), true), true);
+        it.desk.frame(12);
+        std::map<std::string, Rect> before;
+        for (const Shown& each : it.desk.shown)
+            if (const Rect* at = it.desk.anchors.find(each.id)) before[each.id] = *at;
+        ASSERT_TRUE(before.count("exercise.together")) << exercise.id;
+        it.desk.lesson.together = true;
+        it.desk.frame(12);
+        for (const auto& [id, was] : before) {
+            const Rect* now = it.desk.anchors.find(id);
+            if (!now || id == "exercise.together") continue;
+            EXPECT_NEAR(now->y, was.y, 0.5f) << exercise.id << ": " << id;
+            EXPECT_NEAR(now->x, was.x, 0.5f) << exercise.id << ": " << id;
+        }
+        const Rect was = before["exercise.together"];
+        EXPECT_NEAR(it.desk.where("exercise.together").y, was.y, 0.5f) << exercise.id;
+    }
 }
 
 }  // namespace braitenlab::tests::exercises_guided_test

@@ -25,7 +25,9 @@ constexpr CardTraits card_traits[]{
      .in_lecture = InLecture::folded,
      .shown = [](const LabView& view) { return view.lesson && (!view.pages || view.pages->shows(PagePart::exercise)); },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { exercise_card(view, state, ui, place); }},
+                Rect) { exercise_card(view, state, ui, place); },
+     .least = 280,
+     .keeps_least = true},
     {.card = Card::scene,
      .anchor = "card.scene",
      .heading = "scene.heading",
@@ -172,7 +174,8 @@ std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const 
     const std::span<float> least(heights.data(), stack.count);
     for (std::size_t i = 0; i < stack.count; ++i) least[i] = least_of(ui, state, *stack.rows[i], column);
     float room = column.h - ui.px(between_cards) * static_cast<float>(stack.count > 0 ? stack.count - 1 : 0);
-    cut_to_fit(least, folded_height(ui), room);
+    const std::size_t kept = stack.count > 0 && stack.rows[0]->keeps_least ? 1 : 0;  // the first card only
+    cut_to_fit(least.subspan(kept), folded_height(ui), room - (kept > 0 ? least[0] : 0));
     for (std::size_t i = 0; i < stack.count; ++i) {
         const float below = std::accumulate(least.begin() + static_cast<std::ptrdiff_t>(i) + 1, least.end(), 0.0f);
         const float wanted = wanted_of(ui, state, *stack.rows[i], column);

@@ -31,10 +31,12 @@ struct CardTraits {
     void (*draw)(const LabView&, PanelState&, Ui&, Rect place, Rect rest) = nullptr;
 
     // Heights in a column. The cards of a column share it from top to bottom, in the order of the table. No card leaves
-    // it: where the least heights of all exceed it, the largest of them are cut.
-    float most = 1;                   // at most this share of the column; below 1: not squeezed by cards below
-    float least = 96;                 // layout pixels; minimum height beside the other cards, while it is open
-    float least_share = 0;            // the same as a share of the column
+    // it: where the least heights of all exceed it, the largest of them are cut, but not that of a first card with
+    // keeps_least.
+    float most = 1;         // at most this share of the column; below 1: not squeezed by cards below
+    float least = 96;       // layout pixels; minimum height beside the other cards, while it is open
+    float least_share = 0;  // the same as a share of the column
+    bool keeps_least = false;
     bool folds_when_cramped = false;  // folded while the column is too low, unless the user has opened it
 };
 

@@ -27,6 +27,8 @@ namespace braitenlab::ui {
 
 namespace {
 
+constexpr float least_height_with_head = 400;  // layout pixels, of the card: below it title and goal scroll
+
 std::string numbered(const char* stem, std::size_t index) { return stem + std::to_string(index + 1); }
 
 bool has_passed(const LessonView& lesson) { return lesson.grade && lesson.grade->good; }
@@ -297,7 +299,8 @@ void steps(const LabView& view, PanelState& state, Ui& ui) {
                                        {std::to_string(done), std::to_string(lesson.exercise->steps.size())});
         if (!fold_row(ui, "exercise.steps", words, state.exercise.steps_open, ui.strings("exercise.steps_how"))) return;
         heading = ImGui::GetCursorScreenPos();
-        if (can_compare(view)) gap(ui, small_button_height + spacing::small);
+        // The row stays while all starts are shown at once, which cannot be compared.
+        if (can_compare(view) || lesson.together) gap(ui, small_button_height + spacing::small);
     } else {
         subheading(ui, ui.strings("exercise.steps"));
     }
@@ -389,32 +392,39 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 // Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. Once the
 // outcome is known, the steps are above it: a change of the brain moves nothing. Of hints and outcome the newer one is
 // nearer to the steps. In the wiring editor the hints are above the steps, which are judged while the scene plays. In a
-// low window the rest scrolls. The button of a selection by hand does not: hints that are read below point at it.
+// low window the rest scrolls, in a low card also title and goal, which in the editor are then below the steps. The
+// button of a selection by hand does not scroll: hints that are read below point at it.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
     follow_exercise(lesson, state);
     CardState& card = state.card(Card::exercise);
     card.footer = std::max(card.footer, ui.px(button_height + 8));
-    if (!card.head) card.head = 0;
+    const bool is_low = place.h < ui.px(least_height_with_head);
+    const bool steps_on_top = is_low && view.mode == Mode::wiring && !passed;
+    if (is_low)
+        card.head.reset();
+    else if (!card.head)
+        card.head = 0;
     const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(view, ui));
     if (open) {
-        head(view, state, ui);
-        end_head(ui, card, place);
         ExerciseRows& rows = state.exercise.rows;
-        begin_rows(rows);
+        if (is_low) begin_rows(rows);
+        if (!steps_on_top) head(view, state, ui);
+        if (!is_low) end_head(ui, card, place), begin_rows(rows);
         const bool hints_first = view.mode == Mode::wiring && !passed;
         if (hints_first) hints(view, state, ui);
+        if (steps_on_top) gap(ui, spacing::small), steps(view, state, ui), head(view, state, ui);
         result(view, ui);
         if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
         reason(view, state, ui);
         if (!hides_outcome(view)) generation_of_selection(view, ui);
         const bool steps_first = (!lesson.as_given || lesson.attempt.work.outcome_known) && !hides_outcome(view);
-        if (!passed && steps_first) steps(view, state, ui);
+        if (!passed && steps_first && !steps_on_top) steps(view, state, ui);
         const bool hints_last = passed || !steps_first || state.exercise.outcome_newest;
         if (!hints_first && !hints_last) hints(view, state, ui);
         prediction(view, state, ui);
-        if (!passed && !steps_first) steps(view, state, ui);
+        if (!passed && !steps_first && !steps_on_top) steps(view, state, ui);
         if (!hints_first && hints_last) hints(view, state, ui);
         kept_button(view, ui);
         note_field(view, state, ui);
