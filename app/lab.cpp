@@ -49,7 +49,7 @@ void update_features(Lab& lab, Jobs& jobs) {
     update_explanation(lab.explanation, lab);
     update_map(lab.map, lab, jobs);
     update_study(lab.study, jobs);
-    update_breeding(lab.breeding, jobs);
+    update_breeding(lab.breeding, jobs, lab.wall_seconds);
     update_robots(lab.robots, lab, jobs);
 }
 
@@ -96,7 +96,7 @@ LabView view_of(const Lab& lab) {
     if (view.features.slots.b) view.features.last_run.reset(), view.features.prediction.reset();
     view.features.map = map_of(lab.map, lab);
     view.features.study = study_of(lab.study);
-    view.features.breeding = breeding_of(lab.breeding);
+    view.features.breeding = breeding_of(lab.breeding, lab.wall_seconds);
     view.features.robots = robots_of(lab.robots, lab);
     view.documents.students = &lab.students;
     view.documents.student = lab.students.student().name;

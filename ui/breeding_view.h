@@ -20,6 +20,7 @@ struct BreedingView {
     const evolve::BreedingState* state = nullptr;            // null with `base`
     bool runs = false;
     float progress = 0;                                // 0..1, of the generation that is bred, also of the panel
+    std::optional<float> seconds_left{};               // at the measured pace, while it runs; unset: not known yet
     const evolve::Tournament* matrix = nullptr;        // null with `base`; NaN: a score that is not known yet
     evolve::BySide<evolve::Verdict> verdicts{};        // of the matrix
     std::vector<BreedingCell> watched{};               // at most two, the newest first

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/files/breeding_files.h"
 #include "app/files/data.h"
@@ -237,9 +238,31 @@ bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cel
     return true;
 }
 
-void take_generation(BreedingRuns& runs, Jobs& jobs) {
+// Of the generation that has ended now.
+void measure_pace(BreedingRuns& runs, double now) {
+    constexpr float newest = 0.3f;  // share of the newest generation
+    const auto seconds = static_cast<float>(now - std::exchange(runs.generation_began, now));
+    const float before = runs.generation_seconds.value_or(seconds);
+    runs.generation_seconds = before + newest * (seconds - before);
+}
+
+// Nothing until a part of the first generation tells the pace.
+std::optional<float> seconds_left(const BreedingRuns& runs, double now) {
+    constexpr float telling = 0.1f;  // of a generation
+    const evolve::Breeding& breeding = runs.base->breeding();
+    const int of_panel = breeding.panel > 0 ? breeding.panel_generations + 1 : 0;
+    const int left = of_panel + breeding.generations + 1 - generations_in(*bred_of(runs).state);
+    if (!runs.runs || left <= 0) return std::nullopt;
+    const float bred = runs.generation.progress().fraction, elapsed = static_cast<float>(now - runs.generation_began);
+    if (!runs.generation_seconds && bred < telling) return std::nullopt;
+    const float seconds = runs.generation_seconds.value_or(elapsed / bred);
+    return seconds * (static_cast<float>(left) - bred);
+}
+
+void take_generation(BreedingRuns& runs, Jobs& jobs, double now) {
     if (auto ended = runs.generation.take()) {
         if (!*ended) return runs.error = ended->error(), stop_breeding(runs);
+        measure_pace(runs, now);
         bred_of(runs).state = std::move(**ended);
         keep_breeding(runs);
         fill_matrix(runs);
@@ -331,6 +354,8 @@ std::optional<OpenRequest> handle_breeding(BreedingRuns& runs, Workspace& space,
             return std::nullopt;
         case BreedingEdit::run:
             runs.runs = true;
+            runs.generation_began = space.wall_seconds;
+            runs.generation_seconds.reset();
             return std::nullopt;
         case BreedingEdit::stop:
             stop_breeding(runs);
@@ -348,9 +373,9 @@ std::optional<OpenRequest> handle_breeding(BreedingRuns& runs, Workspace& space,
     return std::nullopt;
 }
 
-void update_breeding(BreedingRuns& runs, Jobs& jobs) {
+void update_breeding(BreedingRuns& runs, Jobs& jobs, double now) {
     if (!runs.base) return;
-    take_generation(runs, jobs);
+    take_generation(runs, jobs, now);
     take_scores(runs);
     if (runs.runs) {
         const bool breeds = submit_generation(runs, jobs), compares = submit_scores(runs, jobs);
@@ -371,13 +396,14 @@ void update_breeding(BreedingRuns& runs, Jobs& jobs) {
 
 bool is_computing(const BreedingRuns& runs) { return runs.runs || runs.fills || runs.duels.is_computing(); }
 
-BreedingView breeding_of(const BreedingRuns& runs) {
+BreedingView breeding_of(const BreedingRuns& runs, double now) {
     BreedingView view{.error = runs.error ? runs.error : runs.not_kept, .last = runs.last, .shown = runs.shown};
     if (!runs.base) return view;
     view.base = runs.base;
     view.state = bred_of(runs).state.get();
     view.runs = runs.runs;
     view.progress = runs.generation.progress().fraction;
+    view.seconds_left = seconds_left(runs, now);
     view.matrix = &runs.matrix;
     view.verdicts = runs.verdicts;
     if (const DuelsQuestion* asked = runs.duels.question()) view.watched = asked->cells;

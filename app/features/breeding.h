@@ -49,10 +49,12 @@ struct BreedingRuns {
     std::string last{};                      // name or path of the breeding opened last; empty: none
     int shown = 0;                           // see BreedingView
     bool runs = false;
-    bool fills = false;                  // computes the matrix of what was read, without breeding
-    Job<TrialsPtr> trials{};             // those of the next generation
-    Job<BreedingStatePtr> generation{};  // its end
-    Job<std::vector<float>> scores{};    // of `cells`
+    double generation_began = 0;                // wall time, s, while it runs
+    std::optional<float> generation_seconds{};  // measured, of the last ones; the newer, the more it counts
+    bool fills = false;                         // computes the matrix of what was read, without breeding
+    Job<TrialsPtr> trials{};                    // those of the next generation
+    Job<BreedingStatePtr> generation{};         // its end
+    Job<std::vector<float>> scores{};           // of `cells`
     std::vector<BreedingCell> cells{};
     evolve::Tournament matrix{};  // of the complete generations, see matrix_generations()
     evolve::BySide<evolve::Verdict> verdicts{};
@@ -73,12 +75,12 @@ void show_breeding(BreedingRuns&, const std::filesystem::path&);
 // Executes a request. Returns the request that opens the scene of a match.
 std::optional<OpenRequest> handle_breeding(BreedingRuns&, Workspace&, const BreedingRequest&);
 
-// Call once per turn, after Jobs::deliver.
-void update_breeding(BreedingRuns&, Jobs&);
+// Call once per turn, after Jobs::deliver. `now`: wall time, s.
+void update_breeding(BreedingRuns&, Jobs&, double now);
 
 bool is_computing(const BreedingRuns&);
 
-// Points into the runs.
-BreedingView breeding_of(const BreedingRuns&);
+// Points into the runs. `now`: as update_breeding().
+BreedingView breeding_of(const BreedingRuns&, double now);
 
 }  // namespace braitenlab

@@ -1,7 +1,9 @@
 // A breeding in the lab: bred in the background, stopped and continued, its matches watched, opened and taken.
 #include "app/features/breeding.h"
 
+#include <algorithm>
 #include <chrono>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -41,7 +43,10 @@ struct LabBreeding : testing::Test {
     }
     BreedingView view() const { return view_of(lab).features.breeding; }
     void ask(BreedingEdit edit, BreedingCell cell = {}) { handle(lab, BreedingRequest{.edit = edit, .cell = cell}); }
-    void turn() { update_breeding(lab.breeding, jobs), jobs.finish(), update_breeding(lab.breeding, jobs); }
+    void turn() {
+        update_breeding(lab.breeding, jobs, lab.wall_seconds), jobs.finish();
+        update_breeding(lab.breeding, jobs, lab.wall_seconds);
+    }
     void breed_to_the_end() {
         ask(BreedingEdit::run);
         for (int i = 0; i < 100 && view().runs; ++i) turn();
@@ -73,6 +78,25 @@ struct LabBreeding : testing::Test {
     }
 };
 
+TEST_F(LabBreeding, TheTimeLeftFollowsFromThePaceOfTheGenerations) {
+    EXPECT_FALSE(view().seconds_left);
+    lab.wall_seconds = 1000;
+    ask(BreedingEdit::run);
+    EXPECT_FALSE(view().seconds_left) << "the pace is not known yet";
+    std::vector<float> left;
+    for (int i = 0; i < 40 && view().runs; ++i) {
+        lab.wall_seconds += 5;
+        turn();
+        if (view().seconds_left) left.push_back(*view().seconds_left);
+    }
+    ASSERT_GT(left.size(), 3u);
+    EXPECT_GT(left.front(), 15);
+    EXPECT_TRUE(std::is_sorted(left.rbegin(), left.rend())) << "at an even pace it only falls";
+    EXPECT_LE(left.back(), 15);
+    breed_to_the_end();
+    EXPECT_FALSE(view().seconds_left);
+}
+
 TEST_F(LabBreeding, BreedsAsTheCommandLineDoes) {
     ASSERT_TRUE(view().base) << view().error->text();
     turn();
@@ -90,7 +114,7 @@ TEST_F(LabBreeding, BreedsTheSameInTimeSlices) {
     ask(BreedingEdit::run);
     int turns = 0;
     for (; last_generation(view()) < 2 && turns < 10'000; ++turns)
-        jobs.deliver(std::chrono::nanoseconds(1)), update_breeding(lab.breeding, jobs);
+        jobs.deliver(std::chrono::nanoseconds(1)), update_breeding(lab.breeding, jobs, 0);
     EXPECT_GT(turns, 100) << "no turn computes a generation";
     ask(BreedingEdit::stop);
     EXPECT_EQ(*view().state, bred(2));
@@ -259,13 +283,13 @@ TEST_F(LabBreeding, AnotherStartOfTheLabGoesOnWithWhatWasBred) {
     ASSERT_TRUE(now().base) << now().error->text();
     EXPECT_EQ(*now().state, before);
     for (int i = 0; i < 5; ++i)
-        update_breeding(next.breeding, jobs), jobs.finish(), update_breeding(next.breeding, jobs);
+        update_breeding(next.breeding, jobs, 0), jobs.finish(), update_breeding(next.breeding, jobs, 0);
     EXPECT_EQ(*now().state, before) << "goes on only when asked to";
     EXPECT_EQ(now().matrix->size(), 2u);
     for (const float score : now().matrix->scores) EXPECT_GE(score, 0) << "the matrix is complete";
     handle(next, BreedingRequest{.edit = BreedingEdit::run});
     for (int i = 0; i < 100 && now().runs; ++i)
-        update_breeding(next.breeding, jobs), jobs.finish(), update_breeding(next.breeding, jobs);
+        update_breeding(next.breeding, jobs, 0), jobs.finish(), update_breeding(next.breeding, jobs, 0);
     EXPECT_EQ(*now().state, bred(3));
 }
 
@@ -284,7 +308,7 @@ TEST_F(LabBreeding, OpensAFolderOfTheCommandLineAndLeavesItAsItIs) {
     EXPECT_EQ(last_generation(now()), 2);
     handle(next, BreedingRequest{.edit = BreedingEdit::run});
     for (int i = 0; i < 100 && now().runs; ++i)
-        update_breeding(next.breeding, jobs), jobs.finish(), update_breeding(next.breeding, jobs);
+        update_breeding(next.breeding, jobs, 0), jobs.finish(), update_breeding(next.breeding, jobs, 0);
     EXPECT_EQ(*now().state, bred(3));
     EXPECT_EQ(*read_text(written / "state.json"), text);
     handle(next, BreedingRequest{.path = (written / "breeding.toml").string()});

@@ -1,5 +1,6 @@
 // The sheet of a breeding (ui/panels/breeding_sheet.cpp).
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "breeding_on_desk.h"
@@ -56,6 +57,42 @@ TEST_F(BreedingDesk, StartStopAndContinueAreRequests) {
     all.show(desk);
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("breeding.complete"));
+}
+
+TEST_F(BreedingDesk, SaysHowMuchTimeIsLeftWhileItRuns) {
+    BredOnDesk some(7);
+    some.show(desk);
+    desk.frame(2);
+    EXPECT_FALSE(desk.says("left"));
+    desk.view.features.breeding.runs = true;
+    desk.view.features.breeding.seconds_left = 38.0f;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("about 40 s left"));
+    desk.view.features.breeding.seconds_left = 200.0f;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("about 4 min left"));
+}
+
+TEST(BreedingButtons, StayInTheirPlacesWhateverTheFirstOneSays) {
+    for (const char* language : {"en", "de", "es"}) {
+        Desk desk(1280, 800, 1, true);
+        desk.strings = speaking(language);
+        BredOnDesk none(0), some(7), all(41, 2);
+        std::map<std::string, float> x;
+        const auto same_places = [&](BredOnDesk& bred, bool runs) {
+            bred.show(desk);
+            desk.view.features.breeding.runs = runs;
+            desk.frame(3);
+            for (const char* id : {"breeding.match", "breeding.take", "breeding.close"})
+                EXPECT_NEAR(x.try_emplace(id, desk.where(id).x).first->second, desk.where(id).x, 0.5f)
+                    << language << id;
+        };
+        same_places(none, false);
+        same_places(none, true);
+        same_places(some, false);
+        same_places(some, true);
+        same_places(all, false);
+    }
 }
 
 TEST_F(BreedingDesk, OtherOpponentsAndNumbersAreAChoice) {

@@ -163,6 +163,15 @@ void numbers_of_breeding(const LabView& lab, const Breeding& now, SliderState& s
         choose(choice, ui);
 }
 
+// " · about 40 s left", or nothing.
+std::string time_left(const BreedingView& view, const Ui& ui) {
+    if (!view.seconds_left) return {};
+    const auto seconds = static_cast<int>(std::ceil(*view.seconds_left / 5)) * 5;  // it does not flicker
+    const bool minutes = seconds >= 120;
+    return " · " + fill(ui.strings(minutes ? "breeding.minutes_left" : "breeding.seconds_left"),
+                        {std::to_string(minutes ? (seconds + 59) / 60 : std::max(5, seconds))});
+}
+
 // "Generation 12 of 40", with a bar of all generations, those of the panel included.
 void progress_of_breeding(const BreedingView& view, Ui& ui) {
     const Breeding& breeding = view.base->breeding();
@@ -170,15 +179,18 @@ void progress_of_breeding(const BreedingView& view, Ui& ui) {
     const int panel = static_cast<int>(view.state->panel.generations.front().size());
     const int done = last_generation(view) + 1, all = breeding.generations + 1;
     if (panel < of_panel && (panel > 0 || view.runs))
-        paragraph(ui, fill(ui.strings("breeding.panel"), {std::to_string(panel), std::to_string(of_panel)}),
-                  ui.palette.second_text, Face::small);
+        paragraph(
+            ui,
+            fill(ui.strings("breeding.panel"), {std::to_string(panel), std::to_string(of_panel)}) + time_left(view, ui),
+            ui.palette.second_text, Face::small);
     else if (done == 0 && !view.runs)
         paragraph(ui, ui.strings("breeding.not_begun"), ui.palette.second_text, Face::small);
     else
         paragraph(ui,
                   fill(ui.strings("breeding.progress"),
                        {std::to_string(std::max(0, done - 1)), std::to_string(breeding.generations),
-                        std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)}),
+                        std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)}) +
+                      time_left(view, ui),
                   ui.palette.second_text, Face::small);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = card_width(ui), height = ui.px(4);
@@ -239,22 +251,24 @@ bool breeding_buttons(const BreedingView& view, Ui& ui) {
     const bool is_complete = view.base && last_generation(view) >= view.base->breeding().generations &&
                              std::none_of(view.matrix->scores.begin(), view.matrix->scores.end(),
                                           [](float score) { return std::isnan(score); });
+    ButtonLook first{icon::pause, ui.strings("breeding.stop"), Emphasis::primary};
+    first.min_width =
+        least_width_for(ui, first, {"breeding.start", "breeding.go_on", "breeding.stop", "breeding.complete"});
     if (view.base && view.runs) {
-        const Item stop = button(ui, "breeding.stop", {icon::pause, ui.strings("breeding.stop"), Emphasis::primary});
+        const Item stop = button(ui, "breeding.stop", first);
         tooltip(ui, stop, ui.strings("breeding.stop_how"));
         if (stop.pressed) ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::stop});
         ImGui::SameLine();
     } else if (view.base && !is_complete) {
         const bool has_begun = !view.state->panel.generations.front().empty() || last_generation(view) >= 0;
-        const std::string_view words = ui.strings(has_begun ? "breeding.go_on" : "breeding.start");
-        const Item start = button(ui, "breeding.start", {icon::play, words, Emphasis::primary});
+        first.icon = icon::play, first.words = ui.strings(has_begun ? "breeding.go_on" : "breeding.start");
+        const Item start = button(ui, "breeding.start", first);
         tooltip(ui, start, ui.strings("breeding.start_how"));
         if (start.pressed) ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::run});
         ImGui::SameLine();
     } else if (view.base) {  // keeps the place of Stop
-        ButtonLook complete{icon::check, ui.strings("breeding.complete"), Emphasis::primary};
-        complete.enabled = false;
-        const Item item = button(ui, "breeding.complete", complete);
+        first.icon = icon::check, first.words = ui.strings("breeding.complete"), first.enabled = false;
+        const Item item = button(ui, "breeding.complete", first);
         tooltip(ui, item, ui.strings("breeding.complete_how"));
         ImGui::SameLine();
     }

@@ -283,20 +283,21 @@ bool draft_buttons(StudyDraft& draft, std::optional<Study> study, Ui& ui) {
 // True if the sheet closes.
 bool study_buttons(const StudyView& view, Ui& ui) {
     const std::size_t done = view.base ? view.rows->size() : 0;
+    ButtonLook first{icon::pause, ui.strings("study.stop"), Emphasis::primary};
+    first.min_width = least_width_for(ui, first, {"study.run", "study.go_on", "study.stop", "study.complete"});
     if (view.base && view.runs) {
-        const Item stop = button(ui, "study.stop", {icon::pause, ui.strings("study.stop"), Emphasis::primary});
+        const Item stop = button(ui, "study.stop", first);
         tooltip(ui, stop, ui.strings("study.stop_how"));
         if (stop.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::stop, {}});
         ImGui::SameLine();
     } else if (view.base && done < view.base->study().runs()) {
-        const Item run = button(ui, "study.run",
-                                {icon::play, ui.strings(done > 0 ? "study.go_on" : "study.run"), Emphasis::primary});
+        first.icon = icon::play, first.words = ui.strings(done > 0 ? "study.go_on" : "study.run");
+        const Item run = button(ui, "study.run", first);
         if (run.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::run, {}});
         ImGui::SameLine();
     } else if (view.base) {  // keeps the place, so that a click on Stop as the last run ends is no click on Save
-        ButtonLook complete{icon::check, ui.strings("study.complete"), Emphasis::primary};
-        complete.enabled = false;
-        button(ui, "study.complete", complete);
+        first.icon = icon::check, first.words = ui.strings("study.complete"), first.enabled = false;
+        button(ui, "study.complete", first);
         ImGui::SameLine();
     }
     const bool is_own = view.is_built || view.has_file;  // else a shipped one: its table goes to a new file

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ui/imgui_compat.h"
+#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
@@ -53,6 +54,15 @@ float button_width(const Ui& ui, const ButtonLook& look) {
     if (shows_icon(ui, look)) width += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(button_icon_gap(look)));
     width += text_width(ui, face_of(look), look.words);
     return std::max(width, ui.px(look.min_width));
+}
+
+float least_width_for(const Ui& ui, ButtonLook look, std::initializer_list<std::string_view> keys) {
+    float most = 0;
+    for (const std::string_view key : keys) {
+        look.words = ui.strings(key);
+        most = std::max(most, button_width(ui, look));
+    }
+    return most / ui.px(1);
 }
 
 Item button(Ui& ui, std::string_view id, const ButtonLook& look) {

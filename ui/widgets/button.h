@@ -1,6 +1,7 @@
 // Buttons, toggles, choices and chips.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string_view>
 
@@ -23,6 +24,10 @@ struct ButtonLook {
 inline constexpr float button_height = 32;  // layout pixels
 
 float button_width(const Ui&, const ButtonLook&);
+
+// For ButtonLook::min_width of a button whose words change among these strings: what is beside it stays in its place.
+float least_width_for(const Ui&, ButtonLook, std::initializer_list<std::string_view> keys);
+
 Item button(Ui&, std::string_view id, const ButtonLook&);
 
 // A small button with one line of small words.
