@@ -402,6 +402,32 @@ TEST(MenuBarInEachWindow, KeepsEveryRowInsideTheWindow) {
         }
 }
 
+TEST(MenuBarInEachWindow, OpensAtTheRowOfTheOpenFileWhereverItWasScrolledBefore) {
+    Desk low(940, 300, 1, true);
+    std::vector<CatalogueEntry> catalogue;
+    for (int i = 1; i <= 22; ++i) {
+        const std::string number = std::to_string(i);
+        catalogue.push_back({"exercise-" + number, number + ".toml", "Title " + number, "", i});
+    }
+    low.view.documents.catalogue = &catalogue;
+    const auto is_in_sight = [&](const std::string& name) {
+        const Rect *row = low.anchors.find("menu.exercises." + name), panel = low.where("menu.rows");
+        return row && row->y >= panel.y && row->y + row->h <= panel.y + panel.h;
+    };
+    for (const char* opened : {"exercise-11", "exercise-22", "exercise-3"}) {
+        low.view.documents.opened = opened;
+        low.frame(2);
+        low.panels.menu_bar.open = "exercises";
+        low.frame(3);
+        EXPECT_TRUE(is_in_sight(opened)) << opened;
+        const Rect panel = low.where("menu.rows");
+        low.point(panel.x + panel.w / 2, panel.y + panel.h / 2);
+        for (int i = 0; i < 5; ++i) ImGui::GetIO().MouseWheel = -5, low.frame(2);
+        low.panels.menu_bar.open.clear();
+        low.frame(2);
+    }
+}
+
 TEST(MenuBarInEachWindow, ScrollsToTheFocusWhereTheWindowIsTooLow) {
     Desk low(940, 300, 1, true);
     low.frame(2);

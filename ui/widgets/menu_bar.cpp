@@ -102,10 +102,12 @@ bool menu_entry(Ui& ui, const MenuEntry& entry, ImVec2 size, bool signs) {
     return here.pressed;
 }
 
-int draw_entries(Ui& ui, std::span<const MenuEntry> entries, float width, float height) {
+// `opens`: in the first frame of the menu, which then shows the row of the open file, else the first rows.
+int draw_entries(Ui& ui, std::span<const MenuEntry> entries, float width, float height, bool opens) {
     int chosen = -1;
     const bool signs = has_signs(entries);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    if (opens) ImGui::SetScrollY(0);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (entries[i].rule_above) {
             const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -114,6 +116,7 @@ int draw_entries(Ui& ui, std::span<const MenuEntry> entries, float width, float 
             ImGui::Dummy({width, ui.px(menu_rule)});
         }
         if (menu_entry(ui, entries[i], {width, height}, signs)) chosen = static_cast<int>(i);
+        if (opens && entries[i].open) ImGui::SetScrollHereY();
     }
     ImGui::PopStyleVar();
     return chosen;
@@ -174,7 +177,8 @@ int menu_panel(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles, s
                    std::min(content + 2 * pad, room)};
     begin_bar(ui, "open menu", window, true);
     hold_keyboard(ui.keyboard);
-    if (std::exchange(state.drawn, state.open) != state.open && ui.keyboard) ui.keyboard->focus.clear();
+    const bool opens = std::exchange(state.drawn, state.open) != state.open;
+    if (opens && ui.keyboard) ui.keyboard->focus.clear();
     const Rect& panel = state.panel;
     card_ground(ui, panel);
     fill_box(ui, panel, ui.palette.panel);  // opaque, so that words below do not show through
@@ -183,7 +187,7 @@ int menu_panel(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles, s
     ImGui::SetCursorScreenPos({panel.x + pad, panel.y + pad});
     const float inner = panel.w - 2 * pad;
     compat::begin_child(("rows of " + state.open).c_str(), {inner, panel.h - 2 * pad}, ImGuiWindowFlags_NoNav);
-    const int chosen = draw_entries(ui, entries, inner - scrollbar, height);
+    const int chosen = draw_entries(ui, entries, inner - scrollbar, height, opens);
     ImGui::EndChild();
     follow_pointer(ui, state, titles);
     if (chosen >= 0 && !entries[static_cast<std::size_t>(chosen)].stays_open) state.open.clear();

@@ -47,8 +47,9 @@ inline constexpr float finger_row = 44;
 void menu_titles(Ui&, MenuBarState&, std::span<const MenuTitle>, Rect bar);
 
 // Draws the open menu over the window and returns the index of the chosen row, or −1. The panel has the anchor
-// `menu.rows`; it scrolls if the window is too low for it. Only its rows can have the keyboard focus. A click beside it
-// closes it and does nothing else; the pointer over another title opens that menu. Call after everything it covers.
+// `menu.rows`; it scrolls if the window is too low for it, and opens at the row of the open file. Only its rows can
+// have the keyboard focus. A click beside it closes it and does nothing else; the pointer over another title opens that
+// menu. Call after everything it covers.
 int menu_panel(Ui&, MenuBarState&, std::span<const MenuTitle>, std::span<const MenuEntry>, Rect bar, Rect window);
 
 }  // namespace braitenlab::ui
