@@ -32,14 +32,16 @@ Rect without_metre_labels(Rect scene, float scale) {
     return {scene.x + (scene.w - w) / 2, scene.y, w, std::max(0.5f * scene.h, scene.h - below * (scale - 1))};
 }
 
-// A title may tell the outcome of an exercise: until it is known, the page has the program's.
+// A title may tell the outcome of an exercise, or what a lecture asks first: until it is known, the page has the
+// program's.
 DocumentOnPage document_on_page(const Lab& lab, const LabView& view, const Strings& strings) {
     DocumentOnPage on_page;
     if (lab.pages) {
         on_page.lecture = lab.pages->lecture->path.string();
         on_page.page = lab.pages->page + 1, on_page.revealed = lab.pages->step;
     }
-    if (view.program.title_page || (!lab.pages && hides_outcome(view))) return on_page;
+    const bool is_hidden = hides_outcome(view) || (view.lecture && view.settings.revealed.asks_first);
+    if (view.program.title_page || (!lab.pages && is_hidden)) return on_page;
     const std::string title = lab.pages ? lab.pages->lecture->title : title_of(lab.document);
     on_page.title = strings.find(title, title);
     return on_page;

@@ -49,6 +49,40 @@ struct FilesSheet : testing::Test {
     }
 };
 
+TEST_F(FilesSheet, TellsNoTitleAndNoStoryWhileALectureAsksFirst) {
+    desk.view.lecture = true;
+    const auto look = [&](bool asks_first) {
+        desk.view.settings.revealed.asks_first = asks_first;
+        desk.panels.sheet = Sheet::files;
+        desk.frame(4);
+        std::string all;
+        for (const Written& each : desk.written) all += each.words + "\n";
+        return all;
+    };
+    for (const FilesPlace place : {FilesPlace::shipped, FilesPlace::recent}) {
+        begin_files(desk.panels.sheets.files, false);
+        desk.panels.sheets.files.place = place;
+        EXPECT_NE(look(false).find("Coward"), std::string::npos);
+        const std::string hidden = look(true);
+        for (const char* told : {"Coward", "coward", "Aggressor", "aggressor", "It turns away."})
+            EXPECT_EQ(hidden.find(told), std::string::npos) << told << " in " << hidden;
+        EXPECT_NE(hidden.find("Scene 1"), std::string::npos) << hidden;
+    }
+}
+
+TEST_F(FilesSheet, ASearchWhileALectureAsksFirstFindsWhatIsHidden) {
+    desk.view.lecture = true;
+    desk.view.settings.revealed = hidden_until_asked;
+    begin_files(desk.panels.sheets.files, false);
+    desk.panels.sheets.files.place = FilesPlace::shipped;
+    desk.panels.sheet = Sheet::files;
+    desk.panels.sheets.files.search = "coward";
+    desk.frame(4);
+    EXPECT_TRUE(desk.anchors.find("open.2a-coward"));
+    EXPECT_FALSE(desk.anchors.find("gallery.05-aggressor"));
+    EXPECT_FALSE(desk.says("Coward"));
+}
+
 TEST_F(FilesSheet, OpensTheClickedFileAndClosesAfterwards) {
     desk.choose("file", "open");
     desk.frame(2);

@@ -65,10 +65,11 @@ bool search_by_typing(FilesState& files, KeyPress press) {
 namespace {
 
 // True if the words shown of the entry have every word of the search. The title of an exercise that tells its outcome
-// is not searched until it is shown.
+// is not searched until it is shown. A lecturer who asks first searches what is hidden, too, and sees numbers.
 bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
     std::string words = entry_words(view, ui, entry) + " ";
     words += entry.exercise ? translated(ui, entry.exercise->goal) : translated(ui, entry.story);
+    if (hides_titles(view)) words += " " + std::string(translated(ui, entry.title));
     if (!entry.exercise) words += " " + entry.name;
     words = plain_letters(words, Umlauts::as_vowels);
     for (std::size_t from = 0; from < search.size();) {
@@ -132,9 +133,9 @@ std::string folder_of(const std::string& path) {
 std::string recent_words(const LabView& view, const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file,
                          float width) {
     std::string name = without_folder(file.path);
-    if (file.title.empty()) return shortened(ui, name, Face::text, width);
+    const std::string title = file.title.empty() ? std::string{} : known_title(view, ui, file.title);
+    if (title.empty()) return shortened(ui, name, Face::text, width);
     const auto same = [&](const RecentFile& other) { return other.title == file.title; };
-    const std::string title = known_title(view, ui, file.title);
     if (std::count_if(all.begin(), all.end(), same) < 2) return shortened(ui, title, Face::text, width);
     const bool is_ambiguous = std::count_if(all.begin(), all.end(), [&](const RecentFile& other) {
                                   return same(other) && without_folder(other.path) == name;
@@ -257,7 +258,6 @@ void list_heading(Ui& ui, std::string_view key) {
 
 void shipped_row(const LabView& view, const CatalogueEntry& entry, FileRow row, FilesState& files, Ui& ui) {
     row.id = row_anchor(entry);
-    row.words = translated(ui, entry.title);
     if (list_row(view, ui, row, ui.strings("files.open_how"))) request_file(view, files, ui, OpenRequest{entry.path});
     if (row.current && !files.begun) ImGui::SetScrollHereY();
 }
@@ -268,7 +268,7 @@ void shipped_scenes(const LabView& view, const std::vector<CatalogueEntry>& list
     for (const CatalogueEntry& entry : listed) {
         if (is_exercise(entry)) continue;
         FileRow row;
-        row.below = translated(ui, entry.story), row.is_story = true;
+        row.words = exercise_words(view, ui, entry), row.below = told_of(view, ui, entry), row.is_story = true;
         row.current = entry.name == view.documents.opened, row.path = entry.path;
         shipped_row(view, entry, std::move(row), files, ui);
     }
@@ -282,6 +282,7 @@ void shipped_lectures(const LabView& view, const std::vector<CatalogueEntry>& li
         FileRow row;
         row.icon = icon::play;
         row.current = view.pages && entry.path == view.pages->lecture->path.string();
+        row.words = translated(ui, entry.title);
         shipped_row(view, entry, std::move(row), files, ui);
     }
     gap(ui, 8);
@@ -343,7 +344,7 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
                     view, ui,
                     {"recent." + std::to_string(++number),
                      recent_words(view, ui, *view.documents.recent, file, card_width(ui) - ui.px(row_picture + 60)),
-                     file.path, "", icon::file, false, false, file.path},
+                     hides_titles(view) ? std::string{} : file.path, "", icon::file, false, false, file.path},
                     ui.strings("files.open_how")))
                 request_file(view, files, ui, OpenRequest{file.path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);

@@ -71,8 +71,8 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
     put_right(ui, {at.right() - inset, words.y}, best, ui.palette.second_text, Face::small);
     put_lines(ui, {words.x + beside, words.y}, exercise_words(view, ui, entry), ui.palette.text, Face::small,
               inner - beside - aside, lines_of_card);
-    if (wants_tooltip(ui, at))
-        tooltip(ui, at, entry.exercise ? translated(ui, entry.exercise->goal) : ui.strings("files.open_how"));
+    const std::string_view told = told_of(view, ui, entry);
+    if (wants_tooltip(ui, at)) tooltip(ui, at, told.empty() ? ui.strings("files.open_how") : told);
     return at.pressed;
 }
 

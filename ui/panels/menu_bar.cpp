@@ -168,7 +168,7 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
             const float room = ui.px(longest_exercise) - text_width(ui, Face::text, number);
             row.entry.words =
                 number + shortened_first_sentence(ui, exercise_words(view, ui, shipped), Face::text, room);
-            row.entry.how = translated(ui, shipped.exercise ? shipped.exercise->goal : shipped.story);
+            row.entry.how = told_of(view, ui, shipped);
             row.entry.keys = passed_words(view, ui, shipped);
             row.entry.open = shipped.name == view.documents.opened;
             rows.push_back(std::move(row));

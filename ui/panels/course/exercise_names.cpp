@@ -1,5 +1,6 @@
 #include "ui/panels/course/exercise_names.h"
 
+#include "ui/strings.h"
 #include "ui/widgets/paint.h"
 
 namespace braitenlab::ui {
@@ -26,20 +27,45 @@ bool is_title_known(const LabView& view, const CatalogueEntry& entry) {
     return progress && (progress->passed || !progress->prediction.empty() || progress->drew_path);
 }
 
-std::string_view exercise_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
-    return translated(ui, is_title_known(view, entry) ? entry.title : entry.exercise->goal);
+bool hides_titles(const LabView& view) { return view.lecture && view.settings.revealed.asks_first; }
+
+namespace {
+
+// From 1, in the order of the list.
+int number_of_scene(const LabView& view, const CatalogueEntry& entry) {
+    int number = 1;
+    for (const CatalogueEntry& other : *view.documents.catalogue) {
+        if (other.name == entry.name) break;
+        number += other.number == 0 ? 1 : 0;
+    }
+    return number;
+}
+
+}  // namespace
+
+std::string exercise_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
+    if (!hides_titles(view))
+        return std::string(translated(ui, is_title_known(view, entry) ? entry.title : entry.exercise->goal));
+    if (entry.number > 0) return std::string(ui.strings("open.exercise"));
+    return fill(ui.strings("open.scene"), {std::to_string(number_of_scene(view, entry))});
+}
+
+std::string_view told_of(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
+    if (hides_titles(view)) return {};
+    return translated(ui, entry.exercise ? entry.exercise->goal : entry.story);
 }
 
 std::string entry_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
-    if (entry.number == 0) return std::string(translated(ui, entry.title));
-    return number_words(view, entry.number, entry.name) + "  " + std::string(exercise_words(view, ui, entry));
+    if (entry.number == 0) return exercise_words(view, ui, entry);
+    return number_words(view, entry.number, entry.name) + "  " + exercise_words(view, ui, entry);
 }
 
 std::string known_title(const LabView& view, const Ui& ui, std::string_view title) {
     if (view.documents.catalogue)
         for (const CatalogueEntry& entry : *view.documents.catalogue)
-            if (entry.number > 0 && entry.title == title && !is_title_known(view, entry))
+            if (entry.title == title && (hides_titles(view) || (entry.number > 0 && !is_title_known(view, entry))))
                 return entry_words(view, ui, entry);
+    if (hides_titles(view)) return {};
     return std::string(translated(ui, title));
 }
 

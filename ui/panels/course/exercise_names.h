@@ -1,6 +1,6 @@
 // How lists and menus name the exercises. The title of many exercises tells what the vehicle will do, so it is shown
 // only once the student has made the prediction, has seen the outcome or has passed; before, the first words of the
-// goal stand for it.
+// goal stand for it. While a lecture asks first (Revealed::asks_first), exercises and scenes have a number only.
 #pragma once
 
 #include <string>
@@ -20,12 +20,19 @@ bool is_title_known(const LabView&, const CatalogueEntry&);
 // "14"; "14a", "14b" … for exercises that share a number, in the order of their names.
 std::string number_words(const LabView&, int number, std::string_view name);
 
-// The title, or the goal, without the number.
-std::string_view exercise_words(const LabView&, const Ui&, const CatalogueEntry&);
-// With the number before it: "5  Aggressor". A scene: its title.
+// True while titles, goals and stories would tell an audience what it is asked.
+bool hides_titles(const LabView&);
+
+// The title, or the goal, without the number. Of a scene: its title, or its number among the scenes.
+std::string exercise_words(const LabView&, const Ui&, const CatalogueEntry&);
+// With the number before it: "5  Aggressor". A scene: as exercise_words().
 std::string entry_words(const LabView&, const Ui&, const CatalogueEntry&);
 
-// The title of a file, translated; of a shipped exercise as entry_words().
+// What a tooltip or a second line says of it: the goal or the story; nothing while titles are hidden.
+std::string_view told_of(const LabView&, const Ui&, const CatalogueEntry&);
+
+// The title of a file, translated; of a shipped exercise as entry_words(), and so of a shipped scene while titles are
+// hidden. Empty for others then.
 std::string known_title(const LabView&, const Ui&, std::string_view title);
 
 // "9/10": the best grade so far; empty without one.
