@@ -35,8 +35,8 @@ struct LectureMemory {
     Theme theme = Theme::light;         // of the next lecture: that of the last one since the start
     std::optional<LectureView> left{};  // the lecture that was left last
     std::uint64_t left_run = 0;         // Document::run_id when it was left; F9 then goes back to it
-    Slots slots_before{};         // restored when the open lecture is left; each page begins without stored brains
-    double began = 0;             // wall seconds
+    Slots slots_before{};               // restored when lecture mode ends; each page begins without stored brains
+    double began = 0;                   // wall seconds
     std::string notes_written{};  // the page of notes as written last; empty: none is open. See app/course/notes_page.h
 };
 

@@ -69,11 +69,14 @@ bool works_under_a_sheet(KeyPress press) {
                       *action == Action::smaller || *action == Action::keys);
 }
 
-// Keys of a lecture; those of pages and notes while a lecture file is open. They precede all others but those of sheets
+// Keys of a lecture; those of pages and notes while a lecture file is open. Between its pages those that turn a page go
+// back to the one that was left. They precede all others but those of sheets
 // and text fields.
 bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     const auto action = action_for(press, KeyPlace::lecture);
     if (!view.lecture || !action) return false;
+    const bool turns_page = action == Action::next_page || action == Action::previous_page;
+    if (turns_page && !view.pages && view.documents.left_pages) return outbox.emplace_back(back_to_page(view)), true;
     if (!has_effect_in_lecture(*action, view.pages))
         return *action == Action::notes;  // without pages: it is not the key of a new population
     if (!act_on_panels({view, state, press, outbox}, *action)) outbox.push_back(*action);

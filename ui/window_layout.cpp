@@ -84,9 +84,16 @@ bool asks_beside(const LabView& view, OpenCards open) {
 
 // In a lecture the type is large: the right column is wider where nothing else is beside the scene.
 float right_share(const LabView& view, OpenCards open) {
-    if (!view.lecture) return column_share;
+    if (!view.lecture || view.settings.map) return column_share;
     if (!view.pages) return lone_column_share;
     return asks_beside(view, open) || open.left ? column_share : lone_column_share;
+}
+
+// The behaviour map of a lecture is read from the last row: it has the width that the scene and an open card leave.
+float left_share(const LabView& view, OpenCards open) {
+    constexpr float least_scene = 0.25f, beside_map = 0.42f;
+    if (!shows_map_of_lecture(view)) return column_share;
+    return open.right ? 1 - right_share(view, open) - least_scene : 1 - beside_map;
 }
 
 // The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
@@ -95,7 +102,7 @@ float right_share(const LabView& view, OpenCards open) {
 void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float margin) {
     const LectureView& page = *view.pages;
     Rect& s = l.scene;
-    const bool has_values = page.shows(PagePart::values) && open.notes <= 0;
+    const bool has_values = shows_lecture_figures(view) && open.notes <= 0;
     const bool asks = asks_beside(view, open);
     float bottom = has_values ? s.y + s.h : l.window.h - margin;
     float top = l.toolbar.y + l.toolbar.h;
@@ -156,11 +163,12 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float margin = c.margin * scale;
     // A page shows its values on request only; below the editor they then need no room.
     const bool has_figures =
-        !view.pages || view.mode != Mode::wiring || (view.pages->shows(PagePart::values) && !view.pages->notes);
+        view.pages ? view.mode != Mode::wiring || shows_lecture_figures(view) : !shows_map_of_lecture(view);
     const float top = l.toolbar.y + l.toolbar.h + margin, bottom = (has_figures ? l.hint_bar.y : height) - margin;
     const float column = std::max(0.0f, bottom - top);
     // At most three eighths of the window each, so that a quarter stays free.
-    const float left = std::min(c.left * scale, width * column_share - 2 * margin);
+    const float wanted = shows_map_of_lecture(view) ? width : c.left * scale;
+    const float left = std::min(wanted, width * left_share(view, open) - 2 * margin);
     const float right = std::min(c.right * scale, width * right_share(view, open) - margin);
     l.left = {margin, top, left, column};
     l.right = {width - margin - right, top, right, column};
@@ -175,6 +183,13 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.tools = l.scene;
         l.scene.y += tools_row * scale, l.scene.h -= tools_row * scale;
     }
+    // Between two cards of a small window the tools are above the scene, so that they cover none of it.
+    const bool is_scene_narrow = l.scene.w < narrow_scene * scale;
+    if (is_scene_narrow && !view.lecture && !watches && view.mode != Mode::wiring && l.tools.w <= 0) {
+        const float strip = (tool_palette_height(l.scene.w / scale) + above_scene) * scale;
+        l.tools = l.scene;
+        l.scene.y += strip, l.scene.h = std::max(0.0f, l.scene.h - strip);
+    }
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
     if (view.lecture && open.left && l.left.w > 0) l.scene.x = from_left, l.scene.w -= from_left - margin;
@@ -183,13 +198,6 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
 
     if (view.mode == Mode::wiring) {
-    // Between two cards of a small window the tools are above the scene, so that they cover none of it.
-    const bool is_scene_narrow = l.scene.w < narrow_scene * scale;
-    if (is_scene_narrow && !view.lecture && !watches && view.mode != Mode::wiring && l.tools.w <= 0) {
-        const float strip = (tool_palette_height(l.scene.w / scale) + above_scene) * scale;
-        l.tools = l.scene;
-        l.scene.y += strip, l.scene.h = std::max(0.0f, l.scene.h - strip);
-    }
         // There is no left column in a narrow window and without an exercise.
         if (!view.lesson || width / scale < narrow_window || (view.pages && !open.left)) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;

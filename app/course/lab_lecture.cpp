@@ -21,7 +21,6 @@ constexpr std::string_view lecture_left = "notice.lecture_left";
 // An open lecture without hands, and lecture mode.
 void begin_pages(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     if (!lab.before_lecture) begin_lecture(lab);
-    if (!lab.pages) lab.lectures.slots_before = std::exchange(lab.slots, {});
     std::vector<std::vector<int>> hands;
     for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
     lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
@@ -116,6 +115,7 @@ float lecture_growth(Rect window, float display_scale) {
 
 void begin_lecture(Lab& lab) {
     lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
+    lab.lectures.slots_before = without_runs(lab.slots);
     lab.preferences.theme = lab.lectures.theme;
     lab.preferences.type_size *= lecture_type;
 }
@@ -123,7 +123,6 @@ void begin_lecture(Lab& lab) {
 void leave_pages(Lab& lab) {
     if (!lab.pages) return;
     lab.lectures.left = std::exchange(lab.pages, std::nullopt);
-    lab.slots = std::exchange(lab.lectures.slots_before, {});
     lab.lectures.left_run = 0;
 }
 
@@ -140,6 +139,7 @@ void end_lecture(Lab& lab) {
     const Selection selection = lab.view.selection;
     lab.view = lab.before_lecture->view;
     lab.view.selection = selection;
+    lab.slots = std::exchange(lab.lectures.slots_before, {});
     lab.before_lecture.reset();
 }
 

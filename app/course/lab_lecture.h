@@ -13,7 +13,8 @@ inline constexpr float lecture_type = 1.4f;  // times the type size outside a le
 float lecture_growth(Rect window, float display_scale);
 
 // Lecture mode: large type, and the theme of the last lecture since the start of the program, at first light. The end
-// restores preferences and view settings, and leaves the lecture file; the scene of the last page stays open.
+// restores preferences, view settings and stored brains, and leaves the lecture file; the scene of the last page stays
+// open.
 void begin_lecture(Lab&);
 void end_lecture(Lab&);
 
@@ -23,8 +24,8 @@ Result<Lecture> read_whole_lecture(const std::filesystem::path&);
 // Begins lecture mode if it is off, and shows the first page.
 void open_lecture(Lab&, std::shared_ptr<const Lecture>);
 
-// Closes the lecture file and keeps its page, its time and the counted hands in LectureMemory::left. Lecture mode
-// stays. Does nothing without an open lecture.
+// Closes the lecture file and keeps its page, its time and the counted hands in LectureMemory::left. Lecture mode and
+// the brains stored on the page stay. Does nothing without an open lecture.
 void leave_pages(Lab&);
 
 // Shows the page of LectureMemory::left. Its scene goes on with its run and the edits made in the lecture; it is opened

@@ -97,6 +97,10 @@ void handle_slot(Slots& slots, Workspace& space, const SlotRequest& wanted) {
     put_and_say(slots, space, wanted.slot);
 }
 
+Slots without_runs(const Slots& slots) {
+    return {.stored = slots.stored, .kinds = slots.kinds, .characters = slots.characters, .current = slots.current};
+}
+
 void empty_slots(Slots& slots) { slots = {}; }
 
 bool can_compare_slots(const Slots& slots, Workspace& space) {

@@ -44,6 +44,9 @@ void store_or_swap(Slots&, Workspace&);
 // Puts the brain of a slot into the vehicle, as one step of undo; or stores the vehicle's brain in the slot.
 void handle_slot(Slots&, Workspace&, const SlotRequest&);
 
+// The stored brains without their runs.
+Slots without_runs(const Slots&);
+
 // Forgets both brains and their runs. The vehicle keeps the brain that it has.
 void empty_slots(Slots&);
 

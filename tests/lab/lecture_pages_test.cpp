@@ -311,6 +311,34 @@ TEST_F(LabLecturePages, StoredBrainsAndTheirCardsEndWithThePage) {
     }
 }
 
+TEST_F(LabLecturePages, StoredBrainsAreAsBeforeTheLectureOnceItHasEnded) {
+    const auto stored = [&] {
+        const SlotsView slots = view_of(lab).features.slots;
+        return std::pair(slots.slots[0].design != nullptr, slots.slots[1].design != nullptr);
+    };
+    const std::pair none(false, false), first(true, false);
+    handle(lab, Action::slot);
+    open("four-numbers");
+    EXPECT_EQ(stored(), none);
+    open("2a-coward");  // improvised, in lecture mode
+    ASSERT_FALSE(lab.pages);
+    EXPECT_EQ(stored(), none) << "those of the lecturer stay hidden";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
+    handle(lab, Action::slot);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 0.5f}});
+    handle(lab, Action::slot);
+    EXPECT_EQ(stored(), std::pair(true, true));
+    handle(lab, Action::lecture);
+    ASSERT_FALSE(view_of(lab).lecture);
+    EXPECT_EQ(stored(), first) << "what was stored in the lecture ends with it";
+    handle(lab, Action::lecture);  // without a file: a large view of the scene
+    EXPECT_EQ(stored(), first) << "to show a comparison that was prepared";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.5f}});
+    handle(lab, Action::slot);
+    handle(lab, Action::lecture);
+    EXPECT_EQ(stored(), first);
+}
+
 TEST_F(LabLecturePages, F9GoesBackToThePageThatWasLeft) {
     for (const int leave : {key::escape, key::f9}) {
         open("four-numbers");

@@ -113,6 +113,36 @@ TEST_F(LectureKeys, TheMenuGoesBackToTheLectureThatWasLeft) {
     EXPECT_EQ(desk.last<OpenRequest>()->path, pages.lecture->path.string());
 }
 
+TEST_F(LectureKeys, BetweenPagesAButtonAndTheKeysOfAClickerGoBackToThePageThatWasLeft) {
+    pages.page = 3;
+    EXPECT_FALSE(desk.anchors.find("lecture.back"));
+    desk.view.pages = nullptr;
+    desk.view.documents.left_pages = &pages;
+    for (const char* language : {"en", "de", "es"}) {
+        desk.strings = speaking(language);
+        desk.frame(3);
+        EXPECT_TRUE(desk.says("4")) << language;
+        EXPECT_TRUE(desk.says(key_name(Action::previous_page, desk.strings))) << "the key is named";
+        EXPECT_TRUE(is_inside(desk.where("lecture.back"), desk.layout.toolbar)) << language;
+        EXPECT_FALSE(overlap(desk.where("lecture.back"), desk.where("lecture.leave"))) << language;
+    }
+    const auto is_asked = [&] {
+        const auto* open = desk.last<OpenRequest>();
+        const bool asked = open && open->resume && open->path == pages.lecture->path.string();
+        desk.all.clear();
+        return asked;
+    };
+    desk.click("lecture.back");
+    EXPECT_TRUE(is_asked());
+    for (const int key : {key::page_up, key::page_down}) {
+        desk.key({key});
+        EXPECT_TRUE(is_asked()) << key;
+    }
+    desk.view.documents.left_pages = nullptr;
+    desk.key({key::page_down});
+    EXPECT_FALSE(is_asked());
+}
+
 // What a key opens is in the window, and nothing is drawn over it.
 TEST_F(LectureKeys, TheMapAndTheRobotsAreShownOnEveryPageAlsoBesideADiagram) {
     int diagrams = 0, questions = 0;

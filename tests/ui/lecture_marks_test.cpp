@@ -51,7 +51,9 @@ TEST_F(LectureMarks, DDrawsLinesOnTheFloorUnderThePointer) {
     EXPECT_FALSE(desk.anchors.find("marks.sign"));
     desk.key({'D'});
     desk.frame(2);
-    EXPECT_TRUE(desk.anchors.find("marks.sign"));
+    ASSERT_TRUE(desk.anchors.find("marks.sign"));
+    const Rect sign = desk.where("marks.sign"), bar = desk.layout.toolbar;
+    EXPECT_TRUE(sign.y >= bar.y && sign.y + sign.h <= bar.y + bar.h) << "it covers nothing that is drawn on";
     desk.all.clear();
     draw({500, 400}, {600, 450});
     ASSERT_EQ(desk.panels.lecture.marks.lines.size(), 1u);

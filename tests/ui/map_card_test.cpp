@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "lecture_on_desk.h"
 #include "scene_on_desk.h"
 #include "ui/map_look.h"
 #include "ui/panels/value_choice.h"
@@ -79,6 +80,23 @@ TEST_F(MapCard, InALectureTheLegendIsBesideTheField) {
     });
     ASSERT_NE(legend, desk.written.end());
     EXPECT_LT(legend->rect.y, field.y + field.h);
+}
+
+TEST_F(MapCard, InALectureTheFieldIsLargeAlsoBesideTwoBrainsAndOpenSliders) {
+    desk.view.lecture = true;
+    const insight::Design stored{};
+    for (const bool has_brains : {false, true})
+        for (const bool has_sliders : {false, true}) {
+            desk.view.features.slots.slots[0].design = has_brains ? &stored : nullptr;
+            desk.view.features.slots.slots[1].design = has_brains ? &stored : nullptr;
+            desk.panels.card(Card::brain).folded = !has_sliders;
+            desk.frame(6);
+            const Rect field = desk.where("map"), window = desk.layout.window;
+            EXPECT_GE(field.w, (has_sliders ? 0.36f : 0.5f) * window.h) << has_brains << has_sliders;
+            EXPECT_GE(desk.layout.scene.w, 0.24f * window.w);
+            EXPECT_FALSE(overlap(desk.where("card.map"), desk.layout.scene));
+            EXPECT_FALSE(has_sliders && overlap(desk.layout.scene, desk.where("card.brain")));
+        }
 }
 
 TEST_F(MapCard, DraggingTheDotTurnsTheDialsOfBothAxesInOneUndoStep) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/panels/map_parts.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
@@ -33,7 +34,7 @@ constexpr CardTraits card_traits[]{
      .heading = "scene.heading",
      .column = Column::left,
      .in_lecture = InLecture::folded,
-     .shown = [](const LabView& view) { return !view.lesson && !view.pages; },
+     .shown = [](const LabView& view) { return !view.lesson && !view.pages && !shows_map_of_lecture(view); },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
                 Rect) { scene_card(view, state, ui, place); }},
     {.card = Card::findings,
@@ -67,7 +68,7 @@ constexpr CardTraits card_traits[]{
      .heading = "slots.heading",
      .column = Column::left,
      .in_lecture = InLecture::restored,
-     .shown = [](const LabView& view) { return view.features.slots.has_any(); },
+     .shown = [](const LabView& view) { return view.features.slots.has_any() && !shows_map_of_lecture(view); },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
                 Rect) { slots_card(view, state, ui, place); },
      .least_share = 0.4f},

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "ui/panels/cards.h"
+#include "ui/panels/map_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -128,6 +129,22 @@ float home_button(const LabView& view, Ui& ui, float free_from, float right, Rec
     return x;
 }
 
+// Between pages of a lecture: the button that goes back to the page that was left, with the key that does so, at the
+// right end; the number of the page alone where the words would be left of `free_from`. Returns its left edge.
+float back_button(const LabView& view, Ui& ui, float free_from, float right, Rect bar) {
+    const LectureView& left = *view.documents.left_pages;
+    const std::string page = std::to_string(left.page + 1), key = key_name(Action::previous_page, ui.strings);
+    const std::string words = fill(ui.strings("lecture.back"), {page}) + "  " + key, few = page + "  " + key;
+    ButtonLook look{icon::undo, words};
+    if (right - ui.px(spacing::small) - button_width(ui, look) < free_from) look.words = few;
+    const float x = right - ui.px(spacing::small) - button_width(ui, look);
+    ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
+    const Item item = button(ui, "lecture.back", look);
+    tooltip(ui, item, fill(ui.strings("lecture.resume"), {translated(ui, left.lecture->title), page}), key);
+    if (item.pressed) ui.outbox.emplace_back(back_to_page(view));
+    return x;
+}
+
 // Without the title of an exercise or a scene that could tell the answer.
 std::string title_of_bar(const LabView& view, const Ui& ui) {
     if (!view.settings.revealed.title) return {};
@@ -153,6 +170,10 @@ void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
 
 }  // namespace
 
+OpenRequest back_to_page(const LabView& view) {
+    return {.path = view.documents.left_pages->lecture->path.string(), .resume = true};
+}
+
 void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "lecture", bar);
     const bool playing = view.mode == Mode::playing;
@@ -175,7 +196,9 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     if (end.pressed) ui.outbox.push_back(Action::lecture);
     // The title, between the clock and the button that ends the lecture.
     const float after_clock = start.right() + ui.px(16 + 96);
-    const float page = view.pages ? page_number(view, ui, after_clock, end.rect.x, bar) : end.rect.x;
+    const float page = view.pages                  ? page_number(view, ui, after_clock, end.rect.x, bar)
+                       : view.documents.left_pages ? back_button(view, ui, after_clock, end.rect.x, bar)
+                                                   : end.rect.x;
     const float from = past_sign(view, ui, after_clock, bar);
     const float home = home_button(view, ui, from, page, bar);
     const float right = pressed_keys(view, state, ui, home, bar);
@@ -183,7 +206,9 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     // In a lecture file the number of the page says enough where the title has no room.
     std::string title = title_of_bar(view, ui);
     if (view.pages && text_width(ui, Face::title, title) > room) title.clear();
-    if (view.notice.empty())
+    if (state.lecture.marks.drawing)
+        sign_of_pen(ui, {from, bar.y, room, bar.h});
+    else if (view.notice.empty())
         put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, title, Face::title, room),
             ui.palette.second_text, Face::title);
     else
@@ -192,7 +217,8 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
 }
 
 bool shows_lecture_figures(const LabView& view) {
-    return view.lecture && (!view.pages || (!view.pages->notes && view.pages->shows(PagePart::values)));
+    return view.lecture && !shows_map_of_lecture(view) &&
+           (!view.pages || (!view.pages->notes && view.pages->shows(PagePart::values)));
 }
 
 void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {

@@ -57,6 +57,10 @@ void make_room(const LabView& view, PanelState& state, const Ui& ui, Rect place)
 
 }  // namespace
 
+bool shows_map_of_lecture(const LabView& view) {
+    return view.lecture && view.settings.map && view.mode != Mode::wiring;
+}
+
 void follow_map(const LabView& view, PanelState& state) {
     if (view.settings.map) return;
     if (state.map.folded_scene) state.card(Card::scene).folded = false;

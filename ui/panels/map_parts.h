@@ -12,6 +12,9 @@
 
 namespace braitenlab::ui {
 
+// True while a lecture shows the map: it has the room of the values, of the scene's card and of that of two brains.
+bool shows_map_of_lecture(const LabView&);
+
 // What all parts read. The pointers are never null.
 struct MapFrame {
     const LabView& view;

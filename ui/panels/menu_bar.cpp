@@ -179,7 +179,7 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
 // The lecture that was left, at the page where it was left.
 LabMenuRow row_of_left_lecture(const LabView& view, const Ui& ui) {
     const LectureView& left = *view.documents.left_pages;
-    LabMenuRow row{.request = OpenRequest{.path = left.lecture->path.string(), .resume = true}};
+    LabMenuRow row{.request = back_to_page(view)};
     row.entry.anchor = "menu.lecture.resume";
     row.entry.words =
         fill(ui.strings("lecture.resume"), {translated(ui, left.lecture->title), std::to_string(left.page + 1)});

@@ -62,6 +62,9 @@ std::string_view menu_title_at(const Ui&, float x, float y);            // name 
 void toggle_menu(MenuBarState&, std::string_view menu);                 // opens it, or closes it if it is open
 void switch_menu(MenuBarState&, int step);  // opens the menu `step` titles to the right of the open one, or the first
 
+// Opens the lecture that was left at the page where it was left. Precondition: DocumentsView::left_pages.
+OpenRequest back_to_page(const LabView&);
+
 // lecture.cpp: shown during a lecture in place of toolbar and hint bar.
 void lecture_bar(const LabView&, PanelState&, Ui&, Rect);
 void live_brain(const LabView&, PanelState&, Ui&, const VehicleView&, Rect);  // eyes, wires and wheels, live_brain.cpp

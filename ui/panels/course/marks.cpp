@@ -115,19 +115,22 @@ void draw_line(const Paper& paper, const MarkLine& line, ImU32 colour, float wid
     draw.PopClipRect();
 }
 
-void sign_of_pen(Ui& ui, Rect scene, Rect window) {
+}  // namespace
+
+void sign_of_pen(Ui& ui, Rect place) {
     const std::string words = fill(ui.strings("lecture.drawing"), {key_name(Action::draw_marks, ui.strings),
                                                                    key_name(Action::clear_marks, ui.strings)});
-    ImDrawList& draw = *ImGui::GetForegroundDrawList();
-    const float w = text_width(ui, Face::strong, words) + ui.px(24), h = line_height(ui, Face::strong) + ui.px(12);
-    const float x = std::clamp(scene.x + (scene.w - w) / 2, window.x, std::max(window.x, window.x + window.w - w));
-    const Rect sign{x, scene.y + scene.h - h - ui.px(8), w, h};
-    draw.AddRectFilled({sign.x, sign.y}, {sign.x + w, sign.y + h}, paint(ui.palette.warning), ui.px(radius::box));
-    put_on(draw, ui, {sign.x + ui.px(12), sign.y + ui.px(6)}, words, ui.palette.ground, Face::strong);
-    ui.anchors.record("marks.sign", sign);
+    const float side = ui.px(spacing::small), most = std::max(1.0f, place.w - 2 * side);
+    const bool is_wide = text_width(ui, Face::strong, words) <= most;
+    const Face face = is_wide ? Face::strong : Face::small;
+    const float w = is_wide ? text_width(ui, face, words) : most;
+    const auto lines = static_cast<float>(std::min<std::size_t>(2, lines_of_words(ui, words, face, most).size()));
+    const float h = lines * line_height(ui, face) + ui.px(8);
+    const Rect sign{place.x, place.y + (place.h - h) / 2, w + 2 * side, h};
+    fill_box(ui, sign, ui.palette.warning);
+    put_lines(ui, {sign.x + side, sign.y + ui.px(4)}, words, ui.palette.ground, face, most, 2);
+    mark(ui, "marks.sign", sign);
 }
-
-}  // namespace
 
 void draw_marks(const LabView& view, Marks& marks, Ui& ui, const MarkedParts& parts) {
     if (!view.lecture || marks.run_id != view.run_id) marks.lines.clear(), marks.pressed = false;
@@ -139,7 +142,6 @@ void draw_marks(const LabView& view, Marks& marks, Ui& ui, const MarkedParts& pa
     for (const MarkLine& line : marks.lines)
         draw_line(paper, line, paint(ui.palette.ground), ui.px(pen_width + 2 * pen_border));
     for (const MarkLine& line : marks.lines) draw_line(paper, line, paint(ui.palette.warning), ui.px(pen_width));
-    if (marks.drawing) sign_of_pen(ui, parts.scene, parts.window);
 }
 
 }  // namespace braitenlab::ui

@@ -39,9 +39,13 @@ struct MarkedParts {
     Rect window;
 };
 
-// Draws the lines above everything, and while drawing is on a sign at the lower edge of the scene (anchor marks.sign);
-// adds points while the left button is down. Then the mouse does nothing else below the bar. Another document, and the
-// end of the lecture, remove the lines. Call once a frame, after all cards.
+// The sign that drawing is on and how it ends (anchor marks.sign), at the left of this place in the bar: there it
+// covers nothing that is drawn on.
+void sign_of_pen(Ui&, Rect place);
+
+// Draws the lines above everything; while drawing is on, adds points while the left button is down. Then the mouse does
+// nothing else below the bar. Another document, and the end of the lecture, remove the lines. Call once a frame, after
+// all cards.
 void draw_marks(const LabView&, Marks&, Ui&, const MarkedParts&);
 
 }  // namespace braitenlab::ui
