@@ -165,13 +165,18 @@ struct Window::Native {
             if (is_on_keypad(key)) {
                 // Shift has the effect of the lock and no other one.
                 const KeyPress press{key_of_keypad(key, of(w).num_lock != shift), ctrl, false};
-                if (press.key != 0) of(w).keys.press(press, action == GLFW_REPEAT);
+                if (press.key != 0) of(w).keys.press(press, action == GLFW_REPEAT, of(w).mouse.changes());
                 return;
             }
-            of(w).keys.press({key_of(key, scancode), ctrl, shift}, action == GLFW_REPEAT);
+            of(w).keys.press({key_of(key, scancode), ctrl, shift}, action == GLFW_REPEAT, of(w).mouse.changes());
         });
         glfwSetInputMode(window, GLFW_LOCK_KEY_MODS, GLFW_TRUE);
         glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { of(w).keys.type(character); });
+        // The other callback gets no character while Ctrl is held, and + is a shifted digit on some layouts.
+        glfwSetCharModsCallback(window, [](GLFWwindow* w, unsigned character, int mods) {
+            const bool only_ctrl = (mods & GLFW_MOD_CONTROL) != 0 && (mods & GLFW_MOD_ALT) == 0;
+            if (only_ctrl) of(w).keys.type_with_ctrl(character);
+        });
     }
 };
 
@@ -365,7 +370,9 @@ void Window::rest(double seconds) {
     for (double left = 0; (left = until - glfwGetTime()) > 0;) poll(left);
 }
 
-ui::KeysOfAFrame Window::take_keys(ui::TextInput text) { return native_->keys.take(text); }
+ui::KeysOfAFrame Window::take_keys(ui::TextInput text) {
+    return native_->keys.take(text, native_->mouse.shown_changes());
+}
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 
 bool Window::is_touched() const { return false; }

@@ -62,21 +62,32 @@ KeyPress as_typed(KeyPress press, unsigned character) {
     constexpr std::string_view signs = ".,+-=<>";
     // They are answers and sliders: without Shift they are those of their place whatever they type.
     const bool is_used_digit = press.key >= '1' && press.key <= '4' && !press.shift;
-    if (press.ctrl || is_used_digit || character == 0 || character > '~') return press;
+    if (character == 0 || character > '~') return press;
     const auto typed = static_cast<char>(character);
+    if (press.ctrl) return std::string_view("+-").find(typed) != signs.npos ? KeyPress{typed, true} : press;
+    if (is_used_digit) return press;
     const bool is_digit = typed >= '0' && typed <= '9';
     return is_digit || signs.find(typed) != signs.npos ? KeyPress{typed} : press;
 }
 
-void KeyQueue::press(KeyPress press, bool repeats) { events_.push_back({press, repeats, 0}); }
-
-void KeyQueue::type(unsigned character) {
-    if (!events_.empty() && events_.back().character == 0 && events_.back().press.key < key::escape)
-        events_.back().press = as_typed(events_.back().press, character);
-    events_.push_back({{}, false, character});
+void KeyQueue::press(KeyPress press, bool repeats, std::uint64_t after) {
+    events_.push_back({press, repeats, 0, after});
 }
 
-KeysOfAFrame KeyQueue::take(TextInput text) {
+void KeyQueue::type(unsigned character) {
+    const bool has_press = !events_.empty() && events_.back().character == 0;
+    if (has_press && events_.back().press.key < key::escape)
+        events_.back().press = as_typed(events_.back().press, character);
+    events_.push_back({{}, false, character, events_.empty() ? 0 : events_.back().after});
+}
+
+void KeyQueue::type_with_ctrl(unsigned character) {
+    if (events_.empty() || events_.back().character != 0 || !events_.back().press.ctrl) return;
+    if (events_.back().press.key < key::escape) events_.back().press = as_typed(events_.back().press, character);
+}
+
+KeysOfAFrame KeyQueue::take(TextInput text, std::uint64_t shown) {
+    shown_ = shown;
     awaited_ = text == TextInput::awaited ? awaited_ + 1 : 0;
     if (text == TextInput::awaited && awaited_ <= longest_wait) return {};
     KeysOfAFrame frame = text == TextInput::open ? take_text() : take_shortcuts();
@@ -92,7 +103,7 @@ KeyQueue::Event KeyQueue::next() {
 
 KeysOfAFrame KeyQueue::take_text() {
     KeysOfAFrame frame;
-    while (!events_.empty()) {
+    while (has_next()) {
         const Event& event = events_.front();
         if (event.character != 0) {
             frame.characters.push_back(next().character);
@@ -117,10 +128,10 @@ KeysOfAFrame KeyQueue::take_text() {
 KeysOfAFrame KeyQueue::take_shortcuts() {
     KeysOfAFrame frame;
     std::optional<KeyPress> led;
-    while (!events_.empty()) {
+    while (has_next()) {
         const Event& event = events_.front();
         if (led && (event.character != 0 || event.press != *led)) break;
-        const auto [press, repeats, character] = next();
+        const auto [press, repeats, character, after] = next();
         if (character != 0 || (repeats && !may_repeat(press))) continue;
         frame.presses.push_back(press);
         if (may_lead_to_text(press)) led = press;

@@ -31,6 +31,7 @@ bool is_near(const MouseOfAFrame& a, const MouseOfAFrame& b) {
 
 void MouseQueue::add(Kind kind, const MouseOfAFrame& mouse) {
     newest_ = at_rest(mouse);
+    changes_ += kind == Kind::button ? 1 : 0;
     const bool merges = kind == Kind::move && !events_.empty() && events_.back().kind == Kind::move;
     if (merges) events_.pop_back();
     events_.push_back({kind, mouse});
@@ -86,6 +87,7 @@ MouseOfAFrame MouseQueue::take() {
         if (kind == Kind::move && turns && !is_near(frame, mouse)) break;
         drags |= kind == Kind::move && has_button_down(mouse);
         changes |= kind == Kind::button;
+        shown_changes_ += kind == Kind::button ? 1 : 0;
         turns |= kind == Kind::wheel;
         const vec2 wheel = frame.wheel + mouse.wheel;
         frame = mouse;

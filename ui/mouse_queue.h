@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <deque>
 #include <optional>
 
@@ -37,6 +38,10 @@ public:
     bool is_down(int button) const { return newest_.down[static_cast<std::size_t>(button)]; }
     bool any_down() const;
 
+    // Presses and releases so far; those of them that take() has returned.
+    std::uint64_t changes() const { return changes_; }
+    std::uint64_t shown_changes() const { return shown_changes_; }
+
     // Removes and returns the events for one frame, in order. A press is in the frame of its position and the movement
     // before it, its release in a later frame. A movement with a button down has a frame before the release, so that a
     // quick drag is a drag. Without events: the mouse as it was, its wheel at rest. Call once per frame.
@@ -56,6 +61,7 @@ private:
 
     std::deque<Event> events_;
     MouseOfAFrame newest_, shown_;  // after the last event; in the last frame
+    std::uint64_t changes_ = 0, shown_changes_ = 0;
     DoubleClick clicks_;
 };
 

@@ -228,7 +228,7 @@ void Window::Native::listen_to_keys() {
         self.held.set(*e, true);
         constexpr unsigned of_input_method = 229;  // its characters come by braitenlab_type()
         if (e->keyCode == of_input_method || !web::is_for_lab(*e)) return EM_FALSE;
-        if (const KeyPress key = web::press_of(*e); key.key != 0) self.keys.press(key, e->repeat);
+        if (const KeyPress key = web::press_of(*e); key.key != 0) self.keys.press(key, e->repeat, self.mouse.changes());
         if (const unsigned character = web::character_of(*e)) self.keys.type(character);
         return EM_TRUE;
     };
@@ -353,7 +353,9 @@ void Window::poll(double patience) {
 
 void Window::rest(double) {}  // the browser begins the next turn at the rate of the display
 
-ui::KeysOfAFrame Window::take_keys(ui::TextInput text) { return native_->keys.take(text); }
+ui::KeysOfAFrame Window::take_keys(ui::TextInput text) {
+    return native_->keys.take(text, native_->mouse.shown_changes());
+}
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 bool Window::is_touched() const { return native_->touched; }
 float Window::take_twist() { return std::exchange(native_->twist, 0.0f); }

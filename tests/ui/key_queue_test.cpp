@@ -222,4 +222,31 @@ TEST_F(TypedQuickly, ReachesTheNumberThatEnterOpens) {
 }
 
 }  // namespace
+TEST(KeyQueue, AKeyAfterAClickWaitsForTheFieldThatTheClickOpens) {
+    KeyQueue queue;
+    queue.press({'Q'}, false, 0);
+    queue.press({'1'}, false, 2);  // after a press and a release
+    queue.type('1');
+    queue.press({'.'}, false, 2);
+    queue.type('.');
+    EXPECT_EQ(queue.take(TextInput::none, 0).presses, std::vector{KeyPress{'Q'}}) << "before the click";
+    EXPECT_TRUE(queue.take(TextInput::none, 1).presses.empty()) << "the press is shown in this frame";
+    EXPECT_TRUE(queue.take(TextInput::awaited, 2).presses.empty());
+    EXPECT_EQ(text(queue.take(TextInput::open, 2)), "1.");
+}
+
+TEST(KeyQueue, ASignWithCtrlIsWhatTheKeyTypesOnItsLayout) {
+    KeyQueue queue;
+    const auto heard = [&](KeyPress press, unsigned character) {
+        queue.press(press);
+        queue.type_with_ctrl(character);
+        return queue.take(TextInput::none).presses;
+    };
+    const std::vector larger{KeyPress{'+', true}};
+    EXPECT_EQ(heard({'1', true, true}, '+'), larger) << "Swiss";
+    EXPECT_EQ(heard({'1', true}, '+'), larger) << "Czech";
+    EXPECT_EQ(heard({'S', true, true}, 'S'), (std::vector{KeyPress{'S', true, true}}));
+    EXPECT_EQ(heard({'1', false, true}, '+'), (std::vector{KeyPress{'1', false, true}})) << "without Ctrl: see type()";
+}
+
 }  // namespace braitenlab::tests::key_queue_test

@@ -197,4 +197,17 @@ TEST_F(MovedOn, ADragOnASliderSetsTheValueOfItsEndAndNoLaterOne) {
     EXPECT_GT(weights[1], weights[0] + 0.1f);
 }
 
+TEST(MouseQueue, CountsTheChangesOfButtonsThatAFrameHasGot) {
+    MouseQueue queue;
+    queue.move({1, 1});
+    queue.press(0, 0, {});
+    queue.release(0);
+    EXPECT_EQ(queue.changes(), 2u);
+    EXPECT_EQ(queue.shown_changes(), 0u);
+    queue.take();
+    EXPECT_EQ(queue.shown_changes(), 1u);
+    queue.take();
+    EXPECT_EQ(queue.shown_changes(), 2u);
+}
+
 }  // namespace braitenlab::tests::mouse_queue_test

@@ -25,12 +25,18 @@ private:
 // Presses keys by their numbers, so at their places: "50+59" is Shift with the key beside M.
 void strike(const LabWindow& lab, const std::string& keys) { lab.xdotool("key --delay 30 " + keys); }
 
+// `larger`: Ctrl and the key of +, with Shift where the layout needs it, as a person presses it.
 struct Keys {
-    const char *layout, *variant, *point, *faster;
+    const char *layout, *variant, *point, *faster, *larger;
 };
-constexpr Keys layouts[]{{"us", "", "60", "50+21"},       {"de", "", "60", "35"},   {"fr", "", "50+59", "50+21"},
-                         {"ch", "", "60", "50+10"},       {"es", "", "60", "35"},   {"cz", "", "60", "20"},
-                         {"us", "dvorak", "26", "50+35"}, {"ru", "", "61", "50+21"}};
+constexpr Keys layouts[]{{"us", "", "60", "50+21", "37+50+21"},
+                         {"de", "", "60", "35", "37+35"},
+                         {"fr", "", "50+59", "50+21", "37+50+21"},
+                         {"ch", "", "60", "50+10", "37+50+10"},
+                         {"es", "", "60", "35", "37+35"},
+                         {"cz", "", "60", "20", "37+10"},
+                         {"us", "dvorak", "26", "50+35", "37+50+35"},
+                         {"ru", "", "61", "50+21", "37+50+21"}};
 
 TEST(KeyboardsWindow, DigitsAreAtTheirPlaceAndSignsAreWhatIsTypedOnEightLayouts) {
     if (!windows_program().empty()) GTEST_SKIP() << "the layouts of Windows are not those of X";
@@ -50,6 +56,8 @@ TEST(KeyboardsWindow, DigitsAreAtTheirPlaceAndSignsAreWhatIsTypedOnEightLayouts)
         EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["tick"] == 1; })) << "the point is a step";
         strike(lab, keys.faster);
         EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["time_scale"] == 2.0; })) << "plus is faster";
+        strike(lab, keys.larger);
+        EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["type_size"] == 1.125; })) << "larger type";
     }
 }
 

@@ -25,5 +25,15 @@ TEST(TypingWindow, TypesIntoTheFieldThatTheFirstKeyOpens) {
     EXPECT_EQ(lab.state()["toggles"], 0) << "no letter was a shortcut";
 }
 
+TEST(TypingWindow, TypesIntoTheNumberThatAClickOpens) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    const auto slider = lab.anchors()["slider.LR"];
+    const double right = double(slider[0]) + double(slider[2]), middle = double(slider[1]) + double(slider[3]) / 2;
+    lab.xdotool(fmt::format("mousemove {:.0f} {:.0f} click 1 ", right - 12, middle) + burst + "1 period 2 5 Return");
+    EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["weights"]["LR"] == 1.25; }))
+        << lab.state()["weights"]["LR"];
+    EXPECT_EQ(lab.state()["tick"], 0) << "the point was no step";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::typing_window_test
