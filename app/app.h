@@ -100,7 +100,9 @@ private:
     // ── A frame, app_frame.cpp ──
     // Window pixels per layout pixel. --scale applies to the type size at the start of the program.
     float wanted_scale() const;
-    // The same before it is reduced for a small window.
+    float unlimited_scale() const;              // as if the window were large enough
+    float largest_type_size_of_window() const;  // for which it has room
+    // The same outside a lecture, before it is reduced for a small window.
     float preferred_scale() const;
     // The type size in effect, if the window is too small for the preferred one; else 0.
     float reduced_type_size() const;

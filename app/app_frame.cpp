@@ -78,11 +78,20 @@ float App::preferred_scale() const {
     return frame_.magnified * scale;
 }
 
-float App::wanted_scale() const {
+float App::unlimited_scale() const {
     const float preferred = preferred_scale();
-    if (!lab_.before_lecture) return ui::fitting_scale(preferred, window_.area(), false);
-    const float grown = preferred * lecture_growth(window_.area(), preferred / lab_.preferences.type_size);
-    return ui::fitting_scale(grown, window_.area(), true);
+    if (!lab_.before_lecture) return preferred;
+    return preferred * lecture_growth(window_.area(), preferred / lab_.preferences.type_size);
+}
+
+float App::wanted_scale() const {
+    return ui::fitting_scale(unlimited_scale(), window_.area(), lab_.before_lecture.has_value());
+}
+
+float App::largest_type_size_of_window() const {
+    constexpr float without_limit = 1000;
+    const float largest = ui::fitting_scale(without_limit, window_.area(), lab_.before_lecture.has_value());
+    return lab_.preferences.type_size * largest / unlimited_scale();
 }
 
 float App::reduced_type_size() const {
@@ -125,6 +134,7 @@ void App::frame(float passed) {
     view.program.languages = &words_.languages;
     view.program.native_language = settings_.native_language;
     view.program.type_size = reduced_type_size();
+    view.program.largest_type_size = largest_type_size_of_window();
     view.program.quality = facts_.quality;
     view.documents.recent = &settings_.state.recent;
     view.documents.files = &files_;

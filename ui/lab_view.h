@@ -260,6 +260,7 @@ struct ProgramView {
     float type_size = 0;  // in effect where the window is too small for preferences.type_size; 0: as preferred
     Quality quality = Quality::medium;  // of the last picture
     bool reduce_motion = false;
+    float largest_type_size = 100;      // for which the window has room
     const std::vector<Language>* languages = nullptr;  // null: no choice
     std::string native_language = "en";                // of the first start; Reset All chooses it
     bool title_page = false;                           // first start: the name of the program over a moving scene

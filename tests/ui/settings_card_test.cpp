@@ -144,6 +144,24 @@ TEST(Sheets, PassNoKeyOfTheLab) {
         }
 }
 
+TEST(TypeSize, AKeyThatCannotMakeItLargerSaysWhy) {
+    Desk desk;
+    desk.frame(2);
+    const auto answer = [&](float preferred, float room) {
+        desk.view.program.preferences.type_size = preferred;
+        desk.view.program.largest_type_size = room;
+        desk.all.clear();
+        desk.key({'=', true});
+        const auto* why = desk.last<NoticeRequest>();
+        return why ? why->key : std::string(desk.actions().empty() ? "silent" : "larger");
+    };
+    EXPECT_EQ(answer(1, 1.2f), "larger");
+    EXPECT_EQ(answer(1.125f, 1.2f), "larger") << "as far as there is room";
+    EXPECT_EQ(answer(1, 1), "unavailable.largest_here") << "at the first press, too";
+    EXPECT_EQ(answer(1.25f, 1.2f), "unavailable.largest_here");
+    EXPECT_EQ(answer(2, 3), "unavailable.largest");
+}
+
 TEST_F(SettingsCard, ReturnsTheFocusWhenItCloses) {
     desk.key({key::escape});
     desk.frame(2);

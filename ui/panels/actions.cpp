@@ -68,6 +68,13 @@ std::string_view no_node_to_join(const LabView& view, const PanelState& state) {
     return state.canvas.selection.nodes.size() == 1 ? "" : "wiring.refused.join_one";
 }
 
+std::string_view why_no_larger_type(const LabView& view, const PanelState&) {
+    constexpr float rounding = 0.001f;
+    const float now = view.program.preferences.type_size;
+    if (now >= largest_type_size) return "unavailable.largest";
+    return now >= view.program.largest_type_size - rounding ? "unavailable.largest_here" : "";
+}
+
 std::string_view no_hint(const LabView& view, const PanelState&) {
     if (!view.lesson) return "unavailable.no_exercise";
     if (view.lesson->attempt.answers.hints_shown >= static_cast<int>(view.lesson->exercise->hints.size()))
