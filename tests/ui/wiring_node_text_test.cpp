@@ -92,6 +92,19 @@ TEST(WiringNodeText, ShortNamesShowTheChannelAndTheSideOfASensorWithACode) {
     EXPECT_EQ(short_name(sensors, "N1"), "N1") << "a neuron";
 }
 
+TEST(WiringNodeText, AWireHasTheNamesThatItsNodesHaveInTheDiagram) {
+    std::vector<Sensor> eyes(2);
+    eyes[0].name = "SL", eyes[0].channel = Channel::red, eyes[0].y = 0.2f;
+    eyes[1].name = "SR", eyes[1].channel = Channel::light, eyes[1].y = -0.2f;
+    BrainGraph graph = make_graph({.LL = 1});
+    graph.nodes.push_back({.id = 9, .kind = NodeKind::neuron, .name = "N1"});
+    EXPECT_EQ(short_wire_name(eyes, graph, {SL, 9}), short_name(eyes, "SL") + "-N1");
+    EXPECT_NE(short_wire_name(eyes, graph, {SL, 9}), "SL-N1");
+    EXPECT_EQ(short_wire_name(eyes, graph, {SR, 9}), "SR-N1") << "an eye for light keeps the name that is learnt";
+    EXPECT_EQ(short_wire_name(eyes, graph, {SL, ML}), "LL");
+    EXPECT_EQ(short_wire_name(eyes, graph, {9, MR}), "N1-MR");
+}
+
 TEST(WiringNodeText, EachChannelHasASymbolOfItsOwn) {
     std::set<std::string_view> symbols;
     for (const ChannelTraits& row : channel_table) {

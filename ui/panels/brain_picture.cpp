@@ -135,7 +135,9 @@ private:
             if (warm_ == &mark) {
                 at.hovered = true;
                 at.pressed |= ImGui::IsMouseClicked(0) && !at.held;
-                tooltip(ui_, at, fill(ui_.strings(wire->cut ? "lesion.wire_hurt" : "lesion.wire"), {mark.letters}),
+                const std::string name =
+                    wiring::short_wire_name(sensors(), brain_, {wire->from, wire->to}, shown_pair(view_, vehicle_));
+                tooltip(ui_, at, fill(ui_.strings(wire->cut ? "lesion.wire_hurt" : "lesion.wire"), {name}),
                         ui_.strings("lesion.key"));
             } else if (at.pressed && !at.entered) {
                 at.pressed = false;  // another wire is nearer to the pointer
@@ -183,13 +185,15 @@ private:
                            name_in_pair(which), covered ? "—" : fixed(ui_, reading(which.node), 2));
             return;
         }
-        // Names of a crowded row would overlap. There the place of the sensor shows its side.
+        // Names of a crowded row may overlap. There the place of the sensor shows its side.
         std::string name = full_name(which);
         const Sensor* sensor = find_sensor(sensors(), which.name);
-        if (is_crowded_ && sensor && name != which.name) name = wiring::channel_symbol(sensor->channel);
-        const float width = text_width(ui_, Face::label, name);
         // A symbol has space of its own on both sides.
-        if (width <= room_of_name() + (is_crowded_ ? ui_.px(7) : 0))
+        const float room = room_of_name() + (is_crowded_ ? ui_.px(7) : 0);
+        const bool fits = text_width(ui_, Face::label, name) <= room;
+        if (!fits && is_crowded_ && sensor && name != which.name) name = wiring::channel_symbol(sensor->channel);
+        const float width = text_width(ui_, Face::label, name);
+        if (width <= room)
             put(ui_, {which.at.x - width / 2, all_.y + ui_.px(1)}, name, ui_.palette.second_text, Face::label);
     }
 

@@ -16,6 +16,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
@@ -80,7 +81,8 @@ std::optional<DeckHit> deck_wire(const LabView& view, const PanelState& state, c
 }
 
 std::string words_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, WireEnds ends, bool is_cut) {
-    const std::string name = wire_name(*brain_of(*view.now, vehicle), ends, shown_pair(view, vehicle));
+    const std::string name = wiring::short_wire_name(kind_of(*view.now, vehicle).sensors, *brain_of(*view.now, vehicle),
+                                                     ends, shown_pair(view, vehicle));
     return fill(ui.strings(is_cut ? "what_if.with_wire" : "what_if.without_wire"), {name});
 }
 

@@ -72,13 +72,13 @@ std::string node_heading(const Inspected& in, const Node& node) {
     const float value = shown_value(node, in.value(node.id));
     const std::string now = node.kind == NodeKind::sensor ? fixed(in.ui, value, 2) : with_sign(in.ui, value, 2);
     const bool outer = node.kind != NodeKind::neuron;  // the description on the card is small
-    return node.name + "  ·  " +
+    return short_name(kind_of(*in.view.now, in.vehicle).sensors, node.name) + "  ·  " +
            (outer ? std::string(in.words(description_key(*in.view.now, in.vehicle, node))) + "  ·  " : "") +
            fill(in.words(node.silenced ? "inspector.silenced" : "inspector.stands_at"), {now});
 }
 
 std::string wire_heading(const Inspected& in, WireEnds ends) {
-    const std::string name = wire_name(in.graph(), ends) + "  ·  ";
+    const std::string name = short_wire_name(kind_of(*in.view.now, in.vehicle).sensors, in.graph(), ends) + "  ·  ";
     const Wire* wire = find_wire(in.graph(), ends.from, ends.to);
     if (wire != nullptr && wire->cut) return name + std::string(in.words("inspector.severed"));
     const float learnt = wire == nullptr ? 0 : in.learned_by(*wire);

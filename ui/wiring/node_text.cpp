@@ -76,6 +76,14 @@ std::string short_name(const std::vector<Sensor>& sensors, const std::string& no
     return symbol_name(*sensor) + node.substr(node.find_last_not_of("0123456789") + 1);
 }
 
+std::string short_wire_name(const std::vector<Sensor>& sensors, const BrainGraph& graph, WireEnds ends,
+                            const SensorPair& pair) {
+    std::string name = wire_name(graph, ends, pair);
+    const Node *from = find_node(graph, ends.from), *to = find_node(graph, ends.to);
+    if (!from || !to || name != from->name + "-" + to->name) return name;
+    return short_name(sensors, from->name) + "-" + to->name;
+}
+
 namespace {
 
 struct Term {

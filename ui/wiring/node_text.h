@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/brain/four_neurons.h"
 #include "core/world/snapshot.h"
 
 namespace braitenlab::wiring {
@@ -25,6 +26,9 @@ std::string symbol_name(const Sensor&);
 // The name of a node in a diagram: the icon of the channel and L or R for a sensor with a code as its name, else the
 // name. SL and SR for light are names that the user learns, and stay.
 std::string short_name(const std::vector<Sensor>&, const std::string& node);
+
+// As wire_name() of the core, with the short names of sensors: "LL", else "rL-N1" where the sensor SL sees red.
+std::string short_wire_name(const std::vector<Sensor>&, const BrainGraph&, WireEnds, const SensorPair& = {});
 
 // "0.42·0.80 + 0.10 → 0.44": each wire's input after threshold and curve times its weight, the bias, and the node's
 // value. A curve f is on a separate line: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
