@@ -98,7 +98,9 @@ bool App::turn() {
     handle_files();
     lab_.dragging = ui::drags_vehicle(panels_, lab_.view.selection.vehicle);
     lab_.sheet_open = panels_.sheet != ui::Sheet::none || panels_.lecture.blank;
+    let_requests_interrupt(true);
     let_time_pass(passed);
+    let_requests_interrupt(false);
     follow_jobs();
     show_errors_of_start();
     frame(static_cast<float>(passed));

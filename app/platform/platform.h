@@ -64,6 +64,11 @@ std::optional<FileLock> lock_file(const std::filesystem::path&);
 // call installs the handlers; before it, and after the first such request, the system ends the program at once.
 bool is_told_to_end();
 
+// While on, a request to end is also obeyed without is_told_to_end(): 100 ms after it the program ends at once, as by a
+// second request. For work of unknown length that writes no file. On Windows, where the system ends a program that does
+// not answer, and in a browser it does nothing.
+void let_requests_interrupt(bool on);
+
 // From now on the system ends the program, without a message, once it writes to a pipe without a reader, also where
 // the program was started with that signal ignored. Does nothing on systems without such a signal.
 void end_at_closed_pipe();

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/file.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #if __has_include(<malloc.h>)
@@ -102,11 +103,25 @@ std::optional<FileLock> lock_file(const std::filesystem::path& path) {
 
 namespace {
 
-volatile std::sig_atomic_t told_to_end = 0;  // set by the signal handler
+volatile std::sig_atomic_t told_to_end = 0;  // the signal, set by its handler
+volatile std::sig_atomic_t may_interrupt = 0;
+
+void end_unanswered(int) {
+    if (may_interrupt) raise(told_to_end);  // its action is the default one
+}
+
+void start_alarm(int milliseconds) {
+    constexpr int again = 10;  // ms; the work may begin later
+    const itimerval timer{{0, again * 1000}, {0, milliseconds * 1000}};
+    setitimer(ITIMER_REAL, &timer, nullptr);
+}
 
 void note_end_request(int signal) {
-    told_to_end = 1;
+    constexpr int patience = 100;  // ms
+    told_to_end = signal;
     std::signal(signal, SIG_DFL);
+    std::signal(SIGALRM, end_unanswered);
+    start_alarm(patience);
 }
 
 }  // namespace
@@ -117,8 +132,11 @@ bool is_told_to_end() {
             if (std::signal(signal, note_end_request) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
         return true;
     }();
+    if (told_to_end) start_alarm(0);  // none
     return installed && told_to_end;
 }
+
+void let_requests_interrupt(bool on) { may_interrupt = on; }
 
 void end_at_closed_pipe() { std::signal(SIGPIPE, SIG_DFL); }
 

@@ -57,6 +57,8 @@ FileLock::~FileLock() {
 
 bool is_told_to_end() { return false; }
 
+void let_requests_interrupt(bool) {}
+
 void end_at_closed_pipe() {}
 
 bool has_threads() { return false; }

@@ -138,6 +138,8 @@ bool is_told_to_end() {
     return installed && told_to_end;
 }
 
+void let_requests_interrupt(bool) {}
+
 void end_at_closed_pipe() {}
 
 bool has_threads() { return true; }
