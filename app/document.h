@@ -50,6 +50,7 @@ struct Selecting {
     Job<std::vector<StartResult>> job{};
     std::optional<StartResult> parent_run{};  // of the last parent; nullopt while it is computed
     std::vector<StartResult> child_runs{};    // of its children; empty while they are computed
+    std::vector<int> child_stays{};           // SelectionView::stays
 };
 
 // A place of the first vehicle, m, at a tick.

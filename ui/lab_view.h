@@ -49,7 +49,9 @@ struct SelectionView {
     int generation = 0;                 // number of choices so far
     std::optional<StartResult> parent;  // its run from the start that Play shows; nullopt while it is computed
     std::vector<StartResult> children;  // theirs; empty while they are computed
+    std::vector<int> stays;             // of each child, of other_starts: at how many it stayed, too
 };
+inline constexpr int other_starts = 3;  // at which children are run whose runs at the shown start do not differ
 
 // The open exercise and its progress.
 struct LessonView {
@@ -258,9 +260,9 @@ struct ProgramView {
     Preferences preferences;  // as stored; theme, type_size, quality and reduce_motion below are those in effect
     Theme theme = Theme::dark;
     float type_size = 0;  // in effect where the window is too small for preferences.type_size; 0: as preferred
+    float largest_type_size = 100;      // for which the window has room
     Quality quality = Quality::medium;  // of the last picture
     bool reduce_motion = false;
-    float largest_type_size = 100;      // for which the window has room
     const std::vector<Language>* languages = nullptr;  // null: no choice
     std::string native_language = "en";                // of the first start; Reset All chooses it
     bool title_page = false;                           // first start: the name of the program over a moving scene

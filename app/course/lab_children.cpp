@@ -19,6 +19,7 @@ void forget_runs(Lesson& lesson) {
     lesson.selecting->job.cancel();
     lesson.selecting->parent_run.reset();
     lesson.selecting->child_runs.clear();
+    lesson.selecting->child_stays.clear();
 }
 
 // Each selection from the first generation on has other children.
@@ -50,20 +51,34 @@ void follow_brain(Lesson& lesson, const BrainGraph& now) {
     forget_runs(lesson);
 }
 
-// The runs of the parent, then of its children.
+// The runs at the shown start and at other_starts more: of the parent, then of each of its children.
+constexpr std::size_t starts_of_a_brain = 1 + other_starts;
+
 Job<std::vector<StartResult>> submit_runs(Jobs& jobs, const Lesson& lesson) {
     constexpr int ticks_per_step = 60;  // about a millisecond
     const Parent& parent = lesson.selecting->parents.back();
     std::vector<BrainGraph> brains = children_of(*lesson.exercise, parent);
     brains.insert(brains.begin(), parent.brain);
-    const std::size_t count = brains.size();
+    const std::size_t count = brains.size() * starts_of_a_brain;
     const auto begin = [exercise = lesson.exercise, brains = std::move(brains),
                         start = lesson.selecting->start](std::size_t part) {
-        return [trial = Trial(*exercise, with_brain(*exercise, brains[part]), start)]() mutable {
+        const std::uint64_t seed = start + part % starts_of_a_brain;
+        return [trial = Trial(*exercise, with_brain(*exercise, brains[part / starts_of_a_brain]), seed)]() mutable {
             return trial.run(ticks_per_step);
         };
     };
     return jobs.submit(count, begin);
+}
+
+void take_runs(Lesson& lesson, const std::vector<StartResult>& runs) {
+    Selecting& selecting = *lesson.selecting;
+    selecting.parent_run = runs.front();
+    for (std::size_t first = starts_of_a_brain; first < runs.size(); first += starts_of_a_brain) {
+        selecting.child_runs.push_back(runs[first]);
+        const auto others = runs.begin() + static_cast<std::ptrdiff_t>(first) + 1;
+        selecting.child_stays.push_back(static_cast<int>(std::count_if(
+            others, others + other_starts, [&](const auto& run) { return !has_fallen(*lesson.exercise, run); })));
+    }
 }
 
 void give_brain(Lab& lab, const BrainGraph& brain) {
@@ -90,8 +105,7 @@ void update_children(Lab& lab, Jobs& jobs) {
             selecting.parent_run.emplace();  // not tried again before the brain or the start changes
             return say(lab, result->error());
         }
-        selecting.parent_run = std::move((*result)->front());
-        selecting.child_runs.assign((*result)->begin() + 1, (*result)->end());
+        take_runs(lesson, **result);
     } else if (!selecting.parent_run && !job.active()) {
         job = submit_runs(jobs, lesson);
     }

@@ -89,7 +89,8 @@ LessonView lesson_view_of(const Workspace& space) {
     if (const auto& selecting = lesson.selecting)
         view.selection = SelectionView{.generation = static_cast<int>(selecting->parents.size()) - 1,
                                        .parent = selecting->parent_run,
-                                       .children = selecting->child_runs};
+                                       .children = selecting->child_runs,
+                                       .stays = selecting->child_stays};
     return view;
 }
 

@@ -49,6 +49,27 @@ TEST(LabChildren, ShowsTheRunsOfNineChildrenFromTheStartThatPlayShows) {
     EXPECT_EQ(now.y, path[1].y);
 }
 
+TEST(LabChildren, EachChildRunsAtOtherStarts) {
+    Selected s;
+    for (int generation = 0; generation < 6; ++generation) s.choose(s.longest());
+    const SelectionView view = s.view();
+    ASSERT_EQ(view.stays.size(), 9u);
+    const Lesson& lesson = *s.lab.document.lesson;
+    const std::vector<BrainGraph> brains = children_of(*lesson.exercise, lesson.selecting->parents.back());
+    int all = 0;
+    for (const std::size_t child : {0u, 4u, 8u}) {
+        int stays = 0;
+        for (int i = 1; i <= other_starts; ++i) {
+            const auto run = try_start(*lesson.exercise, with_brain(*lesson.exercise, brains[child]),
+                                       lesson.selecting->start + static_cast<std::uint64_t>(i));
+            stays += !has_fallen(*lesson.exercise, run);
+        }
+        EXPECT_EQ(view.stays[child], stays) << child;
+        all += stays;
+    }
+    EXPECT_GT(all, 0);
+}
+
 TEST(LabChildren, TheChosenChildGivesTheVehicleItsBrainAndHasChildrenItself) {
     Selected s;
     const BrainGraph shipped = s.brain();

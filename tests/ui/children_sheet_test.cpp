@@ -87,19 +87,52 @@ TEST(ChildrenSheet, WatchClosesItAndPlays) {
     EXPECT_EQ(desk.actions(), std::vector<Action>{Action::play_pause});
 }
 
-TEST(ChildrenSheet, ItFitsIntoASmallWindowAtBothScales) {
-    for (const auto& [w, h, scale] :
-         {std::tuple{1024.0f, 768.0f, 1.0f}, {1280.0f, 800.0f, 1.0f}, {1920.0f, 1200.0f, 2.0f}}) {
-        Desk desk(w, h, scale, true);
-        open_selection(desk);
-        desk.panels.sheet = Sheet::children;
-        desk.frame(4);
-        for (const char* anchor : {"selection.child.1", "selection.child.9", "selection.parent", "selection.close"}) {
-            const Rect r = desk.where(anchor);
-            EXPECT_TRUE(r.x >= 0 && r.y >= 0 && r.x + r.w <= w && r.y + r.h <= h) << anchor << " at " << w;
+TEST(ChildrenSheet, ItFitsIntoEachWindowAndShowsWholePictures) {
+    for (const char* language : {"en", "de", "es"})
+        for (const auto& [w, h, scale] : {std::tuple{1024.0f, 768.0f, 1.0f},
+                                          {1280.0f, 800.0f, 1.0f},
+                                          {1920.0f, 1200.0f, 2.0f},
+                                          {800.0f, 600.0f, 1.0f},
+                                          {1280.0f, 800.0f, 1.25f},
+                                          {1920.0f, 1080.0f, 1.0f}}) {
+            SCOPED_TRACE(std::string(language) + " " + std::to_string(w) + " " + std::to_string(scale));
+            Desk desk(w, h, scale, true);
+            desk.strings = speaking(language);
+            open_selection(desk);
+            for (StartResult& run : desk.lesson.selection->children) run.seconds = 60, run.passed = true;
+            desk.lesson.selection->stays.assign(9, 1);
+            desk.panels.sheet = Sheet::children;
+            desk.frame(4);
+            const Rect sheet = desk.where("card.children");
+            for (const char* anchor : {"selection.child.3", "selection.child.9", "selection.parent", "selection.close",
+                                       "selection.stays.9"}) {
+                const Rect r = desk.where(anchor);
+                EXPECT_TRUE(r.x >= sheet.x && r.y >= sheet.y) << anchor;
+                EXPECT_TRUE(r.x + r.w <= sheet.x + sheet.w - 8 * scale && r.y + r.h <= sheet.y + sheet.h) << anchor;
+            }
+            EXPECT_NEAR(desk.where("selection.child.9").h, desk.where("selection.child.1").h, 1) << "not cut";
+            EXPECT_EQ(desk.shortened, 0);
+            for (const Written& each : desk.written) {
+                if (each.words.find("60") == std::string::npos || each.clip.w <= 0) continue;
+                const Rect number = desk.where("selection.stays.3");
+                EXPECT_FALSE(each.rect.overlaps(number)) << "dots beside the seconds";
+            }
         }
-        EXPECT_NEAR(desk.where("selection.child.9").h, desk.where("selection.child.1").h, 1) << "not cut at " << w;
-    }
+}
+
+TEST(ChildrenSheet, ChildrenThatStayEquallyLongDifferByOtherStarts) {
+    Desk desk(1280, 800, 1, true);
+    open_selection(desk);
+    desk.panels.sheet = Sheet::children;
+    desk.frame(4);
+    EXPECT_FALSE(desk.anchors.find("selection.stays.1")) << "the seconds tell them apart";
+    for (StartResult& run : desk.lesson.selection->children) run.seconds = 60, run.passed = true;
+    desk.lesson.selection->children[0].passed = false, desk.lesson.selection->children[0].seconds = 4;
+    desk.lesson.selection->stays = {3, 1, 2, 3, 0, 1, 2, 0, 1};
+    desk.frame(4);
+    EXPECT_FALSE(desk.anchors.find("selection.stays.1")) << "it fell";
+    for (int i = 2; i <= 9; ++i) EXPECT_TRUE(desk.anchors.find("selection.stays." + std::to_string(i))) << i;
+    EXPECT_TRUE(desk.says(desk.strings("selection.dots")));
 }
 
 TEST(ChildrenSheet, ADigitBeyondTheLastChildAndBackAtTheBeginningDoNothing) {

@@ -2,6 +2,7 @@
 // click, by its digit, or by the arrow keys and Enter. Beside them the run of their parent.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
@@ -30,11 +31,34 @@ bool has_choices_left(const LessonView& lesson) {
     return lesson.selection->generation < lesson.exercise->selection.generations;
 }
 
-// The longest time that a child stayed; 0 without children.
-float longest_stay(const SelectionView& selection) {
-    float longest = 0;
-    for (const StartResult& run : selection.children) longest = std::max(longest, seconds_survived(run));
-    return longest;
+// How long a child stayed, and of those that stayed equally long at how many other starts they stay.
+std::pair<float, int> merit_of(const SelectionView& selection, std::size_t child) {
+    return {seconds_survived(selection.children[child]), child < selection.stays.size() ? selection.stays[child] : 0};
+}
+
+std::pair<float, int> best_merit(const SelectionView& selection) {
+    std::pair<float, int> best{0, 0};
+    for (std::size_t i = 0; i < selection.children.size(); ++i) best = std::max(best, merit_of(selection, i));
+    return best;
+}
+
+// True if the runs at the shown start do not tell the children apart: several stay to the end.
+bool shows_other_starts(const Exercise& exercise, const SelectionView& selection) {
+    return std::count_if(selection.children.begin(), selection.children.end(),
+                         [&](const auto& run) { return !has_fallen(exercise, run); }) > 1;
+}
+
+// A dot for each other start, filled where the child stays. `at`: the left end, in the middle of the line.
+void draw_stays(Ui& ui, ImVec2 at, int stays, std::string_view anchor) {
+    const float radius = ui.px(3), step = ui.px(9);
+    for (int i = 0; i < other_starts; ++i) {
+        const ImVec2 centre{at.x + radius + static_cast<float>(i) * step, at.y};
+        if (i < stays)
+            ImGui::GetWindowDrawList()->AddCircleFilled(centre, radius, paint(ui.palette.success));
+        else
+            ImGui::GetWindowDrawList()->AddCircle(centre, radius, paint(ui.palette.second_text), 0, ui.px(1));
+    }
+    mark(ui, anchor, {at.x, at.y - radius, step * other_starts, 2 * radius});
 }
 
 // "fell at 14.2 s" or "stayed 60.0 s".
@@ -74,7 +98,8 @@ int taken_digit(Keyboard& keyboard, std::size_t children) {
 void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
     const SelectionView& selection = *lesson.selection;
     const bool may_choose = has_choices_left(lesson);
-    const float longest = longest_stay(selection);
+    const std::pair<float, int> best = best_merit(selection);
+    const bool has_dots = shows_other_starts(*lesson.exercise, selection);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < selection.children.size(); ++i) {
@@ -82,7 +107,11 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
         const std::string number = std::to_string(i + 1);
         const Item at = item(ui, "selection.child." + number, size, may_choose);
         const StartResult& run = selection.children[i];
-        draw_child(ui, at, *lesson.exercise, run, number, seconds_survived(run) >= longest);
+        draw_child(ui, at, *lesson.exercise, run, number, merit_of(selection, i) >= best);
+        const ImVec2 beside_number{at.rect.x + ui.px(6) + text_width(ui, Face::text, "8 "),
+                                   at.bottom() - line_height(ui, Face::text) / 2 - ui.px(2)};
+        if (has_dots && !has_fallen(*lesson.exercise, run))
+            draw_stays(ui, beside_number, merit_of(selection, i).second, "selection.stays." + number);
         tooltip(ui, at, ui.strings(may_choose ? "selection.child_how" : "selection.no_more"), may_choose ? number : "");
         if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{static_cast<int>(i)});
     }
@@ -140,7 +169,9 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const ImVec2 size{picture, picture * shape + line};
     const float width = 4 * picture + 3 * ui.px(between_children) + ui.px(56);
     SheetState& sheet = open_sheet(state, ui, Sheet::children, window, generation, width / ui.scale);
-    paragraph(ui, ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more"), ui.palette.text);
+    std::string how(ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more"));
+    if (shows_other_starts(*lesson.exercise, *lesson.selection)) how += " " + std::string(ui.strings("selection.dots"));
+    paragraph(ui, how, ui.palette.text);
     parent_picture(lesson, ui, size);
     ImGui::SameLine(0, ui.px(spacing::large));
     if (lesson.selection->children.empty())
