@@ -19,121 +19,12 @@ namespace {
 
 constexpr float between_cards = spacing::medium, title_width = 150, around_title = 56;  // layout pixels
 
-constexpr CardTraits card_traits[]{
-    {.card = Card::exercise,
-     .anchor = "card.exercise",
-     .column = Column::left,
-     .in_lecture = InLecture::folded,
-     .shown = [](const LabView& view) { return view.lesson && (!view.pages || view.pages->shows(PagePart::exercise)); },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { exercise_card(view, state, ui, place); },
-     .least = 280,
-     .keeps_least = true},
-    {.card = Card::scene,
-     .anchor = "card.scene",
-     .heading = "scene.heading",
-     .column = Column::left,
-     .in_lecture = InLecture::folded,
-     .shown = [](const LabView& view) { return !view.lesson && !view.pages && !shows_map_of_lecture(view); },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { scene_card(view, state, ui, place); }},
-    {.card = Card::findings,
-     .anchor = "card.findings",
-     .heading = "findings.heading",
-     .column = Column::left,
-     .in_lecture = InLecture::restored,
-     .shown = [](const LabView& view) { return view.findings && !view.findings->empty() && !view.lecture; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { findings_card(view, state, ui, place); },
-     .least_share = 0.4f},
-    {.card = Card::values,
-     .anchor = "card.values",
-     .heading = "values.heading",
-     .column = Column::left,
-     .in_lecture = InLecture::restored,
-     .shown = [](const LabView& view) { return view.settings.values && !view.lecture; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { values_card(view, state, ui, place); },
-     .least_share = 0.38f},
-    {.card = Card::map,
-     .anchor = "card.map",
-     .heading = "map.heading",
-     .column = Column::left,
-     .in_lecture = InLecture::restored,
-     .shown = [](const LabView& view) { return view.settings.map && view.mode != Mode::wiring; },
-     .draw = map_card,
-     .least_share = 0.5f},
-    {.card = Card::slots,
-     .anchor = "card.slots",
-     .heading = "slots.heading",
-     .column = Column::left,
-     .in_lecture = InLecture::restored,
-     .shown = [](const LabView& view) { return view.features.slots.has_any() && !shows_map_of_lecture(view); },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { slots_card(view, state, ui, place); },
-     .least_share = 0.4f},
-    {.card = Card::reality,
-     .anchor = "card.reality",
-     .heading = "reality.heading",
-     .column = Column::left,
-     .in_lecture = InLecture::restored,
-     .shown = [](const LabView& view) { return view.settings.reality && view.mode != Mode::wiring; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { reality_card(view, state, ui, place); },
-     .least_share = 0.62f},
-    {.card = Card::sensors,
-     .anchor = "card.sensors",
-     .heading = "sensors.heading",
-     .column = Column::left,
-     .in_lecture = InLecture::restored,
-     .folded = true,
-     .shown = [](const LabView& view) { return !view.lecture && is_offered(view, offer_parts::sensors); },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { sensor_card(view, state, ui, place); },
-     .least_share = 0.32f},
-    {.card = Card::object,
-     .anchor = "card.thing",
-     .column = Column::right,
-     .in_lecture = InLecture::folded,
-     .shown =
-         [](const LabView& view) {
-             const Selection& selection = view.settings.selection;
-             return (selection.object || !selection.more.empty()) && view.mode != Mode::wiring;
-         },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { object_card(view, state, ui, place); },
-     .most = 0.6f},
-    {.card = Card::brain,
-     .anchor = "card.brain",
-     .heading = "brain.heading",
-     .column = Column::right,
-     .in_lecture = InLecture::folded,
-     .shown = [](const LabView&) { return true; },
-     .draw = brain_card,
-     .least = 140,
-     .folds_when_cramped = true},
-    {.card = Card::information,
-     .anchor = "card.information",
-     .heading = "info.heading",
-     .column = Column::right,
-     .in_lecture = InLecture::restored,
-     .folded = true,
-     .shown = [](const LabView& view) { return !view.lecture && view.mode != Mode::wiring; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
-                Rect) { information_card(view, state, ui, place); },
-     .least = 124,
-     .folds_when_cramped = true},
-    {.card = Card::charts, .anchor = "card.charts", .heading = "charts.heading"},
-    {.card = Card::inspector, .anchor = "card.inspector", .in_lecture = InLecture::folded},
-};
+#define CARD(id, draws, ...) {.card = Card::id, .draw = draws, __VA_ARGS__},
 
-constexpr bool has_a_row_for_each_card() {
-    if (std::size(card_traits) != card_count) return false;
-    for (std::size_t i = 0; i < card_count; ++i)
-        if (card_traits[i].card != static_cast<Card>(i)) return false;
-    return true;
-}
-static_assert(has_a_row_for_each_card());
+constexpr CardTraits card_traits[]{
+#include "ui/panels/card_table.def"
+};
+static_assert(std::size(card_traits) == card_count);
 
 // A folded card of a lecture covers part of the scene: it is only as wide as its heading.
 Rect lecture_place(const LabView& view, const Ui& ui, const CardTraits& row, bool folded, Rect r) {

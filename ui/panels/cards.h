@@ -1,4 +1,5 @@
-// One row of traits per card. Layout, folding, lectures and Reset All are derived from this table.
+// The fields of ui/panels/card_table.def, which has one row per card. Layout, folding, lectures and Reset All are
+// derived from this table.
 #pragma once
 
 #include <optional>
@@ -20,6 +21,7 @@ enum class InLecture { unchanged, restored, folded };
 
 struct CardTraits {
     Card card;
+    void (*draw)(const LabView&, PanelState&, Ui&, Rect place, Rect rest) = nullptr;  // null: the window draws it
     std::string_view anchor;   // "card.brain"; its heading has the anchor "card.brain.fold"
     std::string_view heading;  // string key; empty: the card draws its heading
     Column column = Column::none;
@@ -27,8 +29,6 @@ struct CardTraits {
     bool folded = false;  // at first and after Reset All
 
     bool (*shown)(const LabView&) = nullptr;
-    // `rest`: the column from the top of this card down.
-    void (*draw)(const LabView&, PanelState&, Ui&, Rect place, Rect rest) = nullptr;
 
     // Heights in a column. The cards of a column share it from top to bottom, in the order of the table. No card leaves
     // it: where the least heights of all exceed it, the largest of them are cut, but not that of a first card with

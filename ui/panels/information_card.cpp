@@ -228,7 +228,7 @@ void population_strip(const History& history, Ui& ui) {
 
 }  // namespace
 
-void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const std::string key = key_name(Action::charts, ui.strings);
     std::array buttons{HeadingButton{"button.charts", ui.strings("button.charts"), ui.strings("tooltip.charts"), key,
                                      state.charts.open}};

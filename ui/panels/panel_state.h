@@ -31,21 +31,10 @@
 
 namespace braitenlab::ui {
 
-// The cards of the window. cards.cpp has one row of traits for each.
+// The cards of the window: card_table.def has one row for each.
 enum class Card {
-    exercise,
-    scene,
-    findings,
-    values,
-    map,
-    slots,
-    reality,
-    sensors,
-    object,
-    brain,
-    information,
-    charts,
-    inspector
+#define CARD(id, ...) id,
+#include "ui/panels/card_table.def"
 };
 inline constexpr std::size_t card_count = static_cast<std::size_t>(Card::inspector) + 1;
 

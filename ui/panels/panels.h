@@ -15,19 +15,20 @@
 
 namespace braitenlab::ui {
 
-// Cards; cards.h says when and where they are shown.
-void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
-void findings_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.findings
+// The cards of the columns; cards.h says when and where they are shown. `rest`: the column from the top of the card
+// down.
+#define CARD(id, function, ...) void function(const LabView&, PanelState&, Ui&, Rect place, Rect rest);
+#define WINDOW_CARD(id, ...)
+#include "ui/panels/card_table.def"
+
+// Parts of cards, and the card of the charts.
 std::string exercise_heading(const LabView&,
                              const Ui&);  // "EXERCISE 5", "EXERCISE 14a", or "EXERCISE" without a number
 void exercise_files(const LabView&, PanelState&, Ui&, float width);  // at the foot of it; precondition: view.lesson
 void start_pictures(const LabView&, Ui&);                            // precondition: view.lesson has a grade
-void median_rows(const LessonView&, Ui&);            // nothing without LessonView::shipped_grade and a grade
-void note_field(const LabView&, PanelState&, Ui&);   // the student's notes, while they are unfolded
-void note_button(const LabView&, PanelState&, Ui&);  // unfolds them
-void sensor_card(const LabView&, PanelState&, Ui&, Rect);
-void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle
-void information_card(const LabView&, PanelState&, Ui&, Rect);
+void median_rows(const LessonView&, Ui&);                     // nothing without LessonView::shipped_grade and a grade
+void note_field(const LabView&, PanelState&, Ui&);            // the student's notes, while they are unfolded
+void note_button(const LabView&, PanelState&, Ui&);           // unfolds them
 void chart_card(const LabView&, PanelState&, Ui&, Rect);      // while ChartsState::open; folding closes it
 void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that the chart card shows; chart_card.cpp
 
@@ -35,15 +36,8 @@ void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that 
 // its kind. Anchors: `id`.1, `id`.2. brain_card.cpp
 void scope_choice(const LabView&, Ui&, const VehicleView&, std::string_view id, std::string_view how);
 
-// scene_cards.cpp
-void scene_card(const LabView&, PanelState&, Ui&, Rect);
-void values_card(const LabView&, PanelState&, Ui&, Rect);  // arena, kinds and their values
 void start_row(const LabView&, PanelState&, Ui&);  // the seed, and buttons that reset the run; in values_card.cpp
-void map_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // precondition: view.settings.map
-void reality_card(const LabView&, PanelState&, Ui&, Rect);           // precondition: view.settings.reality
-void follow_map(const LabView&, PanelState&);              // call once a frame, before the cards; map_card.cpp
-void slots_card(const LabView&, PanelState&, Ui&, Rect);   // slots A and B and the numbers of their runs
-void object_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.settings.selection.object
+void follow_map(const LabView&, PanelState&);      // call once a frame, before the cards; map_card.cpp
 
 // Bars and menus.
 void toolbar(const LabView&, PanelState&, Ui&, Rect);

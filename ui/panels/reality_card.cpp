@@ -259,7 +259,7 @@ private:
 
 }  // namespace
 
-void reality_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void reality_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     if (open_card(state, ui, Card::reality, place)) {
         if (view.features.robots)
             RealityCard(view, state, ui).draw();

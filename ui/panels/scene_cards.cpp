@@ -239,7 +239,7 @@ void goal_row(const PanelState& state, Ui& ui, const PopulationGoal& goal) {
 
 }  // namespace
 
-void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const SceneObject object = view.settings.selection.object;
     const std::vector<SceneObject> all = selected_objects(view.settings.selection);
     const std::string_view heading =
@@ -257,7 +257,7 @@ void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     end_card(ui, state.card(Card::object));
 }
 
-void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     std::array buttons{HeadingButton{"button.values", ui.strings("button.values"), ui.strings("tooltip.values"),
                                      key_name(Action::values, ui.strings), view.settings.values}};
     const bool open = open_card(state, ui, Card::scene, place, view.lecture ? std::span<HeadingButton>{} : buttons);

@@ -366,7 +366,7 @@ std::string sensor_label(const Ui& ui, const std::vector<Sensor>& all, const Sen
     return is_ambiguous ? words + " (" + sensor.name + ")" : words;
 }
 
-void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const bool open = open_card(state, ui, Card::sensors, place);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (open && !vehicle) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);

@@ -138,7 +138,7 @@ void compare_row(const LabView& view, Ui& ui) {
 
 }  // namespace
 
-void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     std::array close{HeadingButton{"slots.close", ui.strings("slots.close"), ui.strings("slots.close_how")}};
     const bool open = open_card(state, ui, Card::slots, place, std::span(close).first(view.lecture ? 0 : 1));
     if (close[0].pressed) ui.outbox.emplace_back(EmptySlotsRequest{});

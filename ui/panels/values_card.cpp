@@ -174,7 +174,7 @@ void start_row(const LabView& view, PanelState& state, Ui& ui) {
     press("button.another_start", "button.another_start", "tooltip.another_start", Action::another_start);
 }
 
-void values_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void values_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     std::array buttons{HeadingButton{"values.close", ui.strings("values.close"), ui.strings("tooltip.values"),
                                      key_name(Action::values, ui.strings)}};
     const bool open = open_card(state, ui, Card::values, place, buttons);

@@ -394,7 +394,7 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 // nearer to the steps. In the wiring editor the hints are above the steps, which are judged while the scene plays. In a
 // low window the rest scrolls, in a low card also title and goal, which in the editor are then below the steps. The
 // button of a selection by hand does not scroll: hints that are read below point at it.
-void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
     follow_exercise(lesson, state);

@@ -45,7 +45,7 @@ void finding_row(const Finding& finding, Ui& ui) {
 
 }  // namespace
 
-void findings_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void findings_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     std::array buttons{HeadingButton{.id = "findings.close",
                                      .words = ui.strings("findings.close"),
                                      .tooltip = ui.strings("findings.close_how"),
