@@ -307,7 +307,7 @@ bool scrolls_to(Desk& desk, const std::string& id) {
     desk.point(body.x + body.w / 2, body.y + body.h / 2);
     for (int turn = 0; turn < 60; ++turn) {
         if (is_in_body(desk, id)) return true;
-        ImGui::GetIO().MouseWheel = turn < 30 ? -0.5f : 0.5f;
+        ImGui::GetIO().MouseWheel = turn < 30 ? -1.0f : 1.0f;
         desk.frame(2);
     }
     return false;
@@ -330,7 +330,7 @@ TEST(ExercisesGuided, AnswersAndStepsAreReachedInASmallWindowWhateverOtherCardsA
     const insight::MapCells cells{8};
     for (const Exercise& exercise : course())
         for (const SmallWindow& w : small_windows)
-            for (const int others : {0, 1, 2}) {
+            for (const int others : {0, 2}) {
                 SCOPED_TRACE(exercise.id + " " + std::to_string(w.width) + " " + std::to_string(others));
                 Opened it(exercise, w.width, w.height, w.scale);
                 if (others > 0) open_other_cards(it, cells, others > 1);
