@@ -21,7 +21,7 @@ void (*const states[])(LessonView&){
     }};
 
 void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<std::string>& ids) {
-    Desk desk(1920, 1200, 1, true);
+    Desk desk(1920, 1700, 1, true);  // has room for the exercise, the map and the robots
     desk.opened = std::move(exercise);
     desk.opened.median.step = 1;
     desk.open_exercise();
