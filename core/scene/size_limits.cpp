@@ -13,6 +13,7 @@
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
 #include "core/messages.h"
+#include "core/scene/arena.h"
 #include "core/scene/enums.h"
 #include "core/scene/scene.h"
 
@@ -88,15 +89,78 @@ std::optional<Fault> crowd_fault(const Scene& scene) {
     return std::nullopt;
 }
 
-// What the sensors and wheels of one vehicle compare in a tick at most, one after the other: a sensor each stimulus and
-// outline that may be in its range, and each stimulus with each obstacle that may hide it; a wheel each zone.
-class WorkOfAVehicle {
-public:
-    WorkOfAVehicle(const Scene& scene, double vehicles) : scene_(scene), vehicles_(vehicles) {
-        for (const Kind& kind : scene.kinds) {
-            side_ = std::max({side_, kind.body.length, kind.body.width});
-            smallest_ = std::min(smallest_, floor_area(kind.body));
+// What parts of a tick cost, each measured in scenes that consist of it (tests/core/size_limits_test.cpp). The unit is
+// the comparison of a sensor with a stimulus, 2.5 ns on a core of 2.1 GHz.
+namespace cost {
+constexpr double vehicle = 350, pair = 600, movable_pair = 1200;  // pair: of bodies that may touch
+constexpr double impact = 10;        // of vehicles that zones push: for each vehicle that may hit something meanwhile
+constexpr double slow_stimulus = 6;  // of a photocell or a table, or on a torus
+constexpr double hiding_side = 0.4;  // of an obstacle that may be before a stimulus
+constexpr double outline_side = 14, noise = 6, mark = 16, in_zone = 8;
+constexpr double node = 10, wire = 2, curved_wire = 12;
+}  // namespace cost
+
+// Half the sides of the rectangle around a polygon, in its frame.
+maths::vec2 extent_of(const std::vector<maths::vec2>& corners) {
+    maths::vec2 most;
+    for (const maths::vec2 c : corners) most = {std::max(most.x, std::fabs(c.x)), std::max(most.y, std::fabs(c.y))};
+    return most;
+}
+
+// Pairs of obstacles that are near each other where one can be pushed.
+double movable_pairs(const std::vector<Obstacle>& obstacles) {
+    std::vector<float> reach;
+    for (const Obstacle& obstacle : obstacles) reach.push_back(0.1f + maths::length(extent_of(corners_of(obstacle))));
+    double pairs = 0;
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const Obstacle &a = obstacles[i], &b = obstacles[j];
+            if (a.mass <= 0 && b.mass <= 0) continue;
+            const maths::vec2 apart{a.x - b.x, a.y - b.y};
+            pairs += maths::dot(apart, apart) < (reach[i] + reach[j]) * (reach[i] + reach[j]);
         }
+    return pairs;
+}
+
+// The work of a tick at most, wherever the vehicles gather: of sensors, brains, wheels and bodies near each other.
+class WorkOfATick {
+public:
+    explicit WorkOfATick(const Scene& scene) : scene_(scene), vehicles_(vehicle_count(scene)) {
+        const auto force = [](const Zone& z) { return std::fabs(z.wind_x) + std::fabs(z.wind_y) + std::fabs(z.pull); };
+        float push = 0, fastest = 0;  // N, m/s
+        double beyond = 0;            // wheels beside a chassis, which are bodies of their own
+        for (const Zone& zone : scene.zones) push += force(zone);
+        for (const Kind& kind : scene.kinds) {
+            const Body& body = kind.body;
+            smallest_ = std::min(smallest_, floor_area(body));
+            marks_ = std::max(marks_, static_cast<double>(kind.memory.marks));
+            side_ = std::max(side_, std::hypot(body.length, body.width));
+            fastest = std::max({fastest, body.top_speed * voltage_share(body), push / body.mass});  // after a second
+            double outside = 0;
+            for (const Wheel& w : body.wheels) {
+                const maths::vec2 sides{2 * (std::fabs(w.x) + w.radius), 2 * std::fabs(w.y) + w.width};
+                side_ = std::max(side_, maths::length(sides));
+                outside += sides.x > body.length + 0.01f || sides.y > body.width + 0.01f;
+            }
+            beyond = std::max(beyond, outside);
+        }
+        // Box2D adds a margin of 0.1 m to a body, and four times the way of a tick, which is 2 m at most.
+        const float body = side_ + 0.2f + 4 * std::min(fastest * tick_seconds, 2.0f);
+        const float cell = std::max(scene.arena.width, scene.arena.height) / 64;  // m
+        touched_ = std::min(vehicles_, static_cast<double>(4 * body * body) * vehicles_ / floor()) / 2;
+        touched_ *= 1 + beyond / 4;
+        for (const Obstacle& obstacle : scene.obstacles) {
+            hiding_sides_ += static_cast<double>(corners_of(obstacle).size());
+            touched_ += share_in(extent_of(corners_of(obstacle)), body);
+        }
+        for (const Zone& zone : scene.zones) {
+            const maths::vec2 extent = extent_of(corners_of(zone));
+            zones_ += share_in(extent, cell) * images(maths::length(extent));
+            if (force(zone) > 0) touched_ += cost::impact / cost::pair * vehicles_ * share_in(extent, 0);
+        }
+        const std::size_t walls = scene.arena.round ? round_corners(scene.arena).size() : 4;
+        sides_ = hiding_sides_ + static_cast<double>(has_walls(scene.arena.edge) ? walls : 0);
+        for (const Source& source : scene.sources) sides_ += source.solid ? 8 : 0;
         for (const ChannelTraits& row : channel_table) {
             const auto is_seen = [&](const auto& lamp) { return is_seen_as(lamp.channel, row.value); };
             const auto channel = static_cast<std::size_t>(row.value);
@@ -106,59 +170,87 @@ public:
                     std::max(carried_[channel],
                              static_cast<double>(std::count_if(kind.lamps.begin(), kind.lamps.end(), is_seen)));
         }
-        for (const Channel body : {Channel::predator, Channel::prey, Channel::vehicle})
-            ++carried_[static_cast<std::size_t>(body)];
+        for (const Channel body_of : {Channel::predator, Channel::prey, Channel::vehicle})
+            ++carried_[static_cast<std::size_t>(body_of)];
+    }
+
+    double total() const {
+        double own = 0, largest = 0;
+        const auto add_own = [&](const auto& one) {
+            own += (one.sensors ? of(*one.sensors) : 0) + (one.brain ? of(*one.brain) : 0);
+        };
+        for (const Start& start : scene_.starts) add_own(start);
+        for (const Member& member : scene_.members) add_own(member);
+        for (const Kind& kind : scene_.kinds)
+            largest = std::max(largest, of(kind.sensors) + of(kind.brain) +
+                                            cost::in_zone * zones_ * static_cast<double>(kind.body.wheels.size() + 2));
+        return vehicles_ * (cost::vehicle + cost::pair * touched_ + largest) + own +
+               cost::movable_pair * movable_pairs(scene_.obstacles);
+    }
+
+private:
+    double floor() const { return static_cast<double>(scene_.arena.width) * static_cast<double>(scene_.arena.height); }
+    // The share of the vehicles that find room in this rectangle, grown by `margin` (m).
+    double share_in(maths::vec2 extent, float margin) const {
+        const auto area = static_cast<double>((2 * extent.x + margin) * (2 * extent.y + margin));
+        return std::min(1.0, area / (smallest_ * vehicles_));
+    }
+    // How often something within `reach` (m) is found across the seams of a torus.
+    double images(float reach) const {
+        if (scene_.arena.edge != Boundary::torus) return 1;
+        return std::min(9.0, 1 + static_cast<double>(4 * reach * reach) / floor());
     }
 
     double of(const std::vector<Sensor>& sensors) const {
         double sum = 0;
-        for (const Sensor& sensor : sensors) sum += of(sensor);
+        for (const Sensor& sensor : sensors)
+            sum += 1 + of(sensor) + (sensor.noise > 0 || sensor.gain_spread > 0 ? cost::noise : 0);
         return sum;
     }
-    double of(const Kind& kind) const {
-        constexpr std::size_t standard_wheels = 4;
-        const std::size_t wheels = kind.body.wheels.empty() ? standard_wheels : kind.body.wheels.size();
-        return of(kind.sensors) + static_cast<double>(wheels * scene_.zones.size());
-    }
-
-private:
     double of(const Sensor& sensor) const {
-        constexpr double outline = 32;  // the nearest point of an outline takes as long as so many stimuli
-        const auto obstacles = static_cast<double>(scene_.obstacles.size());
-        if (sensor.channel == Channel::obstacle || sensor.channel == Channel::touch) return 1 + outline * obstacles;
-        if (!row_of(sensor.channel).is_summed) return 1;
+        if (sensor.channel == Channel::obstacle || sensor.channel == Channel::touch)
+            return cost::outline_side * sides_ * images(sensor.range);
+        if (sensor.channel == Channel::memory) return cost::mark * marks_;
+        if (sensor.channel == Channel::floor) return cost::in_zone * zones_;
+        if (!row_of(sensor.channel).is_summed) return 0;
         const auto channel = static_cast<std::size_t>(sensor.channel);
         const double reach = static_cast<double>(sensor.range + side_);
         const double near = std::min(vehicles_, maths::pi_d * reach * reach / smallest_);  // side by side
-        const double stimuli = fixed_[channel] + near * carried_[channel];
-        return is_blocked_by_obstacles(sensor.channel) ? stimuli * (1 + obstacles) : stimuli;
+        const bool is_slow = scene_.arena.edge == Boundary::torus || sensor.response == SensorResponse::photocell ||
+                             sensor.response == SensorResponse::table;
+        double of_one = is_slow ? cost::slow_stimulus : 1;
+        if (is_blocked_by_obstacles(sensor.channel))
+            of_one += cost::hiding_side * hiding_sides_ * images(sensor.range / 2);
+        return (fixed_[channel] + near * carried_[channel]) * of_one;
+    }
+    static double of(const BrainGraph& brain) {
+        double sum = cost::node * static_cast<double>(brain.nodes.size());
+        for (const Wire& wire : brain.wires)
+            sum += wire.curve.response == Response::linear ? cost::wire : cost::curved_wire;
+        return sum;
     }
 
     const Scene& scene_;
     double vehicles_;
     float side_ = 0;                                                // m, longest of any vehicle
     double smallest_ = std::numeric_limits<double>::max();          // m², floor of the smallest vehicle
+    double touched_ = 0, zones_ = 0;                                // bodies beside a vehicle, zones below it
+    double sides_ = 0, hiding_sides_ = 0, marks_ = 0;               // of all outlines, of obstacles; of a memory
     std::array<double, channel_table.size()> fixed_{}, carried_{};  // stimuli by channel; of one vehicle
 };
 
 // A tick is not interrupted, so its work decides how soon the window answers. Without a limit a short file of 20,000
 // vehicles that see 100 m far asks for a tick of minutes.
 std::optional<Fault> work_fault(const Scene& scene) {
-    constexpr double most = 40e6;  // 0.1 to 0.3 s on a core of 2.1 GHz
-    const double vehicles = vehicle_count(scene);
-    const WorkOfAVehicle work(scene, vehicles);
-    double largest = 0;
-    for (const Kind& kind : scene.kinds) largest = std::max(largest, work.of(kind));
-    for (const Start& start : scene.starts)
-        if (start.sensors) largest = std::max(largest, work.of(*start.sensors));
-    for (const Member& member : scene.members)
-        if (member.sensors) largest = std::max(largest, work.of(*member.sensors));
-    if (vehicles * largest <= most) return std::nullopt;
-    return Fault{"ecology.population", message_of("too_much_work", std::llround(vehicles),
-                                                  std::llround(vehicles * largest / 1e6), std::llround(most / 1e6))};
+    const double work = work_of_a_tick(scene);
+    if (work <= most_work) return std::nullopt;
+    return Fault{"ecology.population", message_of("too_much_work", std::llround(vehicle_count(scene)),
+                                                  std::llround(work / 1e6), std::llround(most_work / 1e6))};
 }
 
 }  // namespace
+
+double work_of_a_tick(const Scene& scene) { return WorkOfATick(scene).total(); }
 
 std::optional<Fault> size_fault(const Scene& scene) {
     if (auto fault = crowd_fault(scene)) return fault;

@@ -1,0 +1,193 @@
+#include "core/scene/size_limits.h"
+
+#include <algorithm>
+#include <ctime>
+#include <map>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/scene/check.h"
+#include "core/scene/scene_file.h"
+#include "core/world/world.h"
+#include "tests/core/scenes.h"
+
+namespace braitenlab::tests::size_limits_test {
+namespace {
+
+Scene crowd_of(int population, float side, std::vector<Sensor> sensors = {}) {
+    Scene scene;
+    scene.arena.width = scene.arena.height = side;
+    scene.kinds = {two_eyed("k", {.LM = 0.9f, .RM = 1})};
+    scene.kinds[0].sensors = std::move(sensors);
+    scene.kinds[0].brain = make_graph({.LM = 0.9f, .RM = 1});
+    scene.ecology.population = population;
+    return scene;
+}
+
+std::vector<Sensor> eyes(int count, Channel channel, SensorResponse response = SensorResponse::graded) {
+    std::vector<Sensor> all;
+    for (int i = 0; i < count; ++i)
+        all.push_back({.name = fmt::format("S{}", i),
+                       .channel = channel,
+                       .response = response,
+                       .fov = 2 * maths::pi,
+                       .range = 100});
+    return all;
+}
+
+std::vector<PolygonCorner> octagon(float radius) {
+    std::vector<PolygonCorner> corners;
+    for (int i = 0; i < 8; ++i) {
+        const maths::vec2 at = maths::from_polar(radius, maths::pi / 4 * static_cast<float>(i));
+        corners.push_back({at.x, at.y});
+    }
+    return corners;
+}
+
+Scene with_lamps(Scene scene, int count, Channel channel = Channel::light, bool solid = false) {
+    for (int i = 0; i < count; ++i)
+        scene.sources.push_back({.name = fmt::format("s{}", i),
+                                 .channel = channel,
+                                 .x = static_cast<float>(i % 30),
+                                 .y = static_cast<float>(i / 30),
+                                 .solid = solid});
+    return scene;
+}
+
+// On a circle around the middle; all in one place if its radius is 0.
+Scene with_obstacles(Scene scene, int count, float circle, float radius, float mass = 0) {
+    for (int i = 0; i < count; ++i) {
+        const maths::vec2 at = maths::from_polar(circle, static_cast<float>(i));
+        scene.obstacles.push_back(
+            {.name = fmt::format("o{}", i), .x = at.x, .y = at.y, .corners = octagon(radius), .mass = mass});
+    }
+    return scene;
+}
+
+Scene with_zones(Scene scene, int count) {
+    for (int i = 0; i < count; ++i)
+        scene.zones.push_back({.name = fmt::format("z{}", i),
+                               .surface = Surface::ice,
+                               .recharge = 0.1f,
+                               .slope = 0.1f,
+                               .corners = octagon(300)});
+    return scene;
+}
+
+Scene with_neurons(Scene scene, int count, int wires_each) {
+    BrainGraph& brain = scene.kinds[0].brain;
+    const auto first = static_cast<NodeId>(brain.nodes.size());
+    for (int i = 0; i < count; ++i)
+        brain.nodes.push_back({.id = first + i,
+                               .kind = NodeKind::neuron,
+                               .name = fmt::format("n{}", i),
+                               .curve = {.response = Response::sigmoid}});
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < wires_each; ++j)
+            brain.wires.push_back({.from = first + i, .to = first + j, .weight = 0.1f});
+    return scene;
+}
+
+Scene on_torus(Scene scene) {
+    scene.arena.edge = Boundary::torus;
+    return scene;
+}
+
+Scene with_wide_wheels(Scene scene) {
+    Body& body = scene.kinds[0].body;
+    body.length = body.width = 0.1f;
+    for (Wheel& wheel : body.wheels) wheel.x *= 20, wheel.y *= 20, wheel.radius = wheel.width = 2;
+    return scene;
+}
+
+Scene of_small_robots(Scene scene) {
+    scene.kinds[0].body = resized(scene.kinds[0].body, 0.05f, 0.05f);
+    return scene;
+}
+
+// Scenes that consist of one kind of work.
+std::map<std::string, Scene> costly_scenes() {
+    return {{"vehicles", crowd_of(3000, 200)},
+            {"a full floor", crowd_of(2000, 38)},
+            {"a full floor of small robots", of_small_robots(crowd_of(400, 1.3f))},
+            {"wheels over other vehicles", with_wide_wheels(crowd_of(200, 20))},
+            {"eyes across seams", on_torus(crowd_of(1000, 200, eyes(1, Channel::vehicle)))},
+            {"photocells", with_lamps(crowd_of(500, 100, eyes(1, Channel::light, SensorResponse::photocell)), 1000)},
+            {"obstacles", with_obstacles(crowd_of(1000, 100, eyes(1, Channel::obstacle)), 60, 40, 1)},
+            {"posts", with_lamps(crowd_of(200, 100, eyes(1, Channel::obstacle)), 300, Channel::light, true)},
+            {"the floor", with_zones(crowd_of(200, 100, eyes(16, Channel::floor)), 60)},
+            {"zones", with_zones(crowd_of(500, 100), 60)},
+            {"neurons", with_neurons(crowd_of(500, 200), 200, 0)},
+            {"wires", with_neurons(crowd_of(500, 200), 40, 40)},
+            {"vehicles in obstacles", with_obstacles(crowd_of(150, 60), 60, 0, 40)},
+            {"obstacles in each other", with_obstacles(crowd_of(1, 60), 120, 0, 5, 1)}};
+}
+
+// Processor time of the first ticks for the work of one comparison; the least of two worlds.
+double time_of_a_comparison(const Scene& scene) {
+    constexpr int ticks = 3;
+    double least = 1e30;
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        auto world = World::create(scene, 1);
+        EXPECT_TRUE(world) << world.error().text();
+        if (!world) return 0;
+        const auto began = std::clock();
+        for (int i = 0; i < ticks; ++i) world->step();
+        least = std::min(least, static_cast<double>(std::clock() - began) / ticks);
+    }
+    return least / work_of_a_tick(scene);
+}
+
+TEST(SizeLimits, CountWhatATickCosts) {
+    // That of a sensor and a stimulus, which most crowds consist of. Functions of headers are not optimised here.
+    constexpr double most = 2.5;
+    const Scene usual = crowd_of(2000, 200, eyes(1, Channel::vehicle));
+    for (const auto& [name, scene] : costly_scenes()) {
+        double ratio = 0;
+        for (int attempt = 0; attempt < 3 && (attempt == 0 || ratio > most); ++attempt)
+            ratio = time_of_a_comparison(scene) / time_of_a_comparison(usual);
+        EXPECT_LT(ratio, most) << name;
+    }
+}
+
+TEST(SizeLimits, AreFarFromTheWorkOfShippedScenes) {
+    for (const auto& path : shipped_scenes()) {
+        const auto scene = load_scene(path);
+        ASSERT_TRUE(scene) << scene.error().text();
+        EXPECT_LT(work_of_a_tick(*scene), 4e6) << path;
+    }
+}
+
+TEST(SizeLimits, AllowLargeCrowds) {
+    Scene scene = crowd(20000);  // as the benchmark: constant density, two eyes
+    scene.arena.width = scene.arena.height = 283;
+    for (Kind& kind : scene.kinds)
+        for (Sensor& sensor : kind.sensors) sensor.range = 6, sensor.fov = maths::radians(60);
+    EXPECT_EQ(find_fault(scene), std::nullopt);
+    EXPECT_EQ(find_fault(with_lamps(crowd_of(2000, 120, eyes(2, Channel::light)), 1)), std::nullopt);
+}
+
+TEST(SizeLimits, RefuseScenesThatFreezeTheWindow) {
+    const auto is_refused = [](const Scene& scene) { return find_fault(scene).has_value(); };
+    EXPECT_TRUE(is_refused(crowd_of(20000, 400, eyes(1, Channel::vehicle))));
+    EXPECT_TRUE(is_refused(crowd_of(20000, 119))) << "a full floor";
+    EXPECT_FALSE(is_refused(with_obstacles(crowd_of(1, 60), 4000, 0, 1)));
+    EXPECT_TRUE(is_refused(with_obstacles(crowd_of(1000, 60), 4000, 0, 30))) << "vehicles in 4,000 obstacles";
+    EXPECT_TRUE(is_refused(with_obstacles(crowd_of(1, 60), 4000, 0, 1, 1))) << "4,000 obstacles that push each other";
+    EXPECT_FALSE(is_refused(crowd_of(8000, 400, eyes(1, Channel::obstacle)))) << "four walls";
+    EXPECT_TRUE(is_refused(with_lamps(crowd_of(8000, 400, eyes(1, Channel::obstacle)), 900, Channel::light, true)));
+    EXPECT_TRUE(is_refused(with_neurons(crowd_of(10000, 400), 800, 0))) << "brains";
+    Scene marks = crowd_of(1000, 400, eyes(64, Channel::memory));
+    EXPECT_FALSE(is_refused(marks));
+    marks.kinds[0].memory.marks = 64;
+    EXPECT_TRUE(is_refused(marks));
+    Scene blown = crowd_of(1000, 6);
+    blown.kinds[0].body = resized(blown.kinds[0].body, 0.05f, 0.05f);
+    EXPECT_FALSE(is_refused(blown));
+    blown.zones.push_back({.name = "z", .pull = 200});
+    EXPECT_TRUE(is_refused(blown)) << "a force that presses them together";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::size_limits_test
