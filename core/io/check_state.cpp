@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <concepts>
+#include <tuple>
+#include <vector>
 
 #include "core/io/state_json.h"
 #include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
+#include "core/scene/size_limits.h"
 
 namespace braitenlab::io {
 
@@ -46,6 +49,31 @@ bool components_within(const std::array<float, 2>& pair, float low, float high) 
     return within(pair[0], low, high) && within(pair[1], low, high);
 }
 
+// More vehicles of a kind in one place than a run has, which physics would push apart for minutes.
+std::optional<Error> pile_fault(const State& m) {
+    constexpr std::size_t always_allowed = 100, most = 32;
+    const Vehicles& v = m.vehicles;
+    if (v.size() <= always_allowed) return std::nullopt;
+    std::vector<std::tuple<std::int32_t, std::int64_t, std::int64_t>> squares;
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        const Body& body = m.scene->kinds[static_cast<std::size_t>(v.kind[row])].body;
+        const maths::vec2 at = v.motion[row].position / std::min(body.length, body.width);
+        squares.emplace_back(v.kind[row], std::llround(at.x), std::llround(at.y));
+    }
+    std::sort(squares.begin(), squares.end());
+    for (std::size_t i = most; i < squares.size(); ++i)
+        if (squares[i - most] == squares[i]) return error_of(message_of("contradicts", "vehicles"));
+    return std::nullopt;
+}
+
+// The same for obstacles, with room for those that vehicles have pushed together.
+bool has_piled_obstacles(const State& m) {
+    Scene now = *m.scene;
+    for (std::size_t i = 0; i < now.obstacles.size(); ++i)
+        now.obstacles[i].x = m.obstacles[i].position.x, now.obstacles[i].y = m.obstacles[i].position.y;
+    return work_of_a_tick(now) > 2 * most_work;
+}
+
 std::optional<Error> vehicles_fault(const State& m) {
     const Vehicles& v = m.vehicles;
     if (v.size() > most_vehicles) return error_of(message_of("full_world", most_vehicles));
@@ -73,7 +101,7 @@ std::optional<Error> vehicles_fault(const State& m) {
                 });
     });
     if (!values_are_sound) return error_of(message_of("vehicle_range"));
-    return std::nullopt;
+    return pile_fault(m);
 }
 
 }  // namespace
@@ -106,7 +134,7 @@ std::optional<Error> check_state(const State& m) {
     if (!std::is_sorted(m.looks.begin(), m.looks.end(), in_order) ||
         !all_of(m.looks, [&](const VehicleLook& l) { return lives(l.vehicle) && !check_look(l.look); }))
         return error_of(message_of("contradicts", "looks"));
-    if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound))
+    if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound) || has_piled_obstacles(m))
         return error_of(message_of("contradicts", "obstacles"));
     return std::nullopt;
 }

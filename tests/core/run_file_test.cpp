@@ -163,6 +163,34 @@ TEST(RunFile, ASceneWithAHiddenBrainIsSealedAndComesBack) {
     EXPECT_TRUE(tells(damaged.error(), message_of("sealed_damaged")));
 }
 
+TEST(RunFile, RefusesVehiclesAndObstaclesThatAreAllInOnePlace) {
+    Scene scene = crowd(120);
+    scene.arena.width = scene.arena.height = 60;
+    for (Kind& kind : scene.kinds)
+        for (Sensor& sensor : kind.sensors) sensor.range = 1;
+    for (int i = 0; i < 400; ++i)
+        scene.obstacles.push_back({.name = "o" + std::to_string(i),
+                                   .x = static_cast<float>(i % 20) * 2 - 20,
+                                   .y = static_cast<float>(i / 20) * 2 - 20,
+                                   .length = 0.1f,
+                                   .width = 0.1f,
+                                   .mass = 1});
+    const std::string text = io::write_run(Session::open(scene, 3)->save());
+    ASSERT_TRUE(io::read_run(text, "a.run"));
+    const auto piled = [&](auto change) {
+        auto file = io::Json::parse(text);
+        change(file["keyframe"]);
+        const auto run = io::read_run(file.dump(), "a.run");
+        return run ? "read" : run.error().text();
+    };
+    const auto in_one_place = [](auto& motions) {
+        for (auto& motion : motions) motion["place"] = {0, 0};
+    };
+    EXPECT_NE(piled([&](auto& state) { in_one_place(state["vehicles"]["motion"]); }).find("vehicles"),
+              std::string::npos);
+    EXPECT_NE(piled([&](auto& state) { in_one_place(state["obstacles"]); }).find("obstacles"), std::string::npos);
+}
+
 TEST(RunFile, RefusesAFileOfAnotherKind) {
     for (const char* text :
          {"", "format = 1", "{}", "[]", "{\"braitenlab_run\": 2}", "{\"braitenlab_run\": 1}", "\xff"}) {
