@@ -7,13 +7,14 @@
 
 #include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
+#include "core/scene/size_limits.h"
 
 namespace braitenlab {
 
 namespace {
 
 constexpr std::size_t most_bookmarks = 20;
-constexpr std::size_t most_at_once = 300;  // vehicles whose ticks since a keyframe are repeated within a frame
+constexpr double most_at_once = most_work / 300;  // of a tick, of which 300 follow a keyframe
 
 void arrive(Workspace& space) {
     forget_motion(space);
@@ -22,11 +23,13 @@ void arrive(Workspace& space) {
     watch(space);
 }
 
-bool has_many(const Workspace& space) { return space.document.session.snapshot().vehicles.size() > most_at_once; }
+bool is_costly(const Workspace& space) {
+    return work_of_a_tick(*space.document.session.snapshot().scene) > most_at_once;
+}
 
 void go_to_tick(Workspace& space, std::uint64_t tick) {
     Session& session = space.document.session;
-    if (!has_many(space)) {
+    if (!is_costly(space)) {
         session.seek(tick);
         return arrive(space);
     }
@@ -41,7 +44,7 @@ void go_to_tick(Workspace& space, std::uint64_t tick) {
 
 void seek(Workspace& space, const SeekRequest& request) {
     space.playback.held = request.held;
-    if (request.held && has_many(space) && !space.document.lesson) {
+    if (request.held && is_costly(space) && !space.document.lesson) {
         space.document.session.seek_roughly(request.tick);
         arrive(space);
     } else {

@@ -8,8 +8,9 @@
 
 namespace braitenlab {
 
-// With more than 300 vehicles the run goes to the keyframe before the tick at once, and then repeats the ticks between
-// in parts, by continue_seeking(), so that the window answers meanwhile. A dragged playhead stays at the keyframe.
+// Where ticks are costly (work_of_a_tick(); 100 vehicles that see each other) the run goes to the keyframe before the
+// tick at once, and then repeats the ticks between in parts, by continue_seeking(), so that the window answers
+// meanwhile. A dragged playhead stays at the keyframe.
 void seek(Workspace&, const SeekRequest&);
 void seek_by(Workspace&, std::int64_t ticks);
 
