@@ -174,8 +174,8 @@ inline constexpr auto message_table = std::to_array<MessageText>({
      "are the most"},
     {"too_dense", "{} vehicles cover {} m², and the arena has {} m²; take at most {}, smaller ones or a larger arena"},
     {"too_much_work",
-     "the sensors and wheels of {} vehicles compare up to {} million things in a tick, and the most are {} million; "
-     "take fewer vehicles, sensors or obstacles, or shorter ranges"},
+     "a tick of {} vehicles may take as long as {} million comparisons, and the most are {} million; take fewer "
+     "vehicles, obstacles, sensors or neurons, shorter ranges or a larger arena"},
     {"too_crowded", "more than {} vehicles are placed within {} m; move some apart"},
     {"no_role_to_count", "the vehicles that a goal counts are predators or prey"},
     {"no_kind_to_populate", "there is no [kind.NAME] to populate the arena with"},
