@@ -108,10 +108,9 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
         const Item at = item(ui, "selection.child." + number, size, may_choose);
         const StartResult& run = selection.children[i];
         draw_child(ui, at, *lesson.exercise, run, number, merit_of(selection, i) >= best);
-        const ImVec2 beside_number{at.rect.x + ui.px(6) + text_width(ui, Face::text, "8 "),
-                                   at.bottom() - line_height(ui, Face::text) / 2 - ui.px(2)};
         if (has_dots && !has_fallen(*lesson.exercise, run))
-            draw_stays(ui, beside_number, merit_of(selection, i).second, "selection.stays." + number);
+            draw_stays(ui, {at.rect.x + ui.px(8), at.rect.y + ui.px(10)}, merit_of(selection, i).second,
+                       "selection.stays." + number);
         tooltip(ui, at, ui.strings(may_choose ? "selection.child_how" : "selection.no_more"), may_choose ? number : "");
         if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{static_cast<int>(i)});
     }
