@@ -141,7 +141,7 @@ TEST_F(BreedingDesk, TheOpenSceneIsBredWithWhatMayChange) {
     desk.click("breeding.open_scene");
     ASSERT_TRUE(asked_for(BreedingEdit::scene));
     EXPECT_EQ(*desk.last<BreedingRequest>()->may, evolve::MayChange{});
-    auto own = evolve::breeding_of_scene(bred.base->scene(), {}, "Mine");
+    auto own = evolve::breeding_of_scene(bred.base->scene(), {}, desk.now.scene->title);
     auto read = evolve::parse_breeding(write_breeding(own.breeding), "scene.toml");
     ASSERT_TRUE(read) << read.error().text();
     bred.base = *evolve::BreedingBase::create(std::move(*read), write_scene(own.scene), "scene");

@@ -378,6 +378,7 @@ TEST_F(FilesSheet, RequestsAStoryOfASceneAndSendsOnlyAChangedStory) {
 }
 
 TEST_F(FilesSheet, ACopyOfAnotherAuthorsSceneBeginsWithoutItsStory) {
+    files.ships = true;
     press({'S', true, true});
     EXPECT_EQ(desk.panels.sheets.files.story.text, "");
     press({key::enter});
