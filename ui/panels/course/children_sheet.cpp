@@ -1,6 +1,7 @@
 // The sheet of selection by hand: the runs of a brain's children side by side, of which the student chooses one, by a
 // click, by its digit, or by the arrow keys and Enter. Beside them the run of their parent.
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -130,24 +131,56 @@ void parent_picture(const LessonView& lesson, Ui& ui, ImVec2 size) {
     if (selection.parent) draw_child(ui, at, *lesson.exercise, *selection.parent, "", false);
     tooltip(ui, at, ui.strings(may_choose ? "selection.parent_how" : "selection.no_more"));
     if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{-1});
+    if (shows_other_starts(*lesson.exercise, selection))
+        paragraph(ui, ui.strings("selection.dots"), ui.palette.second_text, Face::small, size.x);
     ImGui::EndGroup();
+}
+
+// Watch, back, Close.
+std::array<ButtonLook, 3> looks_of_buttons(const Ui& ui) {
+    return {{{icon::play, ui.strings("selection.watch"), Emphasis::primary},
+             {icon::undo, ui.strings("selection.back")},
+             {{}, ui.strings("keys.close")}}};
 }
 
 // True if the sheet closes.
 bool children_buttons(const LabView& view, PanelState& state, Ui& ui) {
-    const Item watch = button(ui, "selection.watch", {icon::play, ui.strings("selection.watch"), Emphasis::primary});
+    auto [play, back, end] = looks_of_buttons(ui);
+    const Item watch = button(ui, "selection.watch", play);
     tooltip(ui, watch, ui.strings("selection.watch_how"));
     if (watch.pressed && view.mode != Mode::playing) state.chosen.push_back(Action::play_pause);
     ImGui::SameLine();
-    ButtonLook back{icon::undo, ui.strings("selection.back")};
     back.enabled = view.lesson->selection->generation > 0;
     const Item earlier = button(ui, "selection.back", back);
     tooltip(ui, earlier, ui.strings("selection.back_how"));
     if (earlier.pressed) ui.outbox.emplace_back(EarlierGenerationRequest{});
     ImGui::SameLine();
-    const Item close = button(ui, "selection.close", {{}, ui.strings("keys.close")});
+    const Item close = button(ui, "selection.close", end);
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     return watch.pressed || close.pressed;
+}
+
+// Of the parent and three children beside each other, and of the buttons below; without the borders of the sheet.
+float width_of_rows(const Ui& ui, float picture) {
+    float buttons = 2 * ImGui::GetStyle().ItemSpacing.x;
+    for (const ButtonLook& look : looks_of_buttons(ui)) buttons += button_width(ui, look);
+    return std::max(4 * picture + 3 * ui.px(between_children), buttons);
+}
+
+// Width of a picture: nine with their seconds fit below the words without scrolling where they can. `shape`: height of
+// the floor by its width; `line`: of the seconds.
+float picture_width(const Ui& ui, Rect window, std::string_view words, float shape, float line) {
+    const float wide = std::min((window.w - ui.px(100)) / 4, ui.px(most_picture));
+    const auto with_lines = [&](std::size_t lines) {  // of the words
+        const float around = ui.px(196) + static_cast<float>(lines) * line_height(ui, Face::text);
+        const float high = (window.h - around) / 3 - line - ui.px(between_children);
+        return std::max(std::min(high / shape, wide), ui.px(least_picture));
+    };
+    float picture = with_lines(2);
+    for (int pass = 0; pass < 2; ++pass)  // smaller pictures make a narrower sheet, which may need more lines
+        picture = with_lines(
+            std::max<std::size_t>(2, lines_of_words(ui, words, Face::text, width_of_rows(ui, picture)).size()));
+    return picture;
 }
 
 }  // namespace
@@ -158,19 +191,15 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const std::string generation =
         fill(ui.strings("selection.generation"),
              {std::to_string(lesson.selection->generation), std::to_string(lesson.exercise->selection.generations)});
-    // Nine pictures with their seconds fit into the window without scrolling where they can.
+    const std::string_view words = ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more");
     const Arena& arena = lesson.exercise->scene.arena;
-    const float shape = std::clamp(arena.height / arena.width, 0.6f, 1.0f);
-    const float line = line_height(ui, Face::text) + ui.px(8), around = ui.px(236);
-    const float high = (window.h - around) / 3 - line - ui.px(between_children), wide = (window.w - ui.px(100)) / 4;
-    const float most = std::min({high / shape, wide, ui.px(most_picture)});
-    const float picture = std::max(most, ui.px(least_picture));
+    const float shape = std::clamp(arena.height / arena.width, 0.6f, 1.0f),
+                line = line_height(ui, Face::text) + ui.px(8);
+    const float picture = picture_width(ui, window, words, shape, line);
     const ImVec2 size{picture, picture * shape + line};
-    const float width = 4 * picture + 3 * ui.px(between_children) + ui.px(56);
+    const float width = width_of_rows(ui, picture) + ui.px(56);
     SheetState& sheet = open_sheet(state, ui, Sheet::children, window, generation, width / ui.scale);
-    std::string how(ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more"));
-    if (shows_other_starts(*lesson.exercise, *lesson.selection)) how += " " + std::string(ui.strings("selection.dots"));
-    paragraph(ui, how, ui.palette.text);
+    paragraph(ui, words, ui.palette.text);
     parent_picture(lesson, ui, size);
     ImGui::SameLine(0, ui.px(spacing::large));
     if (lesson.selection->children.empty())
