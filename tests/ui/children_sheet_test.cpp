@@ -116,6 +116,8 @@ TEST(ChildrenSheet, ItFitsIntoEachWindowAndShowsWholePictures) {
                 if (each.words.find("60") == std::string::npos || each.clip.w <= 0) continue;
                 const Rect number = desk.where("selection.stays.3");
                 EXPECT_FALSE(each.rect.overlaps(number)) << "dots beside the seconds";
+                for (const Written& digit : desk.written)
+                    EXPECT_FALSE(digit.words.size() == 1 && each.rect.overlaps(digit.rect)) << digit.words;
             }
         }
 }

@@ -25,6 +25,14 @@ TEST_F(WiringMenu, OfTheEmptyCanvasHasAHeadingForItsNeurons) {
     EXPECT_EQ(state.menu.heading, "") << "the menu of a wire has no heading";
 }
 
+TEST_F(WiringMenu, HasLowerRowsInALowCanvasSoThatAllAreInside) {
+    area.h = 290;
+    right_click({470, 200});
+    EXPECT_GE(state.menu.rect.y, area.y);
+    EXPECT_LE(state.menu.rect.y + state.menu.rect.h, area.y + area.h);
+    EXPECT_GE(state.menu.row_height, 20);
+}
+
 TEST_F(WiringMenu, OffersEveryKindOfNeuronAtTheEndOfADroppedWire) {
     std::set<std::string_view> offered;
     for (const MenuRow& row : drop_rows()) offered.insert(row.words);

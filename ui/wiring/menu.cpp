@@ -19,7 +19,8 @@ using maths::vec2;
 
 namespace {
 
-constexpr float menu_row_height = 28, menu_padding = spacing::small, menu_group_gap = spacing::small, heading_room = 26,
+constexpr float menu_row_height = 28, least_menu_row = 20, menu_padding = spacing::small,
+                menu_group_gap = spacing::small, heading_room = 26,
                 note_room = 20;  // layout pixels
 
 void add_kinds(std::vector<MenuRow>& rows) {
@@ -126,7 +127,7 @@ void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float width) {
     for (const MenuRow& row : menu.rows) height += row.begins_group ? menu_group_gap * ui_scale : 0;
     const float count = static_cast<float>(std::max<std::size_t>(1, menu.rows.size()));
     const float fits = (area.h - 2 * room - height) / count / ui_scale;
-    menu.row_height = menu.for_finger ? std::clamp(fits, menu_row_height, finger_row) : menu_row_height;
+    menu.row_height = std::clamp(fits, least_menu_row, menu.for_finger ? finger_row : menu_row_height);
     height += count * menu.row_height * ui_scale;
     const auto within = [room](float at, float size, float low, float extent) {
         return std::clamp(at, low + room, std::max(low + room, low + extent - size - room));

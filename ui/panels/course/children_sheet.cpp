@@ -62,13 +62,16 @@ void draw_stays(Ui& ui, ImVec2 at, int stays, std::string_view anchor) {
     mark(ui, anchor, {at.x, at.y - radius, step * other_starts, 2 * radius});
 }
 
-// "fell at 14.2 s" or "stayed 60.0 s".
-void write_seconds(const Ui& ui, const Exercise& exercise, const StartResult& run, ImVec2 right_end, bool longest) {
+// "fell at 14.2 s" or "stayed 60.0 s"; in less room "14.2 s", since the colour and the × tell the rest.
+void write_seconds(const Ui& ui, const Exercise& exercise, const StartResult& run, ImVec2 right_end, float room,
+                   bool longest) {
     const bool fell = has_fallen(exercise, run);
+    const Face face = longest ? Face::strong : Face::text;
+    const std::string seconds = fixed(ui, seconds_survived(run), 1);
+    std::string words = fill(ui.strings(fell ? "selection.fell" : "selection.stayed"), {seconds});
+    if (text_width(ui, face, words) > room) words = fill(ui.strings("time.seconds"), {seconds});
     const Colour tone = legible(fell ? ui.palette.warning : ui.palette.success, ui.palette.raised, ui.palette.text);
-    put_right(ui, right_end,
-              fill(ui.strings(fell ? "selection.fell" : "selection.stayed"), {fixed(ui, seconds_survived(run), 1)}),
-              tone, longest ? Face::strong : Face::text);
+    put_right(ui, right_end, words, tone, face);
 }
 
 // The frame of a picture, its run and its seconds below. `label`: what is written on the left of the seconds. That of
@@ -85,7 +88,8 @@ void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const St
     draw_run(ui, exercise, run, map, tone);
     const float y = at.bottom() - line - ui.px(2);
     put(ui, {at.rect.x + ui.px(6), y}, label, ui.palette.second_text, Face::text);
-    write_seconds(ui, exercise, run, {at.right() - ui.px(6), y}, longest);
+    const float of_label = text_width(ui, Face::text, label) + ui.px(label.empty() ? 0 : 6);
+    write_seconds(ui, exercise, run, {at.right() - ui.px(6), y}, at.rect.w - ui.px(12) - of_label, longest);
 }
 
 // The digit that was pressed for a child, 0-based; −1: none. Digits of other children are removed, too.
