@@ -106,6 +106,19 @@ TEST_F(LongExercise, AnotherExerciseBeginsAtItsTop) {
     EXPECT_EQ(cut_above(desk), "");
 }
 
+TEST_F(LongExercise, AnotherExerciseBeginsWithoutTheCardOfTheSensors) {
+    Desk desk(800, 600, 1, true);
+    desk.opened.offers.push_back("sensors");
+    begin(desk, 0);
+    desk.click("card.sensors.fold");
+    desk.frame(4);
+    ASSERT_FALSE(desk.panels.card(Card::sensors).folded);
+    desk.opened.id = "99-another";
+    desk.show_lesson();
+    desk.frame(6);
+    EXPECT_TRUE(desk.panels.card(Card::sensors).folded);
+}
+
 TEST_F(LongExercise, NoLineIsCutAboveTheOutcomeOnceEveryStepIsDone) {
     for (const char* language : languages_of_rows)
         for (const float height : {640.0f, 700.0f, 730.0f, 768.0f}) {

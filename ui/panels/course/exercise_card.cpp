@@ -285,6 +285,8 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
         state.exercise.note_open = false;
     state.exercise.steps_open = true;
     state.exercise.hints_seen = 0;
+    CardState& sensors = state.card(Card::sensors);  // open, it would take the room of the question
+    sensors.folded = traits(Card::sensors).folded, sensors.opened_by_user = false;
     aim_at(state.exercise.rows, ExerciseRows::Aim::top);
 }
 
