@@ -140,6 +140,11 @@ double time_of_a_comparison(const Scene& scene) {
 }
 
 TEST(SizeLimits, CountWhatATickCosts) {
+#ifdef __has_feature
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+    GTEST_SKIP() << "a sanitizer slows some work more than other";
+#endif
+#endif
     // That of a sensor and a stimulus, which most crowds consist of. Functions of headers are not optimised here.
     constexpr double most = 2.5;
     const Scene usual = crowd_of(2000, 200, eyes(1, Channel::vehicle));
