@@ -36,7 +36,7 @@ Refusal check_sensors(const Plan& plan, const std::vector<Sensor>& sensors) {
 
 Refusal check_arduino(const Plan& plan, int robot_rate) {
     const std::string_view board = "Arduino Uno";
-    if (const auto fault = arduino::sensor_fault(plan, board, arduino::analog_inputs)) return fault;
+    if (auto fault = arduino::sensor_fault(plan, board, arduino::analog_inputs)) return fault;
     if (plan.hidden() > static_cast<std::size_t>(arduino::most_neurons))
         return error_of(message_of("program_neurons", plan.hidden(), board, arduino::most_neurons));
     const arduino::Cost cost = arduino::cost_of(plan);

@@ -174,7 +174,7 @@ Numbers on the micro:bit have 30 bits and are cut, not rounded, so a command dif
 }  // namespace
 
 std::optional<Error> refusal(const Plan& plan) {
-    if (const auto fault = arduino::sensor_fault(plan, "micro:bit", analog_inputs)) return fault;
+    if (auto fault = arduino::sensor_fault(plan, "micro:bit", analog_inputs)) return fault;
     const std::size_t bytes = brain_py(plan).size();
     if (bytes > static_cast<std::size_t>(largest_brain)) return too_large(plan, bytes, "micro:bit", largest_brain);
     return std::nullopt;
