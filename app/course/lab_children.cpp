@@ -51,19 +51,20 @@ void follow_brain(Lesson& lesson, const BrainGraph& now) {
     forget_runs(lesson);
 }
 
-// The runs at the shown start and at other_starts more: of the parent, then of each of its children.
-constexpr std::size_t starts_of_a_brain = 1 + other_starts;
+// The run of the parent at the shown start, then those of each of its children there and at other_starts more.
+constexpr std::size_t starts_of_a_child = 1 + other_starts;
 
 Job<std::vector<StartResult>> submit_runs(Jobs& jobs, const Lesson& lesson) {
     constexpr int ticks_per_step = 60;  // about a millisecond
     const Parent& parent = lesson.selecting->parents.back();
     std::vector<BrainGraph> brains = children_of(*lesson.exercise, parent);
     brains.insert(brains.begin(), parent.brain);
-    const std::size_t count = brains.size() * starts_of_a_brain;
+    const std::size_t count = 1 + (brains.size() - 1) * starts_of_a_child;
     const auto begin = [exercise = lesson.exercise, brains = std::move(brains),
                         start = lesson.selecting->start](std::size_t part) {
-        const std::uint64_t seed = start + part % starts_of_a_brain;
-        return [trial = Trial(*exercise, with_brain(*exercise, brains[part / starts_of_a_brain]), seed)]() mutable {
+        const std::size_t brain = part == 0 ? 0 : 1 + (part - 1) / starts_of_a_child;
+        const std::uint64_t seed = part == 0 ? start : start + (part - 1) % starts_of_a_child;
+        return [trial = Trial(*exercise, with_brain(*exercise, brains[brain]), seed)]() mutable {
             return trial.run(ticks_per_step);
         };
     };
@@ -73,7 +74,7 @@ Job<std::vector<StartResult>> submit_runs(Jobs& jobs, const Lesson& lesson) {
 void take_runs(Lesson& lesson, const std::vector<StartResult>& runs) {
     Selecting& selecting = *lesson.selecting;
     selecting.parent_run = runs.front();
-    for (std::size_t first = starts_of_a_brain; first < runs.size(); first += starts_of_a_brain) {
+    for (std::size_t first = 1; first < runs.size(); first += starts_of_a_child) {
         selecting.child_runs.push_back(runs[first]);
         const auto others = runs.begin() + static_cast<std::ptrdiff_t>(first) + 1;
         selecting.child_stays.push_back(static_cast<int>(std::count_if(
