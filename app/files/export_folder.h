@@ -14,8 +14,8 @@ namespace braitenlab {
 std::optional<Error> export_folder_fault(const std::filesystem::path& folder);
 
 // Writes the files, or none of them; creates the folder. Where it holds an earlier export, removes those of its files
-// that this one does not have, such as the second sheet of a larger circuit. Files of the user stay, whatever their
-// name.
+// that this one does not have, such as the second sheet of a larger circuit. A text of the user stays, whatever its
+// name; lists of parts, nets and drawings are known by their names alone.
 std::optional<Error> write_export(const std::filesystem::path& folder, const std::vector<robots::ExportedFile>&);
 
 }  // namespace braitenlab
