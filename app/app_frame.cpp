@@ -17,6 +17,7 @@
 #include "app/title.h"
 #include "render/view/between.h"
 #include "ui/panels/cards.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/prompts.h"
 #include "ui/window_keys.h"
 
@@ -40,7 +41,7 @@ DocumentOnPage document_on_page(const Lab& lab, const LabView& view, const Strin
         on_page.lecture = lab.pages->lecture->path.string();
         on_page.page = lab.pages->page + 1, on_page.revealed = lab.pages->step;
     }
-    const bool is_hidden = hides_outcome(view) || (view.lecture && view.settings.revealed.asks_first);
+    const bool is_hidden = hides_outcome(view) || ui::hides_titles(view);
     if (view.program.title_page || (!lab.pages && is_hidden)) return on_page;
     const std::string title = lab.pages ? lab.pages->lecture->title : title_of(lab.document);
     on_page.title = strings.find(title, title);
