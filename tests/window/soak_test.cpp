@@ -155,7 +155,7 @@ TEST(Soak, TheWindowEnduresARandomUser) {
     lab.key("space");
     ASSERT_TRUE(LabWindow::eventually([&] { return lab.state()["mode"] == "paused"; }));
     lab.draw_frames();
-    EXPECT_TRUE(LabWindow::eventually([&] { return hash_on_disk(home) == lab.state()["hash"]; }, 10))
+    EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["hash"] == hash_on_disk(home); }, 10))
         << hash_on_disk(home) << " on the disk, " << lab.state()["hash"];
     EXPECT_EQ(lab.said(), "");
 }
