@@ -41,24 +41,10 @@ inline constexpr std::size_t card_count = static_cast<std::size_t>(Card::inspect
 // Every card in its initial state.
 std::array<CardState, card_count> initial_cards();
 
-// The sheet that covers the window; at most one, and simulated time is paused. sheets.cpp has one row of traits for
-// each.
+// The sheet that covers the window; at most one, and simulated time is paused. sheet_table.def has one row for each.
 enum class Sheet {
-    recovery,
-    keys,
-    files,
-    author,
-    robot,
-    settings,
-    about,
-    children,
-    students,
-    study,
-    breeding,
-    mystery,
-    take,
-    glossary,
-    leaving,
+#define SHEET(id, ...) id,
+#include "ui/panels/sheet_table.def"
     none
 };
 inline constexpr std::size_t sheet_count = static_cast<std::size_t>(Sheet::none);

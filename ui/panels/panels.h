@@ -73,32 +73,14 @@ void lecture_caption(const LabView&, Ui&, Rect);
 void lecture_question(const LabView&, PanelState&, Ui&, Rect);
 void lecture_notes(const LabView&, PanelState&, Ui&, Rect);
 
-// Sheets over the whole window; sheets.h says when they are drawn. A sheet resets PanelState::sheet to close.
-void keys_card(const LabView&, PanelState&, Ui&, Rect window);       // all shortcuts
-void files_sheet(const LabView&, PanelState&, Ui&, Rect window);     // open and save
-void author_sheet(const LabView&, PanelState&, Ui&, Rect window);    // the open scene as an exercise
-void follow_author(const LabView&, PanelState&, Ui&);                // opens it again for AuthorState::goes_on
-void robot_sheet(const LabView&, PanelState&, Ui&, Rect window);     // the selected vehicle's brain to a robot
-void settings_card(const LabView&, PanelState&, Ui&, Rect window);   // language, theme, type size, motion
-void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version, and licences of the libraries
-void children_sheet(const LabView&, PanelState&, Ui&, Rect window);  // children of a brain, of which one is chosen
-void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the students of this computer
-
-void mystery_sheet(const LabView&, PanelState&, Ui&, Rect window);    // a hidden brain and the score of a rebuilt one
-void study_sheet(const LabView&, PanelState&, Ui&, Rect window);      // runs of a study, as dots and boxes
-void breeding_sheet(const LabView&, PanelState&, Ui&, Rect window);   // predators and prey that evolve
-void follow_breeding(const LabView&, PanelState&, Ui&);               // opens it for BreedingView::shown
-void follow_study(const LabView&, PanelState&, Ui&);                  // opens it for StudyView::shown
-void take_away_sheet(const LabView&, PanelState&, Ui&, Rect window);  // pictures and clips as files
-void follow_take_away(const LabView&, PanelState&, Ui&);  // closes it once a clip is written; closed, cancels the clip
+// Sheets over the whole window; sheets.h says when they are drawn.
+#define SHEET(id, function, ...) void function(const LabView&, PanelState&, Ui&, Rect window);
+#define FOLLOWED_SHEET(id, function, follow, ...)                 \
+    void function(const LabView&, PanelState&, Ui&, Rect window); \
+    void follow(const LabView&, PanelState&, Ui&);
+#include "ui/panels/sheet_table.def"
 
 // unsaved_sheets.cpp
-// After a crash, while DocumentsView::recovery is set.
-void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);
-void follow_recovery(const LabView&, PanelState&, Ui&);
-// While FilesView::leaving is set.
-void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);
-void follow_leaving(const LabView&, PanelState&, Ui&);
 // "today at 14:05" for the time `when`, "2026-03-01 14:05:12", on the day `today`, "2026-03-01".
 std::string time_words(const Ui&, const std::string& when, const std::string& today);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ui/panels/course/author_state.h"
-#include "ui/panels/course/glossary.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 
@@ -26,96 +25,13 @@ bool key_for_children(PanelState& state, KeyPress press) {
     return true;
 }
 
-constexpr SheetTraits sheet_traits[]{
-    {.sheet = Sheet::recovery,
-     .anchor = "card.recovery",
-     .width = 460,
-     .draw = recovery_sheet,
-     .follow = follow_recovery},
-    {.sheet = Sheet::keys,
-     .anchor = "card.keys",
-     .heading = "keys.heading",
-     .width = 1060,
-     .draw = keys_card,
-     .reads = true},
-    {.sheet = Sheet::files,
-     .anchor = "card.open",
-     .draw = files_sheet,
-     .fields =
-         [](PanelState& state) {
-             FilesState& files = state.sheets.files;
-             return std::vector<TextField*>{&files.typed, &files.title, &files.story};
-         },
-     .keys = key_for_files},
-    {.sheet = Sheet::author,
-     .anchor = "card.author",
-     .heading = "author.heading",
-     .width = 680,
-     .draw = author_sheet,
-     .follow = follow_author,
-     .fields = [](PanelState& state) { return fields_of(state.sheets.author); }},
-    {.sheet = Sheet::robot,
-     .anchor = "card.robot",
-     .heading = "robot.heading",
-     .width = 620,
-     .draw = robot_sheet,
-     .fields = [](PanelState& state) { return std::vector{&state.sheets.robot.folder}; }},
-    {.sheet = Sheet::settings,
-     .anchor = "card.settings",
-     .heading = "settings.heading",
-     .width = 460,
-     .draw = settings_card},
-    {.sheet = Sheet::about, .anchor = "card.about", .width = 460, .draw = about_card, .reads = true},
-    {.sheet = Sheet::children, .anchor = "card.children", .draw = children_sheet, .keys = key_for_children},
-    {.sheet = Sheet::students,
-     .anchor = "card.students",
-     .heading = "students.heading",
-     .width = 460,
-     .draw = student_sheet,
-     .fields = [](PanelState& state) { return std::vector{&state.sheets.student_name}; }},
-    {.sheet = Sheet::study,
-     .anchor = "card.study",
-     .heading = "study.heading",
-     .width = 940,
-     .draw = study_sheet,
-     .follow = follow_study},
-    {.sheet = Sheet::breeding,
-     .anchor = "card.breeding",
-     .heading = "breeding.heading",
-     .width = 1080,
-     .draw = breeding_sheet,
-     .follow = follow_breeding},
-    {.sheet = Sheet::mystery,
-     .anchor = "card.mystery",
-     .heading = "mystery.heading",
-     .width = 860,
-     .draw = mystery_sheet},
-    {.sheet = Sheet::take,
-     .anchor = "card.take",
-     .heading = "take.heading",
-     .width = 540,
-     .draw = take_away_sheet,
-     .follow = follow_take_away},
-    {.sheet = Sheet::glossary,
-     .anchor = "card.glossary",
-     .heading = "glossary.heading",
-     .width = 640,
-     .draw = glossary_sheet},
-    {.sheet = Sheet::leaving,
-     .anchor = "card.leaving",
-     .heading = "leaving.heading",
-     .width = 480,
-     .draw = leaving_sheet,
-     .follow = follow_leaving},
-};
+#define SHEET(id, draws, ...) {.sheet = Sheet::id, .draw = draws, __VA_ARGS__},
+#define FOLLOWED_SHEET(id, draws, follows, ...) {.sheet = Sheet::id, .draw = draws, .follow = follows, __VA_ARGS__},
 
-constexpr bool has_a_row_for_each_sheet() {
-    if (std::size(sheet_traits) != sheet_count) return false;
-    for (std::size_t i = 0; i < sheet_count; ++i)
-        if (sheet_traits[i].sheet != static_cast<Sheet>(i) || !sheet_traits[i].draw) return false;
-    return true;
-}
-static_assert(has_a_row_for_each_sheet());
+constexpr SheetTraits sheet_traits[]{
+#include "ui/panels/sheet_table.def"
+};
+static_assert(std::size(sheet_traits) == sheet_count);
 
 // Scrolls the body of the sheet.
 bool scrolls_sheet(SheetState& sheet, bool reads, KeyPress press) {

@@ -1,4 +1,5 @@
-// One row of traits per sheet. Drawing, keys and scrolling are derived from this table.
+// The fields of ui/panels/sheet_table.def, which has one row per sheet. Drawing, keys and scrolling are derived from
+// this table.
 #pragma once
 
 #include <span>
@@ -16,14 +17,14 @@ namespace braitenlab::ui {
 // Esc, and a click beside it, close a sheet. While it is open, only keys of the window work beside its own.
 struct SheetTraits {
     Sheet sheet;
-    std::string_view anchor;   // "card.keys"
-    std::string_view heading;  // string key; empty: given to open_sheet()
-    float width = 0;           // layout pixels; 0: given to open_sheet()
-
     // While the sheet is open, after follow().
     void (*draw)(const LabView&, PanelState&, Ui&, Rect window) = nullptr;
     // Once a frame, also while the sheet is closed: opens or closes it, or reacts to its end. May be null.
     void (*follow)(const LabView&, PanelState&, Ui&) = nullptr;
+    std::string_view anchor;   // "card.keys"
+    std::string_view heading;  // string key; empty: given to open_sheet()
+    float width = 0;           // layout pixels; 0: given to open_sheet()
+
     // The text fields, which receive keys before all else. Null: none.
     std::vector<TextField*> (*fields)(PanelState&) = nullptr;
     // Handles a key of the sheet; it comes before Esc and the keys of the focus. True if the key is handled. May be

@@ -60,9 +60,6 @@ void draw_entry(const LabView&, Ui&, const GlossaryTerm&, float width);
 // As paragraph(), with the first mention of each term in this frame underlined by dots: a click, or Enter, opens it.
 void paragraph_with_terms(Ui&, GlossaryState&, std::string_view, Colour);
 
-// The sheet with all terms.
-void glossary_sheet(const LabView&, PanelState&, Ui&, Rect window);
-
 // The card of the term that is open, beside its word; Escape or a click elsewhere closes it. Call after all cards.
 void term_card(const LabView&, PanelState&, Ui&, Rect window);
 
