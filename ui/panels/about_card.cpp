@@ -8,11 +8,9 @@
 
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
-#include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 
 namespace braitenlab::ui {
@@ -58,9 +56,7 @@ void about_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     }
     ImGui::Dummy({width, y - at.y});
     sheet_buttons(ui, sheet);
-    const Item close = button(ui, "about.close", {{}, ui.strings("keys.close"), Emphasis::primary});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    const bool closed = close.pressed;
+    const bool closed = close_button(ui, "about.close");
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 

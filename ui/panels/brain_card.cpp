@@ -251,9 +251,8 @@ void missing_sensors_note(const LabView& view, PanelState& state, Ui& ui, const 
     std::string names;
     for (const Sensor& sensor : added) names += (names.empty() ? "" : ", ") + sensor_label(ui, added, sensor);
     paragraph(ui, fill(ui.strings("brain.missing_sensors"), {names}), ui.palette.second_text, Face::small);
-    const Item add = small_button(ui, {"brain.add_sensors", icon::add, ui.strings("brain.add_sensors")});
-    tooltip(ui, add, ui.strings("brain.add_sensors_how"));
-    if (add.pressed)
+    if (small_push_button(ui, {"brain.add_sensors", icon::add, ui.strings("brain.add_sensors")},
+                          ui.strings("brain.add_sensors_how")))
         request_sensors(view, ui.outbox, vehicle, with_sensors(kind.sensors, added),
                         gestures::panels + ++state.sliders.gesture);
 }
@@ -334,9 +333,7 @@ void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float wi
     const std::string key = "drive." + std::string(word(vehicle.driver));
     paragraph(ui, ui.strings(key), ui.palette.text, Face::small, width);
     const SmallButton back{"drive.back", {}, ui.strings("drive.back")};
-    const Item at = small_button(ui, back);
-    tooltip(ui, at, ui.strings("tooltip.drive_back"));
-    if (at.pressed)
+    if (small_push_button(ui, back, ui.strings("tooltip.drive_back")))
         ui.outbox.push_back(
             EditRequest{ChooseDriver{vehicle.id, Driver::brain}, gestures::panels + ++state.sliders.gesture});
     ImGui::EndGroup();
@@ -347,15 +344,15 @@ void free_play_row(const LabView& view, Ui& ui) {
     if (!view.lesson || offers_all(*view.lesson->exercise)) return;
     gap(ui, spacing::tight);
     const bool free = view.lesson->attempt.work.free_play;
-    const Item at = small_button(
-        ui, {"button.free_play", {}, ui.strings(free ? "exercise.offered_only" : "exercise.free_play"), free});
-    tooltip(ui, at, ui.strings("exercise.free_play_how"));
-    if (at.pressed) ui.outbox.push_back(FreePlayRequest{!free});
+    if (small_push_button(
+            ui, {"button.free_play", {}, ui.strings(free ? "exercise.offered_only" : "exercise.free_play"), free},
+            ui.strings("exercise.free_play_how")))
+        ui.outbox.push_back(FreePlayRequest{!free});
     if (!offers(*view.lesson->exercise, offer_parts::wiring) || view.mode == Mode::wiring) return;
     ImGui::SameLine(0, ui.px(spacing::tight));
-    const Item open = small_button(ui, {"button.open_wiring", icon::wiring, ui.strings("exercise.open_wiring")});
-    tooltip(ui, open, ui.strings("exercise.open_wiring_how"));
-    if (open.pressed) ui.outbox.push_back(Action::wiring);
+    if (small_push_button(ui, {"button.open_wiring", icon::wiring, ui.strings("exercise.open_wiring")},
+                          ui.strings("exercise.open_wiring_how")))
+        ui.outbox.push_back(Action::wiring);
 }
 
 void driver_panel(PanelState& state, Ui& ui, const VehicleView& vehicle) {

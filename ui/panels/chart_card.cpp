@@ -172,9 +172,7 @@ void sort_headers(PanelState& state, Ui& ui) {
         const bool on = order.by == by;
         const std::string text = std::string(words[i]) + (on ? order.falling ? " ↓" : " ↑" : "");
         if (i > 0) ImGui::SameLine(0, ui.px(spacing::small));
-        const Item at = small_button(ui, {anchors[i], {}, text, on});
-        tooltip(ui, at, ui.strings("charts.sort_how"));
-        if (!at.pressed) continue;
+        if (!small_push_button(ui, {anchors[i], {}, text, on}, ui.strings("charts.sort_how"))) continue;
         order.falling = on ? !order.falling : by == EnergyOrder::By::energy;
         order.by = by;
     }

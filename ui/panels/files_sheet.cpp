@@ -14,7 +14,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -148,25 +147,23 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
                                                                                  : "files.save");
         ButtonLook look{{}, words, Emphasis::primary};
         look.enabled = !files.typed.text.empty();
-        const Item at = button(ui, "files.do", look);
-        tooltip(ui, at, ui.strings(files.saving ? "files.save_how" : "files.open_how"),
-                key_name({key::enter}, ui.strings));
-        if (at.pressed && files.saving) save_file(view, files, ui);
-        if (at.pressed && !files.saving) request_file(view, files, ui, OpenRequest{files.typed.text});
+        const bool pressed =
+            push_button(ui, "files.do", look, ui.strings(files.saving ? "files.save_how" : "files.open_how"),
+                        key_name({key::enter}, ui.strings));
+        if (pressed && files.saving) save_file(view, files, ui);
+        if (pressed && !files.saving) request_file(view, files, ui, OpenRequest{files.typed.text});
         ImGui::SameLine(0, ui.px(spacing::small));
     }
     if (view.program.uploads && !files.saving) {
-        const Item upload = button(ui, "files.upload", {{}, ui.strings("files.upload")});
-        tooltip(ui, upload, ui.strings("files.upload_how"));
-        if (upload.pressed) {
+        if (push_button(ui, "files.upload", {{}, ui.strings("files.upload")}, ui.strings("files.upload_how"))) {
             ui.outbox.push_back(UploadRequest{});
             state.sheet = Sheet::none;
         }
         ImGui::SameLine(0, ui.px(spacing::small));
     }
-    const Item cancel = button(ui, "files.cancel", {{}, ui.strings("files.cancel")});
-    tooltip(ui, cancel, ui.strings("files.cancel_how"), key_name({key::escape}, ui.strings));
-    if (cancel.pressed) state.sheet = Sheet::none;
+    if (push_button(ui, "files.cancel", {{}, ui.strings("files.cancel")}, ui.strings("files.cancel_how"),
+                    key_name({key::escape}, ui.strings)))
+        state.sheet = Sheet::none;
 }
 
 bool is_exercise(const LabView& view, const std::string& name) {

@@ -14,7 +14,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -200,9 +199,7 @@ void keys_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     }
     ImGui::Dummy({width, lowest - top});
     sheet_buttons(ui, sheet);
-    const Item close = button(ui, "keys.close", {{}, ui.strings("keys.close"), Emphasis::primary});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    const bool closed = close.pressed;
+    const bool closed = close_button(ui, "keys.close");
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 

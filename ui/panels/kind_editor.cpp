@@ -222,15 +222,15 @@ private:
                 continue;
             }
             const std::string gone = row.anchor + ".remove";
-            const Item at = small_button(ui_, {gone, {}, ui_.strings("values.lamp_remove")});
-            tooltip(ui_, at, ui_.strings("values.lamp_remove"));
+            const bool pressed = small_push_button(ui_, {gone, {}, ui_.strings("values.lamp_remove")},
+                                                   ui_.strings("values.lamp_remove"));
             gap(ui_, 10);
-            if (at.pressed) remove(row, &Kind::lamps, i);
+            if (pressed) remove(row, &Kind::lamps, i);
         }
         if (kind_.lamps.size() >= limits::lamps) return;
-        const Item more = small_button(ui_, {"lamp.add", icon::add, ui_.strings("values.lamp_add")});
-        tooltip(ui_, more, ui_.strings("values.lamp_add_how"));
-        if (!more.pressed) return;
+        if (!small_push_button(ui_, {"lamp.add", icon::add, ui_.strings("values.lamp_add")},
+                               ui_.strings("values.lamp_add_how")))
+            return;
         std::vector<CarriedLamp>& all = changed(rows().next_gesture()).lamps;
         const auto is_used = [&](const std::string& name) {
             return std::any_of(all.begin(), all.end(), [&](const CarriedLamp& l) { return l.name == name; });
@@ -274,9 +274,9 @@ private:
             else if (edit)
                 replace(&Kind::waypoints, i, edit->to, edit->gesture);
         }
-        const Item more = button(ui_, "waypoint.add", {icon::add, ui_.strings("values.waypoint_add"), Emphasis::plain});
-        tooltip(ui_, more, ui_.strings("values.path_how"));
-        if (more.pressed && kind_.waypoints.size() < limits::waypoints) {
+        if (push_button(ui_, "waypoint.add", {icon::add, ui_.strings("values.waypoint_add"), Emphasis::plain},
+                        ui_.strings("values.path_how")) &&
+            kind_.waypoints.size() < limits::waypoints) {
             const VehicleView* selected = find_vehicle(*view_.now, view_.settings.selection.vehicle);
             changed(rows().next_gesture())
                 .waypoints.push_back(selected ? Waypoint{selected->x, selected->y} : Waypoint{});

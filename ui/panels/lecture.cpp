@@ -95,9 +95,9 @@ float page_number(const LabView& view, Ui& ui, float free_from, float right, Rec
     const ButtonLook previous_look = look(icon::previous, "<"), next_look = look(icon::next, ">");
     const auto page_button = [&](std::string_view anchor, const ButtonLook& its_look, Action action, float x) {
         ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
-        const Item item = button(ui, anchor, its_look);
-        tooltip(ui, item, ui.strings("action." + std::string(name(action))), key_name(action, ui.strings));
-        if (item.pressed) ui.outbox.push_back(action);
+        if (push_button(ui, anchor, its_look, ui.strings("action." + std::string(name(action))),
+                        key_name(action, ui.strings)))
+            ui.outbox.push_back(action);
     };
     const std::string words =
         std::to_string(view.pages->page + 1) + "/" + std::to_string(view.pages->lecture->pages.size());
@@ -123,9 +123,8 @@ float home_button(const LabView& view, Ui& ui, float free_from, float right, Rec
     const float x = right - ui.px(spacing::small) - button_width(ui, look);
     if (x < free_from) return right;
     ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
-    const Item item = button(ui, "lecture.home", look);
-    tooltip(ui, item, words, key_name(Action::home, ui.strings));
-    if (item.pressed) ui.outbox.push_back(Action::home);
+    if (push_button(ui, "lecture.home", look, words, key_name(Action::home, ui.strings)))
+        ui.outbox.push_back(Action::home);
     return x;
 }
 
@@ -139,9 +138,9 @@ float back_button(const LabView& view, Ui& ui, float free_from, float right, Rec
     if (right - ui.px(spacing::small) - button_width(ui, look) < free_from) look.words = few;
     const float x = right - ui.px(spacing::small) - button_width(ui, look);
     ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
-    const Item item = button(ui, "lecture.back", look);
-    tooltip(ui, item, fill(ui.strings("lecture.resume"), {translated(ui, left.lecture->title), page}), key);
-    if (item.pressed) ui.outbox.emplace_back(back_to_page(view));
+    if (push_button(ui, "lecture.back", look,
+                    fill(ui.strings("lecture.resume"), {translated(ui, left.lecture->title), page}), key))
+        ui.outbox.emplace_back(back_to_page(view));
     return x;
 }
 

@@ -10,7 +10,6 @@
 #include "ui/panels/course/scene_picture.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
-#include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -109,15 +108,6 @@ void legend_of_mystery(Ui& ui) {
     ImGui::Dummy({card_width(ui), line});
 }
 
-void progress_of_mystery(const MysteryView& view, Ui& ui) {
-    paragraph(ui, ui.strings("mystery.computing"), ui.palette.second_text, Face::small);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = card_width(ui), height = ui.px(4);
-    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
-    if (view.progress > 0) fill_box(ui, {at.x, at.y, width * view.progress, height}, ui.palette.accent, Corner::bar);
-    ImGui::Dummy({width, height});
-}
-
 // True if the sheet closes.
 bool mystery_buttons(const LabView& lab, Ui& ui) {
     const MysteryView& view = lab.features.mystery;
@@ -125,11 +115,10 @@ bool mystery_buttons(const LabView& lab, Ui& ui) {
     const auto offer = [&](const char* id, std::string_view sign, MysteryEdit edit, bool enabled, bool primary) {
         ButtonLook look{sign, ui.strings(id), primary ? Emphasis::primary : Emphasis::plain};
         look.enabled = enabled;
-        const Item at = button(ui, id, look);
-        tooltip(ui, at, ui.strings(std::string(id) + "_how"));
-        if (at.pressed) ui.outbox.emplace_back(MysteryRequest{edit});
+        const bool pressed = push_button(ui, id, look, ui.strings(std::string(id) + "_how"));
+        if (pressed) ui.outbox.emplace_back(MysteryRequest{edit});
         ImGui::SameLine();
-        return at.pressed;
+        return pressed;
     };
     const bool is_hidden = view.hidden != no_vehicle;
     bool closes = false;
@@ -142,9 +131,7 @@ bool mystery_buttons(const LabView& lab, Ui& ui) {
             closes = offer("mystery.rebuild", icon::add, MysteryEdit::rebuild, true, view.rebuilt == no_vehicle);
         if (may_edit) offer("mystery.reveal", icon::sensors, MysteryEdit::reveal, true, false);
     }
-    const Item close = button(ui, "mystery.close", {{}, ui.strings("keys.close")});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    return closes || close.pressed;
+    return close_button(ui, "mystery.close", Emphasis::plain) || closes;
 }
 
 }  // namespace
@@ -155,7 +142,10 @@ void mystery_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
     paragraph(ui, ui.strings(view.hidden == no_vehicle ? "mystery.story" : "mystery.steps"), ui.palette.text);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
     gap(ui, 8);
-    if (view.is_computing) progress_of_mystery(view, ui);
+    if (view.is_computing) {
+        paragraph(ui, ui.strings("mystery.computing"), ui.palette.second_text, Face::small);
+        progress_bar(ui, view.progress);
+    }
     if (view.score && view.scene && !view.is_computing) {
         score_of_mystery(*view.score, ui);
         gap(ui, 8);

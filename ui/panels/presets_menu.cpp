@@ -127,10 +127,9 @@ void kept_sensors(Ui& ui, const BrainGraph& brain) {
 // Buttons that open the file browser to load or save a brain.
 void own_brains(PanelState& state, Ui& ui) {
     const auto wanted = [&](const SmallButton& look, std::string_view how) {
-        const Item at = small_button(ui, look);
-        tooltip(ui, at, how);
-        if (at.pressed) ImGui::CloseCurrentPopup(), state.sheet = Sheet::files;
-        return at.pressed;
+        const bool pressed = small_push_button(ui, look, how);
+        if (pressed) ImGui::CloseCurrentPopup(), state.sheet = Sheet::files;
+        return pressed;
     };
     ImGui::SetCursorScreenPos(
         {ImGui::GetCursorScreenPos().x + ui.px(spacing::medium), ImGui::GetCursorScreenPos().y + ui.px(6)});

@@ -215,39 +215,35 @@ private:
 
     void buttons() {
         if (!robots_.is_on) {
-            const Item go =
-                button(ui_, "reality.try",
-                       {icon::play, fill(strings("reality.try"), {std::to_string(robots_.count)}), Emphasis::primary});
-            tooltip(ui_, go, strings("reality.try_how"));
-            if (go.pressed) request({.tries = true});
+            if (push_button(
+                    ui_, "reality.try",
+                    {icon::play, fill(strings("reality.try"), {std::to_string(robots_.count)}), Emphasis::primary},
+                    strings("reality.try_how")))
+                request({.tries = true});
             return;
         }
         if (robots_.replayed) return back_button();
         const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
         if (robots_.report) {
             const SmallButton weakest{"reality.weakest", icon::play, strings("reality.replay_weakest")};
-            const Item one = small_button(ui_, weakest);
-            tooltip(ui_, one, strings("reality.replay_weakest_how"));
-            if (one.pressed) request({.replays = std::optional<int>(robots_.report->weakest)});
+            if (small_push_button(ui_, weakest, strings("reality.replay_weakest_how")))
+                request({.replays = std::optional<int>(robots_.report->weakest)});
             const SmallButton every{"reality.all", icon::play, strings("reality.replay_all")};
             beside_or_below(ui_, small_button_width(ui_, every, true), right);
-            const Item all = small_button(ui_, every);
-            tooltip(ui_, all, strings("reality.replay_all_how"));
-            if (all.pressed) request({.replays = std::optional<int>(every_robot)});
+            if (small_push_button(ui_, every, strings("reality.replay_all_how")))
+                request({.replays = std::optional<int>(every_robot)});
         } else {
             progress_bar(card_width(ui_) * 0.55f);
         }
         const SmallButton stop{"reality.cancel", icon::cross, strings("reality.cancel")};
         beside_or_below(ui_, small_button_width(ui_, stop, true), right);
-        const Item end = small_button(ui_, stop);
-        tooltip(ui_, end, strings("reality.cancel_how"));
-        if (end.pressed) request({.tries = false});
+        if (small_push_button(ui_, stop, strings("reality.cancel_how"))) request({.tries = false});
     }
 
     void back_button() {
-        const Item back = button(ui_, "reality.back", {icon::undo, strings("reality.back"), Emphasis::primary});
-        tooltip(ui_, back, strings("reality.back_how"), key_name({key::escape}, ui_.strings));
-        if (back.pressed) request({.replays = std::optional<std::optional<int>>(std::in_place, std::nullopt)});
+        if (push_button(ui_, "reality.back", {icon::undo, strings("reality.back"), Emphasis::primary},
+                        strings("reality.back_how"), key_name({key::escape}, ui_.strings)))
+            request({.replays = std::optional<std::optional<int>>(std::in_place, std::nullopt)});
     }
 
     const LabView& view_;

@@ -123,13 +123,13 @@ struct RobotSheet {
         }
         ButtonLook look{{}, words(replaces() ? "robot.replace" : "robot.export"), Emphasis::primary};
         look.enabled = static_cast<bool>(*state.made);
-        const Item yes = button(ui, "robot.export", look);
-        tooltip(ui, yes, words("robot.export_how"), key_name({key::enter}, ui.strings));
-        if (look.enabled && (yes.pressed || state.folder.entered)) write();
+        const bool yes =
+            push_button(ui, "robot.export", look, words("robot.export_how"), key_name({key::enter}, ui.strings));
+        if (look.enabled && (yes || state.folder.entered)) write();
         ImGui::SameLine(0, ui.px(spacing::small));
-        const Item cancel = button(ui, "robot.cancel", {{}, words("files.cancel")});
-        tooltip(ui, cancel, words("robot.cancel_how"), key_name({key::escape}, ui.strings));
-        if (cancel.pressed) panels.sheet = Sheet::none;
+        if (push_button(ui, "robot.cancel", {{}, words("files.cancel")}, words("robot.cancel_how"),
+                        key_name({key::escape}, ui.strings)))
+            panels.sheet = Sheet::none;
     }
 };
 

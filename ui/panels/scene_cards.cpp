@@ -75,13 +75,13 @@ bool channel_swatch(Ui& ui, Channel channel, bool chosen) {
 
 void object_buttons(Ui& ui) {
     gap(ui, 8);
-    const Item copy = button(ui, "thing.duplicate", {{}, ui.strings("action.duplicate")});
-    tooltip(ui, copy, ui.strings("action.duplicate"), key_name(Action::duplicate, ui.strings));
-    if (copy.pressed) ui.outbox.push_back(Action::duplicate);
+    if (push_button(ui, "thing.duplicate", {{}, ui.strings("action.duplicate")}, ui.strings("action.duplicate"),
+                    key_name(Action::duplicate, ui.strings)))
+        ui.outbox.push_back(Action::duplicate);
     ImGui::SameLine(0, ui.px(spacing::small));
-    const Item gone = button(ui, "thing.erase", {{}, ui.strings("menu.erase")});
-    tooltip(ui, gone, ui.strings("menu.erase"), key_name(Action::erase, ui.strings));
-    if (gone.pressed) ui.outbox.push_back(Action::erase);
+    if (push_button(ui, "thing.erase", {{}, ui.strings("menu.erase")}, ui.strings("menu.erase"),
+                    key_name(Action::erase, ui.strings)))
+        ui.outbox.push_back(Action::erase);
 }
 
 void source_values(const LabView& view, PanelState& state, Ui& ui, int index) {

@@ -148,9 +148,9 @@ private:
     void own_sensors() {
         if (vehicle_.design < 0) return;
         paragraph(ui_, ui_.strings("sensors.own"), ui_.palette.second_text, Face::small);
-        const Item at = small_button(ui_, {"sensor.as_kind", icon::undo, ui_.strings("sensors.as_kind")});
-        tooltip(ui_, at, ui_.strings("sensors.as_kind_how"));
-        if (!at.pressed) return;
+        if (!small_push_button(ui_, {"sensor.as_kind", icon::undo, ui_.strings("sensors.as_kind")},
+                               ui_.strings("sensors.as_kind_how")))
+            return;
         const auto& of_kind = view_.now->scene->kinds[static_cast<std::size_t>(vehicle_.kind)].sensors;
         ui_.outbox.push_back(EditRequest{SetSensors{{.vehicle = vehicle_.id}, of_kind}, next_gesture()});
     }
@@ -160,9 +160,7 @@ private:
         const auto pressed = [&](const SmallButton& look, std::string_view how, bool first = false) {
             const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
             if (!first) beside_or_below(ui_, small_button_width(ui_, look, true), right);
-            const Item at = small_button(ui_, look);
-            tooltip(ui_, at, ui_.strings(how));
-            return at.pressed;
+            return small_push_button(ui_, look, ui_.strings(how));
         };
         if (pressed({"sensor.add", icon::add, ui_.strings("sensors.add"), state_.sensors.adding}, "sensors.add_how",
                     true))

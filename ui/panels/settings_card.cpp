@@ -12,7 +12,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 
 namespace braitenlab::ui {
@@ -103,9 +102,8 @@ void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& want
     if (wanted != fresh) state.sheets.before_reset.reset();  // changed since the reset
     ImGui::SameLine(0, ui.px(spacing::small));
     if (state.sheets.before_reset) {
-        const Item back = button(ui, "settings.restore", {{}, ui.strings("settings.restore")});
-        tooltip(ui, back, ui.strings("settings.restore_how"));
-        if (back.pressed) {
+        if (push_button(ui, "settings.restore", {{}, ui.strings("settings.restore")},
+                        ui.strings("settings.restore_how"))) {
             wanted = *state.sheets.before_reset;
             state.sheets.before_reset.reset();
         }
@@ -113,9 +111,7 @@ void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& want
     }
     ButtonLook look{{}, ui.strings("settings.reset")};
     look.enabled = wanted != fresh;
-    const Item at = button(ui, "settings.reset", look);
-    tooltip(ui, at, ui.strings("settings.reset_how"));
-    if (!at.pressed) return;
+    if (!push_button(ui, "settings.reset", look, ui.strings("settings.reset_how"))) return;
     state.sheets.before_reset = wanted;
     wanted = fresh;
     reset_cards(state);
@@ -133,9 +129,7 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     motion_choice(ui, wanted);
     quality_choice(view, ui, wanted);
     sheet_buttons(ui, sheet);
-    const Item close = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    const bool closed = close.pressed;
+    const bool closed = close_button(ui, "settings.close");
     reset_all(view, state, ui, wanted);
     if (wanted != view.program.preferences) ui.outbox.push_back(PreferencesRequest{wanted});
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;

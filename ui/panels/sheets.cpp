@@ -73,6 +73,11 @@ SheetState& open_sheet(PanelState& state, Ui& ui, Sheet which, Rect window, std:
     return sheet;
 }
 
+bool close_button(Ui& ui, std::string_view id, Emphasis emphasis) {
+    return push_button(ui, id, {{}, ui.strings("keys.close"), emphasis}, ui.strings("keys.close_how"),
+                       key_name({key::escape}, ui.strings));
+}
+
 bool key_for_sheet_text(PanelState& state, KeyPress press) {
     if (state.sheet == Sheet::none || !traits(state.sheet).fields) return false;
     const std::vector<TextField*> fields = traits(state.sheet).fields(state);

@@ -8,6 +8,7 @@
 
 #include "ui/lab_view.h"
 #include "ui/panels/panel_state.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/sheet.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/ui.h"
@@ -43,6 +44,9 @@ void draw_sheets(const LabView&, PanelState&, Ui&, Rect window);
 // begin_sheet() with anchor, heading and width of the table's row; `heading` and `layout_width` replace the row's.
 // Follow with sheet_buttons() and end_sheet() of the returned state.
 SheetState& open_sheet(PanelState&, Ui&, Sheet, Rect window, std::string_view heading = {}, float layout_width = 0);
+
+// The button that closes a sheet, which Esc does, too. True when it is pressed.
+bool close_button(Ui&, std::string_view id, Emphasis = Emphasis::primary);
 
 // Handles a key for the text fields of the open sheet. Returns true if it is handled.
 bool key_for_sheet_text(PanelState&, KeyPress);

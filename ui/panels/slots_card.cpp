@@ -61,9 +61,8 @@ void slot_row(const LabView& view, Ui& ui, std::size_t slot) {
         shown.design ? ui.palette.text : ui.palette.second_text, Face::small);
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({right - width, of_letter.y});
-    const Item store_it = small_button(ui, store);
-    tooltip(ui, store_it, fill(ui.strings("slots.store_how"), {letter}));
-    if (store_it.pressed) ui.outbox.emplace_back(SlotRequest{slot, true});
+    if (small_push_button(ui, store, fill(ui.strings("slots.store_how"), {letter})))
+        ui.outbox.emplace_back(SlotRequest{slot, true});
 }
 
 std::string with_unit(const std::string& number, std::string_view unit) { return number + " " + std::string(unit); }
@@ -131,9 +130,9 @@ void compare_row(const LabView& view, Ui& ui) {
     const std::string_view why = why_no_comparison(view);
     ButtonLook look{icon::play, ui.strings("button.compare")};
     look.enabled = why.empty(), look.compact = true;
-    const Item at = button(ui, "button.compare", look);
-    tooltip(ui, at, ui.strings(why.empty() ? "tooltip.compare" : why), key_name(Action::compare, ui.strings));
-    if (at.pressed) ui.outbox.emplace_back(Action::compare);
+    if (push_button(ui, "button.compare", look, ui.strings(why.empty() ? "tooltip.compare" : why),
+                    key_name(Action::compare, ui.strings)))
+        ui.outbox.emplace_back(Action::compare);
 }
 
 }  // namespace

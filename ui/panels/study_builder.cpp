@@ -9,7 +9,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
@@ -86,10 +85,10 @@ void value_row(const LabView& view, StudyDraft& draft, SliderState& sliders, Ui&
     const bool open = draft.unfolded == static_cast<int>(which);
     const std::string words = of ? axis_words(ui, *of) : std::string(ui.strings("study.no_value"));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const Item name = small_button(ui, {begin, open ? icon::unfolded : icon::folded,
-                                        shortened(ui, words, Face::small, ui.px(name_width - 40)), open});
-    tooltip(ui, name, ui.strings("study.value_how"));
-    if (name.pressed) {
+    if (small_push_button(ui,
+                          {begin, open ? icon::unfolded : icon::folded,
+                           shortened(ui, words, Face::small, ui.px(name_width - 40)), open},
+                          ui.strings("study.value_how"))) {
         draft.unfolded = open ? -1 : static_cast<int>(which);
         if (of) draft.group = group_of(of->owner);
     }

@@ -12,7 +12,6 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
 #include "ui/panels/study_draft.h"
-#include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -219,9 +218,8 @@ void study_choice(const LabView& lab, StudyDraft& draft, Ui& ui, float right) {
     const std::string_view why = why_no_draft(lab);
     const SmallButton which{"study.new", {}, ui.strings("study.new"), draft.open};
     beside_or_below(ui, small_button_width(ui, which, true), right);
-    const Item item = small_button(ui, which);
-    tooltip(ui, item, ui.strings(why.empty() ? "study.new_how" : why));
-    if (item.pressed && why.empty()) draft.open = !draft.open;
+    if (small_push_button(ui, which, ui.strings(why.empty() ? "study.new_how" : why)) && why.empty())
+        draft.open = !draft.open;
     if (!why.empty()) draft.open = false;
 }
 
@@ -245,12 +243,7 @@ void progress(const StudyView& view, Ui& ui) {
               fill(ui.strings("study.progress"),
                    {std::to_string(done), std::to_string(study.runs()), seconds, std::to_string(study.seeds)}),
               ui.palette.second_text, Face::small);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = card_width(ui), height = ui.px(4);
-    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
-    const float share = static_cast<float>(done) / static_cast<float>(study.runs());
-    if (done > 0) fill_box(ui, {at.x, at.y, width * share, height}, ui.palette.accent, Corner::bar);
-    ImGui::Dummy({width, height + ui.px(spacing::tight)});
+    progress_bar(ui, static_cast<float>(done) / static_cast<float>(study.runs()), spacing::tight);
 }
 
 void save_table(const StudyView& view, Ui& ui) {
@@ -259,12 +252,6 @@ void save_table(const StudyView& view, Ui& ui) {
     for (std::size_t run = 0; run < view.rows->size(); ++run)
         table.text += insight::study_line(*view.base, run, (*view.rows)[run]);
     ui.outbox.emplace_back(std::move(table));
-}
-
-bool close_button(Ui& ui) {
-    const Item close = button(ui, "study.close", {{}, ui.strings("keys.close")});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    return close.pressed;
 }
 
 // True if the sheet closes.
@@ -277,7 +264,7 @@ bool draft_buttons(StudyDraft& draft, std::optional<Study> study, Ui& ui) {
         draft.open = false;
     }
     ImGui::SameLine();
-    return close_button(ui);
+    return close_button(ui, "study.close", Emphasis::plain);
 }
 
 // True if the sheet closes.
@@ -310,11 +297,10 @@ bool study_buttons(const StudyView& view, Ui& ui) {
     ImGui::SameLine();
     ButtonLook figure{icon::save, ui.strings("study.figure")};
     figure.enabled = view.base && done == view.base->study().runs();
-    const Item draw = button(ui, "study.figure", figure);
-    tooltip(ui, draw, ui.strings("study.figure_how"));
-    if (draw.pressed) ui.outbox.emplace_back(StudyRequest{StudyEdit::figure, {}});
+    if (push_button(ui, "study.figure", figure, ui.strings("study.figure_how")))
+        ui.outbox.emplace_back(StudyRequest{StudyEdit::figure, {}});
     ImGui::SameLine();
-    return close_button(ui);
+    return close_button(ui, "study.close", Emphasis::plain);
 }
 
 }  // namespace

@@ -203,18 +203,17 @@ void take_away_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect windo
         ButtonLook look{icon::save, ui.strings("take.save"), Emphasis::primary};
         look.enabled =
             (state.page == TakePage::picture ? why_no_picture(view, state) : why_no_clip(view, state)).empty();
-        const Item save = button(ui, "button.clip", look);
-        tooltip(ui, save, ui.strings(view.program.uploads ? "take.save_page_how" : "take.save_how"));
-        if (save.pressed) {
+        if (push_button(ui, "button.clip", look,
+                        ui.strings(view.program.uploads ? "take.save_page_how" : "take.save_how"))) {
             ui.outbox.emplace_back(TakeAwayRequest{wanted});
             if (!row_of(wanted.kind).is_clip) panels.sheet = Sheet::none;
         }
         ImGui::SameLine(0, ui.px(spacing::small));
     }
-    const Item cancel = button(ui, "take.cancel", {{}, ui.strings("files.cancel"), Emphasis::quiet});
-    tooltip(ui, cancel, ui.strings("take.cancel_how"), key_name({key::escape}, ui.strings));
+    const bool cancel = push_button(ui, "take.cancel", {{}, ui.strings("files.cancel"), Emphasis::quiet},
+                                    ui.strings("take.cancel_how"), key_name({key::escape}, ui.strings));
     const bool beside = end_sheet(sheet);
-    if (cancel.pressed || (beside && !view.program.clip_progress)) panels.sheet = Sheet::none;
+    if (cancel || (beside && !view.program.clip_progress)) panels.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

@@ -70,9 +70,8 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     ImGui::SetCursorScreenPos({x, y + ui.px(above_button)});
     ButtonLook look{{}, ui.strings("title.begin"), Emphasis::primary};
     look.min_width = begin_width;
-    const Item begin = button(ui, "title.begin", look);
-    tooltip(ui, begin, ui.strings("title.begin_how"), key_name({key::enter}, ui.strings));
-    if (begin.pressed) ui.outbox.push_back(BeginRequest{});
+    if (push_button(ui, "title.begin", look, ui.strings("title.begin_how"), key_name({key::enter}, ui.strings)))
+        ui.outbox.push_back(BeginRequest{});
     put(ui, {x, window.y + window.h - ui.px(32)}, view.program.version, ui.palette.second_text, Face::small);
     ImGui::End();
 }

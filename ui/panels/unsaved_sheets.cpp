@@ -95,20 +95,20 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     SheetState& sheet = open_sheet(state, ui, Sheet::leaving, window);
     leaving_question(view, ui);
     sheet_buttons(ui, sheet);
-    const Item yes =
-        button(ui, "leaving.save",
-               {{}, ui.strings(files.save_to.empty() ? "leaving.save_as" : "leaving.save"), Emphasis::primary});
-    tooltip(ui, yes, files.save_to.empty() ? ui.strings("leaving.save_how") : std::string_view(files.save_to));
+    const bool yes =
+        push_button(ui, "leaving.save",
+                    {{}, ui.strings(files.save_to.empty() ? "leaving.save_as" : "leaving.save"), Emphasis::primary},
+                    files.save_to.empty() ? ui.strings("leaving.save_how") : std::string_view(files.save_to));
     ImGui::SameLine(0, ui.px(spacing::small));
-    const Item no = button(ui, "leaving.discard", {{}, ui.strings("leaving.discard")});
-    tooltip(ui, no, ui.strings("leaving.discard_how"));
+    const bool no =
+        push_button(ui, "leaving.discard", {{}, ui.strings("leaving.discard")}, ui.strings("leaving.discard_how"));
     ImGui::SameLine(0, ui.px(spacing::small));
     const Item stay = button(ui, "leaving.stay", {{}, ui.strings("files.cancel"), Emphasis::quiet});
     tooltip(ui, stay, ui.strings("leaving.stay_how"), key_name({key::escape}, ui.strings));
     const bool beside = end_sheet(sheet);
-    if (yes.pressed)
+    if (yes)
         save_before_leaving(view, state, ui);
-    else if (no.pressed)
+    else if (no)
         ui.outbox.push_back(LeaveRequest{Leave::discard});
     else if (stay.pressed || beside)
         ui.outbox.push_back(LeaveRequest{Leave::stay});
@@ -135,16 +135,16 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
               ui.palette.text);
     if (!view.documents.recovery->file.empty()) file_row(ui, view.documents.recovery->file);
     sheet_buttons(ui, sheet);
-    const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
-    tooltip(ui, take, ui.strings("recovery.take_how"));
+    const bool take = push_button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary},
+                                  ui.strings("recovery.take_how"));
     ImGui::SameLine(0, ui.px(spacing::small));
-    const Item discard = button(ui, "recovery.discard", {{}, ui.strings("recovery.discard")});
-    tooltip(ui, discard, ui.strings("recovery.discard_how"));
+    const bool discard =
+        push_button(ui, "recovery.discard", {{}, ui.strings("recovery.discard")}, ui.strings("recovery.discard_how"));
     ImGui::SameLine(0, ui.px(spacing::small));
-    const Item later = button(ui, "recovery.later", {{}, ui.strings("recovery.later"), Emphasis::quiet});
-    tooltip(ui, later, ui.strings("recovery.later_how"), key_name({key::escape}, ui.strings));
-    if (take.pressed || discard.pressed) ui.outbox.push_back(RecoverRequest{take.pressed});
-    if (end_sheet(sheet) || later.pressed) state.sheet = Sheet::none;
+    const bool later = push_button(ui, "recovery.later", {{}, ui.strings("recovery.later"), Emphasis::quiet},
+                                   ui.strings("recovery.later_how"), key_name({key::escape}, ui.strings));
+    if (take || discard) ui.outbox.push_back(RecoverRequest{take});
+    if (end_sheet(sheet) || later) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui

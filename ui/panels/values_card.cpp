@@ -13,7 +13,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
@@ -62,9 +61,7 @@ void kind_names(const LabView& view, ValuesState& values, Ui& ui) {
             kinds.size() == 1 && view.lesson ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind);
         const SmallButton look{id, {}, words, i == values.kind};
         if (i > 0) beside_or_below(ui, small_button_width(ui, look, true), right);
-        const Item at = small_button(ui, look);
-        tooltip(ui, at, ui.strings("values.kind_how"));
-        if (at.pressed) values.kind = i;
+        if (small_push_button(ui, look, ui.strings("values.kind_how"))) values.kind = i;
     }
 }
 
@@ -74,9 +71,7 @@ void kind_buttons(const LabView& view, PanelState& state, Ui& ui) {
     const auto index = static_cast<std::size_t>(state.values.kind);
     ButtonLook more{{}, ui.strings("values.kind_add")};
     more.compact = true;
-    const Item add = button(ui, "kind.add", more);
-    tooltip(ui, add, ui.strings("values.kind_add_how"));
-    if (add.pressed) {
+    if (push_button(ui, "kind.add", more, ui.strings("values.kind_add_how"))) {
         Kind copy = index < now.scene->kinds.size() ? now.scene->kinds[index] : Kind{};
         if (index < now.kind_brains.size()) copy.brain = *now.kind_brains[index];
         copy.share = 0;
@@ -89,9 +84,8 @@ void kind_buttons(const LabView& view, PanelState& state, Ui& ui) {
     ImGui::SameLine(0, ui.px(spacing::small));
     ButtonLook look{{}, ui.strings("values.kind_remove")};
     look.enabled = !used, look.compact = true;
-    const Item gone = button(ui, "kind.remove", look);
-    tooltip(ui, gone, ui.strings(used ? "values.kind_used" : "values.kind_remove_how"));
-    if (gone.pressed) ui.outbox.push_back(EditRequest{RemoveKind{state.values.kind}});
+    if (push_button(ui, "kind.remove", look, ui.strings(used ? "values.kind_used" : "values.kind_remove_how")))
+        ui.outbox.push_back(EditRequest{RemoveKind{state.values.kind}});
 }
 
 // The kind of the selected vehicle, whenever another vehicle is selected.
@@ -165,9 +159,8 @@ void start_row(const LabView& view, PanelState& state, Ui& ui) {
     }
     ImGui::SetCursorScreenPos({at.x, at.y + ui.px(button_height + 8)});
     const auto press = [&](std::string_view id, std::string_view words, std::string_view how, Action action) {
-        const Item pressed = small_button(ui, {id, {}, ui.strings(words)});
-        tooltip(ui, pressed, ui.strings(how), key_name(action, ui.strings));
-        if (pressed.pressed) ui.outbox.push_back(action);
+        if (small_push_button(ui, {id, {}, ui.strings(words)}, ui.strings(how), key_name(action, ui.strings)))
+            ui.outbox.push_back(action);
     };
     press("button.same_start", "button.same_start", "tooltip.same_start", Action::reset);
     ImGui::SameLine(0, ui.px(spacing::small));

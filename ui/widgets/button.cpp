@@ -83,6 +83,12 @@ Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
     return at;
 }
 
+bool push_button(Ui& ui, std::string_view id, const ButtonLook& look, std::string_view how, std::string_view shortcut) {
+    const Item at = button(ui, id, look);
+    tooltip(ui, at, how, shortcut);
+    return at.pressed;
+}
+
 namespace {
 
 // Of the icon and the space behind it; wide icons take more.
@@ -115,6 +121,12 @@ Item small_button(Ui& ui, const SmallButton& look, bool words) {
     }
     put(ui, {x, at.middle_y() - line_height(ui, Face::small) / 2}, look.words, p.text, Face::small);
     return at;
+}
+
+bool small_push_button(Ui& ui, const SmallButton& look, std::string_view how, std::string_view shortcut) {
+    const Item at = small_button(ui, look);
+    tooltip(ui, at, how, shortcut);
+    return at.pressed;
 }
 
 void beside_or_below(const Ui& ui, float width, float right) {

@@ -29,6 +29,8 @@ float button_width(const Ui&, const ButtonLook&);
 float least_width_for(const Ui&, ButtonLook, std::initializer_list<std::string_view> keys);
 
 Item button(Ui&, std::string_view id, const ButtonLook&);
+// The same with its tooltip, and the key that does what it does. True when it is pressed.
+bool push_button(Ui&, std::string_view id, const ButtonLook&, std::string_view how, std::string_view shortcut = {});
 
 // A small button with one line of small words.
 struct SmallButton {
@@ -38,6 +40,7 @@ struct SmallButton {
 inline constexpr float small_button_height = 24;                      // layout pixels
 float small_button_width(const Ui&, const SmallButton&, bool words);  // without words: the icon only
 Item small_button(Ui&, const SmallButton&, bool words = true);
+bool small_push_button(Ui&, const SmallButton&, std::string_view how, std::string_view shortcut = {});
 
 // Puts a widget of this width to the right of the last one, or below it where it would pass `right`; window pixels.
 void beside_or_below(const Ui&, float width, float right);

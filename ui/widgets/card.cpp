@@ -218,6 +218,14 @@ void gap(const Ui& ui, float layout_pixels) {
     ImGui::Dummy({1, std::max(0.0f, ui.px(layout_pixels) - ui.px(spacing::small))});
 }
 
+void progress_bar(const Ui& ui, float share, float below) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui), height = ui.px(4);
+    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
+    if (share > 0) fill_box(ui, {at.x, at.y, width * share, height}, ui.palette.accent, Corner::bar);
+    ImGui::Dummy({width, height + ui.px(below)});
+}
+
 void subheading(Ui& ui, std::string_view words) {
     const float with_text = line_height(ui, Face::small) + ui.px(spacing::small) + line_height(ui, Face::text);
     const WholeLines whole(ImGui::GetCursorScreenPos().y, with_text);

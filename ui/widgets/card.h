@@ -65,6 +65,9 @@ void end_overlay();
 // card_width() of the card in this rectangle, also outside its body.
 float card_width(const Ui&, Rect card);
 
+// As wide as the card, at the cursor; `share` of it is filled. `below`: gap, layout pixels.
+void progress_bar(const Ui&, float share, float below = 0);
+
 // A vertical gap; a small heading within a card.
 void gap(const Ui&, float layout_pixels);
 void subheading(Ui&, std::string_view);

@@ -9,7 +9,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 
@@ -55,9 +54,7 @@ int wrapped_choices(Ui& ui, const std::string& anchor, std::span<const std::stri
         const SmallButton look{id, {}, choices[static_cast<std::size_t>(i)], i == chosen};
         if (i > 0 && ImGui::GetItemRectMax().x + ui.px(field_gap) + small_button_width(ui, look, true) <= right)
             ImGui::SameLine(0, ui.px(field_gap));
-        const Item at = small_button(ui, look);
-        tooltip(ui, at, how);
-        if (at.pressed && i != chosen) clicked = i;
+        if (small_push_button(ui, look, how) && i != chosen) clicked = i;
     }
     return clicked;
 }

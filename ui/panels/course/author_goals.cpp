@@ -9,7 +9,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -29,9 +28,7 @@ bool AuthorFields::toggle(const std::string& id, std::string_view label, bool on
         ImGui::SameLine(0, ui.px(spacing::small)), x += ui.px(spacing::small) + width;
     else
         x = width;
-    const Item at = small_button(ui, look);
-    tooltip(ui, at, how);
-    return at.pressed;
+    return small_push_button(ui, look, how);
 }
 
 int AuthorFields::choice(const std::string& id, const std::vector<std::string>& names, std::string_view chosen,
@@ -167,9 +164,8 @@ void option(const AuthorFields& page, std::size_t i) {
         id_of_answer, {}, page.words("author.answer"), state.draft.prediction.answer == static_cast<int>(i)};
     const float y = ImGui::GetCursorPosY();
     ImGui::SetCursorPosY(y + ui.px(button_height - small_button_height) / 2);
-    const Item at = small_button(ui, look);
-    tooltip(ui, at, page.words("author.answer_how"));
-    if (at.pressed) state.draft.prediction.answer = static_cast<int>(i);
+    if (small_push_button(ui, look, page.words("author.answer_how")))
+        state.draft.prediction.answer = static_cast<int>(i);
     const float aside = small_button_width(ui, look, true) + ui.px(8);
     ImGui::SameLine(0, ui.px(spacing::small));
     ImGui::SetCursorPosY(y);
@@ -261,19 +257,19 @@ void author_wrong_page(const AuthorFields& page) {
         text_field(ui, state.wrong_names[i], id, card_width(ui) - aside, {}, page.words("author.wrong_name_how"));
         ImGui::SameLine(0, ui.px(spacing::small));
         ImGui::SetCursorPosY(y + ui.px(button_height - small_button_height) / 2);
-        const Item at = small_button(ui, remove);
-        tooltip(ui, at, page.words("author.remove_wrong_how"));
+        const bool pressed = small_push_button(ui, remove, page.words("author.remove_wrong_how"));
         ImGui::SetCursorPosY(y + ui.px(button_height + 6));
-        if (at.pressed) return remove_wrong(state, i);
+        if (pressed) return remove_wrong(state, i);
     }
     const BrainGraph* brain = brain_in_window(page);
     const bool is_known = std::any_of(state.draft.wrong.begin(), state.draft.wrong.end(),
                                       [&](const WrongDraft& each) { return brain && each.brain == *brain; });
     ButtonLook look{icon::add, page.words("author.add_wrong")};
     look.enabled = brain && !is_known && state.draft.wrong.size() < author_wrong;
-    const Item add = button(ui, "author.wrong.add", look);
-    tooltip(ui, add, page.words(is_known ? "author.wrong_known" : "author.add_wrong_how"));
-    if (!add.pressed || !look.enabled) return;
+    if (!push_button(ui, "author.wrong.add", look,
+                     page.words(is_known ? "author.wrong_known" : "author.add_wrong_how")) ||
+        !look.enabled)
+        return;
     state.wrong_names[state.draft.wrong.size()].text =
         fill(page.words("author.wrong_name"), {std::to_string(state.draft.wrong.size() + 1)});
     state.draft.wrong.push_back({"", *brain});

@@ -14,7 +14,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
 #include "ui/widgets/theme.h"
@@ -117,13 +116,12 @@ struct AuthorSheet : AuthorFields {
     }
 
     void buttons() const {
-        const Item yes = button(ui, "author.save", {{}, words("author.save"), Emphasis::primary});
-        tooltip(ui, yes, words("author.save_how"));
-        if (yes.pressed) save();
+        if (push_button(ui, "author.save", {{}, words("author.save"), Emphasis::primary}, words("author.save_how")))
+            save();
         ImGui::SameLine(0, ui.px(spacing::small));
-        const Item cancel = button(ui, "author.cancel", {{}, words("files.cancel")});
-        tooltip(ui, cancel, words("author.cancel_how"), key_name({key::escape}, ui.strings));
-        if (cancel.pressed) panels.sheet = Sheet::none;
+        if (push_button(ui, "author.cancel", {{}, words("files.cancel")}, words("author.cancel_how"),
+                        key_name({key::escape}, ui.strings)))
+            panels.sheet = Sheet::none;
     }
 
     void pages() const {

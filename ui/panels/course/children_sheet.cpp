@@ -150,18 +150,16 @@ std::array<ButtonLook, 3> looks_of_buttons(const Ui& ui) {
 // True if the sheet closes.
 bool children_buttons(const LabView& view, PanelState& state, Ui& ui) {
     auto [play, back, end] = looks_of_buttons(ui);
-    const Item watch = button(ui, "selection.watch", play);
-    tooltip(ui, watch, ui.strings("selection.watch_how"));
-    if (watch.pressed && view.mode != Mode::playing) state.chosen.push_back(Action::play_pause);
+    const bool watch = push_button(ui, "selection.watch", play, ui.strings("selection.watch_how"));
+    if (watch && view.mode != Mode::playing) state.chosen.push_back(Action::play_pause);
     ImGui::SameLine();
     back.enabled = view.lesson->selection->generation > 0;
-    const Item earlier = button(ui, "selection.back", back);
-    tooltip(ui, earlier, ui.strings("selection.back_how"));
-    if (earlier.pressed) ui.outbox.emplace_back(EarlierGenerationRequest{});
+    if (push_button(ui, "selection.back", back, ui.strings("selection.back_how")))
+        ui.outbox.emplace_back(EarlierGenerationRequest{});
     ImGui::SameLine();
-    const Item close = button(ui, "selection.close", end);
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    return watch.pressed || close.pressed;
+    const bool close =
+        push_button(ui, "selection.close", end, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    return watch || close;
 }
 
 // Of the parent and three children beside each other, and of the buttons below; without the borders of the sheet.
@@ -227,9 +225,9 @@ void generation_of_selection(const LabView& view, Ui& ui) {
 
 void selection_button(const LabView& view, PanelState& state, Ui& ui) {
     if (!view.lesson->selection) return;
-    const Item at = button(ui, "selection.open", {{}, ui.strings("selection.open"), Emphasis::primary});
-    tooltip(ui, at, ui.strings("selection.open_how"));
-    if (at.pressed) state.sheet = Sheet::children;
+    if (push_button(ui, "selection.open", {{}, ui.strings("selection.open"), Emphasis::primary},
+                    ui.strings("selection.open_how")))
+        state.sheet = Sheet::children;
 }
 
 }  // namespace braitenlab::ui

@@ -11,7 +11,6 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -52,9 +51,9 @@ void findings_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
                                      .icon = icon::cross}};
     if (open_card(state, ui, Card::findings, place, buttons)) {
         if (view.documents.has_draft) {
-            const Item again = button(ui, "findings.edit", {{}, ui.strings("findings.edit"), Emphasis::primary});
-            tooltip(ui, again, ui.strings("tooltip.edit_again"));
-            if (again.pressed) state.chosen.push_back(Action::edit_again);
+            if (push_button(ui, "findings.edit", {{}, ui.strings("findings.edit"), Emphasis::primary},
+                            ui.strings("tooltip.edit_again")))
+                state.chosen.push_back(Action::edit_again);
             gap(ui, spacing::small);
         }
         for (const Finding& finding : *view.findings) finding_row(finding, ui);

@@ -57,9 +57,7 @@ void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window
     ImGui::EndGroup();
     ImGui::PopStyleVar();
     sheet_buttons(ui, sheet);
-    const Item close = button(ui, "glossary.close", {{}, ui.strings("keys.close"), Emphasis::primary});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
-    const bool closed = close.pressed;
+    const bool closed = close_button(ui, "glossary.close");
     if (end_sheet(sheet) || closed) panels.sheet = Sheet::none;
 }
 

@@ -45,17 +45,15 @@ void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t o
     TextField& field = state.lecture.hands[option];
     if (!field.active) field.text = std::to_string(hands);
     const std::string less = option_id("lecture.less.", option), more = option_id("lecture.more.", option);
-    const Item minus = button(ui, less, {{}, "−", Emphasis::plain, false, hands > 0, hands_button});
-    tooltip(ui, minus, ui.strings("lecture.less"));
-    if (minus.pressed) ask(hands - 1);
+    if (push_button(ui, less, {{}, "−", Emphasis::plain, false, hands > 0, hands_button}, ui.strings("lecture.less")))
+        ask(hands - 1);
     ImGui::SameLine();
     text_field(ui, field, option_id("lecture.hands.", option), ui.px(hands_field), "0", ui.strings("lecture.hands"));
     if (field.active || field.entered)
         if (const auto typed = typed_count(field.text); typed && *typed != hands) ask(*typed);
     ImGui::SameLine();
-    const Item plus = button(ui, more, {{}, "+", Emphasis::plain, false, true, hands_button});
-    tooltip(ui, plus, ui.strings("lecture.more"));
-    if (plus.pressed) ask(hands + 1);
+    if (push_button(ui, more, {{}, "+", Emphasis::plain, false, true, hands_button}, ui.strings("lecture.more")))
+        ask(hands + 1);
 }
 
 // The share of all hands as a bar at the cursor with its percentage at the right edge; in the middle of a row so high.

@@ -57,14 +57,12 @@ void naming(const LabView& view, PanelState& state, Ui& ui) {
     const bool is_taken = !is_free && !tidy_student_name(state.sheets.student_name.text).empty();
     ButtonLook add{icon::add, ui.strings("students.add")}, rename{{}, ui.strings("students.rename")};
     add.enabled = rename.enabled = is_free;
-    const Item one = button(ui, "students.add", add);
-    tooltip(ui, one, ui.strings(is_taken ? "students.taken" : "students.add_how"));
+    const bool one = push_button(ui, "students.add", add, ui.strings(is_taken ? "students.taken" : "students.add_how"));
     ImGui::SameLine();
-    const Item other = button(ui, "students.rename", rename);
-    tooltip(ui, other, ui.strings(is_taken ? "students.taken" : "students.rename_how"));
-    if (one.pressed || (state.sheets.student_name.entered && is_free))
-        return request_students(state, ui, StudentEdit::add);
-    if (other.pressed) request_students(state, ui, StudentEdit::rename);
+    const bool other =
+        push_button(ui, "students.rename", rename, ui.strings(is_taken ? "students.taken" : "students.rename_how"));
+    if (one || (state.sheets.student_name.entered && is_free)) return request_students(state, ui, StudentEdit::add);
+    if (other) request_students(state, ui, StudentEdit::rename);
 }
 
 // Forgetting the progress can be taken back as long as nothing new is added to it.
@@ -93,10 +91,9 @@ void student_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     gap(ui, 4);
     student_rows(view, ui);
     sheet_buttons(ui, sheet);
-    const Item close = button(ui, "students.close", {{}, ui.strings("keys.close"), Emphasis::primary});
-    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    const bool closed = close_button(ui, "students.close");
     keeping(view, ui);
-    if (end_sheet(sheet) || close.pressed) state.sheet = Sheet::none;
+    if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui
