@@ -36,7 +36,7 @@ void toggle_lesion(CanvasState& state, const CanvasFrame& frame, Outbox& outbox)
 }
 
 // The node under the pointer, unless it is selected: then all selected ones. All of them get a probe, or lose theirs.
-void toggle_probes(CanvasState& state, const CanvasFrame& frame) {
+void toggle_probes(CanvasState& state, const CanvasFrame& frame, Outbox&) {
     std::set<NodeId> chosen = state.selection.nodes;
     if (state.hovered.is_of_node() && !state.selection.contains(state.hovered)) chosen = {state.hovered.node};
     const bool has_all = std::all_of(chosen.begin(), chosen.end(), [&](NodeId id) {
@@ -51,10 +51,10 @@ void toggle_probes(CanvasState& state, const CanvasFrame& frame) {
     }
 }
 
-void select_all(CanvasState& state, const Layout& layout) {
+void select_all(CanvasState& state, const CanvasFrame& frame, Outbox&) {
     state.selection = {};
-    for (const NodeShape& node : layout.nodes) state.selection.nodes.insert(node.id);
-    for (const WireShape& wire : layout.wires)
+    for (const NodeShape& node : frame.layout.nodes) state.selection.nodes.insert(node.id);
+    for (const WireShape& wire : frame.layout.wires)
         if (!wire.ghost) state.selection.wires.insert(wire.ends);
 }
 
@@ -64,14 +64,15 @@ void step_in_menu(CanvasMenu& menu, Direction direction) {
     if (direction == Direction::up) menu.current = (std::max(menu.current, 0) + count - 1) % count;
 }
 
-void step(CanvasState& state, const CanvasFrame& frame, Direction direction) {
+template <Direction direction>
+void step(CanvasState& state, const CanvasFrame& frame, Outbox&) {
     if (state.menu.open()) return step_in_menu(state.menu, direction);
     state.focus = next_in(direction, frame.layout, state.focus, state.joining.has_value());
     if (!state.joining && state.focus.part != Part::nothing) select(state, state.focus, false);
     if (const auto at = centre_of(frame.layout, state.focus)) reveal(state.camera, frame.area, frame.ui_scale, *at);
 }
 
-void begin_joining(CanvasState& state, const CanvasFrame& frame) {
+void begin_joining(CanvasState& state, const CanvasFrame& frame, Outbox&) {
     const NodeShape* shape =
         state.selection.nodes.size() == 1 ? find_shape(frame.layout, *state.selection.nodes.begin()) : nullptr;
     if (shape == nullptr) return show_refusal(state, frame, "wiring.refused.join_one");
@@ -118,7 +119,44 @@ void arrange(CanvasState& state, const CanvasFrame& frame, Arrangement wanted, O
     send_positions(frame, state.held, state.next_gesture++, outbox);
 }
 
+struct CanvasAction {
+    Action action;
+    void (*act)(CanvasState&, const CanvasFrame&, Outbox&);
+    bool in_menu = false;  // acts on an open menu; another action closes it
+};
+
+constexpr CanvasAction canvas_actions[]{
+    {Action::menu, enter, true},
+    {Action::step_left, step<Direction::left>, true},
+    {Action::step_right, step<Direction::right>, true},
+    {Action::step_up, step<Direction::up>, true},
+    {Action::step_down, step<Direction::down>, true},
+    {Action::erase, erase_selected},
+    {Action::fit, [](CanvasState& state, const CanvasFrame& frame,
+                     Outbox&) { fit(state.camera, frame.layout, frame.area, frame.ui_scale, frame.has_buttons); }},
+    {Action::tidy, tidy_up},
+    {Action::copy, [](CanvasState& state, const CanvasFrame& frame, Outbox&) { copy_selected(state, frame); }},
+    {Action::cut,
+     [](CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+         if (copy_selected(state, frame)) erase_selected(state, frame, outbox);
+     }},
+    {Action::paste, paste_copied},
+    {Action::duplicate, duplicate_selected},
+    {Action::select_all, select_all},
+    {Action::lesion, toggle_lesion},
+    {Action::probe, toggle_probes},
+    {Action::join, begin_joining},
+};
+
+const CanvasAction* find_canvas_action(Action action) {
+    for (const CanvasAction& row : canvas_actions)
+        if (row.action == action) return &row;
+    return nullptr;
+}
+
 }  // namespace
+
+bool is_of_canvas(Action action) { return find_canvas_action(action) != nullptr; }
 
 void open_menu(CanvasState& state, const CanvasFrame& frame, vec2 at) {
     state.menu = {};
@@ -150,49 +188,9 @@ void cancel_drag(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
 void execute(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& outbox) {
     if (action == Action::cancel) return cancel(state, frame, outbox);
     if (state.drag.phase != DragPhase::idle) return;  // keys wait until the drag ends
-    switch (action) {
-        case Action::menu:
-            return enter(state, frame, outbox);
-        case Action::step_left:
-            return step(state, frame, Direction::left);
-        case Action::step_right:
-            return step(state, frame, Direction::right);
-        case Action::step_up:
-            return step(state, frame, Direction::up);
-        case Action::step_down:
-            return step(state, frame, Direction::down);
-        default:
-            break;
-    }
-    state.menu = {};
-    switch (action) {
-        case Action::erase:
-            return erase_selected(state, frame, outbox);
-        case Action::fit:
-            return fit(state.camera, frame.layout, frame.area, frame.ui_scale, frame.has_buttons);
-        case Action::tidy:
-            return tidy_up(state, frame, outbox);
-        case Action::copy:
-            copy_selected(state, frame);
-            return;
-        case Action::cut:
-            if (copy_selected(state, frame)) erase_selected(state, frame, outbox);
-            return;
-        case Action::paste:
-            return paste_copied(state, frame, outbox);
-        case Action::duplicate:
-            return duplicate_selected(state, frame, outbox);
-        case Action::select_all:
-            return select_all(state, frame.layout);
-        case Action::lesion:
-            return toggle_lesion(state, frame, outbox);
-        case Action::probe:
-            return toggle_probes(state, frame);
-        case Action::join:
-            return begin_joining(state, frame);
-        default:
-            return;
-    }
+    const CanvasAction* row = find_canvas_action(action);
+    if (!row || !row->in_menu) state.menu = {};
+    if (row) row->act(state, frame, outbox);
 }
 
 void choose(CanvasState& state, const CanvasFrame& frame, int index, Outbox& outbox) {
@@ -214,7 +212,7 @@ void execute(CanvasState& state, const CanvasFrame& frame, const MenuRow& row, c
                 if (const Node* node = find_node(frame.graph, id)) state.for_chart.push_back(node->name);
             return;
         case MenuCommand::join:
-            return begin_joining(state, frame);
+            return begin_joining(state, frame, outbox);
         case MenuCommand::insert:
             if (one_wire) insert_new(state, frame, *state.selection.wires.begin(), outbox);
             return;

@@ -212,34 +212,10 @@ void handle_input(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) 
 }
 
 bool press_key(CanvasState& state, Action action) {
-    const bool dragging = state.drag.phase != DragPhase::idle;
-    const bool anything = !state.selection.empty();
-    bool wanted = false;
-    switch (action) {
-        case Action::cancel:
-            wanted = dragging || anything || state.menu.open() || state.joining;
-            break;
-        case Action::erase:  // also with nothing selected: Del must not remove the vehicle
-        case Action::copy:
-        case Action::cut:
-        case Action::duplicate:
-        case Action::fit:
-        case Action::tidy:
-        case Action::paste:
-        case Action::select_all:
-        case Action::lesion:
-        case Action::probe:
-        case Action::join:
-        case Action::menu:
-        case Action::step_left:
-        case Action::step_right:
-        case Action::step_up:
-        case Action::step_down:
-            wanted = true;
-            break;
-        default:
-            break;
-    }
+    const bool ends_a_part =
+        state.drag.phase != DragPhase::idle || !state.selection.empty() || state.menu.open() || state.joining;
+    // Others also with nothing selected: Del must not remove the vehicle.
+    const bool wanted = action == Action::cancel ? ends_a_part : is_of_canvas(action);
     if (wanted) state.actions.push_back(action);
     return wanted;
 }

@@ -26,6 +26,7 @@ void open_drop_menu(CanvasState&, const CanvasFrame&, Hit pin);
 void cancel_drag(CanvasState&, const CanvasFrame&, Outbox&);
 
 void execute(CanvasState&, const CanvasFrame&, Action, Outbox&);
+bool is_of_canvas(Action);  // has an effect there; Action::cancel is not one of them
 
 // `menu`: the menu that the row is from.
 void execute(CanvasState&, const CanvasFrame&, const MenuRow&, const CanvasMenu& menu, Outbox&);
