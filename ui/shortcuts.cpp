@@ -86,21 +86,13 @@ constexpr NamedKey named_keys[]{
     {key::page_down, "key.page_down"},
 };
 
+// From key::right to key::up.
+constexpr const char* arrow_names[]{"→", "←", "↓", "↑"};
+
 std::string bare_key_name(int pressed, const Strings& strings) {
     for (const NamedKey& named : named_keys)
         if (named.key == pressed) return std::string(strings(named.words));
-    switch (pressed) {
-        case key::left:
-            return "←";
-        case key::right:
-            return "→";
-        case key::up:
-            return "↑";
-        case key::down:
-            return "↓";
-        default:
-            break;
-    }
+    if (pressed >= key::right && pressed <= key::up) return arrow_names[pressed - key::right];
     if (pressed >= key::f1 && pressed < key::f1 + 25) return "F" + std::to_string(pressed - key::f1 + 1);
     return std::string(1, static_cast<char>(pressed));
 }

@@ -1,9 +1,11 @@
 #include "ui/scene_input/polygon_tool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/enum_table.h"
 #include "core/maths/angle.h"
 #include "core/scene/schema.h"
 #include "ui/scene_input/under_pointer.h"
@@ -18,6 +20,16 @@ constexpr float corner_grip = 11;  // layout pixels around the first corner: a c
 constexpr float least_corner_distance = 0.1f;  // m
 constexpr double outline_refusal_seconds = 3;
 
+// In the order of OutlineFault.
+constexpr std::array<std::string_view, 7> outline_refusals{"",
+                                                           "scene_input.refused.too_near",
+                                                           "scene_input.refused.crosses",
+                                                           "scene_input.refused.dents",
+                                                           "scene_input.refused.too_many",
+                                                           "scene_input.refused.too_few",
+                                                           "scene_input.refused.too_narrow"};
+static_assert(has_enumerators<OutlineFault, outline_refusals.size()>());
+
 void show_refusal(SceneInputState& state, double wall_seconds, std::string_view key) {
     state.refusal = {std::string(key), wall_seconds + outline_refusal_seconds};
 }
@@ -30,25 +42,7 @@ void add_corner(SceneInputState& state, const LabView& view, vec2 at) {
 
 }  // namespace
 
-std::string_view refusal_of(OutlineFault fault) {
-    switch (fault) {
-        case OutlineFault::none:
-            break;
-        case OutlineFault::too_near:
-            return "scene_input.refused.too_near";
-        case OutlineFault::crosses:
-            return "scene_input.refused.crosses";
-        case OutlineFault::dents:
-            return "scene_input.refused.dents";
-        case OutlineFault::too_many:
-            return "scene_input.refused.too_many";
-        case OutlineFault::too_few:
-            return "scene_input.refused.too_few";
-        case OutlineFault::too_narrow:
-            return "scene_input.refused.too_narrow";
-    }
-    return {};
-}
+std::string_view refusal_of(OutlineFault fault) { return outline_refusals[static_cast<std::size_t>(fault)]; }
 
 void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at, Outbox& outbox) {
     const SceneInputPointer& pointer = frame.pointer;

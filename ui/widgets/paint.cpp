@@ -236,17 +236,10 @@ void put_icon(const Ui& ui, ImVec2 middle, std::string_view name, Colour colour,
 namespace {
 
 float corner_radius(const Ui& ui, Rect r, Corner corner) {
-    switch (corner) {
-        case Corner::square:
-            return 0;
-        case Corner::bar:
-            return ui.px(radius::bar);
-        case Corner::box:
-            return ui.px(radius::box);
-        case Corner::round:
-            return std::min(r.w, r.h) / 2;
-    }
-    return 0;
+    return corner == Corner::bar     ? ui.px(radius::bar)
+           : corner == Corner::box   ? ui.px(radius::box)
+           : corner == Corner::round ? std::min(r.w, r.h) / 2
+                                     : 0;
 }
 
 }  // namespace
