@@ -302,6 +302,11 @@ struct LabView {
 inline float finger_reach(const LabView& view) { return view.program.touch ? 1.75f : 1.0f; }
 inline float finger_size(const LabView& view) { return view.program.touch ? 1.5f : 1.0f; }
 
+// Null when no vehicle is selected.
+inline const VehicleView* selected_vehicle(const LabView& view) {
+    return find_vehicle(*view.now, view.settings.selection.vehicle);
+}
+
 // The kind of this name as the file has it, before all edits; null when the file is unknown or has no such kind.
 inline const Kind* filed_kind(const LabView& view, const std::string& name) {
     const int kind = view.file ? find_kind(*view.file, name) : -1;
@@ -336,7 +341,7 @@ inline bool shows_driving_brain(const LabView& view, const VehicleView& vehicle)
 
 // True if the cause of the selected vehicle's turns may be told.
 inline bool can_tell_why(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     return vehicle && view.may.why && shows_driving_brain(view, *vehicle);
 }
 
@@ -352,7 +357,7 @@ inline std::string_view why_no_slots(const VehicleView* vehicle, bool shows_driv
     return shows_driving_brain ? "" : "unavailable.why";
 }
 inline std::string_view why_no_slots(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     return why_no_slots(vehicle, vehicle && shows_driving_brain(view, *vehicle));
 }
 
@@ -386,7 +391,7 @@ inline bool hides_character(const LabView& view, const VehicleView& vehicle) {
 // where the counts of both take this place.
 inline const VehicleView* vehicle_of_live_picture(const LabView& view) {
     if (!view.lecture || view.now->predators + view.now->prey > 0) return nullptr;
-    return find_vehicle(*view.now, view.settings.selection.vehicle);
+    return selected_vehicle(view);
 }
 
 // The pair of sensors whose wires the sliders set.

@@ -18,9 +18,7 @@ namespace {
 
 constexpr std::string_view nothing_selected = "unavailable.nothing_selected";
 
-const VehicleView* selected_in(const LabView& view) { return find_vehicle(*view.now, view.settings.selection.vehicle); }
-
-bool has_vehicle(const LabView& view) { return selected_in(view) != nullptr; }
+bool has_vehicle(const LabView& view) { return selected_vehicle(view) != nullptr; }
 
 bool has_objects(const LabView& view) { return !objects_beside_vehicles(*view.now->scene).empty(); }
 
@@ -89,7 +87,7 @@ std::string_view no_cause(const LabView& view, const PanelState&) {
 }
 
 std::string_view no_map(const LabView& view, const PanelState&) {
-    const VehicleView* vehicle = selected_in(view);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (view.settings.map) return "";
     if (!vehicle) return "unavailable.no_vehicle";
     if (view.mode == Mode::wiring) return "unavailable.scene_only";
@@ -97,7 +95,7 @@ std::string_view no_map(const LabView& view, const PanelState&) {
 }
 
 std::string_view no_robots(const LabView& view, const PanelState&) {
-    const VehicleView* vehicle = selected_in(view);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (view.settings.reality) return "";
     if (!vehicle) return "unavailable.no_vehicle";
     if (view.mode == Mode::wiring) return "unavailable.scene_only";
@@ -106,13 +104,13 @@ std::string_view no_robots(const LabView& view, const PanelState&) {
 }
 
 std::string_view no_brain_to_save(const LabView& view, const PanelState&) {
-    const VehicleView* vehicle = selected_in(view);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle) return "unavailable.no_vehicle";
     return is_brain_secret(view, vehicle->kind) ? "unavailable.hidden_brain" : "";
 }
 
 std::string_view no_brain_for_robot(const LabView& view, const PanelState&) {
-    const VehicleView* vehicle = selected_in(view);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle) return "unavailable.no_vehicle";
     return hides_brain(view, vehicle->kind) ? "wiring.hidden" : "";
 }

@@ -396,7 +396,7 @@ bool would_be_cut(const Ui& ui, float height, Rect column) {
 }
 
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     const std::string keys = key_name(Action::drive, ui.strings);
     const bool by_hand = vehicle && vehicle->driver == Driver::manual;
     std::array buttons{

@@ -93,7 +93,7 @@ void hint_line(Ui& ui, std::string_view hint, Colour colour, float x, Rect bar) 
 // While the user drives, or the camera mode is driver, the hint is the key that ends this. Empty in other modes.
 std::string mode_hint(const LabView& view, const Ui& ui) {
     if (view.mode == Mode::wiring) return {};
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     const bool drives = vehicle && vehicle->driver == Driver::manual,
                rides = view.settings.camera.mode == CameraMode::driver;
     std::string hint;

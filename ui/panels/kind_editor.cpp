@@ -277,7 +277,7 @@ private:
         if (push_button(ui_, "waypoint.add", {icon::add, ui_.strings("values.waypoint_add"), Emphasis::plain},
                         ui_.strings("values.path_how")) &&
             kind_.waypoints.size() < limits::waypoints) {
-            const VehicleView* selected = find_vehicle(*view_.now, view_.settings.selection.vehicle);
+            const VehicleView* selected = selected_vehicle(view_);
             changed(rows().next_gesture())
                 .waypoints.push_back(selected ? Waypoint{selected->x, selected->y} : Waypoint{});
         }

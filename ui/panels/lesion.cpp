@@ -35,7 +35,7 @@ bool contains(const Anchors& anchors, std::string_view name, vec2 at) {
 // whichever is more on the screen.
 std::string part_in_scene(const LabView& view, vec2 pointer) {
     constexpr float pixels = 14, metres = 0.14f, eye_height = 0.3f, wheel_height = 0.1f;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle || !view.camera_view) return {};
     const vec2 ahead{maths::cosine(vehicle->heading), maths::sine(vehicle->heading)};
     const vec2 place{vehicle->x, vehicle->y};
@@ -91,7 +91,7 @@ std::string lesion_under_pointer(const LabView& view, const Anchors& anchors, bo
 }  // namespace
 
 void lesions(const LabView& view, PanelState& state, Ui& ui) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (state.brain.lesion_under_pointer.empty() && vehicle && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         state.brain.lesion_under_pointer = lesion_under_pointer(view, ui.anchors, ImGui::GetIO().WantCaptureMouse);
     const std::string wanted = std::exchange(state.brain.lesion_requested, {});

@@ -69,7 +69,7 @@ void follow_map(const LabView& view, PanelState& state) {
 
 void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const bool open = open_card(state, ui, Card::map, place);
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (open && view.features.map && vehicle) {
         const insight::ValueSubject subject{*view.now, *vehicle, target_of(view, *vehicle), shown_pair(view, *vehicle)};
         const std::vector<insight::AxisValue> values = axis_values(subject);

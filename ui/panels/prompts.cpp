@@ -73,7 +73,7 @@ std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle,
 
 // The first lamp that a sensor of the selected vehicle measures; null if there is none.
 const SourceView* telling_lamp(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle) return nullptr;
     const auto& sensors = kind_of(*view.now, *vehicle).sensors;
     for (const SourceView& lamp : view.now->sources)
@@ -115,7 +115,7 @@ Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
 // A change that the user sees at once: of a weight, or of the stimulus if the sensors read nothing.
 // (In an exercise a run with a moved lamp does not count.)
 Prompt first_change(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle) return {};
     const bool plays = view.mode == Mode::playing;
     if (offers_some(view)) return offered_change(view, *vehicle);
@@ -279,7 +279,7 @@ Prompt of_wiring(PromptMemory& memory, const LabView& view) {
     // The task of an exercise is not to draw a first wire. The usual words of the mode stay.
     if (view.lesson) return {of_hint(memory, view).anchor, {}};
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edit_count(view);
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle || edit_count(view) != memory.edits_before_wiring) return {};
     const auto& nodes = brain_of(*view.now, *vehicle)->nodes;
     const bool has_sensor = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.name == "SL"; });

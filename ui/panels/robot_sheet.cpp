@@ -154,7 +154,7 @@ std::string suggested_folder(const LabView& view, const robots::Robot& robot) {
 
 void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     RobotState& state = panels.sheets.robot;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!view.documents.files || !vehicle) {
         panels.sheet = Sheet::none;
         return;

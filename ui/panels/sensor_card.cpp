@@ -366,7 +366,7 @@ std::string sensor_label(const Ui& ui, const std::vector<Sensor>& all, const Sen
 
 void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const bool open = open_card(state, ui, Card::sensors, place);
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (open && !vehicle) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);
     if (open && vehicle) SensorEditor(view, state, ui, *vehicle).draw();
     end_card(ui, state.card(Card::sensors));

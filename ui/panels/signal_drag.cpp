@@ -69,7 +69,7 @@ void draw_signal_drag(const Ui& ui, std::string_view name, Rect target) {
 
 void draw_node_over_chart(const LabView& view, const PanelState& state, const Ui& ui, Rect card) {
     const wiring::Drag& drag = state.canvas.drag;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (drag.phase != wiring::DragPhase::move_nodes || !is_pointer_in(card) || !vehicle) return;
     const Node* node = find_node(*brain_of(*view.now, *vehicle), drag.pressed.node);
     if (node) draw_signal_drag(ui, wiring::short_name(kind_of(*view.now, *vehicle).sensors, node->name), card);
@@ -106,7 +106,7 @@ bool give_up_drag(PanelState& state) {
 void drop_nodes_on_chart(const LabView& view, PanelState& state, Rect card) {
     wiring::CanvasState& canvas = state.canvas;
     if (canvas.drag.phase != wiring::DragPhase::move_nodes || !is_pointer_in(card)) return;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle || ImGui::GetIO().MouseDown[0]) return;
     for (const NodeId id : canvas.selection.nodes)
         if (const Node* node = find_node(*brain_of(*view.now, *vehicle), id)) choose_strip(state, node->name);
@@ -127,7 +127,7 @@ void drop_signals(const LabView& view, PanelState& state, Ui& ui, Rect card) {
         return;
     }
     if (!drag.moves || drag.given_up) return;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     draw_signal_drag(ui, vehicle ? wiring::short_name(kind_of(*view.now, *vehicle).sensors, drag.name) : drag.name,
                      target);
 }

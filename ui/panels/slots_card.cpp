@@ -34,7 +34,7 @@ constexpr float column_space = spacing::small, row_gap = spacing::tight;  // lay
 // "aggressor", "empty".
 std::string content_of(const LabView& view, const Ui& ui, const SlotView& slot) {
     if (!slot.design) return std::string(ui.strings("slots.empty"));
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (vehicle && hides_character(view, *vehicle)) return std::string(ui.strings("slots.stored"));
     return std::string(ui.strings("character." + std::string(name(slot.character))));
 }

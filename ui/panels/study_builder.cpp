@@ -202,13 +202,13 @@ std::optional<Study> study_of(const StudyDraft& draft, const Ui& ui, const LabVi
 }
 
 std::string_view why_no_draft(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle) return "unavailable.no_vehicle";
     return can_show_map(view, *vehicle) ? "" : "unavailable.map";
 }
 
 std::optional<Study> study_builder(const LabView& view, StudyDraft& draft, SliderState& sliders, Ui& ui, float width) {
-    const VehicleView& vehicle = *find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView& vehicle = *selected_vehicle(view);
     const insight::ValueSubject subject{*view.now, vehicle, target_of(view, vehicle), shown_pair(view, vehicle)};
     const std::vector<AxisValue> values = values_with_paths(subject);
     begin_draft(view, draft, values);

@@ -49,7 +49,7 @@ PictureSize size_choice(Ui& ui, std::string_view id, const std::array<PictureSiz
 
 // Why the diagram cannot be drawn; empty: it can.
 std::string_view why_no_diagram(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle) return "unavailable.no_vehicle";
     return hides_brain(view, vehicle->kind) ? "take.hidden" : "";
 }

@@ -22,7 +22,7 @@ constexpr float narrowest_scale = 180, scale_height = 8, pad = spacing::small, f
 
 std::vector<TrailColour> choices(const LabView& view) {
     std::vector<TrailColour> all{{}, {TrailValue::wheels}, {TrailValue::speed}};
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle) return all;
     const std::vector<Sensor>& sensors = kind_of(*view.now, *vehicle).sensors;
     for (std::size_t i = 0; i < std::min(sensors.size(), render::recorded_sensors); ++i)
@@ -59,7 +59,7 @@ std::string trail_colour_words(const LabView& view, const Ui& ui) {
     if (colour.value == TrailValue::wheels) return std::string(ui.strings("view.trail.wheels"));
     if (colour.value == TrailValue::speed) return std::string(ui.strings("view.trail.speed"));
     std::string words = colour.sensor;
-    if (const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle))
+    if (const VehicleView* vehicle = selected_vehicle(view))
         for (const Sensor& sensor : kind_of(*view.now, *vehicle).sensors)
             if (sensor.name == colour.sensor) words = sensor_label(ui, kind_of(*view.now, *vehicle).sensors, sensor);
     return fill(ui.strings("view.trail.reading"), {words});

@@ -90,7 +90,7 @@ void kind_buttons(const LabView& view, PanelState& state, Ui& ui) {
 
 // The kind of the selected vehicle, whenever another vehicle is selected.
 void follow_selection(const LabView& view, ValuesState& values) {
-    const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* selected = selected_vehicle(view);
     if (selected && selected->id != values.followed) values.kind = selected->kind;
     values.followed = selected ? selected->id : no_vehicle;
     values.kind = std::clamp(values.kind, 0, std::max(0, static_cast<int>(view.now->scene->kinds.size()) - 1));
@@ -116,7 +116,7 @@ void look_of_selected(const LabView& view, Ui& ui, const FieldRows& row, const V
 
 // The values of the selected vehicle alone: its name, its colour and its driver.
 void values_of_selected(const LabView& view, PanelState& state, Ui& ui) {
-    const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* selected = selected_vehicle(view);
     if (!selected) return;
     gap(ui, 12);
     subheading(ui, fill(ui.strings("values.selected"), {std::to_string(selected->id + 1)}));

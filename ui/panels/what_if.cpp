@@ -113,7 +113,7 @@ void name_inset(const Ui& ui, Rect inset, std::string_view words) {
 }  // namespace
 
 void try_without_wire(const LabView& view, PanelState& state, const Ui& ui, Rect area) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!state.brain.what_if.empty() || !vehicle || vehicle->driver != Driver::brain) return;
     if (hides_brain(view, vehicle->kind)) return;
     const wiring::CanvasState& canvas = state.canvas;

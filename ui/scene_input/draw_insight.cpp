@@ -140,7 +140,7 @@ void draw_robots(const SceneInputFrame& frame, const Ui& ui, const RobotsView& s
 // The ghost covers the vehicle that it is compared with; it is drawn once the two runs differ.
 bool is_beside(const LabView& view, const Pose& ghost) {
     constexpr float least = 0.15f;  // m
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     return !vehicle || maths::distance(vec2{vehicle->x, vehicle->y}, vec2{ghost.x, ghost.y}) >= least;
 }
 

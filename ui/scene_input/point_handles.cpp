@@ -20,7 +20,7 @@ bool is_polygon(const Snapshot& now, const SceneObject& object) {
 
 // The kind whose path is shown; −1: none.
 int kind_with_path(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle || vehicle->kind < 0) return -1;
     const Kind& kind = view.now->scene->kinds[static_cast<std::size_t>(vehicle->kind)];
     return vehicle->driver == Driver::path || kind.driver == Driver::path ? vehicle->kind : -1;

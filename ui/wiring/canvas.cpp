@@ -261,7 +261,7 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     if (over && ui.keyboard && ImGui::IsMouseClicked(0))
         ui.keyboard->focus = view.mode == Mode::wiring ? std::string_view{} : canvas_focus;
 
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     const auto brains = static_cast<int>(view.now->brains.size());
     const bool has_brain = vehicle != nullptr && vehicle->brain >= 0 && vehicle->brain < brains;
     const bool hidden = has_brain && hides_brain(view, vehicle->kind);

@@ -174,7 +174,7 @@ Rect inspector_rect(const Ui& ui, const CanvasState& state, Rect canvas) {
 }
 
 void draw_inspector(const LabView& view, CanvasState& state, SliderState& sliders, Ui& ui, Rect rect) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* vehicle = selected_vehicle(view);
     if (vehicle == nullptr || vehicle->brain < 0 || hides_brain(view, vehicle->kind)) return;
     Inspected in{view, *vehicle, view.now->brains[static_cast<std::size_t>(vehicle->brain)], state, sliders, ui, {}};
     if (view.settings.selection.whole_kind)

@@ -11,7 +11,7 @@ namespace {
 
 // Every text field of the sheet.
 const Start* start_of_selected(const LabView& view) {
-    const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const VehicleView* selected = selected_vehicle(view);
     const auto& starts = view.now->scene->starts;
     if (!selected || selected->start < 0 || static_cast<std::size_t>(selected->start) >= starts.size()) return nullptr;
     return &starts[static_cast<std::size_t>(selected->start)];
