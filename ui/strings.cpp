@@ -29,6 +29,14 @@ std::optional<Error> flatten(TomlNode::Table& table, const std::string& prefix, 
     return std::nullopt;
 }
 
+Result<Strings> load_english(const std::filesystem::path& folder) {
+    auto english = Strings::load(folder / "en.toml");
+    if (english)
+        for (const MessageText& message : message_table)
+            english->add("error." + std::string(message.id), std::string(message.english));
+    return english;
+}
+
 }  // namespace
 
 Result<Strings> Strings::load(const std::filesystem::path& path) {
@@ -102,18 +110,6 @@ std::vector<Language> languages(const std::filesystem::path& folder) {
     std::sort(found.begin(), found.end(), [](const Language& a, const Language& b) { return a.code < b.code; });
     return found;
 }
-
-namespace {
-
-Result<Strings> load_english(const std::filesystem::path& folder) {
-    auto english = Strings::load(folder / "en.toml");
-    if (english)
-        for (const MessageText& message : message_table)
-            english->add("error." + std::string(message.id), std::string(message.english));
-    return english;
-}
-
-}  // namespace
 
 Result<Strings> load_language(const std::filesystem::path& folder, std::string_view code) {
     std::string known;

@@ -85,39 +85,6 @@ bool is_plain(const BrainGraph& brain, const SensorPair& pair) {
            std::all_of(brain.wires.begin(), brain.wires.end(), plain_wire);
 }
 
-}  // namespace
-
-std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair) {
-    const BrainGraph& brain = *brain_of(now, vehicle);
-    const FourNeurons dials = read_dials(brain, pair);
-    const auto product = [&](Dial dial) { return product_of(now, vehicle, pair, dial); };
-    std::array<MotorSum, 2> both{MotorSum{"ML", "LM", {product(Dial::LL), product(Dial::LR)}, {}, dials.LM},
-                                 MotorSum{"MR", "RM", {product(Dial::RR), product(Dial::RL)}, {}, dials.RM}};
-    const bool plain = is_plain(brain, pair);
-    const bool is_wired = std::any_of(weight_dials.begin(), weight_dials.end(), [&](Dial dial) {
-        const auto ends = direct_ends(brain, dial, pair);
-        return ends && find_wire(brain, ends->from, ends->to);
-    });
-    for (std::size_t side = 0; side < both.size(); ++side) {
-        MotorSum& sum = both[side];
-        sum.total = vehicle.motor[side];
-        sum.more_wires = !plain, sum.shows_products = plain || is_wired;
-        const Node* motor = find_node(brain, std::string(sum.motor));
-        sum.stopped = motor && motor->silenced;
-        if (!motor) continue;
-        if (!plain) sum.terms = terms_of(now, vehicle, pair, motor->id);
-        if (sum.stopped) continue;
-        float shown = sum.products[0].value + sum.products[1].value + sum.bias;
-        for (const Term& term : sum.terms) shown += term.value;
-        // The motor's state is not limited to −1..1.
-        if (!plain) sum.rest = node_value(now, vehicle, motor->id) - shown;
-        sum.limited = std::fabs(shown + sum.rest) > 1.0f + rounding_error;
-    }
-    return both;
-}
-
-namespace {
-
 // A contribution of a sensor or neuron to the sum of a motor.
 struct Contribution {
     std::string_view source;  // the node's name
@@ -140,40 +107,6 @@ std::vector<Contribution> contributions(const std::array<MotorSum, 2>& both, flo
     }
     return all;
 }
-
-}  // namespace
-
-Cause cause(const std::array<MotorSum, 2>& both) {
-    Cause c;
-    c.difference = both[1].total - both[0].total;
-    const float towards = c.difference > 0 ? 1.0f : -1.0f;
-    const std::vector<Contribution> all = contributions(both, towards);
-    std::vector<const Contribution*> sources;  // the largest contribution of each sensor or neuron
-    std::vector<float> parts;                  // of the sources with all of their wires
-    for (const Contribution& one : all) {
-        const auto known = std::find_if(sources.begin(), sources.end(),
-                                        [&](const Contribution* source) { return source->source == one.source; });
-        if (known == sources.end()) {
-            sources.push_back(&one), parts.push_back(one.push);
-            continue;
-        }
-        parts[static_cast<std::size_t>(known - sources.begin())] += one.push;
-        if (one.push > (*known)->push) *known = &one;
-    }
-    parts.push_back((both[1].bias - both[0].bias) * towards);
-    parts.push_back((both[1].rest - both[0].rest) * towards);
-    const auto main = insight::main_part(parts);
-    if (!main) return c;
-    if (*main >= sources.size()) {
-        c.by = *main == sources.size() ? Cause::By::biases : Cause::By::rest;
-        return c;
-    }
-    const Contribution& one = *sources[*main];
-    c.by = one.by, c.product = one.product, c.name = one.name, c.value = one.value, c.holds_back = one.value < 0;
-    return c;
-}
-
-namespace {
 
 constexpr double recognition_period = 0.25;  // wall seconds
 
@@ -206,6 +139,65 @@ std::vector<Reading> rounded_readings(std::vector<Reading> readings) {
 }
 
 }  // namespace
+
+std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair) {
+    const BrainGraph& brain = *brain_of(now, vehicle);
+    const FourNeurons dials = read_dials(brain, pair);
+    const auto product = [&](Dial dial) { return product_of(now, vehicle, pair, dial); };
+    std::array<MotorSum, 2> both{MotorSum{"ML", "LM", {product(Dial::LL), product(Dial::LR)}, {}, dials.LM},
+                                 MotorSum{"MR", "RM", {product(Dial::RR), product(Dial::RL)}, {}, dials.RM}};
+    const bool plain = is_plain(brain, pair);
+    const bool is_wired = std::any_of(weight_dials.begin(), weight_dials.end(), [&](Dial dial) {
+        const auto ends = direct_ends(brain, dial, pair);
+        return ends && find_wire(brain, ends->from, ends->to);
+    });
+    for (std::size_t side = 0; side < both.size(); ++side) {
+        MotorSum& sum = both[side];
+        sum.total = vehicle.motor[side];
+        sum.more_wires = !plain, sum.shows_products = plain || is_wired;
+        const Node* motor = find_node(brain, std::string(sum.motor));
+        sum.stopped = motor && motor->silenced;
+        if (!motor) continue;
+        if (!plain) sum.terms = terms_of(now, vehicle, pair, motor->id);
+        if (sum.stopped) continue;
+        float shown = sum.products[0].value + sum.products[1].value + sum.bias;
+        for (const Term& term : sum.terms) shown += term.value;
+        // The motor's state is not limited to −1..1.
+        if (!plain) sum.rest = node_value(now, vehicle, motor->id) - shown;
+        sum.limited = std::fabs(shown + sum.rest) > 1.0f + rounding_error;
+    }
+    return both;
+}
+
+Cause cause(const std::array<MotorSum, 2>& both) {
+    Cause c;
+    c.difference = both[1].total - both[0].total;
+    const float towards = c.difference > 0 ? 1.0f : -1.0f;
+    const std::vector<Contribution> all = contributions(both, towards);
+    std::vector<const Contribution*> sources;  // the largest contribution of each sensor or neuron
+    std::vector<float> parts;                  // of the sources with all of their wires
+    for (const Contribution& one : all) {
+        const auto known = std::find_if(sources.begin(), sources.end(),
+                                        [&](const Contribution* source) { return source->source == one.source; });
+        if (known == sources.end()) {
+            sources.push_back(&one), parts.push_back(one.push);
+            continue;
+        }
+        parts[static_cast<std::size_t>(known - sources.begin())] += one.push;
+        if (one.push > (*known)->push) *known = &one;
+    }
+    parts.push_back((both[1].bias - both[0].bias) * towards);
+    parts.push_back((both[1].rest - both[0].rest) * towards);
+    const auto main = insight::main_part(parts);
+    if (!main) return c;
+    if (*main >= sources.size()) {
+        c.by = *main == sources.size() ? Cause::By::biases : Cause::By::rest;
+        return c;
+    }
+    const Contribution& one = *sources[*main];
+    c.by = one.by, c.product = one.product, c.name = one.name, c.value = one.value, c.holds_back = one.value < 0;
+    return c;
+}
 
 const Recognised& recognised(Recognised& known, const Snapshot& now, const VehicleView& vehicle, double wall_seconds) {
     const auto& brain = brain_of(now, vehicle);

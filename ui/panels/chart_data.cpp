@@ -95,6 +95,46 @@ History::Population counted(const Snapshot& now, double seconds) {
     return sample;
 }
 
+using io::CsvValue;
+using SignalRow = History::Signals;
+using PopulationRow = History::Population;
+
+std::vector<io::CsvColumn<SignalRow>> signal_columns(const History& history) {
+    std::vector<io::CsvColumn<SignalRow>> columns{
+        {io::vehicle_column("seconds").name, [](const SignalRow& s) -> CsvValue { return s.seconds; }}};
+    for (std::size_t i = 0; i < history.sensors.size(); ++i)
+        columns.push_back(
+            {io::sensor_column(history.sensors[i]).name, [i](const SignalRow& s) -> CsvValue { return s.sensors[i]; }});
+    for (std::size_t i = 0; i < 2; ++i)
+        columns.push_back({io::vehicle_column(i == 0 ? "left" : "right").name,
+                           [i](const SignalRow& s) -> CsvValue { return s.motors[i]; }});
+    for (std::size_t i = 0; i < history.brain_values.size(); ++i) {
+        const std::string& name = history.brain_values[i];
+        columns.push_back({(name.find('>') == name.npos ? "neuron_" : "learned_") + name,
+                           [i](const SignalRow& s) -> CsvValue { return s.brain[i]; }});
+    }
+    return columns;
+}
+
+std::vector<io::CsvColumn<PopulationRow>> population_columns() {
+    constexpr std::array groups{"predators", "prey", "others"};
+    std::vector<io::CsvColumn<PopulationRow>> columns{
+        {io::vehicle_column("seconds").name, [](const PopulationRow& p) -> CsvValue { return p.seconds; }}};
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        columns.push_back({groups[i], [i](const PopulationRow& p) -> CsvValue { return std::int64_t{p.count[i]}; }});
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        columns.push_back(
+            {std::string("energy_") + groups[i], [i](const PopulationRow& p) -> CsvValue { return p.energy[i]; }});
+    return columns;
+}
+
+template <class Columns, class Samples>
+std::string csv_of(const Columns& columns, const Samples& samples) {
+    std::string text = io::csv_header(columns);
+    for (const auto& sample : samples) io::add_csv_row(text, columns, sample);
+    return text;
+}
+
 }  // namespace
 
 void record(History& history, const LabView& view) {
@@ -215,50 +255,6 @@ void sort(const Snapshot& now, const EnergyOrder& order, std::vector<std::size_t
         return order.falling ? x > y : x < y;
     });
 }
-
-namespace {
-
-using io::CsvValue;
-using SignalRow = History::Signals;
-using PopulationRow = History::Population;
-
-std::vector<io::CsvColumn<SignalRow>> signal_columns(const History& history) {
-    std::vector<io::CsvColumn<SignalRow>> columns{
-        {io::vehicle_column("seconds").name, [](const SignalRow& s) -> CsvValue { return s.seconds; }}};
-    for (std::size_t i = 0; i < history.sensors.size(); ++i)
-        columns.push_back(
-            {io::sensor_column(history.sensors[i]).name, [i](const SignalRow& s) -> CsvValue { return s.sensors[i]; }});
-    for (std::size_t i = 0; i < 2; ++i)
-        columns.push_back({io::vehicle_column(i == 0 ? "left" : "right").name,
-                           [i](const SignalRow& s) -> CsvValue { return s.motors[i]; }});
-    for (std::size_t i = 0; i < history.brain_values.size(); ++i) {
-        const std::string& name = history.brain_values[i];
-        columns.push_back({(name.find('>') == name.npos ? "neuron_" : "learned_") + name,
-                           [i](const SignalRow& s) -> CsvValue { return s.brain[i]; }});
-    }
-    return columns;
-}
-
-std::vector<io::CsvColumn<PopulationRow>> population_columns() {
-    constexpr std::array groups{"predators", "prey", "others"};
-    std::vector<io::CsvColumn<PopulationRow>> columns{
-        {io::vehicle_column("seconds").name, [](const PopulationRow& p) -> CsvValue { return p.seconds; }}};
-    for (std::size_t i = 0; i < groups.size(); ++i)
-        columns.push_back({groups[i], [i](const PopulationRow& p) -> CsvValue { return std::int64_t{p.count[i]}; }});
-    for (std::size_t i = 0; i < groups.size(); ++i)
-        columns.push_back(
-            {std::string("energy_") + groups[i], [i](const PopulationRow& p) -> CsvValue { return p.energy[i]; }});
-    return columns;
-}
-
-template <class Columns, class Samples>
-std::string csv_of(const Columns& columns, const Samples& samples) {
-    std::string text = io::csv_header(columns);
-    for (const auto& sample : samples) io::add_csv_row(text, columns, sample);
-    return text;
-}
-
-}  // namespace
 
 std::string signals_csv(const History& history) { return csv_of(signal_columns(history), history.signals); }
 

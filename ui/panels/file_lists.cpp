@@ -23,47 +23,6 @@ namespace {
 
 constexpr float least_list = 80, row_picture = 72;  // layout pixels
 
-}  // namespace
-
-void begin_files(FilesState& files, bool saving, FileKind kind) {
-    files.saving = saving;
-    files.kind = kind;
-    files.begun = files.asked = false;
-    files.typed = files.title = files.story = {};
-    files.search.clear();
-    files.searched.clear();
-    files.replacing.clear();
-    files.creating.clear();
-}
-
-std::string_view kind_key(FileKind kind) {
-    constexpr std::array<std::string_view, file_kinds> keys{
-        "files.scene", "files.exercise", "files.brain", "files.run", "files.lecture", "files.study", "files.breeding"};
-    return keys[static_cast<std::size_t>(kind)];
-}
-
-bool search_by_typing(FilesState& files, KeyPress press) {
-    constexpr std::size_t longest = 40;
-    if (files.saving || files.place != FilesPlace::shipped) return false;
-    if (press.ctrl && press.key == 'A') return files.search_selected = !files.search.empty();
-    if (press.ctrl) return false;
-    if (press.key == key::escape || press.key == key::backspace) {
-        if (files.search.empty()) return false;
-        const bool all = std::exchange(files.search_selected, false) || press.key == key::escape;
-        all ? files.search.clear() : files.search.pop_back();
-        return true;
-    }
-    const bool is_space = press.key == ' ' && !files.search.empty();
-    if (!is_space && (press.key <= ' ' || press.key > '~')) return false;
-    const char typed = static_cast<char>(press.key);
-    if (std::exchange(files.search_selected, false)) files.search.clear();
-    if (files.search.size() < longest)
-        files.search += typed >= 'A' && typed <= 'Z' ? static_cast<char>(typed - 'A' + 'a') : typed;
-    return true;
-}
-
-namespace {
-
 // True if the words shown of the entry have every word of the search. The title of an exercise that tells its outcome
 // is not searched until it is shown. A lecturer who asks first searches what is hidden, too, and sees numbers.
 bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
@@ -128,27 +87,6 @@ std::string folder_of(const std::string& path) {
     return path.substr(0, std::max<std::size_t>(1, path.find_last_of('/')));
 }
 
-}  // namespace
-
-std::string recent_words(const LabView& view, const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file,
-                         float width) {
-    std::string name = without_folder(file.path);
-    const std::string title = file.title.empty() ? std::string{} : known_title(view, ui, file.title);
-    if (title.empty()) return shortened(ui, name, Face::text, width);
-    const auto same = [&](const RecentFile& other) { return other.title == file.title; };
-    if (std::count_if(all.begin(), all.end(), same) < 2) return shortened(ui, title, Face::text, width);
-    const bool is_ambiguous = std::count_if(all.begin(), all.end(), [&](const RecentFile& other) {
-                                  return same(other) && without_folder(other.path) == name;
-                              }) > 1;
-    if (is_ambiguous) name = without_folder(folder_of(file.path)) + "/" + name;
-    const std::string apart = " (" + name + ")";
-    const float room = width - text_width(ui, Face::text, apart);
-    if (room < width / 4) return shortened(ui, name, Face::text, width);
-    return shortened(ui, title, Face::text, room) + apart;
-}
-
-namespace {
-
 // A row of a list: icon, name, a second line, and a note at the right end.
 struct FileRow {
     std::string id, words, below, aside;
@@ -198,16 +136,6 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
     return at.pressed;
 }
 
-}  // namespace
-
-void request_file(const LabView& view, FilesState& files, Ui& ui, Request request) {
-    ui.outbox.push_back(std::move(request));
-    files.asked = true;
-    files.done = view.documents.files ? view.documents.files->done : 0;
-}
-
-namespace {
-
 // A list from the cursor down to the sheet's buttons. `contents` identifies the list: a new one is scrolled to its top.
 void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bottom, const char* id = "list",
                 float width = 0) {
@@ -222,15 +150,6 @@ void end_list(const Ui& ui) {
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }
-
-}  // namespace
-
-std::string chapter_title(const Ui& ui, int chapter) {
-    const std::string number = std::to_string(chapter);
-    return number + " · " + std::string(ui.strings.find("chapter." + number, ui.strings("chapter.other")));
-}
-
-namespace {
 
 bool is_exercise(const CatalogueEntry& entry) { return entry.number > 0; }
 
@@ -298,7 +217,83 @@ std::vector<CatalogueEntry> found(const LabView& view, const Ui& ui, const std::
     return listed;
 }
 
+bool is_shown(const FilesState& files, const FileEntry& entry) {
+    if (entry.is_folder) return true;
+    return files.saving ? entry.kind == files.kind : !files.only || *files.only == entry.kind;
+}
+
+std::string_view tooltip_key(const FilesState& files, const FileEntry& entry) {
+    if (entry.is_folder) return "files.folder_how";
+    if (files.saving) return "files.take_name";
+    return entry.broken ? "files.broken_how" : "files.open_how";
+}
+
 }  // namespace
+
+void begin_files(FilesState& files, bool saving, FileKind kind) {
+    files.saving = saving;
+    files.kind = kind;
+    files.begun = files.asked = false;
+    files.typed = files.title = files.story = {};
+    files.search.clear();
+    files.searched.clear();
+    files.replacing.clear();
+    files.creating.clear();
+}
+
+std::string_view kind_key(FileKind kind) {
+    constexpr std::array<std::string_view, file_kinds> keys{
+        "files.scene", "files.exercise", "files.brain", "files.run", "files.lecture", "files.study", "files.breeding"};
+    return keys[static_cast<std::size_t>(kind)];
+}
+
+bool search_by_typing(FilesState& files, KeyPress press) {
+    constexpr std::size_t longest = 40;
+    if (files.saving || files.place != FilesPlace::shipped) return false;
+    if (press.ctrl && press.key == 'A') return files.search_selected = !files.search.empty();
+    if (press.ctrl) return false;
+    if (press.key == key::escape || press.key == key::backspace) {
+        if (files.search.empty()) return false;
+        const bool all = std::exchange(files.search_selected, false) || press.key == key::escape;
+        all ? files.search.clear() : files.search.pop_back();
+        return true;
+    }
+    const bool is_space = press.key == ' ' && !files.search.empty();
+    if (!is_space && (press.key <= ' ' || press.key > '~')) return false;
+    const char typed = static_cast<char>(press.key);
+    if (std::exchange(files.search_selected, false)) files.search.clear();
+    if (files.search.size() < longest)
+        files.search += typed >= 'A' && typed <= 'Z' ? static_cast<char>(typed - 'A' + 'a') : typed;
+    return true;
+}
+
+std::string recent_words(const LabView& view, const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file,
+                         float width) {
+    std::string name = without_folder(file.path);
+    const std::string title = file.title.empty() ? std::string{} : known_title(view, ui, file.title);
+    if (title.empty()) return shortened(ui, name, Face::text, width);
+    const auto same = [&](const RecentFile& other) { return other.title == file.title; };
+    if (std::count_if(all.begin(), all.end(), same) < 2) return shortened(ui, title, Face::text, width);
+    const bool is_ambiguous = std::count_if(all.begin(), all.end(), [&](const RecentFile& other) {
+                                  return same(other) && without_folder(other.path) == name;
+                              }) > 1;
+    if (is_ambiguous) name = without_folder(folder_of(file.path)) + "/" + name;
+    const std::string apart = " (" + name + ")";
+    const float room = width - text_width(ui, Face::text, apart);
+    if (room < width / 4) return shortened(ui, name, Face::text, width);
+    return shortened(ui, title, Face::text, room) + apart;
+}
+
+void request_file(const LabView& view, FilesState& files, Ui& ui, Request request) {
+    ui.outbox.push_back(std::move(request));
+    files.asked = true;
+    files.done = view.documents.files ? view.documents.files->done : 0;
+}
+
+std::string chapter_title(const Ui& ui, int chapter) {
+    const std::string number = std::to_string(chapter);
+    return number + " · " + std::string(ui.strings.find("chapter." + number, ui.strings("chapter.other")));
+}
 
 // Exercises on the left, scenes and lectures on the right. Each list scrolls; if one is empty, the other one has the
 // whole width.
@@ -350,21 +345,6 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
     end_list(ui);
 }
-
-namespace {
-
-bool is_shown(const FilesState& files, const FileEntry& entry) {
-    if (entry.is_folder) return true;
-    return files.saving ? entry.kind == files.kind : !files.only || *files.only == entry.kind;
-}
-
-std::string_view tooltip_key(const FilesState& files, const FileEntry& entry) {
-    if (entry.is_folder) return "files.folder_how";
-    if (files.saving) return "files.take_name";
-    return entry.broken ? "files.broken_how" : "files.open_how";
-}
-
-}  // namespace
 
 void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     const FolderListing& listing = view.documents.files->listing;

@@ -82,10 +82,6 @@ float past_sign(const LabView& view, Ui& ui, float left, Rect bar) {
     return sign.x + sign.w + ui.px(16);
 }
 
-}  // namespace
-
-namespace {
-
 // The number of the page between buttons that do what a clicker's keys do, at the right end; without the buttons where
 // they would be left of `free_from`. Returns its left edge.
 float page_number(const LabView& view, Ui& ui, float free_from, float right, Rect bar) {
@@ -165,6 +161,53 @@ void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
     const float y = bar.y + (bar.h - (lines.size() == 1 ? 1 : 2) * line) / 2;
     put_lines(ui, {text, y}, words, colour, face, width, 2);
     mark(ui, "hint.bar", {from, bar.y, room, bar.h});
+}
+
+// Opens and folds the cards that a page shows, when it has gone to another step; then the lecturer can fold them.
+void follow_page(const LabView& view, PanelState& state) {
+    const std::array<int, 3> step = view.pages
+                                        ? std::array{static_cast<int>(view.run_id), view.pages->page, view.pages->step}
+                                        : std::array{-1, -1, -1};
+    const std::array<int, 3> before = std::exchange(state.lecture.step, step);
+    if (!view.pages || before == step) return;
+    const bool new_page = before[0] != step[0] || before[1] != step[1];
+    if (new_page) state.lecture.hands.clear(), state.card(Card::slots).folded = false;
+    for (const auto& [part, card] : {std::pair{PagePart::sliders, Card::brain}, {PagePart::exercise, Card::exercise}}) {
+        const bool shown = view.pages->shows(part);
+        const bool was_shown = shows(view.pages->current(), part, before[2]);
+        if (new_page || shown != was_shown) state.card(card).folded = !shown;
+    }
+}
+
+// Folds the cards of the brain and of the slots while the runs of both slots are shown, so that these have the room.
+// After the runs the card of the slots unfolds: it has their numbers.
+void follow_comparison(const LabView& view, PanelState& state) {
+    const bool compares = view.lecture && view.features.slots.a && view.features.slots.b;
+    if (std::exchange(state.lecture.compares, compares) == compares || !view.lecture) return;
+    if (compares) state.card(Card::brain).folded = true;
+    state.card(Card::slots).folded = compares;
+}
+
+// Folds cards when lecture mode begins, and restores them when it ends.
+void follow_lecture_mode(const LabView& view, PanelState& state) {
+    if (view.lecture == state.lecture.before.has_value()) return;
+    if (view.lecture) {
+        BeforeLecture& before = state.lecture.before.emplace();
+        before.focus = std::exchange(state.keyboard.focus, {});
+        for (const CardTraits& row : cards()) {
+            CardState& card = state.card(row.card);
+            before.cards[static_cast<std::size_t>(row.card)] = card;
+            card.folded |= row.in_lecture == InLecture::folded;
+        }
+        return;
+    }
+    for (const CardTraits& row : cards())
+        if (row.in_lecture != InLecture::unchanged)
+            state.card(row.card) = state.lecture.before->cards[static_cast<std::size_t>(row.card)];
+    state.keyboard.focus = state.lecture.before->focus;
+    state.lecture.before.reset();
+    state.lecture.pressed.clear();
+    state.lecture.controls = false;
 }
 
 }  // namespace
@@ -248,57 +291,6 @@ void blank_window(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     ImGui::GetForegroundDrawList()->AddRectFilled({window.x, window.y}, {window.x + window.w, window.y + window.h},
                                                   IM_COL32_BLACK);
 }
-
-namespace {
-
-// Opens and folds the cards that a page shows, when it has gone to another step; then the lecturer can fold them.
-void follow_page(const LabView& view, PanelState& state) {
-    const std::array<int, 3> step = view.pages
-                                        ? std::array{static_cast<int>(view.run_id), view.pages->page, view.pages->step}
-                                        : std::array{-1, -1, -1};
-    const std::array<int, 3> before = std::exchange(state.lecture.step, step);
-    if (!view.pages || before == step) return;
-    const bool new_page = before[0] != step[0] || before[1] != step[1];
-    if (new_page) state.lecture.hands.clear(), state.card(Card::slots).folded = false;
-    for (const auto& [part, card] : {std::pair{PagePart::sliders, Card::brain}, {PagePart::exercise, Card::exercise}}) {
-        const bool shown = view.pages->shows(part);
-        const bool was_shown = shows(view.pages->current(), part, before[2]);
-        if (new_page || shown != was_shown) state.card(card).folded = !shown;
-    }
-}
-
-// Folds the cards of the brain and of the slots while the runs of both slots are shown, so that these have the room.
-// After the runs the card of the slots unfolds: it has their numbers.
-void follow_comparison(const LabView& view, PanelState& state) {
-    const bool compares = view.lecture && view.features.slots.a && view.features.slots.b;
-    if (std::exchange(state.lecture.compares, compares) == compares || !view.lecture) return;
-    if (compares) state.card(Card::brain).folded = true;
-    state.card(Card::slots).folded = compares;
-}
-
-// Folds cards when lecture mode begins, and restores them when it ends.
-void follow_lecture_mode(const LabView& view, PanelState& state) {
-    if (view.lecture == state.lecture.before.has_value()) return;
-    if (view.lecture) {
-        BeforeLecture& before = state.lecture.before.emplace();
-        before.focus = std::exchange(state.keyboard.focus, {});
-        for (const CardTraits& row : cards()) {
-            CardState& card = state.card(row.card);
-            before.cards[static_cast<std::size_t>(row.card)] = card;
-            card.folded |= row.in_lecture == InLecture::folded;
-        }
-        return;
-    }
-    for (const CardTraits& row : cards())
-        if (row.in_lecture != InLecture::unchanged)
-            state.card(row.card) = state.lecture.before->cards[static_cast<std::size_t>(row.card)];
-    state.keyboard.focus = state.lecture.before->focus;
-    state.lecture.before.reset();
-    state.lecture.pressed.clear();
-    state.lecture.controls = false;
-}
-
-}  // namespace
 
 void follow_lecture(const LabView& view, PanelState& state) {
     follow_lecture_mode(view, state);

@@ -255,40 +255,6 @@ private:
     ImDrawList& list_;
 };
 
-}  // namespace
-
-void draw_line(const Ui& ui, const std::vector<ImVec2>& points, Colour colour, float layout_width, bool closed) {
-    if (points.size() < 2) return;
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const int count = static_cast<int>(points.size());
-    const Colour under = ui.palette.ground.with_alpha(0.55f * colour.a);
-    compat::polyline(list, points.data(), count, paint(under), closed, ui.px(layout_width + 2));
-    compat::polyline(list, points.data(), count, paint(colour), closed, ui.px(layout_width));
-}
-
-void draw_dot(const Ui& ui, ImVec2 at, float layout_radius, Colour colour, float border) {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddCircleFilled(at, ui.px(layout_radius + border), paint(ui.palette.ground.with_alpha(0.8f)), 24);
-    list.AddCircleFilled(at, ui.px(layout_radius), paint(colour), 24);
-}
-
-void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, bool warm, const std::string& anchor,
-                 std::string_view words) {
-    const auto at = project(frame.camera_view, place);
-    if (!at) return;
-    const float radius = (words.empty() ? 6.0f : 8.0f) * finger_size(frame.view);
-    draw_dot(ui, {at->x, at->y}, warm ? radius + 2 : radius, warm ? ui.palette.accent : ui.palette.text);
-    if (!words.empty()) {
-        const float w = text_width(ui, Face::small, words), h = line_height(ui, Face::small);
-        put_on(*ImGui::GetBackgroundDrawList(), ui, {at->x - w / 2, at->y - h / 2}, words, ui.palette.ground,
-               Face::small);
-    }
-    const float reach = ui.px(handle_grip) * finger_reach(frame.view);
-    ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
-}
-
-namespace {
-
 // Right of its position and on its side; elsewhere, and farther away, where it would leave the area free of cards or
 // cover a label, a vehicle or a bulb.
 Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, const LabelSpace& labels, ImVec2 size, vec2 beside,
@@ -394,6 +360,36 @@ void draw_leader(const Ui& ui, const Rect& label, const Rect& thing, Colour colo
 }
 
 }  // namespace
+
+void draw_line(const Ui& ui, const std::vector<ImVec2>& points, Colour colour, float layout_width, bool closed) {
+    if (points.size() < 2) return;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const int count = static_cast<int>(points.size());
+    const Colour under = ui.palette.ground.with_alpha(0.55f * colour.a);
+    compat::polyline(list, points.data(), count, paint(under), closed, ui.px(layout_width + 2));
+    compat::polyline(list, points.data(), count, paint(colour), closed, ui.px(layout_width));
+}
+
+void draw_dot(const Ui& ui, ImVec2 at, float layout_radius, Colour colour, float border) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircleFilled(at, ui.px(layout_radius + border), paint(ui.palette.ground.with_alpha(0.8f)), 24);
+    list.AddCircleFilled(at, ui.px(layout_radius), paint(colour), 24);
+}
+
+void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, bool warm, const std::string& anchor,
+                 std::string_view words) {
+    const auto at = project(frame.camera_view, place);
+    if (!at) return;
+    const float radius = (words.empty() ? 6.0f : 8.0f) * finger_size(frame.view);
+    draw_dot(ui, {at->x, at->y}, warm ? radius + 2 : radius, warm ? ui.palette.accent : ui.palette.text);
+    if (!words.empty()) {
+        const float w = text_width(ui, Face::small, words), h = line_height(ui, Face::small);
+        put_on(*ImGui::GetBackgroundDrawList(), ui, {at->x - w / 2, at->y - h / 2}, words, ui.palette.ground,
+               Face::small);
+    }
+    const float reach = ui.px(handle_grip) * finger_reach(frame.view);
+    ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
+}
 
 void draw_label(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, Rect thing,
                 NoteSide side, std::optional<Rect> other) {

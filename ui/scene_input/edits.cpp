@@ -51,6 +51,66 @@ std::string unused_colour(const Scene& scene) {
     return std::string(body_colours[0]);
 }
 
+constexpr float search_step = 0.1f;   // m between the positions tried
+constexpr float source_reach = 0.3f;  // m, radius of the foot of a lamp
+
+struct Disc {
+    vec2 place;
+    float reach = 0;
+};
+
+// All objects that take room: vehicles, sources and obstacles.
+struct Obstructions {
+    std::vector<Disc> discs;
+    std::vector<std::vector<vec2>> blocks;  // corners, counter-clockwise
+};
+
+Obstructions obstructions_in(const Snapshot& now) {
+    Obstructions all;
+    for (const VehicleView& v : now.vehicles) all.discs.push_back({{v.x, v.y}, reach_of(now, vehicle_object(v.id))});
+    for (const SourceView& source : now.sources) all.discs.push_back({{source.x, source.y}, source_reach});
+    for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i)
+        all.blocks.push_back(outline_of(now, {SceneObjectKind::obstacle, i}));
+    return all;
+}
+
+bool overlaps(const std::vector<vec2>& block, vec2 place, float reach) {
+    bool inside = block.size() >= 3;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        const vec2 a = block[i], b = block[(i + 1) % block.size()];
+        if (maths::distance(maths::nearest_on_segment(place, a, b), place) < reach) return true;
+        inside &= maths::cross(b - a, place - a) >= 0;
+    }
+    return inside;
+}
+
+bool is_free(const Obstructions& all, vec2 place, float reach) {
+    return std::none_of(all.discs.begin(), all.discs.end(),
+                        [&](const Disc& d) { return maths::distance(d.place, place) < d.reach + reach; }) &&
+           std::none_of(all.blocks.begin(), all.blocks.end(),
+                        [&](const auto& block) { return overlaps(block, place, reach); });
+}
+
+float reach_of_body(const Body& body) { return std::hypot(body.length, body.width) / 2; }
+
+float reach_of_kind(const Snapshot& now, int kind) {
+    const auto& kinds = now.scene->kinds;
+    return kind >= 0 && static_cast<std::size_t>(kind) < kinds.size()
+               ? reach_of_body(kinds[static_cast<std::size_t>(kind)].body)
+               : reach_of_body({});
+}
+
+// Radius of the largest disc within the obstacle, so that a long wall may end at the edge.
+float reach_of_shape(const Obstacle& obstacle) {
+    const vec2 middle;
+    const std::vector<vec2> corners = corners_of(obstacle);
+    float reach = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        reach = std::min(reach, maths::distance(middle, maths::nearest_on_segment(middle, corners[i],
+                                                                                  corners[(i + 1) % corners.size()])));
+    return corners.empty() ? 0 : reach;
+}
+
 }  // namespace
 
 std::optional<Command> removal_of(const Snapshot& now, const SceneObject& object) {
@@ -144,70 +204,6 @@ SceneObject added_by(const Snapshot& now, const Command& command) {
 }
 
 using maths::vec2;
-
-namespace {
-
-constexpr float search_step = 0.1f;   // m between the positions tried
-constexpr float source_reach = 0.3f;  // m, radius of the foot of a lamp
-
-struct Disc {
-    vec2 place;
-    float reach = 0;
-};
-
-// All objects that take room: vehicles, sources and obstacles.
-struct Obstructions {
-    std::vector<Disc> discs;
-    std::vector<std::vector<vec2>> blocks;  // corners, counter-clockwise
-};
-
-Obstructions obstructions_in(const Snapshot& now) {
-    Obstructions all;
-    for (const VehicleView& v : now.vehicles) all.discs.push_back({{v.x, v.y}, reach_of(now, vehicle_object(v.id))});
-    for (const SourceView& source : now.sources) all.discs.push_back({{source.x, source.y}, source_reach});
-    for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i)
-        all.blocks.push_back(outline_of(now, {SceneObjectKind::obstacle, i}));
-    return all;
-}
-
-bool overlaps(const std::vector<vec2>& block, vec2 place, float reach) {
-    bool inside = block.size() >= 3;
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        const vec2 a = block[i], b = block[(i + 1) % block.size()];
-        if (maths::distance(maths::nearest_on_segment(place, a, b), place) < reach) return true;
-        inside &= maths::cross(b - a, place - a) >= 0;
-    }
-    return inside;
-}
-
-bool is_free(const Obstructions& all, vec2 place, float reach) {
-    return std::none_of(all.discs.begin(), all.discs.end(),
-                        [&](const Disc& d) { return maths::distance(d.place, place) < d.reach + reach; }) &&
-           std::none_of(all.blocks.begin(), all.blocks.end(),
-                        [&](const auto& block) { return overlaps(block, place, reach); });
-}
-
-float reach_of_body(const Body& body) { return std::hypot(body.length, body.width) / 2; }
-
-float reach_of_kind(const Snapshot& now, int kind) {
-    const auto& kinds = now.scene->kinds;
-    return kind >= 0 && static_cast<std::size_t>(kind) < kinds.size()
-               ? reach_of_body(kinds[static_cast<std::size_t>(kind)].body)
-               : reach_of_body({});
-}
-
-// Radius of the largest disc within the obstacle, so that a long wall may end at the edge.
-float reach_of_shape(const Obstacle& obstacle) {
-    const vec2 middle;
-    const std::vector<vec2> corners = corners_of(obstacle);
-    float reach = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        reach = std::min(reach, maths::distance(middle, maths::nearest_on_segment(middle, corners[i],
-                                                                                  corners[(i + 1) % corners.size()])));
-    return corners.empty() ? 0 : reach;
-}
-
-}  // namespace
 
 vec2 free_place(const Snapshot& now, vec2 wanted, float reach) {
     if (!now.scene) return wanted;

@@ -40,55 +40,6 @@ void add_corner(SceneInputState& state, const LabView& view, vec2 at) {
     state.corners.push_back(at);
 }
 
-}  // namespace
-
-std::string_view refusal_of(OutlineFault fault) { return outline_refusals[static_cast<std::size_t>(fault)]; }
-
-void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at, Outbox& outbox) {
-    const SceneInputPointer& pointer = frame.pointer;
-    const bool on_first = state.corners.size() >= 3 &&
-                          pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale * finger_reach(frame.view);
-    if (on_first || (pointer.left_double && state.corners.size() >= 3))
-        return close_outline(state, frame.view, pointer.shift, outbox);
-    if (pointer.left_double) return;  // the first click has set the corner
-    add_corner(state, frame.view, at);
-}
-
-void set_polygon_corner(SceneInputState& state, const LabView& view, vec2 at, bool keep_tool, Outbox& outbox) {
-    const auto is_at = [at](vec2 corner) { return maths::distance(corner, at) < least_corner_distance; };
-    if (state.corners.size() >= 3 && (is_at(state.corners.front()) || is_at(state.corners.back())))
-        return close_outline(state, view, keep_tool, outbox);
-    add_corner(state, view, at);
-}
-
-void take_back_corner(SceneInputState& state) {
-    state.refusal = {};
-    if (state.corners.empty())
-        choose_tool(state, SceneInputTool::hand);
-    else
-        state.corners.pop_back();
-}
-
-void close_outline(SceneInputState& state, const LabView& view, bool keep_tool, Outbox& outbox) {
-    if (const OutlineFault fault = fault_of(state.corners); fault != OutlineFault::none)
-        return show_refusal(state, view.wall_seconds, refusal_of(fault));
-    const Obstacle drawn = obstacle_from(state.corners);
-    const int redrawn = state.redrawn.empty() ? -1 : find_zone(*view.now->scene, state.redrawn);
-    if (redrawn >= 0) {
-        const Zone& zone = view.now->scene->zones[static_cast<std::size_t>(redrawn)];
-        outbox.push_back(EditRequest{EditZone{redrawn, with_outline(zone, drawn)}});
-        keep_tool = false;
-    } else {
-        outbox.push_back(EditRequest{AddObstacle{drawn}});
-    }
-    state.redrawn.clear();
-    state.corners.clear();
-    state.refusal = {};
-    if (!keep_tool) choose_tool(state, SceneInputTool::hand);
-}
-
-namespace {
-
 constexpr float least_outline_width = 0.1f;  // m
 constexpr float shortest_side = 0.2f;        // m, of a box
 constexpr float least_turn = 1e-3f;          // m²: a smaller turn of a corner is not a dent
@@ -137,7 +88,65 @@ float outline_width(const std::vector<vec2>& corners) {
     return width;
 }
 
+template <class Shape>
+Shape with_corners_of(Shape shape, const Obstacle& outline) {
+    shape.x = outline.x, shape.y = outline.y;
+    shape.length = outline.length, shape.width = outline.width;
+    shape.corners.clear();
+    const vec2 ahead = maths::direction(shape.heading);  // kept: the slope of a zone falls along it
+    for (const vec2 corner : corners_of(outline)) {
+        const vec2 own = maths::rotate(corner, {ahead.x, -ahead.y});
+        shape.corners.push_back({own.x, own.y});
+    }
+    return shape;
+}
+
 }  // namespace
+
+std::string_view refusal_of(OutlineFault fault) { return outline_refusals[static_cast<std::size_t>(fault)]; }
+
+void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at, Outbox& outbox) {
+    const SceneInputPointer& pointer = frame.pointer;
+    const bool on_first = state.corners.size() >= 3 &&
+                          pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale * finger_reach(frame.view);
+    if (on_first || (pointer.left_double && state.corners.size() >= 3))
+        return close_outline(state, frame.view, pointer.shift, outbox);
+    if (pointer.left_double) return;  // the first click has set the corner
+    add_corner(state, frame.view, at);
+}
+
+void set_polygon_corner(SceneInputState& state, const LabView& view, vec2 at, bool keep_tool, Outbox& outbox) {
+    const auto is_at = [at](vec2 corner) { return maths::distance(corner, at) < least_corner_distance; };
+    if (state.corners.size() >= 3 && (is_at(state.corners.front()) || is_at(state.corners.back())))
+        return close_outline(state, view, keep_tool, outbox);
+    add_corner(state, view, at);
+}
+
+void take_back_corner(SceneInputState& state) {
+    state.refusal = {};
+    if (state.corners.empty())
+        choose_tool(state, SceneInputTool::hand);
+    else
+        state.corners.pop_back();
+}
+
+void close_outline(SceneInputState& state, const LabView& view, bool keep_tool, Outbox& outbox) {
+    if (const OutlineFault fault = fault_of(state.corners); fault != OutlineFault::none)
+        return show_refusal(state, view.wall_seconds, refusal_of(fault));
+    const Obstacle drawn = obstacle_from(state.corners);
+    const int redrawn = state.redrawn.empty() ? -1 : find_zone(*view.now->scene, state.redrawn);
+    if (redrawn >= 0) {
+        const Zone& zone = view.now->scene->zones[static_cast<std::size_t>(redrawn)];
+        outbox.push_back(EditRequest{EditZone{redrawn, with_outline(zone, drawn)}});
+        keep_tool = false;
+    } else {
+        outbox.push_back(EditRequest{AddObstacle{drawn}});
+    }
+    state.redrawn.clear();
+    state.corners.clear();
+    state.refusal = {};
+    if (!keep_tool) choose_tool(state, SceneInputTool::hand);
+}
 
 OutlineFault fault_of_next(const std::vector<vec2>& corners, vec2 next) {
     if (corners.size() >= limits::corners) return OutlineFault::too_many;
@@ -184,23 +193,6 @@ Obstacle obstacle_from(const std::vector<vec2>& given) {
     obstacle.length = high.x - low.x, obstacle.width = high.y - low.y;
     return obstacle;
 }
-
-namespace {
-
-template <class Shape>
-Shape with_corners_of(Shape shape, const Obstacle& outline) {
-    shape.x = outline.x, shape.y = outline.y;
-    shape.length = outline.length, shape.width = outline.width;
-    shape.corners.clear();
-    const vec2 ahead = maths::direction(shape.heading);  // kept: the slope of a zone falls along it
-    for (const vec2 corner : corners_of(outline)) {
-        const vec2 own = maths::rotate(corner, {ahead.x, -ahead.y});
-        shape.corners.push_back({own.x, own.y});
-    }
-    return shape;
-}
-
-}  // namespace
 
 Zone with_outline(Zone zone, const Obstacle& outline) {
     zone.round = false;

@@ -47,6 +47,45 @@ ButtonColours colours(const Ui& ui, const ButtonLook& look, const Item& at) {
     return {warm, p.line, p.text};
 }
 
+// Of the icon and the space behind it; wide icons take more.
+float sign_room(const Ui& ui, const SmallButton& look) {
+    if (!has_icons(ui) || look.icon.empty()) return 0;
+    return std::max(ui.px(16), text_width(ui, Face::small, look.icon) + ui.px(4));
+}
+
+struct Segments {
+    std::vector<float> widths;  // window pixels
+    bool equal = true;
+};
+
+// Of equal widths; where a word does not fit into its own, each gets the length of its word and the rest is shared.
+Segments lay_out_segments(const Ui& ui, std::span<const std::string_view> words, float width) {
+    const auto count = static_cast<float>(words.size());
+    const float each = width / count;
+    float rest = width;
+    Segments segments{std::vector<float>(words.size(), each), true};
+    for (const std::string_view word : words) {
+        const float length = text_width(ui, Face::label, word);
+        rest -= length;
+        segments.equal &= length < each - ui.px(12);
+    }
+    if (segments.equal) return segments;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        segments.widths[i] = text_width(ui, Face::label, words[i]) + rest / count;
+    return segments;
+}
+
+// The largest face in which every word fits: one size for all.
+Face face_of_segments(const Ui& ui, std::span<const std::string_view> words, const Segments& segments) {
+    if (!segments.equal) return Face::label;
+    for (const Face face : {Face::text, Face::small})
+        if (std::all_of(words.begin(), words.end(), [&](std::string_view word) {
+                return text_width(ui, face, word) < segments.widths.front() - ui.px(12);
+            }))
+            return face;
+    return Face::label;
+}
+
 }  // namespace
 
 float button_width(const Ui& ui, const ButtonLook& look) {
@@ -89,16 +128,6 @@ bool push_button(Ui& ui, std::string_view id, const ButtonLook& look, std::strin
     return at.pressed;
 }
 
-namespace {
-
-// Of the icon and the space behind it; wide icons take more.
-float sign_room(const Ui& ui, const SmallButton& look) {
-    if (!has_icons(ui) || look.icon.empty()) return 0;
-    return std::max(ui.px(16), text_width(ui, Face::small, look.icon) + ui.px(4));
-}
-
-}  // namespace
-
 float small_button_width(const Ui& ui, const SmallButton& look, bool words) {
     if (!words && has_icons(ui)) return ui.px(28);
     return ui.px(14) + sign_room(ui, look) + text_width(ui, Face::small, look.words);
@@ -133,43 +162,6 @@ void beside_or_below(const Ui& ui, float width, float right) {
     const float space = ui.px(spacing::small);
     if (ImGui::GetItemRectMax().x + space + width <= right + 0.5f) ImGui::SameLine(0, space);
 }
-
-namespace {
-
-struct Segments {
-    std::vector<float> widths;  // window pixels
-    bool equal = true;
-};
-
-// Of equal widths; where a word does not fit into its own, each gets the length of its word and the rest is shared.
-Segments lay_out_segments(const Ui& ui, std::span<const std::string_view> words, float width) {
-    const auto count = static_cast<float>(words.size());
-    const float each = width / count;
-    float rest = width;
-    Segments segments{std::vector<float>(words.size(), each), true};
-    for (const std::string_view word : words) {
-        const float length = text_width(ui, Face::label, word);
-        rest -= length;
-        segments.equal &= length < each - ui.px(12);
-    }
-    if (segments.equal) return segments;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        segments.widths[i] = text_width(ui, Face::label, words[i]) + rest / count;
-    return segments;
-}
-
-// The largest face in which every word fits: one size for all.
-Face face_of_segments(const Ui& ui, std::span<const std::string_view> words, const Segments& segments) {
-    if (!segments.equal) return Face::label;
-    for (const Face face : {Face::text, Face::small})
-        if (std::all_of(words.begin(), words.end(), [&](std::string_view word) {
-                return text_width(ui, face, word) < segments.widths.front() - ui.px(12);
-            }))
-            return face;
-    return Face::label;
-}
-
-}  // namespace
 
 int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
              std::string_view how) {

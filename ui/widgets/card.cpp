@@ -71,28 +71,6 @@ void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::
     if (row.pressed) state.folded = !state.folded;
 }
 
-}  // namespace
-
-float folded_height(const Ui& ui) { return ui.px(card_heading); }
-
-float wanted_height(const Ui& ui, const CardState& state) {
-    if (state.folded) return folded_height(ui);
-    // Before a body below a head is measured it needs room: Dear ImGui does not lay out what is outside the card.
-    const float head = state.head ? *state.head + (state.content > 0 ? 0 : ui.px(unmeasured_head)) : 0;
-    return ui.px(card_heading + bottom_padding) + head + state.content + state.footer;
-}
-
-void card_ground(const Ui& ui, Rect r, Corner corner) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.PushClipRectFullScreen();
-    shadow_box(ui, draw, r, corner, {3, 2, 0.10f});
-    fill_box(ui, r, ui.palette.panel.with_alpha(0.97f), corner);
-    line_box(ui, r, ui.palette.line, corner);
-    draw.PopClipRect();
-}
-
-namespace {
-
 void begin_part(const Ui& ui, const char* name, ImVec2 size, ImGuiWindowFlags flags) {
     compat::begin_child(name, size, flags);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::small)});
@@ -130,7 +108,32 @@ void measure(CardState& state, float& height, float measured) {
     height = measured;
 }
 
+void end_body(const Ui& ui, CardState& state) {
+    if (!state.in_body) return;
+    shade_edges(ui);
+    measure(state, state.content, end_part());
+    state.in_body = false;
+}
+
 }  // namespace
+
+float folded_height(const Ui& ui) { return ui.px(card_heading); }
+
+float wanted_height(const Ui& ui, const CardState& state) {
+    if (state.folded) return folded_height(ui);
+    // Before a body below a head is measured it needs room: Dear ImGui does not lay out what is outside the card.
+    const float head = state.head ? *state.head + (state.content > 0 ? 0 : ui.px(unmeasured_head)) : 0;
+    return ui.px(card_heading + bottom_padding) + head + state.content + state.footer;
+}
+
+void card_ground(const Ui& ui, Rect r, Corner corner) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PushClipRectFullScreen();
+    shadow_box(ui, draw, r, corner, {3, 2, 0.10f});
+    fill_box(ui, r, ui.palette.panel.with_alpha(0.97f), corner);
+    line_box(ui, r, ui.palette.line, corner);
+    draw.PopClipRect();
+}
 
 bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r,
                 std::span<HeadingButton> extras) {
@@ -155,17 +158,6 @@ void end_head(const Ui& ui, CardState& state, Rect r) {
     measure(state, *state.head, end_part() + ui.px(below_head));
     begin_body(ui, state, r);
 }
-
-namespace {
-
-void end_body(const Ui& ui, CardState& state) {
-    if (!state.in_body) return;
-    shade_edges(ui);
-    measure(state, state.content, end_part());
-    state.in_body = false;
-}
-
-}  // namespace
 
 void begin_footer(Ui& ui, CardState& state, Rect r) {
     end_body(ui, state);

@@ -17,6 +17,39 @@ ImVec2 snapped(ImVec2 at) { return {std::floor(at.x + 0.5f), std::floor(at.y + 0
 
 const char* end_of(std::string_view words) { return words.data() + words.size(); }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool has_decimal_number(std::string_view words) {
+    for (std::size_t i = 1; i + 1 < words.size(); ++i)
+        if ((words[i] == ',' || words[i] == '.') && is_digit(words[i - 1]) && is_digit(words[i + 1])) return true;
+    return false;
+}
+
+float room_of_paragraph(const Ui& ui, float width) {
+    return width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
+}
+
+// `text`: the words with their line breaks.
+void put_paragraph(Ui& ui, std::string_view words, const std::string& text, Colour colour, Face face, float width) {
+    const WholeLines whole(ImGui::GetCursorScreenPos().y, line_height(ui, face));
+    compat::push_font(font(ui, face));
+    ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));
+    ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+    record_text(ui, *ImGui::GetWindowDrawList(), {low.x, low.y, size.x, size.y}, words, line_height(ui, face));
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+float corner_radius(const Ui& ui, Rect r, Corner corner) {
+    return corner == Corner::bar     ? ui.px(radius::bar)
+           : corner == Corner::box   ? ui.px(radius::box)
+           : corner == Corner::round ? std::min(r.w, r.h) / 2
+                                     : 0;
+}
+
 }  // namespace
 
 void record_text(const Ui& ui, const ImDrawList& draw, Rect rect, std::string_view words, float pixels) {
@@ -107,18 +140,6 @@ std::string shortened_first_sentence(const Ui& ui, std::string_view words, Face 
     return shortened(ui, words, face, width);
 }
 
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool has_decimal_number(std::string_view words) {
-    for (std::size_t i = 1; i + 1 < words.size(); ++i)
-        if ((words[i] == ',' || words[i] == '.') && is_digit(words[i - 1]) && is_digit(words[i + 1])) return true;
-    return false;
-}
-
-}  // namespace
-
 std::string wrapped_at_spaces(const Ui& ui, Face face, std::string_view words, float width) {
     std::string text(words);
     if (!has_decimal_number(words)) return text;
@@ -182,28 +203,6 @@ bool put_lines(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, F
     return is_whole;
 }
 
-namespace {
-
-float room_of_paragraph(const Ui& ui, float width) {
-    return width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
-}
-
-// `text`: the words with their line breaks.
-void put_paragraph(Ui& ui, std::string_view words, const std::string& text, Colour colour, Face face, float width) {
-    const WholeLines whole(ImGui::GetCursorScreenPos().y, line_height(ui, face));
-    compat::push_font(font(ui, face));
-    ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));
-    ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));
-    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
-    const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
-    record_text(ui, *ImGui::GetWindowDrawList(), {low.x, low.y, size.x, size.y}, words, line_height(ui, face));
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-}
-
-}  // namespace
-
 void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
     put_paragraph(ui, words, wrapped_at_spaces(ui, face, words, room_of_paragraph(ui, width)), colour, face, width);
 }
@@ -232,17 +231,6 @@ std::string with_large_arrows(const Ui& ui, std::string text) {
 void put_icon(const Ui& ui, ImVec2 middle, std::string_view name, Colour colour, Face face) {
     if (has_icons(ui)) put_centred(ui, {middle.x, middle.y - line_height(ui, face) / 2}, name, colour, face);
 }
-
-namespace {
-
-float corner_radius(const Ui& ui, Rect r, Corner corner) {
-    return corner == Corner::bar     ? ui.px(radius::bar)
-           : corner == Corner::box   ? ui.px(radius::box)
-           : corner == Corner::round ? std::min(r.w, r.h) / 2
-                                     : 0;
-}
-
-}  // namespace
 
 void fill_box(const Ui& ui, Rect r, Colour colour, Corner corner) {
     ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour),

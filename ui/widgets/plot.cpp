@@ -26,6 +26,13 @@ float first_on(const Axis& axis, float step) { return std::ceil(axis.low / step 
 
 Colour grid(const Ui& ui, bool is_zero) { return is_zero ? ui.palette.second_text : ui.palette.line.with_alpha(0.6f); }
 
+// True where the line turns by more than 60°.
+bool is_sharp(ImVec2 before, ImVec2 corner, ImVec2 after) {
+    const ImVec2 in{corner.x - before.x, corner.y - before.y}, out{after.x - corner.x, after.y - corner.y};
+    const float lengths = std::hypot(in.x, in.y) * std::hypot(out.x, out.y);
+    return in.x * out.x + in.y * out.y < 0.5f * lengths;
+}
+
 }  // namespace
 
 float round_step(float span, int most) {
@@ -96,17 +103,6 @@ void plot_words(const Ui& ui, Rect inner, float pixel_x, const std::string_view*
 namespace detail {
 
 void path_to(ImVec2 point) { ImGui::GetWindowDrawList()->PathLineToMergeDuplicate(point); }
-
-namespace {
-
-// True where the line turns by more than 60°.
-bool is_sharp(ImVec2 before, ImVec2 corner, ImVec2 after) {
-    const ImVec2 in{corner.x - before.x, corner.y - before.y}, out{after.x - corner.x, after.y - corner.y};
-    const float lengths = std::hypot(in.x, in.y) * std::hypot(out.x, out.y);
-    return in.x * out.x + in.y * out.y < 0.5f * lengths;
-}
-
-}  // namespace
 
 // Dear ImGui's mitred joins extend up to five times the line's width beyond a sharp corner. The line is therefore drawn
 // in pieces that end at sharp corners, with a disc over each of these corners.

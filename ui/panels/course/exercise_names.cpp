@@ -5,6 +5,20 @@
 
 namespace braitenlab::ui {
 
+namespace {
+
+// From 1, in the order of the list.
+int number_of_scene(const LabView& view, const CatalogueEntry& entry) {
+    int number = 1;
+    for (const CatalogueEntry& other : *view.documents.catalogue) {
+        if (other.name == entry.name) break;
+        number += other.number == 0 ? 1 : 0;
+    }
+    return number;
+}
+
+}  // namespace
+
 std::string number_words(const LabView& view, int number, std::string_view name) {
     int sharing = 0, before = 0;
     if (view.documents.catalogue)
@@ -28,20 +42,6 @@ bool is_title_known(const LabView& view, const CatalogueEntry& entry) {
 }
 
 bool hides_titles(const LabView& view) { return view.lecture && view.settings.revealed.asks_first; }
-
-namespace {
-
-// From 1, in the order of the list.
-int number_of_scene(const LabView& view, const CatalogueEntry& entry) {
-    int number = 1;
-    for (const CatalogueEntry& other : *view.documents.catalogue) {
-        if (other.name == entry.name) break;
-        number += other.number == 0 ? 1 : 0;
-    }
-    return number;
-}
-
-}  // namespace
 
 std::string exercise_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
     if (!hides_titles(view))
