@@ -1,4 +1,5 @@
-// The languages that ship, and their words. A test that holds for each of them loops over shipped_languages().
+// The languages that ship, and their words. A test that holds for each of them loops over shipped_languages()
+// or shipped_codes().
 #pragma once
 
 #include <map>
@@ -13,6 +14,17 @@ namespace braitenlab::tests {
 inline const std::vector<Language>& shipped_languages() {
     static const std::vector<Language> known = languages(std::string(BRAITENLAB_SOURCE) + "/ui/strings");
     return known;
+}
+
+// "en" first.
+inline const std::vector<std::string>& shipped_codes() {
+    static const std::vector<std::string> codes = [] {
+        std::vector<std::string> all{"en"};
+        for (const Language& language : shipped_languages())
+            if (language.code != "en") all.push_back(language.code);
+        return all;
+    }();
+    return codes;
 }
 
 inline const Strings& speaking(const std::string& code) {

@@ -74,7 +74,7 @@ TEST_F(BreedingDesk, SaysHowMuchTimeIsLeftWhileItRuns) {
 }
 
 TEST(BreedingButtons, StayInTheirPlacesWhateverTheFirstOneSays) {
-    for (const char* language : {"en", "de", "es"}) {
+    for (const std::string& language : shipped_codes()) {
         Desk desk(1280, 800, 1, true);
         desk.strings = speaking(language);
         BredOnDesk none(0), some(7), all(41, 2);

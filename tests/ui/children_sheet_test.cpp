@@ -88,14 +88,14 @@ TEST(ChildrenSheet, WatchClosesItAndPlays) {
 }
 
 TEST(ChildrenSheet, ItFitsIntoEachWindowAndShowsWholePictures) {
-    for (const char* language : {"en", "de", "es"})
+    for (const std::string& language : shipped_codes())
         for (const auto& [w, h, scale] : {std::tuple{1024.0f, 768.0f, 1.0f},
                                           {1280.0f, 800.0f, 1.0f},
                                           {1920.0f, 1200.0f, 2.0f},
                                           {800.0f, 600.0f, 1.0f},
                                           {1280.0f, 800.0f, 1.25f},
                                           {1920.0f, 1080.0f, 1.0f}}) {
-            SCOPED_TRACE(std::string(language) + " " + std::to_string(w) + " " + std::to_string(scale));
+            SCOPED_TRACE(language + " " + std::to_string(w) + " " + std::to_string(scale));
             Desk desk(w, h, scale, true);
             desk.strings = speaking(language);
             open_selection(desk);

@@ -23,7 +23,7 @@ Written text_at(float x, float y, bool scrolls = false) {
 // One window of the matrix.
 struct Window {
     float width, height, scale;
-    const char* language;
+    std::string language;
     Theme theme;
     bool lecture;
 };
@@ -36,16 +36,16 @@ std::string name(const Window& w) {
 
 constexpr float sizes[][2]{{1024, 768}, {1280, 800}, {1920, 1080}, {2560, 1440}, {3840, 2160}};
 constexpr float scales[]{0.75f, 1, 1.5f, 2, 3};
-constexpr const char* languages_of_matrix[]{"en", "de", "es"};
 
 // Each pair of a size and a scale; language, theme and lecture take turns so that each pair of two values occurs.
 std::vector<Window> windows() {
     std::vector<Window> all;
     for (int s = 0; s < 5; ++s)
         for (int k = 0; k < 5; ++k) {
-            const int language = (s + k) % 3, theme = (s + k / 2) % 2, lecture = (s / 2 + k) % 2;
-            all.push_back({sizes[s][0], sizes[s][1], scales[k], languages_of_matrix[language],
-                           theme ? Theme::light : Theme::dark, lecture == 1});
+            const std::string& language = shipped_codes()[static_cast<std::size_t>(s + k) % shipped_codes().size()];
+            const int theme = (s + k / 2) % 2, lecture = (s / 2 + k) % 2;
+            all.push_back(
+                {sizes[s][0], sizes[s][1], scales[k], language, theme ? Theme::light : Theme::dark, lecture == 1});
         }
     return all;
 }
@@ -212,9 +212,9 @@ TEST(DrawnText, FitsTogetherWithWidgetsInEachWindow) {
 
 // At the default size without scrolling.
 TEST(DrawnText, ShowsTheWholeBrainCardOfAPredator) {
-    for (const char* language : {"en", "de", "es"})
+    for (const std::string& language : shipped_codes())
         for (const auto& [width, height] : {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}}) {
-            SCOPED_TRACE(std::string(language) + " " + std::to_string(width));
+            SCOPED_TRACE(language + " " + std::to_string(width));
             Desk desk(width, height, 1, true);
             desk.strings = speaking(language);
             desk.now = shipped_scene("predator-prey");

@@ -214,8 +214,10 @@ TEST(ErrorWords, TranslateEveryMistakeInExercisesAndLectures) {
             EXPECT_FALSE(phrase.id.empty()) << "no translation of '" << error.what << "'";
             seen.emplace(phrase.id);
         }
-        for (const char* code : {"de", "es"})
+        for (const std::string& code : shipped_codes()) {
+            if (code == "en") continue;
             EXPECT_NE(text_of(error, speaking(code)), error.text()) << "not in " << code;
+        }
     }
     for (const char* source : {"check_exercise.cpp", "exercise_file.cpp", "lecture.cpp"})
         for (const std::string& id : messages_in(fs::path("core/lesson") / source))

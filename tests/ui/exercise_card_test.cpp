@@ -125,7 +125,7 @@ TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
 }
 
 TEST(ExerciseCard, StartOverHasItsWordsInEveryLanguage) {
-    for (const char* language : {"en", "de", "es"})
+    for (const std::string& language : shipped_codes())
         for (const bool passed_before : {false, true}) {
             Desk desk(1024, 768, 1, true);
             desk.strings = speaking(language);
@@ -149,7 +149,7 @@ TEST(ExerciseCard, HasMoreOfTheColumnThanTheInsetInTheWiringEditorOfANarrowWindo
 
 TEST(ExerciseCard, ItsFootDoesNotScroll) {
     for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}})
-        for (const char* language : {"en", "de", "es"})
+        for (const std::string& language : shipped_codes())
             for (const bool passed : {false, true}) {
                 Desk desk(width, height, 1, true);
                 desk.strings = speaking(language);
@@ -186,7 +186,7 @@ TEST(ExerciseCard, TheNoteFieldIsInSightOnceItIsUnfolded) {
 }
 
 TEST(ExerciseCard, TitleAndGoalStayInSightAndTheNewestHintIsBelowThemInTheWiringEditor) {
-    for (const char* language : {"en", "de", "es"}) {
+    for (const std::string& language : shipped_codes()) {
         Desk desk(1024, 768, 1, true);
         desk.strings = speaking(language);
         desk.open_exercise();

@@ -13,8 +13,6 @@ using namespace ui;
 
 namespace {
 
-constexpr const char* languages_of_rows[]{"en", "de", "es"};
-
 // The text of the last frame; null: it has not been written.
 const Written* text_of(const Desk& desk, std::string_view words) {
     for (const Written& each : desk.written)
@@ -75,7 +73,7 @@ TEST(ExerciseRows, TheCardStopsAtTheFirstRowThatShowsThePart) {
 }
 
 TEST_F(LongExercise, TheFirstOpenStepStaysInSightWhenTheOutcomeAppears) {
-    for (const char* language : languages_of_rows)
+    for (const std::string& language : shipped_codes())
         for (const std::size_t done : {0u, 1u, 2u}) {
             Desk desk(1024, 768, 1, true);
             desk.strings = speaking(language);
@@ -120,7 +118,7 @@ TEST_F(LongExercise, AnotherExerciseBeginsWithoutTheCardOfTheSensors) {
 }
 
 TEST_F(LongExercise, NoLineIsCutAboveTheOutcomeOnceEveryStepIsDone) {
-    for (const char* language : languages_of_rows)
+    for (const std::string& language : shipped_codes())
         for (const float height : {640.0f, 700.0f, 730.0f, 768.0f}) {
             Desk desk(1024, height, 1, true);
             desk.strings = speaking(language);
@@ -192,7 +190,7 @@ TEST_F(LongExercise, NoHeadingIsAloneAtTheEndOfTheCard) {
 }
 
 TEST_F(LongExercise, NoLineIsCutAboveANewHint) {
-    for (const char* language : languages_of_rows)
+    for (const std::string& language : shipped_codes())
         for (const float height : {600.0f, 640.0f, 700.0f, 768.0f}) {
             Desk desk(1024, height, 1, true);
             desk.strings = speaking(language);

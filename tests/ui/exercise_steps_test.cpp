@@ -151,7 +151,7 @@ TEST_F(ExerciseSteps, AGaugeShowsWhatIsNeededAndTheValueInOrOutsideIt) {
 }
 
 TEST(ExerciseValues, AreOneLineWithTheirNeedInsideTheCard) {
-    for (const char* language : {"en", "de", "es"}) {
+    for (const std::string& language : shipped_codes()) {
         Desk low(1024, 768, 1, true);
         low.strings = speaking(language);
         low.open_exercise();

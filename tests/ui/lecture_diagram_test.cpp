@@ -13,7 +13,8 @@ constexpr Size sizes[]{{1024, 768, 1.375f}, {1024, 768, 1.6f}, {1280, 800, 1.6f}
 
 struct Diagram {
     Desk desk;
-    Diagram(const Snapshot& now, const Size& size, const char* code) : desk(size.width, size.height, size.scale, true) {
+    Diagram(const Snapshot& now, const Size& size, const std::string& code)
+        : desk(size.width, size.height, size.scale, true) {
         desk.strings = speaking(code);
         desk.now = now;
         desk.view.lecture = true;
@@ -32,7 +33,7 @@ struct Diagram {
 template <class Check>
 void each_diagram(const Check& check) {
     for (const Size& size : sizes)
-        for (const char* code : {"en", "de", "es"}) {
+        for (const std::string& code : shipped_codes()) {
             const auto of = [&](const std::string& name) {
                 return name + " " + code + " at " + std::to_string(size.width) + ", scale " +
                        std::to_string(size.scale);

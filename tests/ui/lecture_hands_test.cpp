@@ -124,15 +124,15 @@ TEST_F(LectureHands, TellsThatTheFirstFrameOfAQuestionHasNotItsHeight) {
 }
 
 TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {
-    for (const char* code : {"en", "de", "es"})
+    for (const std::string& code : shipped_codes())
         for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
-            if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+            if (code != "en") desk.strings = speaking_in_lectures(code);
             pages = opened_lecture(name);
             for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
                 show(page, 2);
                 const std::size_t options = pages.current().question.options.size();
                 if (options == 0) continue;
-                SCOPED_TRACE(std::string(code) + " " + name + " " + std::to_string(page + 1));
+                SCOPED_TRACE(code + " " + name + " " + std::to_string(page + 1));
                 ASSERT_TRUE(pages.shows(PagePart::answer));
                 for (int& hands : pages.hands[static_cast<std::size_t>(page)]) hands = 12;
                 desk.frame(2);

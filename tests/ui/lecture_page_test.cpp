@@ -15,13 +15,13 @@ struct LecturePages : LectureOnDesk {};
 }  // namespace
 
 TEST_F(LecturePages, CaptionAndOptionsFitIntoSmallWindowsInEveryLanguage) {
-    for (const char* code : {"en", "de", "es"})
+    for (const std::string& code : shipped_codes())
         for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
-            if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+            if (code != "en") desk.strings = speaking_in_lectures(code);
             pages = opened_lecture(name);
             for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
                 show(page, 0);
-                SCOPED_TRACE(std::string(code) + " " + name + " " + std::to_string(page + 1));
+                SCOPED_TRACE(code + " " + name + " " + std::to_string(page + 1));
                 const Rect caption = desk.where("lecture.caption"), window = desk.layout.window;
                 EXPECT_TRUE(is_inside(caption, window));
                 int lines = 0;
@@ -52,7 +52,7 @@ constexpr Size sizes[]{
 struct RevealedPage {
     LectureView pages;
     Desk desk;
-    RevealedPage(const char* lecture, int page, const Size& size, const char* code)
+    RevealedPage(const char* lecture, int page, const Size& size, const std::string& code)
         : pages(opened_lecture(lecture)), desk(size.width, size.height, size.scale, true) {
         pages.page = page, pages.step = static_cast<int>(pages.current().steps.size());
         desk.strings = speaking(code);
@@ -70,11 +70,11 @@ struct RevealedPage {
 template <class Check>
 void each_revealed_page(const Check& check) {
     for (const Size& size : sizes)
-        for (const char* code : {"en", "de", "es"})
+        for (const std::string& code : shipped_codes())
             for (const char* lecture : {"four-numbers", "wheels-to-neurons"}) {
                 const int count = static_cast<int>(opened_lecture(lecture).lecture->pages.size());
                 for (int page = 0; page < count; ++page) {
-                    SCOPED_TRACE(std::string(code) + " " + lecture + " " + std::to_string(page + 1) + " at " +
+                    SCOPED_TRACE(code + " " + lecture + " " + std::to_string(page + 1) + " at " +
                                  std::to_string(size.width));
                     RevealedPage shown(lecture, page, size, code);
                     if (shown.has_diagram() || shown.pages.shows(PagePart::sliders)) check(shown, size);
@@ -86,16 +86,16 @@ void each_revealed_page(const Check& check) {
 template <class Check>
 void each_caption(Check check) {
     for (const Size& size : sizes)
-        for (const char* code : {"en", "de", "es"})
+        for (const std::string& code : shipped_codes())
             for (const char* lecture : {"fitter", "four-numbers", "wheels-to-neurons"}) {
                 Desk desk(size.width, size.height, size.scale, true);
                 LectureView pages = opened_lecture(lecture);
-                if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+                if (code != "en") desk.strings = speaking_in_lectures(code);
                 desk.view.pages = &pages;
                 desk.view.lecture = true;
                 for (; pages.page < static_cast<int>(pages.lecture->pages.size()); ++pages.page) {
                     desk.frame(2);
-                    SCOPED_TRACE(std::string(code) + " " + lecture + " " + std::to_string(pages.page + 1) + " at " +
+                    SCOPED_TRACE(code + " " + lecture + " " + std::to_string(pages.page + 1) + " at " +
                                  std::to_string(size.width));
                     std::vector<Written> lines;
                     for (const Written& w : desk.written)
@@ -264,14 +264,14 @@ TEST(LecturePageType, TheNeuronsOfAShippedBrainHaveNamesInWords) {
 }
 
 TEST_F(LecturePages, NotesLeaveTheOptionsOfTheQuestionInSightAndScroll) {
-    for (const char* code : {"en", "de", "es"})
+    for (const std::string& code : shipped_codes())
         for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
-            if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+            if (code != "en") desk.strings = speaking_in_lectures(code);
             pages = opened_lecture(name);
             pages.notes = true;
             for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
                 show(page, 0);
-                SCOPED_TRACE(std::string(code) + " " + name + " " + std::to_string(page + 1));
+                SCOPED_TRACE(code + " " + name + " " + std::to_string(page + 1));
                 const std::size_t options = pages.current().question.options.size();
                 const Rect notes = desk.where("lecture.notes");
                 EXPECT_TRUE(is_inside(notes, desk.layout.window));

@@ -17,12 +17,12 @@ struct LectureSliders : LectureOnDesk {};
 // A card is not scrolled in a lecture. The pages with sliders, each as its exercise begins.
 TEST_F(LectureSliders, TheCardOfTheBrainIsShownWholeWithItsNamesApart) {
     pages = opened_lecture("wheels-to-neurons");
-    for (const char* code : {"en", "de", "es"}) {
+    for (const std::string& code : shipped_codes()) {
         desk.strings = speaking(code);
         for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
             const LecturePage& shown = pages.lecture->pages[static_cast<std::size_t>(page)];
             if (!braitenlab::shows(shown, PagePart::sliders, static_cast<int>(shown.steps.size()))) continue;
-            SCOPED_TRACE(code + std::string(" ") + std::to_string(page + 1));
+            SCOPED_TRACE(code + " " + std::to_string(page + 1));
             const auto exercise = load_exercise(shown.file);
             ASSERT_TRUE(exercise);
             World::create(exercise->scene, 1)->capture(desk.now);
@@ -117,8 +117,8 @@ TEST_F(LectureSliders, TheSlidersTakeThePlaceOfAnAnsweredQuestion) {
 
 TEST_F(LectureSliders, AllSlidersAreVisibleWithoutScrollingInEveryLanguage) {
     desk.now = shipped_scene("predator-prey");
-    for (const char* code : {"en", "de", "es"}) {
-        if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+    for (const std::string& code : shipped_codes()) {
+        if (code != "en") desk.strings = speaking_in_lectures(code);
         show(6, 0);
         desk.view.pages = &pages;
         pages.page = 7;

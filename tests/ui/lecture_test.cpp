@@ -161,7 +161,7 @@ TEST(Lecture, TheOpenBrainIsWholeInTheWindowOfAProjectorAndOfALargeDisplay) {
     int sums = 0;
     for (const Size size : {Size{1024, 768, 1.375f}, {1280, 800, 1.4f}, {1920, 1080, 2}, {2560, 1440, 2}})
         for (const char* scene : {"2b-aggressor", "2c", "3b-explorer", "3c-values", "5-logic", "tortoise"})
-            for (const char* code : {"en", "de", "es"})
+            for (const std::string& code : shipped_codes())
                 for (const bool watching : {false, true}) {
                     SCOPED_TRACE(scene + std::string(" ") + code + " at " + std::to_string(size.width) +
                                  (watching ? ", watching" : ""));
@@ -225,9 +225,9 @@ TEST(Lecture, WritesTheNamesOfTheWatchedDiagramLegibly) {
 }
 
 TEST(Lecture, NamesTheSideOfEachEyeAndMotorInTheWatchedDiagram) {
-    for (const char* code : {"en", "de", "es"})
+    for (const std::string& code : shipped_codes())
         for (const auto& [width, height] : {std::pair{1920.0f, 1080.0f}, std::pair{1024.0f, 768.0f}}) {
-            SCOPED_TRACE(code + std::string(" at ") + std::to_string(width));
+            SCOPED_TRACE(code + " at " + std::to_string(width));
             Desk desk(width, height, width > 1500 ? 2.0f : 1.6f, true);
             desk.strings = speaking(code);
             desk.now = shipped_scene("2b-aggressor");

@@ -61,7 +61,7 @@ TEST(LiveBrain, ItsTextIsAtLeastTheFiftiethPartOfTheWindowHigh) {
 
 TEST(LiveBrain, NoTextCoversAnotherOrLeavesThePicture) {
     for (const Size& size : sizes)
-        for (const char* code : {"en", "de", "es"})
+        for (const std::string& code : shipped_codes())
             for (const char* scene : scenes) {
                 SCOPED_TRACE(scene + std::string(" ") + code + " at " + std::to_string(size.width));
                 Desk desk(size.width, size.height, size.scale, true);
@@ -105,8 +105,8 @@ TEST(LiveBrain, LeavesRoomForTheWatchedDiagram) {
 
 TEST(LiveBrain, ShowsEveryEyeThatTheBrainReadsAlsoBesideTheDiagram) {
     for (const Size& size : sizes)
-        for (const char* code : {"en", "de", "es"}) {
-            SCOPED_TRACE(code + std::string(" at ") + std::to_string(size.width));
+        for (const std::string& code : shipped_codes()) {
+            SCOPED_TRACE(code + " at " + std::to_string(size.width));
             Desk desk(size.width, size.height, size.scale, true);
             desk.strings = speaking(code);
             begin_lecture(desk, "tortoise");
@@ -149,8 +149,8 @@ TEST(LiveBrain, ShowsEyesWeightsAndWheels) {
 
 TEST(LiveBrain, TheBiasOfAWheelIsBetweenItsNameAndItsNumber) {
     for (const Size& size : {Size{1024, 768, 1.4f}, sizes[1], sizes[2], sizes[3]})
-        for (const char* code : {"en", "de", "es"}) {
-            SCOPED_TRACE(std::string(code) + " at " + std::to_string(size.width));
+        for (const std::string& code : shipped_codes()) {
+            SCOPED_TRACE(code + " at " + std::to_string(size.width));
             Desk desk(size.width, size.height, size.scale, true);
             desk.strings = speaking(code);
             begin_lecture(desk, "2b-aggressor");

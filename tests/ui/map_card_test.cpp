@@ -167,7 +167,7 @@ TEST_F(MapCard, HasALegendOfEveryKindOrOfTheNumbers) {
 }
 
 TEST(MapLegend, ShowsWholeWordsInEveryLanguageAndInALecture) {
-    for (const char* language : {"en", "de", "es"})
+    for (const std::string& language : shipped_codes())
         for (const bool lecture : {false, true}) {
             Desk desk(1024, 768, lecture ? 1.4f : 1.0f, true);
             desk.strings = speaking(language);
@@ -259,10 +259,10 @@ TEST(MapAxes, HaveTheirNumbersAtBothEndsBesideTheFieldAndTheName) {
                              {1024, 768, 1.375f, true},
                              {1280, 800, 1.4f, true},
                              {2560, 1440, 2, true}})
-        for (const char* language : {"en", "de", "es"})
+        for (const std::string& language : shipped_codes())
             for (const char* path : {"LL=RR", "LR=RL"}) {
-                SCOPED_TRACE(std::string(language) + " at " + std::to_string(size.width) + ", scale " +
-                             std::to_string(size.scale) + ", " + path);
+                SCOPED_TRACE(language + " at " + std::to_string(size.width) + ", scale " + std::to_string(size.scale) +
+                             ", " + path);
                 Desk desk(size.width, size.height, size.scale, true);
                 MapCells cells{8};
                 desk.now = snapshot(0);
@@ -293,7 +293,7 @@ TEST(MapAxes, HaveTheirNumbersAtBothEndsBesideTheFieldAndTheName) {
                         return w.words == words && std::fabs(w.rect.x - at.x) < 1 && std::fabs(w.rect.y - at.y) < 1;
                     });
                 };
-                const std::string point = std::string(language) == "en" ? "." : ",";
+                const std::string point = language == "en" ? "." : ",";
                 EXPECT_TRUE(says("\u22121" + point + "25", low));
                 EXPECT_TRUE(says("2" + point + "5", top));
             }
@@ -302,7 +302,7 @@ TEST(MapAxes, HaveTheirNumbersAtBothEndsBesideTheFieldAndTheName) {
 TEST(MapCardInANarrowWindow, TheSlidersOfAnAxisHaveRoomForTheirWords) {
     const Desk narrow(1024, 768, 1, true);
     Anchors anchors;
-    for (const char* language : {"en", "de", "es"}) {
+    for (const std::string& language : shipped_codes()) {
         const Strings strings = speaking(language);
         Outbox asked;
         Ui ui{strings, palette(Theme::dark), test_fonts(1).loaded.fonts, 1, anchors, asked, {}, 1};

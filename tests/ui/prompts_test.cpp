@@ -444,7 +444,7 @@ TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
     desk.lesson.attempt.answers.prediction = -1;
     desk.follow_disclosure();
     EXPECT_EQ(next_change(desk.view), "hint.change.answer");
-    for (const char* language : {"en", "de", "es"}) {
+    for (const std::string& language : shipped_codes()) {
         desk.strings = speaking(language);
         desk.lesson.attempt.answers.prediction = 0;
         at(1);

@@ -52,7 +52,7 @@ TEST_F(SettingsCard, ChangesOneSettingPerClick) {
 }
 
 TEST(SettingsCardWithFonts, ShowsTheTypeSizeInEffectWhereTheWindowIsTooSmallForTheChosenOne) {
-    for (const char* code : {"en", "de", "es"}) {
+    for (const std::string& code : shipped_codes()) {
         Desk desk(1024, 768, 1, true);
         desk.strings = speaking(code);
         desk.view.program.preferences.type_size = 1.5f;

@@ -118,9 +118,9 @@ TEST(ShippedWords, AreShownOnTheCardInTheChosenLanguage) {
 }
 
 TEST(ShippedWords, TheQuestionOfEachExerciseIsShownWholeInASmallWindow) {
-    for (const char* code : {"en", "de", "es"})
+    for (const std::string& code : shipped_codes())
         for (const auto& file : fs::directory_iterator(shipped / "guided")) {
-            SCOPED_TRACE(std::string(code) + " " + file.path().filename().string());
+            SCOPED_TRACE(code + " " + file.path().filename().string());
             const auto exercise = load_exercise(file.path());
             ASSERT_TRUE(exercise);
             if (exercise->prediction.question.empty()) continue;

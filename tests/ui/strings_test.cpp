@@ -87,7 +87,8 @@ TEST(Strings, HaveTheSameKeysGapsAndShortcutsInEveryLanguage) {
 
 TEST(Strings, AreTranslated) {
     const Strings strings = english();
-    for (const char* code : {"de", "es"}) {
+    for (const std::string& code : shipped_codes()) {
+        if (code == "en") continue;
         const Strings other = speaking(code);
         int sentences = 0;
         for (const auto& [key, words] : strings.all()) {

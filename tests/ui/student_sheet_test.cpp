@@ -81,7 +81,7 @@ TEST_F(StudentSheet, ForgetsTheProgressAndTakesThatBack) {
 
 TEST_F(StudentSheet, FitsTheWindowWithManyStudentsInEveryLanguage) {
     for (int i = 0; i < 40; ++i) students.all.push_back({"A student with a long name number " + std::to_string(i), {}});
-    for (const char* language : {"en", "de", "es"}) {
+    for (const std::string& language : shipped_codes()) {
         desk.strings = speaking(language);
         desk.frame(3);
         const Rect card = desk.where("card.students");

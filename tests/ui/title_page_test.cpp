@@ -10,10 +10,10 @@ bool begins(const Desk& desk) { return desk.last<BeginRequest>() != nullptr; }
 }  // namespace
 
 TEST(TitlePage, ShowsTheNameASentenceAndOneButtonAndNothingElse) {
-    for (const char* code : {"en", "de", "es"})
+    for (const std::string& code : shipped_codes())
         for (const auto& [width, height, scale] :
              {std::tuple{640.0f, 480.0f, 1.0f}, {1024.0f, 768.0f, 1.0f}, {2560.0f, 1600.0f, 2.0f}}) {
-            SCOPED_TRACE(std::string(code) + " " + std::to_string(width));
+            SCOPED_TRACE(code + " " + std::to_string(width));
             Desk desk(width, height, scale, true);
             desk.strings = speaking(code);
             desk.view.program.title_page = true;

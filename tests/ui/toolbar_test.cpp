@@ -32,7 +32,7 @@ bool has_words(const Desk& desk, const char* button) {
 
 }  // namespace
 
-struct ToolbarInEachLanguage : ::testing::TestWithParam<const char*> {};
+struct ToolbarInEachLanguage : ::testing::TestWithParam<std::string> {};
 
 TEST_P(ToolbarInEachLanguage, HasWordsOnEveryButtonAt1280Pixels) {
     Desk desk(1280, 800, 1, true);
@@ -89,8 +89,8 @@ TEST_P(ToolbarInEachLanguage, LeavesButtonsOutRatherThanDrawOverThemInTheLeastWi
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Toolbar, ToolbarInEachLanguage, ::testing::Values("en", "de", "es"),
-                         [](const auto& given) { return std::string(given.param); });
+INSTANTIATE_TEST_SUITE_P(Toolbar, ToolbarInEachLanguage, ::testing::ValuesIn(shipped_codes()),
+                         [](const auto& given) { return given.param; });
 
 TEST(Toolbar, RequestsTheActionOfEachButton) {
     const std::pair<const char*, Action> expected[]{

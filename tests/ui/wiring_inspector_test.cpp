@@ -50,7 +50,7 @@ TEST_F(WiringInspector, ShowsTheParametersOfASingleSelection) {
 namespace {
 
 // The wiring editor of an exercise in this language, with a selected wire.
-void show_wire(Desk& desk, const char* language) {
+void show_wire(Desk& desk, const std::string& language) {
     desk.strings = speaking(language);
     desk.open_exercise();
     desk.view.mode = Mode::wiring;
@@ -62,7 +62,7 @@ void show_wire(Desk& desk, const char* language) {
 }  // namespace
 
 TEST(WiringInspectorWidth, GivesSlidersOneColumnWhereTwoWouldBeShort) {
-    for (const char* language : {"en", "de", "es"})
+    for (const std::string& language : shipped_codes())
         for (const float width : {1024.0f, 1280.0f, 2400.0f}) {
             Desk desk(width, 800, 1, true);
             show_wire(desk, language);
@@ -73,7 +73,7 @@ TEST(WiringInspectorWidth, GivesSlidersOneColumnWhereTwoWouldBeShort) {
 }
 
 TEST(WiringInspectorWidth, AllNumbersOfAWireAreInSight) {
-    for (const char* language : {"en", "de", "es"})
+    for (const std::string& language : shipped_codes())
         for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}, {2400.0f, 800.0f}}) {
             Desk desk(width, height, 1, true);
             show_wire(desk, language);
