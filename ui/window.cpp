@@ -233,8 +233,9 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (is_play_held(view, state)) prompt = {"exercise.predict", "hint.predict_first"};
     if (view.mode != Mode::wiring && !view.lecture) prompt = within_reach(prompt, view, state);
     ui.highlight = prompt.anchor;
-    if (state.highlight.anchor != prompt.anchor) state.highlight.anchor = prompt.anchor, state.highlight.reveals = true;
-    ui.reveals = &state.highlight.reveals;
+    Highlight& highlight = state.prompts.highlight;
+    if (highlight.anchor != prompt.anchor) highlight.anchor = prompt.anchor, highlight.reveals = true;
+    ui.reveals = &highlight.reveals;
     pass_keys_to_rows(state);
     begin_keyboard(state.keyboard);
     end_text_by_press(state.keyboard);

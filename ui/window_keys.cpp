@@ -129,10 +129,10 @@ std::string clipboard_text() {
 // Ctrl+V opens a link from the clipboard, unless objects or nodes have been copied in the lab since.
 bool key_for_link(PanelState& state, KeyPress press, Outbox& outbox) {
     const auto action = action_for(press, KeyPlace::scene);
-    if (action == Action::copy || action == Action::cut) state.clipboard_at_copy = clipboard_text();
+    if (action == Action::copy || action == Action::cut) state.scene_input.clipboard_at_copy = clipboard_text();
     if (action != Action::paste) return false;
     std::string text = clipboard_text();
-    if (!io::is_link(text) || text == state.clipboard_at_copy) return false;
+    if (!io::is_link(text) || text == state.scene_input.clipboard_at_copy) return false;
     outbox.push_back(OpenRequest{std::move(text)});
     return true;
 }

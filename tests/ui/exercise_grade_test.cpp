@@ -156,7 +156,7 @@ TEST(ExerciseGrade, TheLightBulbAtTheNextButtonIsBelowTheScrolledPartOfTheCard) 
     Desk desk(1024, 768, 1, true);
     pass(desk);
     desk.frame(5);
-    ASSERT_EQ(desk.panels.highlight.anchor, "exercise.next");
+    ASSERT_EQ(desk.panels.prompts.highlight.anchor, "exercise.next");
     constexpr float above_buttons = 8, rounding = 0.5f;
     EXPECT_GE(desk.pointed_out.bulb.y, desk.where("exercise.next").y - above_buttons - rounding);
 }

@@ -185,7 +185,7 @@ TEST(ExercisesGuided, APromptPointsAtAWidgetInTheWindow) {
             Opened it(exercise, w.width, w.height, w.scale);
             const auto check = [&](const char* when) {
                 it.desk.frame(6);
-                const std::string pointed = it.desk.panels.highlight.anchor;
+                const std::string pointed = it.desk.panels.prompts.highlight.anchor;
                 if (pointed.empty() || is_in_diagram(pointed)) return;
                 const Rect* at = it.desk.anchors.find(pointed);
                 ASSERT_TRUE(at) << exercise.id << ", " << when << ", " << w.width << ": " << pointed;

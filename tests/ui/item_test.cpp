@@ -324,7 +324,7 @@ TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
                 desk.lesson.attempt.answers.prediction = 0;
             }
             desk.frame(4);
-            ASSERT_EQ(desk.panels.highlight.anchor, id) << window.width;
+            ASSERT_EQ(desk.panels.prompts.highlight.anchor, id) << window.width;
             SCOPED_TRACE(id + " in a window of " + std::to_string(window.width));
             const Rect row = desk.where(id), ring = desk.pointed_out.ring, bulb = desk.pointed_out.bulb;
             const Rect card = id == "button.play"        ? desk.layout.toolbar

@@ -239,12 +239,6 @@ struct SheetStates {
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
 };
 
-// The widget that pulses; see prompts.h.
-struct Highlight {
-    std::string anchor;    // in the last frame
-    bool reveals = false;  // its card has not yet scrolled to it
-};
-
 struct PanelState {
     CardState& card(Card which) {
         return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
@@ -262,7 +256,6 @@ struct PanelState {
     wiring::CanvasState canvas;
     SceneInputState scene_input;
     PromptMemory prompts;
-    Highlight highlight;
     BrainState brain;
     SensorsState sensors;
     ValuesState values;
@@ -275,9 +268,8 @@ struct PanelState {
     Sheet sheet = Sheet::none;
     SheetStates sheets;
     MenuBarState menu_bar;
-    std::vector<Action> chosen;     // with toolbar and menus, executed at the end of the frame
-    std::string clipboard_at_copy;  // the system's clipboard when objects were copied last; a later link is opened
-    bool playhead_held = false;     // true while the playhead is dragged; the simulation is paused
+    std::vector<Action> chosen;  // with toolbar and menus, executed at the end of the frame
+    bool playhead_held = false;  // true while the playhead is dragged; the simulation is paused
 };
 
 }  // namespace braitenlab::ui

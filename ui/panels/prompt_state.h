@@ -20,10 +20,17 @@ struct PromptsFollowed {
     friend bool operator==(const PromptsFollowed&, const PromptsFollowed&) = default;
 };
 
+// The widget that pulses; see prompts.h.
+struct Highlight {
+    std::string anchor;    // in the last frame
+    bool reveals = false;  // its card has not yet scrolled to it
+};
+
 // State of the prompts for one opened file.
 struct PromptMemory {
     std::string opened;
-    PromptsFollowed followed{};  // kept when another file is opened
+    PromptsFollowed followed{};  // these two are kept when another file is opened
+    Highlight highlight{};
     bool played = false;
     bool slider_known = false;                  // a slider was turned, or the run is long enough
     Suggested lamp, wiring, timeline;           // of free play, in this order

@@ -313,7 +313,7 @@ Prompt of_free_play(PromptMemory& memory, const LabView& view) {
 }  // namespace
 
 Prompt next_prompt(PromptMemory& memory, const LabView& view) {
-    if (memory.opened != view.documents.opened) memory = {view.documents.opened, memory.followed};
+    if (memory.opened != view.documents.opened) memory = {view.documents.opened, memory.followed, memory.highlight};
     remember_what_is_done(memory, view);
     memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;

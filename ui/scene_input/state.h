@@ -171,6 +171,8 @@ struct SceneInputState {
     SceneObject nudged;        // by arrow keys; presses within a second are one gesture
     double nudged_at = -1;     // wall seconds; negative: never
     std::uint64_t run_id = 0;  // LabView::run_id of the document that the values above belong to
+    // The system's clipboard when objects were copied last; a later link is opened.
+    std::string clipboard_at_copy;
 };
 
 // Takes a tool, and discards what another one has begun.
