@@ -18,8 +18,6 @@ using namespace ui;
 
 using maths::vec2;
 
-float Pen::stroke(float units) const { return std::max(size(units), ui.px(0.75f)); }
-
 namespace {
 
 struct Type {
@@ -51,7 +49,100 @@ std::string fitted(std::string_view words, Fits fits) {
     return text;
 }
 
+constexpr int corner_steps = 6;  // of a quarter circle
+constexpr int rim_points = 4 * (corner_steps + 1);
+
+// Unit vectors from a rounded box's corner centres to its rim, clockwise from the right.
+const std::array<ImVec2, rim_points>& rim() {
+    static const std::array<ImVec2, rim_points> points = [] {
+        std::array<ImVec2, rim_points> made;
+        for (int i = 0; i < rim_points; ++i) {
+            const int quarter = i / (corner_steps + 1), step = i % (corner_steps + 1);
+            const float turn = (static_cast<float>(quarter) + static_cast<float>(step) / corner_steps) * maths::pi / 2;
+            made[static_cast<std::size_t>(i)] = {maths::cosine(turn), maths::sine(turn)};
+        }
+        return made;
+    }();
+    return points;
+}
+
+// Fills the inner rim with one colour that fades out towards the outer rim. Both rims have `count` points in pairs:
+// inner, outer, inner, outer …
+void fade_out(ImDrawList& list, const ImVec2* pairs, int count, ImU32 colour) {
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    list.PrimReserve(3 * (count - 2) + 6 * count, 2 * count);
+    const unsigned first = list._VtxCurrentIdx;
+    const auto corner = [&](int i) { list.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(i))); };
+    const auto triangle = [&](int a, int b, int c) { corner(a), corner(b), corner(c); };
+    for (int i = 2; i < count; ++i) triangle(0, 2 * i - 2, 2 * i);
+    for (int i = 0; i < count; ++i) {
+        const int here = 2 * i, next = 2 * ((i + 1) % count);
+        triangle(here, next, next + 1);
+        triangle(here, next + 1, here + 1);
+    }
+    for (int i = 0; i < 2 * count; ++i)
+        list.PrimWriteVtx(pairs[i], white, i % 2 == 0 ? colour : colour & ~IM_COL32_A_MASK);
+}
+
+// The least width of a neuron's card in which every neuron's name is whole on the map, within the gap of two columns.
+float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
+    const float least = LetterRoom{}.neuron_width, most = 1.6f * least;
+    const float own = compat::size_of(font(pen.ui, Face::strong)), height = pen.least_type() / pen.view.scale;
+    float widest = 0;
+    for (const Node& node : graph.nodes)
+        if (node.kind == NodeKind::neuron)
+            widest = std::max(widest, text_width(pen.ui, Face::strong, shown_name(pen.ui, view, vehicle, node)));
+    return std::clamp(std::ceil(widest * height / own) + 2 * map_name_margin, least, most);
+}
+
+// The obstacle sensors of a brain that a lecture watches, beside four numbers of another channel: they keep the vehicle
+// away from walls and are not what the lecture is about.
+std::vector<NodeId> sensors_aside(const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
+    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
+    const auto reads_obstacles = [&](const Node& node) {
+        const Sensor* sensor = find_sensor(sensors, node.name);
+        return sensor != nullptr && sensor->channel == Channel::obstacle;
+    };
+    std::vector<NodeId> aside;
+    bool has_subject = false;
+    for (const Node& node : graph.nodes) {
+        if (node.kind != NodeKind::sensor) continue;
+        if (reads_obstacles(node))
+            aside.push_back(node.id);
+        else
+            has_subject = true;
+    }
+    return has_subject ? aside : std::vector<NodeId>{};
+}
+
+// Records an anchor whose centre is in the area and draws the highlight around the highlighted one.
+void record_anchor(Ui& ui, Rect area, const std::string& id, Rect rect) {
+    if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
+    ui.anchors.record(id, rect);
+    if (ui.highlight == id) point_out(ui, rect);
+}
+
+// Parameter of a point of the curve that the label does not cover.
+float clear_of_label(const WireShape& wire) {
+    const float t = 0.7f;
+    const vec2 away = bezier_point(wire.bezier, t) - wire.label;
+    const bool covered = std::abs(away.x) < wire.label_size.x / 2 + 6 && std::abs(away.y) < wire.label_size.y / 2 + 6;
+    return covered ? 0.45f : t;
+}
+
+void record_selected(Ui& ui, const BrainGraph& graph, const Layout& layout, const View& view,
+                     const CanvasSelection& selection) {
+    for (const NodeId id : selection.nodes)
+        if (const NodeShape* node = find_shape(layout, id))
+            ui.anchors.record("selected." + graph.nodes[node->node].name, node_rect(view, *node));
+    for (const WireEnds& ends : selection.wires)
+        if (const WireShape* wire = find_shape(layout, ends))
+            ui.anchors.record("selected." + name_of(graph, layout, *wire), label_rect(view, *wire));
+}
+
 }  // namespace
+
+float Pen::stroke(float units) const { return std::max(size(units), ui.px(0.75f)); }
 
 Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face,
                float room) const {
@@ -94,45 +185,6 @@ void Pen::frame(vec2 centre, vec2 extent, float rounding, float thickness, Colou
                     stroke(thickness));
 }
 
-namespace {
-
-constexpr int corner_steps = 6;  // of a quarter circle
-constexpr int rim_points = 4 * (corner_steps + 1);
-
-// Unit vectors from a rounded box's corner centres to its rim, clockwise from the right.
-const std::array<ImVec2, rim_points>& rim() {
-    static const std::array<ImVec2, rim_points> points = [] {
-        std::array<ImVec2, rim_points> made;
-        for (int i = 0; i < rim_points; ++i) {
-            const int quarter = i / (corner_steps + 1), step = i % (corner_steps + 1);
-            const float turn = (static_cast<float>(quarter) + static_cast<float>(step) / corner_steps) * maths::pi / 2;
-            made[static_cast<std::size_t>(i)] = {maths::cosine(turn), maths::sine(turn)};
-        }
-        return made;
-    }();
-    return points;
-}
-
-// Fills the inner rim with one colour that fades out towards the outer rim. Both rims have `count` points in pairs:
-// inner, outer, inner, outer …
-void fade_out(ImDrawList& list, const ImVec2* pairs, int count, ImU32 colour) {
-    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-    list.PrimReserve(3 * (count - 2) + 6 * count, 2 * count);
-    const unsigned first = list._VtxCurrentIdx;
-    const auto corner = [&](int i) { list.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(i))); };
-    const auto triangle = [&](int a, int b, int c) { corner(a), corner(b), corner(c); };
-    for (int i = 2; i < count; ++i) triangle(0, 2 * i - 2, 2 * i);
-    for (int i = 0; i < count; ++i) {
-        const int here = 2 * i, next = 2 * ((i + 1) % count);
-        triangle(here, next, next + 1);
-        triangle(here, next + 1, here + 1);
-    }
-    for (int i = 0; i < 2 * count; ++i)
-        list.PrimWriteVtx(pairs[i], white, i % 2 == 0 ? colour : colour & ~IM_COL32_A_MASK);
-}
-
-}  // namespace
-
 void Pen::halo(vec2 centre, vec2 extent, float rounding, float reach, Colour colour) const {
     const vec2 half = extent / 2 - vec2{rounding, rounding};
     const ImVec2 middle = at(centre);
@@ -168,41 +220,6 @@ Detail detail_of(const Pen& pen) {
     return pen.view.scale < 0.75f * pen.ui.scale ? Detail::sketch : Detail::full;
 }
 
-namespace {
-
-// The least width of a neuron's card in which every neuron's name is whole on the map, within the gap of two columns.
-float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
-    const float least = LetterRoom{}.neuron_width, most = 1.6f * least;
-    const float own = compat::size_of(font(pen.ui, Face::strong)), height = pen.least_type() / pen.view.scale;
-    float widest = 0;
-    for (const Node& node : graph.nodes)
-        if (node.kind == NodeKind::neuron)
-            widest = std::max(widest, text_width(pen.ui, Face::strong, shown_name(pen.ui, view, vehicle, node)));
-    return std::clamp(std::ceil(widest * height / own) + 2 * map_name_margin, least, most);
-}
-
-// The obstacle sensors of a brain that a lecture watches, beside four numbers of another channel: they keep the vehicle
-// away from walls and are not what the lecture is about.
-std::vector<NodeId> sensors_aside(const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
-    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
-    const auto reads_obstacles = [&](const Node& node) {
-        const Sensor* sensor = find_sensor(sensors, node.name);
-        return sensor != nullptr && sensor->channel == Channel::obstacle;
-    };
-    std::vector<NodeId> aside;
-    bool has_subject = false;
-    for (const Node& node : graph.nodes) {
-        if (node.kind != NodeKind::sensor) continue;
-        if (reads_obstacles(node))
-            aside.push_back(node.id);
-        else
-            has_subject = true;
-    }
-    return has_subject ? aside : std::vector<NodeId>{};
-}
-
-}  // namespace
-
 LetterRoom letter_room(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
     constexpr float steps = 20;  // so that few zooms need another layout
     LetterRoom room;
@@ -236,35 +253,6 @@ void draw_ground(const Pen& pen, Rect area) {
     compat::outline(pen.list, {area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.line), pen.ui.px(8),
                     pen.ui.px(1));
 }
-
-namespace {
-
-// Records an anchor whose centre is in the area and draws the highlight around the highlighted one.
-void record_anchor(Ui& ui, Rect area, const std::string& id, Rect rect) {
-    if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
-    ui.anchors.record(id, rect);
-    if (ui.highlight == id) point_out(ui, rect);
-}
-
-// Parameter of a point of the curve that the label does not cover.
-float clear_of_label(const WireShape& wire) {
-    const float t = 0.7f;
-    const vec2 away = bezier_point(wire.bezier, t) - wire.label;
-    const bool covered = std::abs(away.x) < wire.label_size.x / 2 + 6 && std::abs(away.y) < wire.label_size.y / 2 + 6;
-    return covered ? 0.45f : t;
-}
-
-void record_selected(Ui& ui, const BrainGraph& graph, const Layout& layout, const View& view,
-                     const CanvasSelection& selection) {
-    for (const NodeId id : selection.nodes)
-        if (const NodeShape* node = find_shape(layout, id))
-            ui.anchors.record("selected." + graph.nodes[node->node].name, node_rect(view, *node));
-    for (const WireEnds& ends : selection.wires)
-        if (const WireShape* wire = find_shape(layout, ends))
-            ui.anchors.record("selected." + name_of(graph, layout, *wire), label_rect(view, *wire));
-}
-
-}  // namespace
 
 void record_anchors(Ui& ui, const Pen& pen, const Picture& picture, Rect area) {
     const BrainGraph& graph = picture.graph;

@@ -195,34 +195,6 @@ void draw_wire(const Pen& pen, const Picture& picture, std::size_t index) {
     draw_end_sign(pen, shape.bezier[3] - vec2{pin_gap, 0}, sign_size + width * 0.6f, look.weight > 0, colour);
 }
 
-}  // namespace
-
-float first_dot(std::uint64_t tick) {
-    constexpr std::uint64_t period = 44;  // ticks after which every dot is where another one was
-    return 12 + std::fmod(static_cast<float>(tick % period) * dot_step, dot_gap);
-}
-
-void draw_end_sign(const Pen& pen, vec2 tip, float size, bool excites, Colour colour) {
-    const float half = size / 2;
-    if (excites)
-        pen.list.AddTriangleFilled(pen.at(tip), pen.at(tip + vec2{-size, half}), pen.at(tip - vec2{size, half}),
-                                   paint(colour));
-    else
-        pen.list.AddCircleFilled(pen.at(tip - vec2{half * 0.9f, 0}), pen.stroke(half * 0.9f), paint(colour));
-}
-
-void draw_wires(const Pen& pen, const Picture& picture) {
-    const auto& wires = picture.layout.wires;
-    enum class Layer { ghosts, aside, others };
-    for (const Layer layer : {Layer::ghosts, Layer::aside, Layer::others})
-        for (std::size_t i = 0; i < wires.size(); ++i) {
-            const Layer own = wires[i].ghost ? Layer::ghosts : wires[i].aside ? Layer::aside : Layer::others;
-            if (own == layer && picture.is_visible(wires[i].low, wires[i].high)) draw_wire(pen, picture, i);
-        }
-}
-
-namespace {
-
 // The sign of a cut wire: two strokes across the label's right end.
 void draw_cut(const Pen& pen, vec2 at, float size) {
     const Palette& p = pen.palette();
@@ -271,6 +243,30 @@ bool is_marked(const Picture& picture, const WireShape& shape) {
 }
 
 }  // namespace
+
+float first_dot(std::uint64_t tick) {
+    constexpr std::uint64_t period = 44;  // ticks after which every dot is where another one was
+    return 12 + std::fmod(static_cast<float>(tick % period) * dot_step, dot_gap);
+}
+
+void draw_end_sign(const Pen& pen, vec2 tip, float size, bool excites, Colour colour) {
+    const float half = size / 2;
+    if (excites)
+        pen.list.AddTriangleFilled(pen.at(tip), pen.at(tip + vec2{-size, half}), pen.at(tip - vec2{size, half}),
+                                   paint(colour));
+    else
+        pen.list.AddCircleFilled(pen.at(tip - vec2{half * 0.9f, 0}), pen.stroke(half * 0.9f), paint(colour));
+}
+
+void draw_wires(const Pen& pen, const Picture& picture) {
+    const auto& wires = picture.layout.wires;
+    enum class Layer { ghosts, aside, others };
+    for (const Layer layer : {Layer::ghosts, Layer::aside, Layer::others})
+        for (std::size_t i = 0; i < wires.size(); ++i) {
+            const Layer own = wires[i].ghost ? Layer::ghosts : wires[i].aside ? Layer::aside : Layer::others;
+            if (own == layer && picture.is_visible(wires[i].low, wires[i].high)) draw_wire(pen, picture, i);
+        }
+}
 
 void draw_labels(const Pen& pen, const Picture& picture) {
     const bool all = detail_of(pen) != Detail::map;

@@ -13,13 +13,45 @@ using namespace ui;
 
 using maths::vec2;
 
-std::string refusal_key(Refusal refusal) { return "wiring.refused." + std::string(name(refusal)); }
-
 namespace {
 
 constexpr double refusal_seconds = 2.5;  // duration of a note
 
+// Size of a box around the fragment's cards with a margin.
+vec2 room_of(const BrainFragment& fragment) {
+    constexpr float clear = 10;
+    vec2 reach;
+    for (const Node& neuron : fragment.neurons)
+        reach = {std::max(reach.x, std::abs(neuron.place->x)), std::max(reach.y, std::abs(neuron.place->y))};
+    return reach * 2 + card_size(NodeKind::neuron) + vec2{2 * clear, 2 * clear};
+}
+
+// Pastes the fragment at the free position nearest to `wanted`.
+void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainFragment& fragment, vec2 wanted,
+              Outbox& outbox) {
+    const vec2 middle = free_position(frame.layout, wanted, room_of(fragment));
+    const Pasted pasted = paste_fragment(frame.graph, fragment, middle);
+    if (!pasted.edit) return show_refusal(state, frame, pasted.edit.refusal);
+    state.selection = {pasted.added, {}};
+    const vec2 pixel = view_of(state, frame).to_window(middle);
+    if (!frame.area.contains(pixel.x, pixel.y)) reveal(state.camera, frame.area, frame.ui_scale, middle);
+    send_edit(state, frame, pasted.edit, state.next_gesture++, outbox);
+}
+
+// Sends a brain with the added neuron at this position, and selects the neuron.
+void send_with_added(CanvasState& state, const CanvasFrame& frame, BrainGraph edited, NodeId fresh, vec2 position,
+                     Outbox& outbox) {
+    const auto made =
+        std::find_if(edited.nodes.begin(), edited.nodes.end(), [&](const Node& node) { return node.id == fresh; });
+    made->place = rounded_position(position);
+    send_edit(state, frame, std::move(edited), state.next_gesture++, outbox);
+    state.selection = {{fresh}, {}};
+    state.focus = {Part::node, fresh, {}};
+}
+
 }  // namespace
+
+std::string refusal_key(Refusal refusal) { return "wiring.refused." + std::string(name(refusal)); }
 
 void show_refusal(CanvasState& state, const CanvasFrame& frame, const std::string& key) {
     const Rect& area = frame.area;
@@ -71,42 +103,6 @@ void select(CanvasState& state, const Hit& hit, bool add) {
                   : hit.is_wire()           ? Hit{Part::label, 0, hit.wire}
                                             : Hit{Part::node, hit.node, {}};
 }
-
-namespace {
-
-// Size of a box around the fragment's cards with a margin.
-vec2 room_of(const BrainFragment& fragment) {
-    constexpr float clear = 10;
-    vec2 reach;
-    for (const Node& neuron : fragment.neurons)
-        reach = {std::max(reach.x, std::abs(neuron.place->x)), std::max(reach.y, std::abs(neuron.place->y))};
-    return reach * 2 + card_size(NodeKind::neuron) + vec2{2 * clear, 2 * clear};
-}
-
-// Pastes the fragment at the free position nearest to `wanted`.
-void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainFragment& fragment, vec2 wanted,
-              Outbox& outbox) {
-    const vec2 middle = free_position(frame.layout, wanted, room_of(fragment));
-    const Pasted pasted = paste_fragment(frame.graph, fragment, middle);
-    if (!pasted.edit) return show_refusal(state, frame, pasted.edit.refusal);
-    state.selection = {pasted.added, {}};
-    const vec2 pixel = view_of(state, frame).to_window(middle);
-    if (!frame.area.contains(pixel.x, pixel.y)) reveal(state.camera, frame.area, frame.ui_scale, middle);
-    send_edit(state, frame, pasted.edit, state.next_gesture++, outbox);
-}
-
-// Sends a brain with the added neuron at this position, and selects the neuron.
-void send_with_added(CanvasState& state, const CanvasFrame& frame, BrainGraph edited, NodeId fresh, vec2 position,
-                     Outbox& outbox) {
-    const auto made =
-        std::find_if(edited.nodes.begin(), edited.nodes.end(), [&](const Node& node) { return node.id == fresh; });
-    made->place = rounded_position(position);
-    send_edit(state, frame, std::move(edited), state.next_gesture++, outbox);
-    state.selection = {{fresh}, {}};
-    state.focus = {Part::node, fresh, {}};
-}
-
-}  // namespace
 
 void erase_selected(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     if (state.selection.empty()) return;

@@ -162,6 +162,19 @@ void place_labels(Layout& layout) {
     }
 }
 
+constexpr float cell_size = 128;  // units; about as large as a card
+
+// Calls the visitor for every cell that the box overlaps, until it returns true.
+template <class Visitor>
+bool visit_cells(vec2 centre, vec2 size, Visitor visitor) {
+    const auto cell = [](float at) { return static_cast<std::int32_t>(std::floor(at / cell_size)); };
+    for (std::int32_t x = cell(centre.x - size.x / 2); x <= cell(centre.x + size.x / 2); ++x)
+        for (std::int32_t y = cell(centre.y - size.y / 2); y <= cell(centre.y + size.y / 2); ++y)
+            if (visitor(std::uint64_t{static_cast<std::uint32_t>(x)} << 32U | static_cast<std::uint32_t>(y)))
+                return true;
+    return false;
+}
+
 }  // namespace
 
 Layout lay_out(const BrainGraph& graph, const Positions& held, const LetterRoom& room) {
@@ -261,23 +274,6 @@ vec2 bezier_point(const std::array<vec2, 4>& b, float t) {
     const float s = 1 - t;
     return b[0] * (s * s * s) + b[1] * (3 * s * s * t) + b[2] * (3 * s * t * t) + b[3] * (t * t * t);
 }
-
-namespace {
-
-constexpr float cell_size = 128;  // units; about as large as a card
-
-// Calls the visitor for every cell that the box overlaps, until it returns true.
-template <class Visitor>
-bool visit_cells(vec2 centre, vec2 size, Visitor visitor) {
-    const auto cell = [](float at) { return static_cast<std::int32_t>(std::floor(at / cell_size)); };
-    for (std::int32_t x = cell(centre.x - size.x / 2); x <= cell(centre.x + size.x / 2); ++x)
-        for (std::int32_t y = cell(centre.y - size.y / 2); y <= cell(centre.y + size.y / 2); ++y)
-            if (visitor(std::uint64_t{static_cast<std::uint32_t>(x)} << 32U | static_cast<std::uint32_t>(y)))
-                return true;
-    return false;
-}
-
-}  // namespace
 
 void OccupiedBoxes::add(vec2 centre, vec2 size) {
     visit_cells(centre, size, [&](std::uint64_t cell) {

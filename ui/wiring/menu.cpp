@@ -60,6 +60,67 @@ void add_arrangement_rows(std::vector<MenuRow>& rows, std::size_t nodes) {
     rows.push_back({MenuCommand::even_across, "wiring.do.even_across"});
 }
 
+constexpr float curve_width = 24, curve_room = curve_width + spacing::small, menu_side = spacing::medium,
+                key_gap = spacing::wide;  // layout pixels
+
+std::string shortcut_of(const Ui& ui, const MenuRow& row) {
+    if (!row.action) return {};
+    for (const Shortcut& shortcut : shortcuts())
+        if (shortcut.action == *row.action && shortcut.place == KeyPlace::canvas)
+            return key_name(shortcut.press, ui.strings);
+    return {};
+}
+
+bool shows_curves(const CanvasMenu& menu) { return menu.rows.front().command == MenuCommand::add; }
+
+float menu_width(const Ui& ui, const CanvasMenu& menu) {
+    float widest = std::max(text_width(ui, Face::strong, ui.strings.find(menu.heading, "")),
+                            text_width(ui, Face::small, ui.strings.find(menu.note, ""))) -
+                   ui.px(shows_curves(menu) ? curve_room : 0);
+    for (const MenuRow& row : menu.rows) {
+        const std::string key = shortcut_of(ui, row);
+        float width = text_width(ui, Face::text, ui.strings(row.words));
+        if (!key.empty()) width += ui.px(key_gap) + text_width(ui, Face::small, key);
+        widest = std::max(widest, width);
+    }
+    return widest + ui.px(2 * menu_side + (shows_curves(menu) ? curve_room : 0));
+}
+
+void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
+    const Ui& ui = pen.ui;
+    const Palette& p = ui.palette;
+    const MenuRow& row = menu.rows[index];
+    const Rect r = row_rect(menu, index);
+    const float middle = r.y + r.h / 2;
+    if (row.begins_group)
+        pen.list.AddLine({r.x + ui.px(menu_side), r.y - ui.px(menu_group_gap / 2)},
+                         {r.x + r.w - ui.px(menu_side), r.y - ui.px(menu_group_gap / 2)}, paint(p.line), ui.px(1));
+    const bool current = static_cast<int>(index) == menu.current;
+    if (current)
+        fill_box(ui, {r.x + ui.px(spacing::tight), r.y, r.w - ui.px(2 * spacing::tight), r.h},
+                 mix(p.panel, p.accent, 0.28f));
+    float x = r.x + ui.px(menu_side);
+    if (shows_curves(menu)) {
+        const Rect sign{x, middle - ui.px(8), ui.px(curve_width), ui.px(16)};
+        if (row.command == MenuCommand::add) draw_curve(pen.list, ui, sign, neuron_kinds[row.kind].curve, p.excites);
+        x += ui.px(curve_room);
+    }
+    put(ui, {x, middle - line_height(ui, Face::text) / 2}, ui.strings(row.words), p.text);
+    put_right(ui, {r.x + r.w - ui.px(menu_side), middle - line_height(ui, Face::small) / 2}, shortcut_of(ui, row),
+              p.second_text, Face::small);
+    // The anchor of "wiring.do.insert" is menu.insert.
+    const std::string_view words = row.words;
+    ui.anchors.record("menu." + std::string(words.substr(words.rfind('.') + 1)), r);
+}
+
+void draw_heading(const Ui& ui, const CanvasMenu& menu) {
+    const float x = menu.rect.x + ui.px(menu_side), y = menu.rect.y + ui.px(spacing::small);
+    if (!menu.heading.empty()) put(ui, {x, y}, ui.strings(menu.heading), ui.palette.text, Face::strong);
+    if (!menu.note.empty())
+        put(ui, {x, y + line_height(ui, Face::strong) + ui.px(spacing::hair)}, ui.strings(menu.note),
+            ui.palette.second_text, Face::small);
+}
+
 }  // namespace
 
 std::string_view kind_key(std::size_t kind) {
@@ -150,71 +211,6 @@ int row_at(const CanvasMenu& menu, maths::vec2 pixel) {
         if (row_rect(menu, i).contains(pixel.x, pixel.y)) return static_cast<int>(i);
     return -1;
 }
-
-namespace {
-
-constexpr float curve_width = 24, curve_room = curve_width + spacing::small, menu_side = spacing::medium,
-                key_gap = spacing::wide;  // layout pixels
-
-std::string shortcut_of(const Ui& ui, const MenuRow& row) {
-    if (!row.action) return {};
-    for (const Shortcut& shortcut : shortcuts())
-        if (shortcut.action == *row.action && shortcut.place == KeyPlace::canvas)
-            return key_name(shortcut.press, ui.strings);
-    return {};
-}
-
-bool shows_curves(const CanvasMenu& menu) { return menu.rows.front().command == MenuCommand::add; }
-
-float menu_width(const Ui& ui, const CanvasMenu& menu) {
-    float widest = std::max(text_width(ui, Face::strong, ui.strings.find(menu.heading, "")),
-                            text_width(ui, Face::small, ui.strings.find(menu.note, ""))) -
-                   ui.px(shows_curves(menu) ? curve_room : 0);
-    for (const MenuRow& row : menu.rows) {
-        const std::string key = shortcut_of(ui, row);
-        float width = text_width(ui, Face::text, ui.strings(row.words));
-        if (!key.empty()) width += ui.px(key_gap) + text_width(ui, Face::small, key);
-        widest = std::max(widest, width);
-    }
-    return widest + ui.px(2 * menu_side + (shows_curves(menu) ? curve_room : 0));
-}
-
-void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
-    const Ui& ui = pen.ui;
-    const Palette& p = ui.palette;
-    const MenuRow& row = menu.rows[index];
-    const Rect r = row_rect(menu, index);
-    const float middle = r.y + r.h / 2;
-    if (row.begins_group)
-        pen.list.AddLine({r.x + ui.px(menu_side), r.y - ui.px(menu_group_gap / 2)},
-                         {r.x + r.w - ui.px(menu_side), r.y - ui.px(menu_group_gap / 2)}, paint(p.line), ui.px(1));
-    const bool current = static_cast<int>(index) == menu.current;
-    if (current)
-        fill_box(ui, {r.x + ui.px(spacing::tight), r.y, r.w - ui.px(2 * spacing::tight), r.h},
-                 mix(p.panel, p.accent, 0.28f));
-    float x = r.x + ui.px(menu_side);
-    if (shows_curves(menu)) {
-        const Rect sign{x, middle - ui.px(8), ui.px(curve_width), ui.px(16)};
-        if (row.command == MenuCommand::add) draw_curve(pen.list, ui, sign, neuron_kinds[row.kind].curve, p.excites);
-        x += ui.px(curve_room);
-    }
-    put(ui, {x, middle - line_height(ui, Face::text) / 2}, ui.strings(row.words), p.text);
-    put_right(ui, {r.x + r.w - ui.px(menu_side), middle - line_height(ui, Face::small) / 2}, shortcut_of(ui, row),
-              p.second_text, Face::small);
-    // The anchor of "wiring.do.insert" is menu.insert.
-    const std::string_view words = row.words;
-    ui.anchors.record("menu." + std::string(words.substr(words.rfind('.') + 1)), r);
-}
-
-void draw_heading(const Ui& ui, const CanvasMenu& menu) {
-    const float x = menu.rect.x + ui.px(menu_side), y = menu.rect.y + ui.px(spacing::small);
-    if (!menu.heading.empty()) put(ui, {x, y}, ui.strings(menu.heading), ui.palette.text, Face::strong);
-    if (!menu.note.empty())
-        put(ui, {x, y + line_height(ui, Face::strong) + ui.px(spacing::hair)}, ui.strings(menu.note),
-            ui.palette.second_text, Face::small);
-}
-
-}  // namespace
 
 void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
     if (!menu.open()) return;

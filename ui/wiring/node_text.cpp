@@ -25,67 +25,6 @@ std::string_view senses_key(Channel channel) {
     return keys[static_cast<std::size_t>(channel)];
 }
 
-}  // namespace
-
-std::string_view description_key(const Snapshot& now, const VehicleView& vehicle, const Node& node) {
-    if (node.name == "SL") return "wiring.node.SL";
-    if (node.name == "SR") return "wiring.node.SR";
-    if (node.name == "ML") return "wiring.node.ML";
-    if (node.name == "MR") return "wiring.node.MR";
-    if (node.kind == NodeKind::motor) return "wiring.node.motor";
-    if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
-    const Sensor* sensor = find_sensor(kind_of(now, vehicle).sensors, node.name);
-    return sensor ? senses_key(sensor->channel) : "wiring.node.sensor";
-}
-
-std::string_view channel_symbol(Channel channel) {
-    struct Row {
-        Channel value;
-        std::string_view symbol;
-    };
-    // clang-format off
-    static constexpr Row rows[]{
-        {Channel::light, icon::light}, {Channel::red, "\uf0ebr"}, {Channel::green, "\uf0ebg"}, {Channel::blue, "\uf0ebb"},
-        {Channel::heat, icon::heat}, {Channel::smell, icon::smell}, {Channel::oxygen, icon::oxygen},
-        {Channel::obstacle, icon::obstacle}, {Channel::predator, icon::predator}, {Channel::prey, icon::prey},
-        {Channel::vehicle, icon::vehicle}, {Channel::memory, icon::memory}, {Channel::touch, icon::touch},
-        {Channel::floor, icon::floor}, {Channel::energy, icon::energy}, {Channel::random, icon::random}};
-    // clang-format on
-    static_assert(std::size(rows) == channel_count);
-    const auto* row = std::find_if(std::begin(rows), std::end(rows), [&](const Row& r) { return r.value == channel; });
-    return row == std::end(rows) ? std::string_view() : row->symbol;
-}
-
-bool has_code_as_name(const Sensor& sensor) {
-    const std::string& name = sensor.name;
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    return digits > 0 && digits <= 2 &&
-           std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(digits),
-                       [](char c) { return c >= 'A' && c <= 'Z'; });
-}
-
-std::string symbol_name(const Sensor& sensor) {
-    const float side = sensor.y != 0 ? sensor.y : sensor.angle;
-    return std::string(channel_symbol(sensor.channel)) + (side > 0 ? "L" : side < 0 ? "R" : "");
-}
-
-std::string short_name(const std::vector<Sensor>& sensors, const std::string& node) {
-    const Sensor* sensor = find_sensor(sensors, node);
-    if (!sensor || !has_code_as_name(*sensor) || (sensor->channel == Channel::light && node.front() == 'S'))
-        return node;
-    return symbol_name(*sensor) + node.substr(node.find_last_not_of("0123456789") + 1);
-}
-
-std::string short_wire_name(const std::vector<Sensor>& sensors, const BrainGraph& graph, WireEnds ends,
-                            const SensorPair& pair) {
-    std::string name = wire_name(graph, ends, pair);
-    const Node *from = find_node(graph, ends.from), *to = find_node(graph, ends.to);
-    if (!from || !to || name != from->name + "-" + to->name) return name;
-    return short_name(sensors, from->name) + "-" + to->name;
-}
-
-namespace {
-
 struct Term {
     std::string size;  // without the sign that joins it to the others
     bool negative = false;
@@ -144,6 +83,63 @@ std::string joined(const std::vector<Term>& terms) {
 }
 
 }  // namespace
+
+std::string_view description_key(const Snapshot& now, const VehicleView& vehicle, const Node& node) {
+    if (node.name == "SL") return "wiring.node.SL";
+    if (node.name == "SR") return "wiring.node.SR";
+    if (node.name == "ML") return "wiring.node.ML";
+    if (node.name == "MR") return "wiring.node.MR";
+    if (node.kind == NodeKind::motor) return "wiring.node.motor";
+    if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
+    const Sensor* sensor = find_sensor(kind_of(now, vehicle).sensors, node.name);
+    return sensor ? senses_key(sensor->channel) : "wiring.node.sensor";
+}
+
+std::string_view channel_symbol(Channel channel) {
+    struct Row {
+        Channel value;
+        std::string_view symbol;
+    };
+    // clang-format off
+    static constexpr Row rows[]{
+        {Channel::light, icon::light}, {Channel::red, "\uf0ebr"}, {Channel::green, "\uf0ebg"}, {Channel::blue, "\uf0ebb"},
+        {Channel::heat, icon::heat}, {Channel::smell, icon::smell}, {Channel::oxygen, icon::oxygen},
+        {Channel::obstacle, icon::obstacle}, {Channel::predator, icon::predator}, {Channel::prey, icon::prey},
+        {Channel::vehicle, icon::vehicle}, {Channel::memory, icon::memory}, {Channel::touch, icon::touch},
+        {Channel::floor, icon::floor}, {Channel::energy, icon::energy}, {Channel::random, icon::random}};
+    // clang-format on
+    static_assert(std::size(rows) == channel_count);
+    const auto* row = std::find_if(std::begin(rows), std::end(rows), [&](const Row& r) { return r.value == channel; });
+    return row == std::end(rows) ? std::string_view() : row->symbol;
+}
+
+bool has_code_as_name(const Sensor& sensor) {
+    const std::string& name = sensor.name;
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    return digits > 0 && digits <= 2 &&
+           std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(digits),
+                       [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
+std::string symbol_name(const Sensor& sensor) {
+    const float side = sensor.y != 0 ? sensor.y : sensor.angle;
+    return std::string(channel_symbol(sensor.channel)) + (side > 0 ? "L" : side < 0 ? "R" : "");
+}
+
+std::string short_name(const std::vector<Sensor>& sensors, const std::string& node) {
+    const Sensor* sensor = find_sensor(sensors, node);
+    if (!sensor || !has_code_as_name(*sensor) || (sensor->channel == Channel::light && node.front() == 'S'))
+        return node;
+    return symbol_name(*sensor) + node.substr(node.find_last_not_of("0123456789") + 1);
+}
+
+std::string short_wire_name(const std::vector<Sensor>& sensors, const BrainGraph& graph, WireEnds ends,
+                            const SensorPair& pair) {
+    std::string name = wire_name(graph, ends, pair);
+    const Node *from = find_node(graph, ends.from), *to = find_node(graph, ends.to);
+    if (!from || !to || name != from->name + "-" + to->name) return name;
+    return short_name(sensors, from->name) + "-" + to->name;
+}
 
 float sum_of(const BrainGraph& graph, NodeId id, const Values& value, const Learned& learned) {
     const Node* node = find_node(graph, id);

@@ -21,34 +21,6 @@ using namespace ui;
 
 using maths::vec2;
 
-std::string_view Inspected::words(std::string_view key) const { return ui.strings(key); }
-
-const Node* Inspected::node() const {
-    const CanvasSelection& chosen = state.selection;
-    const bool one = chosen.nodes.size() == 1 && chosen.wires.empty();
-    return one ? find_node(graph(), *chosen.nodes.begin()) : nullptr;
-}
-
-std::optional<WireEnds> Inspected::wire() const {
-    const CanvasSelection& chosen = state.selection;
-    const bool one = chosen.wires.size() == 1 && chosen.nodes.empty();
-    return one ? std::optional(*chosen.wires.begin()) : std::nullopt;
-}
-
-float Inspected::value(NodeId id) const { return node_value(*view.now, vehicle, id); }
-
-float Inspected::learned_by(const Wire& wire) const {
-    return learns(wire) ? learned(*view.now, vehicle, wire.from, wire.to) : 0;
-}
-
-void Inspected::send(Command command, std::uint64_t gesture) {
-    ui.outbox.push_back(EditRequest{std::move(command), gesture});
-}
-
-void Inspected::send(const Edit& edit, std::uint64_t gesture) {
-    if (edit) send(SetBrain{target, keep_positions(*edit.graph, state.layout.get(brain, state.held))}, gesture);
-}
-
 namespace {
 
 // A plot's rectangle and axes.
@@ -105,17 +77,6 @@ void draw_plot(ImDrawList& list, const Ui& ui, const CurvePlot& plot, const Curv
     list.AddCircleFilled({dot.x, dot.y}, ui.px(5.5f), paint(p.panel));
     list.AddCircleFilled({dot.x, dot.y}, ui.px(4), paint(colour));
 }
-
-}  // namespace
-
-void draw_curve(ImDrawList& list, const Ui& ui, Rect rect, const Curve& curve, Colour colour) {
-    CurvePlot plot = plot_of(curve, rect);
-    const vec2 left = plot.at(plot.low_x, 0), right = plot.at(plot.high_x, 0);
-    list.AddLine({left.x, left.y}, {right.x, right.y}, paint(ui.palette.line), ui.px(1));
-    draw_curve_line(list, plot, curve, colour, ui.px(1.8f));
-}
-
-namespace {
 
 constexpr float least_track = 110;  // layout pixels, with the space of the knob at both ends
 constexpr float plot_side = 104, kind_width = 44, kind_height = 30, column_space = spacing::large;  // layout pixels
@@ -176,6 +137,41 @@ bool is_one_column(const Ui& ui, float room) {
 }
 
 }  // namespace
+
+std::string_view Inspected::words(std::string_view key) const { return ui.strings(key); }
+
+const Node* Inspected::node() const {
+    const CanvasSelection& chosen = state.selection;
+    const bool one = chosen.nodes.size() == 1 && chosen.wires.empty();
+    return one ? find_node(graph(), *chosen.nodes.begin()) : nullptr;
+}
+
+std::optional<WireEnds> Inspected::wire() const {
+    const CanvasSelection& chosen = state.selection;
+    const bool one = chosen.wires.size() == 1 && chosen.nodes.empty();
+    return one ? std::optional(*chosen.wires.begin()) : std::nullopt;
+}
+
+float Inspected::value(NodeId id) const { return node_value(*view.now, vehicle, id); }
+
+float Inspected::learned_by(const Wire& wire) const {
+    return learns(wire) ? learned(*view.now, vehicle, wire.from, wire.to) : 0;
+}
+
+void Inspected::send(Command command, std::uint64_t gesture) {
+    ui.outbox.push_back(EditRequest{std::move(command), gesture});
+}
+
+void Inspected::send(const Edit& edit, std::uint64_t gesture) {
+    if (edit) send(SetBrain{target, keep_positions(*edit.graph, state.layout.get(brain, state.held))}, gesture);
+}
+
+void draw_curve(ImDrawList& list, const Ui& ui, Rect rect, const Curve& curve, Colour colour) {
+    CurvePlot plot = plot_of(curve, rect);
+    const vec2 left = plot.at(plot.low_x, 0), right = plot.at(plot.high_x, 0);
+    list.AddLine({left.x, left.y}, {right.x, right.y}, paint(ui.palette.line), ui.px(1));
+    draw_curve_line(list, plot, curve, colour, ui.px(1.8f));
+}
 
 NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
     : in_(in), plots_(has_room_for_plot(in.ui, ImGui::GetContentRegionAvail().x)), words_width_(widest_words(in.ui)) {

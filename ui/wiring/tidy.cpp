@@ -116,38 +116,6 @@ void order_by_sources(const std::vector<Feed>& feeds, const Placed& placed, std:
     std::stable_sort(nodes.begin(), nodes.end(), [&](Index a, Index b) { return height(a) < height(b); });
 }
 
-}  // namespace
-
-Positions tidy(const BrainGraph& graph) {
-    const auto feeds = feeds_of(graph);
-    auto columns = hidden_columns(graph, feeds);
-    const auto sensors = of_kind(graph, NodeKind::sensor), motors = of_kind(graph, NodeKind::motor);
-
-    std::size_t rows = 0;
-    for (const auto& column : columns) rows = std::max(rows, column.size());
-    const auto height_of = [](std::size_t count, float gap = row_gap) {
-        return static_cast<float>(count > 0 ? count - 1 : 0) * gap;
-    };
-    // The outer columns are taller than the inner ones, so that the direct wires LL and RR pass the neurons.
-    const float outer = std::max({direct_spread, rows > 0 ? height_of(rows) + 1.5f * row_gap : 0,
-                                  height_of(sensors.size(), outer_row_gap), height_of(motors.size(), outer_row_gap)});
-    Placed placed(graph.nodes.size());
-    place_column(placed, sensors, 0, outer);
-    float x = 0;
-    for (auto& column : columns) {
-        x += x == 0 ? column_gap + outer_room : column_gap;
-        order_by_sources(feeds, placed, column);
-        place_column(placed, column, x, height_of(column.size()));
-    }
-    // The width increases with the height, because steep wires and their labels are too close together.
-    place_column(placed, motors, std::max({x + column_gap + outer_room, direct_gap, outer * slope}), outer);
-    Positions positions;
-    for (Index i = 0; i < placed.size(); ++i) positions[graph.nodes[i].id] = *placed[i];
-    return positions;
-}
-
-namespace {
-
 constexpr float card_gap = 24;  // least distance between cards, units
 
 // One coordinate: y when `down`, else x.
@@ -184,6 +152,34 @@ void spread(std::vector<NodeShape>& shapes, bool down) {
 }
 
 }  // namespace
+
+Positions tidy(const BrainGraph& graph) {
+    const auto feeds = feeds_of(graph);
+    auto columns = hidden_columns(graph, feeds);
+    const auto sensors = of_kind(graph, NodeKind::sensor), motors = of_kind(graph, NodeKind::motor);
+
+    std::size_t rows = 0;
+    for (const auto& column : columns) rows = std::max(rows, column.size());
+    const auto height_of = [](std::size_t count, float gap = row_gap) {
+        return static_cast<float>(count > 0 ? count - 1 : 0) * gap;
+    };
+    // The outer columns are taller than the inner ones, so that the direct wires LL and RR pass the neurons.
+    const float outer = std::max({direct_spread, rows > 0 ? height_of(rows) + 1.5f * row_gap : 0,
+                                  height_of(sensors.size(), outer_row_gap), height_of(motors.size(), outer_row_gap)});
+    Placed placed(graph.nodes.size());
+    place_column(placed, sensors, 0, outer);
+    float x = 0;
+    for (auto& column : columns) {
+        x += x == 0 ? column_gap + outer_room : column_gap;
+        order_by_sources(feeds, placed, column);
+        place_column(placed, column, x, height_of(column.size()));
+    }
+    // The width increases with the height, because steep wires and their labels are too close together.
+    place_column(placed, motors, std::max({x + column_gap + outer_room, direct_gap, outer * slope}), outer);
+    Positions positions;
+    for (Index i = 0; i < placed.size(); ++i) positions[graph.nodes[i].id] = *placed[i];
+    return positions;
+}
 
 Positions arranged(const Layout& layout, const std::set<NodeId>& nodes, Arrangement arrangement) {
     const bool down = arrangement == Arrangement::column || arrangement == Arrangement::even_down;

@@ -1,26 +1,16 @@
 #include "ui/wiring/view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/enum_table.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::wiring {
 
 using namespace ui;
 using maths::vec2;
-
-View view_of(const CanvasCamera& camera, Rect area, float ui_scale) {
-    const float scale = camera.zoom * ui_scale;
-    return {vec2{area.x + area.w / 2, area.y + area.h / 2} - camera.middle * scale, scale};
-}
-
-void zoom_at(CanvasCamera& camera, Rect area, float ui_scale, vec2 pixel, float factor) {
-    const vec2 fixed = view_of(camera, area, ui_scale).to_canvas(pixel);
-    camera.zoom = std::clamp(camera.zoom * factor, least_zoom, most_zoom);
-    camera.middle += fixed - view_of(camera, area, ui_scale).to_canvas(pixel);
-    camera.by_user = true;
-}
 
 namespace {
 
@@ -49,7 +39,70 @@ Box box_to_fit(const Layout& layout) {
     return box;
 }
 
+Rect rect_around(const View& view, vec2 centre, vec2 size) {
+    const vec2 low = view.to_window(centre - size / 2);
+    return {low.x, low.y, size.x * view.scale, size.y * view.scale};
+}
+
+float distance_to_segment(vec2 p, vec2 a, vec2 b) {
+    const vec2 along = b - a;
+    const float square = maths::dot(along, along);
+    const float t = square > 0 ? std::clamp(maths::dot(p - a, along) / square, 0.0f, 1.0f) : 0;
+    return maths::distance(p, a + along * t);
+}
+
+float distance_to_wire(const View& view, const WireShape& wire, vec2 pixel) {
+    float nearest = 1e9f;
+    vec2 before = view.to_window(wire.bezier[0]);
+    for (int i = 1; i <= wire_segments; ++i) {
+        const vec2 next = view.to_window(bezier_point(wire.bezier, static_cast<float>(i) / wire_segments));
+        nearest = std::min(nearest, distance_to_segment(pixel, before, next));
+        before = next;
+    }
+    return nearest;
+}
+
+Hit nearest_pin(const Layout& layout, const View& view, vec2 pixel, float reach) {
+    Hit best;
+    const auto offer = [&](float distance, Part part, NodeId node) {
+        if (distance > reach) return;
+        reach = distance;
+        best = {part, node, {}};
+    };
+    for (const NodeShape& node : layout.nodes) {
+        // An in-pin is as tall as the ends of its wires.
+        const vec2 half{0, node.in_spread / 2};
+        const vec2 top = view.to_window(node.in_pin() - half), bottom = view.to_window(node.in_pin() + half);
+        if (node.has_in) offer(distance_to_segment(pixel, top, bottom), Part::in_pin, node.id);
+        if (node.has_out) offer(maths::distance(pixel, view.to_window(node.out_pin())), Part::out_pin, node.id);
+    }
+    return best;
+}
+
+template <class Visitor>
+void each_stop(const Layout& layout, bool nodes_only, Visitor visit) {
+    for (const NodeShape& node : layout.nodes) visit(Hit{Part::node, node.id, {}}, node.centre);
+    if (nodes_only) return;
+    for (const WireShape& wire : layout.wires) visit(Hit{Part::label, 0, wire.ends}, wire.label);
+}
+
+// In the order of Direction.
+constexpr std::array<vec2, 4> directions{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+static_assert(has_enumerators<Direction, directions.size()>());
+
 }  // namespace
+
+View view_of(const CanvasCamera& camera, Rect area, float ui_scale) {
+    const float scale = camera.zoom * ui_scale;
+    return {vec2{area.x + area.w / 2, area.y + area.h / 2} - camera.middle * scale, scale};
+}
+
+void zoom_at(CanvasCamera& camera, Rect area, float ui_scale, vec2 pixel, float factor) {
+    const vec2 fixed = view_of(camera, area, ui_scale).to_canvas(pixel);
+    camera.zoom = std::clamp(camera.zoom * factor, least_zoom, most_zoom);
+    camera.middle += fixed - view_of(camera, area, ui_scale).to_canvas(pixel);
+    camera.by_user = true;
+}
 
 void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale, bool has_buttons) {
     const auto [low, high] = box_to_fit(layout);
@@ -99,50 +152,6 @@ std::optional<Minimap> minimap_of(const Layout& layout, const View& view, Rect a
     map.view.origin = middle - (layout.low + layout.high) / 2 * map.view.scale;
     return map;
 }
-
-namespace {
-
-Rect rect_around(const View& view, vec2 centre, vec2 size) {
-    const vec2 low = view.to_window(centre - size / 2);
-    return {low.x, low.y, size.x * view.scale, size.y * view.scale};
-}
-
-float distance_to_segment(vec2 p, vec2 a, vec2 b) {
-    const vec2 along = b - a;
-    const float square = maths::dot(along, along);
-    const float t = square > 0 ? std::clamp(maths::dot(p - a, along) / square, 0.0f, 1.0f) : 0;
-    return maths::distance(p, a + along * t);
-}
-
-float distance_to_wire(const View& view, const WireShape& wire, vec2 pixel) {
-    float nearest = 1e9f;
-    vec2 before = view.to_window(wire.bezier[0]);
-    for (int i = 1; i <= wire_segments; ++i) {
-        const vec2 next = view.to_window(bezier_point(wire.bezier, static_cast<float>(i) / wire_segments));
-        nearest = std::min(nearest, distance_to_segment(pixel, before, next));
-        before = next;
-    }
-    return nearest;
-}
-
-Hit nearest_pin(const Layout& layout, const View& view, vec2 pixel, float reach) {
-    Hit best;
-    const auto offer = [&](float distance, Part part, NodeId node) {
-        if (distance > reach) return;
-        reach = distance;
-        best = {part, node, {}};
-    };
-    for (const NodeShape& node : layout.nodes) {
-        // An in-pin is as tall as the ends of its wires.
-        const vec2 half{0, node.in_spread / 2};
-        const vec2 top = view.to_window(node.in_pin() - half), bottom = view.to_window(node.in_pin() + half);
-        if (node.has_in) offer(distance_to_segment(pixel, top, bottom), Part::in_pin, node.id);
-        if (node.has_out) offer(maths::distance(pixel, view.to_window(node.out_pin())), Part::out_pin, node.id);
-    }
-    return best;
-}
-
-}  // namespace
 
 bool is_map(const View& view, float ui_scale, float least_type) {
     constexpr float map_zoom = 0.4f;
@@ -209,30 +218,6 @@ bool CanvasSelection::contains(const Hit& part) const {
     return part.is_wire() ? wires.count(part.wire) > 0 : nodes.count(part.node) > 0;
 }
 
-namespace {
-
-template <class Visitor>
-void each_stop(const Layout& layout, bool nodes_only, Visitor visit) {
-    for (const NodeShape& node : layout.nodes) visit(Hit{Part::node, node.id, {}}, node.centre);
-    if (nodes_only) return;
-    for (const WireShape& wire : layout.wires) visit(Hit{Part::label, 0, wire.ends}, wire.label);
-}
-
-vec2 unit_of(Direction towards) {
-    switch (towards) {
-        case Direction::left:
-            return {-1, 0};
-        case Direction::right:
-            return {1, 0};
-        case Direction::up:
-            return {0, -1};
-        default:
-            return {0, 1};
-    }
-}
-
-}  // namespace
-
 std::optional<vec2> centre_of(const Layout& layout, const Hit& part) {
     if (part.is_wire()) {
         const WireShape* wire = find_shape(layout, part.wire);
@@ -246,7 +231,7 @@ Hit next_in(Direction towards, const Layout& layout, const Hit& from, bool nodes
     const auto start = centre_of(layout, from);
     Hit best = start ? from : Hit{};
     float least = 1e30f;
-    const vec2 ahead = unit_of(towards);
+    const vec2 ahead = directions[static_cast<std::size_t>(towards)];
     each_stop(layout, nodes_only || !start, [&](const Hit& stop, vec2 at) {
         float cost = at.x + at.y;
         if (start) {
