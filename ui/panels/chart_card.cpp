@@ -225,20 +225,13 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
 }  // namespace
 
 void export_csv(const LabView& view, const PanelState& state, Outbox& outbox) {
-    switch (state.charts.shown) {
-        case Chart::signals:
-        case Chart::all:
-        case Chart::chosen:
-            outbox.push_back(ExportRequest{"signals", signals_csv(state.charts.history)});
-            break;
-        case Chart::population:
-        case Chart::energy:
-            outbox.push_back(ExportRequest{"population", population_csv(state.charts.history)});
-            break;
-        case Chart::bars:
-            outbox.push_back(ExportRequest{"energies", energies_csv(*view.now)});
-            break;
-    }
+    const Chart shown = state.charts.shown;
+    if (shown == Chart::bars)
+        outbox.push_back(ExportRequest{"energies", energies_csv(*view.now)});
+    else if (shown == Chart::population || shown == Chart::energy)
+        outbox.push_back(ExportRequest{"population", population_csv(state.charts.history)});
+    else
+        outbox.push_back(ExportRequest{"signals", signals_csv(state.charts.history)});
 }
 
 void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {

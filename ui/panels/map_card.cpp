@@ -1,5 +1,6 @@
 // The card of the map of behaviour: a cell for each pair of values, the dot of the present ones, and a legend.
 #include <algorithm>
+#include <utility>
 
 #include <imgui.h>
 
@@ -85,9 +86,7 @@ void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect c
     CardState& card = state.card(Card::map);
     end_card(ui, card);
     make_room(view, state, ui, place);
-    if (!card.folded) return;
-    card.folded = false;  // folding closes it
-    ui.outbox.push_back(Action::map);
+    if (std::exchange(card.folded, false)) ui.outbox.push_back(Action::map);  // folding closes it
 }
 
 }  // namespace braitenlab::ui

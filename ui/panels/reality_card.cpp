@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
@@ -264,9 +265,7 @@ void reality_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Re
     }
     CardState& card = state.card(Card::reality);
     end_card(ui, card);
-    if (!card.folded) return;
-    card.folded = false;  // folding closes it
-    ui.outbox.push_back(Action::reality);
+    if (std::exchange(card.folded, false)) ui.outbox.push_back(Action::reality);  // folding closes it
 }
 
 }  // namespace braitenlab::ui

@@ -12,6 +12,7 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
 #include "ui/panels/study_draft.h"
+#include "ui/panels/value_choice.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -203,10 +204,8 @@ void study_choice(const LabView& lab, StudyDraft& draft, Ui& ui, float right) {
     const StudyView& view = lab.features.study;
     const auto choice = [&](const Study& study, bool first) {
         const bool is_open = view.base && view.base->study().id == study.id, on = is_open && !draft.open;
-        const std::string id = "study.open." + study.id;
-        const SmallButton which{id, {}, translated(ui, study.title), on};
-        if (!first) beside_or_below(ui, small_button_width(ui, which, true), right);
-        if (small_button(ui, which).pressed && !on) {
+        const std::string title(translated(ui, study.title));
+        if (choice_in_row(ui, "study.open." + study.id, title, on, first, right) && !on) {
             draft.open = false;
             if (!is_open) ui.outbox.emplace_back(StudyRequest{StudyEdit::open, study.id});
         }
@@ -227,10 +226,10 @@ void measure_choice(const Study& study, PanelState& state, Ui& ui, float right) 
     if (study.measures.size() < 2) return;
     for (std::size_t i = 0; i < study.measures.size(); ++i) {
         const StudyMeasureTraits& row = row_of(study.measures[i]);
-        const std::string id = "study.measure." + std::string(row.word), words = measure_words(ui, row);
-        const SmallButton which{id, {}, words, i == state.sheets.study.measure};
-        if (i > 0) beside_or_below(ui, small_button_width(ui, which, true), right);
-        if (small_button(ui, which).pressed) state.sheets.study.measure = i;
+        const bool is_shown = i == state.sheets.study.measure;
+        if (choice_in_row(ui, "study.measure." + std::string(row.word), measure_words(ui, row), is_shown, i == 0,
+                          right))
+            state.sheets.study.measure = i;
     }
 }
 
