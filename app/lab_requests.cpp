@@ -20,16 +20,17 @@ namespace braitenlab {
 
 namespace {
 
+template <class... Alternatives>
+bool is_one_of(const Request& request) {
+    return (std::holds_alternative<Alternatives>(request) || ...);
+}
+
 bool acts_on_own_run(const Request& request) {
     if (const auto* action = std::get_if<Action>(&request)) return acts_on_own_run(*action);
     const auto* breeding = std::get_if<BreedingRequest>(&request);
     if (breeding && breeding->edit == BreedingEdit::take) return true;
-    return std::holds_alternative<EditRequest>(request) || std::holds_alternative<PasteRequest>(request) ||
-           std::holds_alternative<SeedRequest>(request) || std::holds_alternative<SeekRequest>(request) ||
-           std::holds_alternative<BookmarkRequest>(request) || std::holds_alternative<ShowMeRequest>(request) ||
-           std::holds_alternative<KeptRequest>(request) || std::holds_alternative<StudentRequest>(request) ||
-           std::holds_alternative<ChooseChildRequest>(request) ||
-           std::holds_alternative<EarlierGenerationRequest>(request) || std::holds_alternative<SlotRequest>(request);
+    return is_one_of<EditRequest, PasteRequest, SeedRequest, SeekRequest, BookmarkRequest, ShowMeRequest, KeptRequest,
+                     StudentRequest, ChooseChildRequest, EarlierGenerationRequest, SlotRequest>(request);
 }
 
 void handle_breeding(Lab& lab, const BreedingRequest& wanted) {
@@ -37,10 +38,7 @@ void handle_breeding(Lab& lab, const BreedingRequest& wanted) {
 }
 
 // While the graded starts run at once, their vehicles cannot be selected.
-bool selects(const Request& request) {
-    return std::holds_alternative<SelectRequest>(request) || std::holds_alternative<TakeRequest>(request) ||
-           std::holds_alternative<SelectObjectsRequest>(request);
-}
+bool selects(const Request& request) { return is_one_of<SelectRequest, TakeRequest, SelectObjectsRequest>(request); }
 
 // Adds a request that only moves an object as a part of this gesture; false for any other request.
 bool add_move(MoveObjects& all, const Request& request, std::uint64_t gesture) {
