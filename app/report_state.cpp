@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "app/course/lesson_view.h"
 #include "app/ctl/report.h"
 #include "app/files/safe_file.h"
 #include "core/brain/four_neurons.h"
+#include "core/io/checked_json.h"
 #include "core/io/vehicle_table.h"
 #include "core/lesson/path_distance.h"
 #include "core/maths/angle.h"

@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/parts.h"
@@ -20,6 +19,7 @@
 #include "core/evolve/breeding.h"
 #include "core/evolve/breeding_json.h"
 #include "core/evolve/tournament.h"
+#include "core/io/checked_json.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {

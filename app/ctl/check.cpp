@@ -6,11 +6,11 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
 #include "app/files/data.h"
+#include "core/io/checked_json.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/warnings.h"
 #include "core/scene/file_kind.h"

@@ -3,10 +3,10 @@
 #include <iostream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "core/io/checked_json.h"
 #include "core/lesson/lecture.h"
 #include "core/scene/file_kind.h"
 

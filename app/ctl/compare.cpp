@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/report.h"
+#include "core/io/checked_json.h"
 
 namespace braitenlab {
 

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/parts.h"
@@ -18,6 +17,7 @@
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"
 #include "app/reports/map_file.h"
+#include "core/io/checked_json.h"
 #include "core/io/csv.h"
 #include "core/scene/sensor_pairs.h"
 #include "ui/map_look.h"

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/report.h"
 #include "app/jobs/jobs.h"
+#include "core/io/checked_json.h"
 
 namespace braitenlab {
 

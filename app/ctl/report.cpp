@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "core/io/checked_json.h"
 #include "core/io/vehicle_table.h"
 #include "core/scene/enums.h"
 

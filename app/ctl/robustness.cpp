@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
@@ -14,6 +13,7 @@
 #include "app/files/data.h"
 #include "app/jobs/robots.h"
 #include "app/platform/platform.h"
+#include "core/io/checked_json.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
 

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/parts.h"
@@ -19,6 +18,7 @@
 #include "app/platform/platform.h"
 #include "app/reports/study_drawing.h"
 #include "core/insight/study_table.h"
+#include "core/io/checked_json.h"
 
 namespace braitenlab {
 

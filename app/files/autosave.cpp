@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/files/file_commands.h"
 #include "app/files/safe_file.h"
+#include "core/io/checked_json.h"
 #include "core/io/run_file.h"
 #include "core/messages.h"
 #include "core/scene/folder_entries.h"

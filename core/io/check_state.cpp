@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <tuple>
 #include <vector>
@@ -23,6 +24,7 @@ namespace {
 constexpr auto most_vehicles = static_cast<std::size_t>(limits::vehicles);
 constexpr float farthest = 1e5f;  // limit of coordinates (m), speeds (m/s) and angular velocities (rad/s)
 constexpr std::uint64_t last_tick = std::uint64_t{1} << 53U;
+constexpr std::int32_t last_number = 2'000'000'000;  // of a generation or a vehicle: the next ones fit in 32 bits
 
 bool within(float value, float low, float high) { return value >= low && value <= high; }  // false for NaN
 bool is_bounded(float value) { return within(value, -farthest, farthest); }
@@ -108,7 +110,14 @@ std::optional<Error> vehicles_fault(const State& m) {
 
 std::optional<Error> check_state(const State& m) {
     if (m.kind_brains.size() != m.scene->kinds.size()) return error_of(message_of("brains_of_kinds"));
-    if (m.tick > last_tick || m.generation < 1 || m.next_id < 0) return error_of(message_of("clock_range"));
+    const auto is_counted = [](std::int64_t count) { return count >= 0 && count <= std::int64_t{1} << 53U; };
+    const EventCounts& e = m.events;
+    const auto within_numbers = [](std::int32_t number, std::int32_t first) {
+        return number >= first && number <= last_number;
+    };
+    if (m.tick > last_tick || !within_numbers(m.generation, 1) || !within_numbers(m.next_id, 0) ||
+        !all_of(std::array{e.captures, e.deaths, e.births, e.contacts, e.falls}, is_counted))
+        return error_of(message_of("clock_range"));
     if (auto error = vehicles_fault(m)) return error;
     const auto lives = [&](VehicleId id) { return std::binary_search(m.vehicles.id.begin(), m.vehicles.id.end(), id); };
     // Contacts can refer to removed vehicles.

@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "core/brain/four_neurons.h"
+#include "core/io/checked_json.h"
 #include "core/scene/enums.h"
 #include "core/scene/schema.h"
 #include "core/world/command.h"

@@ -53,7 +53,8 @@ const std::map<std::string, std::vector<std::string>> libraries{
     {"<GLFW/", {"app/window.cpp"}},
     {"<imgui", {"ui/", "app/"}},
     {"<mpi.h>", {"app/ctl/ranks.cpp"}},
-    {"<nlohmann/", {"core/io/json.h", "app/"}},
+    {"<nlohmann/json.hpp>", {"core/io/checked_json.h"}},  // it checks whole numbers
+    {"<nlohmann/json_fwd.hpp>", {"app/"}},
     {"<tbb/", {"app/jobs/jobs.cpp"}},
     {"<toml++/", {"core/scene/toml_tree.cpp"}},  // parse_toml() limits size and depth
 };
@@ -309,6 +310,8 @@ TEST(Architecture, FindsAnIncludeOfAHigherLayer) {
     EXPECT_EQ(count_violations("core/world/world.cpp", "<box2d/box2d.h>"), 1u);
     for (const char* file : {"app/files/settings.cpp", "ui/strings.cpp", "core/scene/scene_file.cpp"})
         EXPECT_EQ(count_violations(file, "<toml++/toml.h>"), 1u) << file << ": call parse_toml()";
+    for (const char* file : {"app/files/autosave.cpp", "core/io/json.h", "core/lesson/progress.cpp"})
+        EXPECT_EQ(count_violations(file, "<nlohmann/json.hpp>"), 1u) << file << ": include core/io/checked_json.h";
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/brain/graph.h\""), 0u);
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/result.h\""), 0u);
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "<vector>"), 0u);

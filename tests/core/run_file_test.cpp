@@ -1,5 +1,9 @@
 #include "core/io/run_file.h"
 
+#include <cstdint>
+#include <limits>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "core/io/json.h"
@@ -205,6 +209,20 @@ TEST(RunFile, NamesTheFormatOfAFileOfAnotherProgram) {
     const auto run = io::read_run("PK\x03\x04", "a.run");
     ASSERT_FALSE(run);
     EXPECT_NE(run.error().what.find("this is a file of the format ZIP"), std::string::npos) << run.error().text();
+}
+
+TEST(RunFile, RefusesNumbersThatOneMoreStepWouldOverflow) {
+    const auto good = io::Json::parse(io::write_run(busy_session(tests::crowd(4), 20).save()));
+    ASSERT_TRUE(io::read_run(good.dump(), "a.run"));
+    for (const char* place :
+         {"/keyframe/generation", "/keyframe/next_id", "/keyframe/events/captures", "/keyframe/events/falls"}) {
+        io::Json file = good;
+        auto& number = file[io::Json::json_pointer(place)];
+        ASSERT_TRUE(number.is_number_integer()) << place;
+        number = std::string(place).find("events") == std::string::npos ? std::numeric_limits<std::int32_t>::max()
+                                                                        : std::numeric_limits<std::int64_t>::max();
+        EXPECT_FALSE(io::read_run(file.dump(), "a.run")) << place;
+    }
 }
 
 TEST(RunFile, RefusesDeepNestingAndLargeNumbers) {

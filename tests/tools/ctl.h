@@ -6,9 +6,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "core/io/checked_json.h"
 #include "tests/shell.h"
 
 namespace braitenlab::tests::ctl_runs {
