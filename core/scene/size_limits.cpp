@@ -107,22 +107,77 @@ maths::vec2 extent_of(const std::vector<maths::vec2>& corners) {
     return most;
 }
 
-// Pairs of obstacles that are near each other where one can be pushed.
-double movable_pairs(const std::vector<Obstacle>& obstacles) {
-    std::vector<float> reach;
-    for (const Obstacle& obstacle : obstacles) reach.push_back(0.1f + maths::length(extent_of(corners_of(obstacle))));
-    double pairs = 0;
-    for (std::size_t i = 0; i < obstacles.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const Obstacle &a = obstacles[i], &b = obstacles[j];
-            if (a.mass <= 0 && b.mass <= 0) continue;
-            const maths::vec2 apart{a.x - b.x, a.y - b.y};
-            pairs += maths::dot(apart, apart) < (reach[i] + reach[j]) * (reach[i] + reach[j]);
-        }
-    return pairs;
+double area_of(const std::vector<maths::vec2>& corners) {
+    float twice = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        twice += maths::cross(corners[i], corners[(i + 1) % corners.size()]);
+    return static_cast<double>(twice / 2);
 }
 
-// The work of a tick at most, wherever the vehicles gather: of sensors, brains, wheels and bodies near each other.
+// Pairs of obstacles that are near each other, of which one can be pushed.
+class MovablePairs {
+public:
+    explicit MovablePairs(const std::vector<Obstacle>& obstacles) {
+        for (const Obstacle& each : obstacles) {
+            const auto corners = corners_of(each);
+            const Circle circle{{each.x, each.y}, margin + maths::length(extent_of(corners)), area_of(corners)};
+            (each.mass > 0 ? movable_ : fixed_).push_back(circle);
+        }
+        std::sort(movable_.begin(), movable_.end(), [](const auto& a, const auto& b) { return a.reach < b.reach; });
+    }
+
+    // At most, wherever vehicles push them.
+    double most() const { return movable_.empty() ? 0 : std::max(in_place(), when_pushed()); }
+
+private:
+    static constexpr float margin = 0.1f;  // m, by which Box2D grows a body in its search for pairs
+    struct Circle {
+        maths::vec2 at;
+        float reach;  // m, with the margin
+        double area;  // m², of the obstacle
+    };
+    static bool are_near(const Circle& a, const Circle& b, float between = 0) {
+        const maths::vec2 apart = a.at - b.at;
+        const float reach = a.reach + b.reach + between;
+        return maths::dot(apart, apart) < reach * reach;
+    }
+    // At the places of the scene, where obstacles may overlap.
+    double in_place() const {
+        double pairs = 0;
+        for (std::size_t i = 0; i < movable_.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) pairs += are_near(movable_[i], movable_[j]);
+            for (const Circle& fixed : fixed_) pairs += are_near(movable_[i], fixed);
+        }
+        return pairs;
+    }
+    // Physics keeps those apart that are pushed: the smaller ones near one, whole, find room in thrice its circle.
+    double when_pushed() const {
+        std::vector<double> areas;
+        for (const Circle& each : movable_) areas.push_back(each.area);
+        std::sort(areas.begin(), areas.end());
+        for (std::size_t i = 1; i < areas.size(); ++i) areas[i] += areas[i - 1];
+        double pairs = static_cast<double>(movable_.size()) * densest_fixed();
+        for (std::size_t i = 0; i < movable_.size(); ++i) {
+            const auto around = static_cast<double>(3 * movable_[i].reach - margin);
+            const auto room = std::upper_bound(areas.begin(), areas.end(), maths::pi_d * around * around);
+            pairs += std::min(static_cast<double>(i), static_cast<double>(room - areas.begin()));
+        }
+        return pairs;
+    }
+    // The most fixed obstacles that one which is pushed can be near at a time.
+    double densest_fixed() const {
+        std::vector<int> beside(fixed_.size(), 1);
+        for (std::size_t i = 0; i < fixed_.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (are_near(fixed_[i], fixed_[j], 2 * movable_.back().reach)) ++beside[i], ++beside[j];
+        return beside.empty() ? 0 : *std::max_element(beside.begin(), beside.end());
+    }
+
+    std::vector<Circle> movable_, fixed_;  // movable_: by ascending reach
+};
+
+// The work of a tick at most, wherever vehicles gather and push obstacles: of sensors, brains, wheels and bodies near
+// each other.
 class WorkOfATick {
 public:
     explicit WorkOfATick(const Scene& scene) : scene_(scene), vehicles_(vehicle_count(scene)) {
@@ -185,7 +240,7 @@ public:
             largest = std::max(largest, of(kind.sensors) + of(kind.brain) +
                                             cost::in_zone * zones_ * static_cast<double>(kind.body.wheels.size() + 2));
         return vehicles_ * (cost::vehicle + cost::pair * touched_ + largest) + own +
-               cost::movable_pair * movable_pairs(scene_.obstacles);
+               cost::movable_pair * MovablePairs(scene_.obstacles).most();
     }
 
 private:

@@ -18,7 +18,8 @@ struct Scene;
 std::optional<Fault> size_fault(const Scene&);
 
 // How long a tick may take at most, in comparisons of a sensor with a stimulus, each about 2.5 ns on a core of 2.1 GHz.
-// An estimate from the values of the scene: of what its sensors may compare, brains compute and bodies touch.
+// An estimate from the values of the scene: of what its sensors may compare, brains compute and bodies touch, wherever
+// the vehicles gather and push obstacles.
 double work_of_a_tick(const Scene&);
 inline constexpr double most_work = 40e6;  // 0.1 s
 

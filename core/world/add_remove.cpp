@@ -52,7 +52,7 @@ Result<int> add_to_scene(WorldData& s, Scene& scene, const AddVehicle& c, int ki
     start.name = free_name(scene.starts, start.name, of_kind);
     const int index = insertion_index(scene.starts, c.before);
     scene.starts.insert(iterator_at(scene.starts, index), std::move(start));
-    if (auto error = check_scene(scene)) return *error;
+    if (auto error = check_edited(s, scene)) return *error;
     for (std::int32_t& other : s.vehicles.start) other += other >= index;
     return index;
 }
@@ -213,8 +213,13 @@ void set_numbers(Scene& scene, const State& before, const SetPopulation& c) {
 
 std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
     if (auto error = refusal(s, c)) return error;
-    std::optional<FreeSpace> free_space;
     Scene scene = *s.scene;
+    if (c.id == no_vehicle) {  // one that is brought back has been counted before
+        ++scene.ecology.population;
+        if (auto error = check_size(with_present_brains(s, scene))) return error;
+        --scene.ecology.population;
+    }
+    std::optional<FreeSpace> free_space;
     if (auto error = add_last(s, scene, c, free_space)) return error;
     s.scene = std::make_shared<const Scene>(std::move(scene));
     const auto& ids = s.vehicles.id;
@@ -256,7 +261,7 @@ std::optional<Error> execute(WorldData& s, const EditStart& c) {
     const std::string name = start.name;
     start = c.to;
     if (start.name.empty()) start.name = name;
-    if (auto error = check_scene(scene)) return error;
+    if (auto error = check_edited(s, scene)) return error;
     s.scene = std::make_shared<const Scene>(std::move(scene));
     return std::nullopt;
 }
@@ -268,7 +273,7 @@ std::optional<Error> execute(WorldData& s, const EditMember& c) {
         scene.members.push_back(*c.to);
         scene.members.back().name = std::to_string(c.member);
     }
-    if (auto error = check_scene(scene)) return error;
+    if (auto error = check_edited(s, scene)) return error;
     s.scene = std::make_shared<const Scene>(std::move(scene));
     return std::nullopt;
 }
@@ -292,7 +297,7 @@ std::optional<Error> execute(WorldData& s, const SetPopulation& c) {
     for (auto count = std::count(s.vehicles.kind.begin(), s.vehicles.kind.end(), c.kind); count < c.count; ++count)
         if (auto error = add_last(s, scene, AddVehicle{.kind = c.kind}, free_space)) return undone(*error);
     set_numbers(scene, before, c);
-    if (auto error = check_scene(scene)) return undone(*error);
+    if (auto error = check_edited(s, scene)) return undone(*error);
     s.scene = std::make_shared<const Scene>(std::move(scene));
     return std::nullopt;
 }

@@ -74,6 +74,12 @@ std::optional<Error> execute(WorldData& s, const TurnDial& c) {
 }
 
 std::optional<Error> execute(WorldData& s, const SetBrain& c) {
+    const bool is_of_kind = c.target.vehicle == no_vehicle && !missing(s.scene->kinds, c.target.kind, "kind");
+    if (is_of_kind) {
+        Scene scene = with_present_brains(s, *s.scene);
+        iterator_at(scene.kinds, c.target.kind)->brain = c.brain;
+        if (auto error = check_size(scene)) return error;
+    }
     return edit_brains(s, c.target, [&](BrainGraph& graph) { graph = c.brain; });
 }
 

@@ -42,7 +42,7 @@ std::optional<Error> execute(WorldData& s, const EditArena& c) {
     scene.arena = c.to;
     for (Start& start : scene.starts) bring_inside(c.to, start);
     for (Member& member : scene.members) bring_inside(c.to, member);
-    if (auto error = check_scene(scene)) return error;
+    if (auto error = check_edited(s, scene)) return error;
     replace_scene(s, std::move(scene));
     bring_vehicles_inside(s);
     return std::nullopt;
@@ -100,7 +100,7 @@ std::optional<Error> execute(WorldData& s, const EditKind& c) {
     kind.brain = s.kind_brains[static_cast<std::size_t>(c.kind)]->graph;
     if (kind.name.empty()) kind.name = before.name;
     if (kind.name != before.name) rename_kind(scene, before.name, kind.name);
-    if (auto error = check_scene(scene)) return error;
+    if (auto error = check_edited(s, scene)) return error;
 
     compile_again(s, c.kind, kind);
     replace_scene(s, scene);

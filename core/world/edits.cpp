@@ -2,6 +2,7 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
+#include "core/scene/size_limits.h"
 
 namespace braitenlab::world {
 
@@ -43,8 +44,8 @@ constexpr bool has_body = std::is_same_v<Object, Obstacle>;
 template <class Object>
 constexpr auto list = ObjectList<Object>::list;
 
-// Moves an object to a pose, clamped to the range of a position. A valid scene stays valid, because no rule of
-// check_scene depends on these positions: a drag of many objects does not check the whole scene for each of them.
+// Moves an object to a pose, clamped to the range of a position. No rule of check_scene but that of obstacles that push
+// each other (check_size) depends on these positions: a drag does not check the whole scene for each object.
 template <class Object>
 std::optional<Error> move_in(Scene& scene, const MoveObject<Object>& c) {
     if (auto error = missing(scene.*list<Object>, c.index, ObjectList<Object>::word)) return error;
@@ -78,6 +79,22 @@ std::optional<Error> move_all_in(Scene& scene, const std::vector<MoveObject<Obje
 
 }  // namespace
 
+std::optional<Error> check_size(const Scene& scene) {
+    const auto fault = size_fault(scene);
+    if (!fault) return std::nullopt;
+    return error_of(fault->path.empty() ? fault->what : Message(fault->path + ": ") + fault->what);
+}
+
+Scene with_present_brains(const WorldData& s, Scene scene) {
+    for (std::size_t kind = 0; kind < scene.kinds.size(); ++kind) scene.kinds[kind].brain = s.kind_brains[kind]->graph;
+    return scene;
+}
+
+std::optional<Error> check_edited(const WorldData& s, const Scene& scene) {
+    if (auto error = check_scene(scene)) return error;
+    return check_size(with_present_brains(s, scene));
+}
+
 void compile_again(WorldData& s, int index, const Kind& kind) {
     struct Made {
         SharedBrain before;
@@ -109,7 +126,7 @@ std::optional<Error> execute(WorldData& s, const AddObject<Object>& c) {
     if constexpr (std::is_same_v<Object, Source>) named = word(added.channel);
     added.name = free_name(all, added.name, named);
     all.insert(iterator_at(all, index), std::move(added));
-    if (auto error = check_scene(scene)) return error;
+    if (auto error = check_edited(s, scene)) return error;
     if constexpr (has_body<Object>) s.obstacles.insert(iterator_at(s.obstacles, index), at_rest(c.object));
     replace<Object>(s, std::move(scene));
     return std::nullopt;
@@ -135,7 +152,7 @@ std::optional<Error> execute(WorldData& s, const EditObject<Object>& c) {
     std::string name = std::move(object.name);
     object = c.to;
     object.name = std::move(name);
-    if (auto error = check_scene(scene)) return error;
+    if (auto error = check_edited(s, scene)) return error;
     if constexpr (has_body<Object>) rest(s, scene, c.index);
     replace<Object>(s, std::move(scene));
     return std::nullopt;
@@ -145,7 +162,10 @@ template <class Object>
 std::optional<Error> execute(WorldData& s, const MoveObject<Object>& c) {
     Scene scene = *s.scene;
     if (auto error = move_in(scene, c)) return error;
-    if constexpr (has_body<Object>) rest(s, scene, c.index);
+    if constexpr (has_body<Object>) {
+        if (auto error = check_size(with_present_brains(s, scene))) return error;
+        rest(s, scene, c.index);
+    }
     replace<Object>(s, std::move(scene));
     return std::nullopt;
 }
@@ -170,6 +190,8 @@ std::optional<Error> execute(WorldData& s, const MoveObjects& c) {
         if (auto error = move_all_in(scene, c.of_sources)) return error;
         if (auto error = move_all_in(scene, c.of_obstacles)) return error;
         if (auto error = move_all_in(scene, c.of_zones)) return error;
+        if (!c.of_obstacles.empty())
+            if (auto error = check_size(with_present_brains(s, scene))) return error;
         for (const MoveObstacle& m : c.of_obstacles) rest(s, scene, m.index);
         if (!c.of_obstacles.empty() || (!c.of_sources.empty() && !c.of_zones.empty()))
             replace_scene(s, std::move(scene));

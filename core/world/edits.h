@@ -60,6 +60,13 @@ inline void renew_designs(State& s) {
     }
 }
 
+// The error of size_fault() for a scene that is valid but for its size.
+std::optional<Error> check_size(const Scene&);  // edits.cpp
+// The scene with the present brains of its kinds, as when it is saved. Precondition: its kinds are those of the world.
+Scene with_present_brains(const WorldData&, Scene);
+// The error of check_scene(), or of check_size() with the present brains.
+std::optional<Error> check_edited(const WorldData&, const Scene&);
+
 // The error that the scene would have if these were the sensors of the kind.
 std::optional<Error> check_sensors(const WorldData&, std::size_t kind, const std::vector<Sensor>&);  // sensor_edits.cpp
 

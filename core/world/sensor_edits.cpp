@@ -93,7 +93,7 @@ std::optional<Error> set_vehicle_sensors(WorldData& s, std::size_t row, const st
 
 std::optional<Error> set_kind_sensors(WorldData& s, std::size_t kind, const std::vector<Sensor>& sensors) {
     Scene scene = with_sensors(s, kind, sensors);
-    if (auto error = check_scene(scene)) return error;
+    if (auto error = check_edited(s, scene)) return error;
     carry_readings(s, [&](std::size_t row) -> const std::vector<Sensor>& {
         return s.kind(row) == kind ? sensors : s.design(row).sensors;
     });
@@ -107,7 +107,7 @@ std::optional<Error> set_kind_sensors(WorldData& s, std::size_t kind, const std:
 }  // namespace
 
 std::optional<Error> check_sensors(const WorldData& s, std::size_t kind, const std::vector<Sensor>& sensors) {
-    return check_scene(with_sensors(s, kind, sensors));
+    return check_edited(s, with_sensors(s, kind, sensors));
 }
 
 std::optional<Error> execute(WorldData& s, const SetSensors& c) {

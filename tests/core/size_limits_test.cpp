@@ -7,10 +7,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/io/run_file.h"
 #include "core/scene/check.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
-#include "tests/core/scenes.h"
+#include "tests/core/sessions.h"
 
 namespace braitenlab::tests::size_limits_test {
 namespace {
@@ -62,6 +63,18 @@ Scene with_obstacles(Scene scene, int count, float circle, float radius, float m
         scene.obstacles.push_back(
             {.name = fmt::format("o{}", i), .x = at.x, .y = at.y, .corners = octagon(radius), .mass = mass});
     }
+    return scene;
+}
+
+// Boxes that vehicles can push, apart from each other.
+Scene with_boxes(Scene scene, int count, float side) {
+    for (int i = 0; i < count; ++i)
+        scene.obstacles.push_back({.name = fmt::format("box{}", i),
+                                   .x = static_cast<float>(i % 40) * 2 - 40,
+                                   .y = static_cast<float>(i / 40) * 2 - 40,
+                                   .length = side,
+                                   .width = side,
+                                   .mass = 1});
     return scene;
 }
 
@@ -192,6 +205,73 @@ TEST(SizeLimits, RefuseScenesThatFreezeTheWindow) {
     EXPECT_FALSE(is_refused(blown));
     blown.zones.push_back({.name = "z", .pull = 200});
     EXPECT_TRUE(is_refused(blown)) << "a force that presses them together";
+}
+
+TEST(SizeLimits, HoldWhereverObstaclesArePushed) {
+    const auto is_refused = [](const Scene& scene) { return find_fault(scene).has_value(); };
+    const Scene floor = crowd_of(1, 100);
+    EXPECT_FALSE(is_refused(with_boxes(floor, 1000, 0.3f)));
+    EXPECT_TRUE(is_refused(with_boxes(floor, 2000, 0.1f))) << "small ones that would be pushed into one heap";
+    Scene mixed = with_boxes(floor, 1000, 0.3f);
+    mixed.obstacles[7].length = mixed.obstacles[7].width = 0.05f;
+    EXPECT_FALSE(is_refused(mixed)) << "a small one does not make room for the others";
+    EXPECT_FALSE(is_refused(with_boxes(with_obstacles(floor, 3000, 0, 1), 5, 0.3f)));
+    EXPECT_TRUE(is_refused(with_boxes(with_obstacles(floor, 3000, 0, 1), 20, 0.3f))) << "pushed among 3,000 others";
+    EXPECT_FALSE(is_refused(with_boxes(with_obstacles(floor, 3000, 1e3f, 1), 20, 0.3f))) << "which are apart";
+}
+
+// The command is refused because of the work of a tick, and the world stays as it is.
+void expect_too_much_work(Session& session, const Command& command) {
+    const auto hash = session.hash();
+    const auto error = session.apply(command);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->text().find("a tick of "), std::string::npos) << error->text();
+    EXPECT_EQ(session.hash(), hash);
+    EXPECT_EQ(find_fault(session.edited_scene()), std::nullopt) << "the scene can be saved";
+}
+
+TEST(SizeLimits, RefuseThePopulationThatGrowsOneByOne) {
+    const auto of = [](int population) {
+        Scene scene = crowd_of(population, 400, eyes(64, Channel::memory));
+        scene.kinds[0].memory.marks = 64;
+        return scene;
+    };
+    int most = 0;
+    while (!find_fault(of(most + 1))) ++most;
+    ASSERT_GT(most, 100);
+    Session session = open_session(of(most - 2));
+    EXPECT_FALSE(session.apply(AddVehicle{}));
+    EXPECT_FALSE(session.apply(AddVehicle{0, Pose{5, 5, 0}}));
+    expect_too_much_work(session, AddVehicle{});
+    expect_too_much_work(session, AddVehicle{0, Pose{-5, 5, 0}});
+    expect_too_much_work(session, SetPopulation{0, most + 1});
+    ASSERT_FALSE(session.apply(RemoveVehicle{}));
+    EXPECT_TRUE(session.undo()) << "one that is brought back was there before";
+    EXPECT_TRUE(io::read_run(io::write_run(session.save()), "a.run"));
+}
+
+TEST(SizeLimits, CountTheBrainsThatEditsGive) {
+    const BrainGraph large = with_neurons(crowd_of(1, 200), 800, 0).kinds[0].brain;
+    Session crowd = open_session(crowd_of(6000, 300));
+    expect_too_much_work(crowd, SetBrain{{.kind = 0}, large});
+    Session few = open_session(crowd_of(10, 300));
+    ASSERT_FALSE(few.apply(SetBrain{{.kind = 0}, large}));
+    expect_too_much_work(few, SetPopulation{0, 6000});
+}
+
+TEST(SizeLimits, RefuseObstaclesThatMoveIntoOneCorner) {
+    constexpr int count = 400;
+    Session session = open_session(with_boxes(crowd_of(1, 100), count, 0.3f));
+    MoveObjects all;
+    for (int i = 0; i < count; ++i) all.of_obstacles.push_back({i, 49, 49, 0});
+    expect_too_much_work(session, all);
+    int moved = 0;
+    while (moved < count && !session.apply(MoveObstacle{moved, 49, 49, 0})) ++moved;
+    EXPECT_GT(moved, 100);
+    ASSERT_LT(moved, count);
+    expect_too_much_work(session, MoveObstacle{moved, 49, 49, 0});
+    EXPECT_FALSE(session.apply(MoveObstacle{moved, -49, 49, 0}));
+    EXPECT_TRUE(io::read_run(io::write_run(session.save()), "a.run"));
 }
 
 }  // namespace
