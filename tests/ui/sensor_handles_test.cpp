@@ -228,4 +228,29 @@ TEST_F(SensorHandles, ASensorOfItsOwnEnergyHasOnlyAPosition) {
 }
 
 }  // namespace
+TEST_F(SensorHandles, TheNoteOfAHandleStaysInASmallScene) {
+    for (const char* language : {"en", "de", "es"}) {
+        desk.strings = speaking(language);
+        ImGui::GetIO().DisplaySize = {800, 600};
+        desk.frame(3);
+        Camera camera;
+        camera.mode = CameraMode::birds_eye;
+        camera_view = look(camera, desk.now.scene->arena, nullptr, {0, 0, 800, 600}, desk.layout.scene);
+        desk.frame(2);
+        const vec2 axis = at("handle.axis");
+        desk.point(axis.x, axis.y);
+        desk.frame(3);
+        const std::string words(desk.strings("scene_input.sensor_axis"));
+        const std::string begin = words.substr(0, words.find(' '));
+        const Rect scene = desk.layout.scene;
+        bool found = false;
+        for (const Written& each : desk.written) {
+            if (!each.words.starts_with(begin) || !scene.contains(each.rect.x, each.rect.y)) continue;
+            found = true;
+            EXPECT_LE(each.rect.x + each.rect.w, scene.x + scene.w + 1) << language << ": " << each.words;
+        }
+        EXPECT_TRUE(found) << language;
+    }
+}
+
 }  // namespace braitenlab::tests::sensor_handles_test

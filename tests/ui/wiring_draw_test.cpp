@@ -111,4 +111,25 @@ TEST_F(WiringDraw, DotsMoveOnlyWithTicks) {
 }
 
 }  // namespace
+TEST_F(WiringDraw, TheSumOfANodeCoversNoWireWhereThereIsRoom) {
+    BrainGraph graph = make_graph({.LL = 1, .LR = 1.5f, .RL = 1.5f, .RR = 1});
+    Node neuron;
+    neuron.id = 40, neuron.kind = NodeKind::neuron, neuron.name = "N1";
+    graph.nodes.push_back(neuron);
+    for (const WireEnds ends : {WireEnds{SL, 40}, {SR, 40}, {40, ML}, {40, MR}})
+        graph.wires.push_back({.from = ends.from, .to = ends.to, .weight = 1});
+    show(graph);
+    for (const NodeId node : {NodeId{40}, ML, MR}) {
+        state.selection = {{node}, {}};
+        frames(3);
+        const Rect* sum = anchors.find("canvas.sum");
+        ASSERT_TRUE(sum) << node;
+        for (const Wire& wire : graph.wires)
+            for (int i = 0; i <= 20; ++i) {
+                const vec2 at = on_wire({wire.from, wire.to}, static_cast<float>(i) / 20);
+                EXPECT_FALSE(sum->contains(at.x, at.y)) << node << ": " << wire.from << " to " << wire.to;
+            }
+    }
+}
+
 }  // namespace braitenlab::tests::wiring_draw_test

@@ -284,9 +284,23 @@ Rect place_of_note(const SceneInputFrame& frame, const Ui& ui, const LabelSpace&
     return best;
 }
 
+// The words may have several lines.
 ImVec2 note_size(const Ui& ui, std::string_view words) {
-    return {text_width(ui, Face::small, words) + ui.px(spacing::large),
-            line_height(ui, Face::small) + ui.px(spacing::small)};
+    float width = 0, lines = 0;
+    for (std::size_t from = 0; from <= words.size(); ++lines) {
+        const std::size_t end = std::min(words.find('\n', from), words.size());
+        width = std::max(width, text_width(ui, Face::small, words.substr(from, end - from)));
+        from = end + 1;
+    }
+    return {width + ui.px(spacing::large), lines * line_height(ui, Face::small) + ui.px(spacing::small)};
+}
+
+// The words in lines with which a note is no wider than the area.
+std::string lines_in(const Ui& ui, std::string_view words, const Rect& area) {
+    std::string all;
+    for (const std::string& line : even_lines(ui, words, Face::small, area.w - ui.px(spacing::large)))
+        all += (all.empty() ? "" : "\n") + line;
+    return all;
 }
 
 void paint_note(const Ui& ui, const Rect& place, std::string_view words, Colour edge) {
@@ -405,9 +419,10 @@ void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view word
     LabelSpace own;
     if (!frame.labels) own.keep_free(*frame.view.now, frame.camera_view);
     LabelSpace& labels = frame.labels ? *frame.labels : own;
-    const Rect place = place_of_note(frame, ui, labels, note_size(ui, words), beside, side);
+    const std::string lines = lines_in(ui, words, frame.area);
+    const Rect place = place_of_note(frame, ui, labels, note_size(ui, lines), beside, side);
     labels.take(place);
-    paint_note(ui, place, words, edge);
+    paint_note(ui, place, lines, edge);
 }
 
 void draw_scene_input(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui) {

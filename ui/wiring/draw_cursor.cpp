@@ -50,26 +50,49 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     put_on(pen.list, ui, {at.x + ui.px(note_padding.x), at.y + ui.px(note_padding.y)}, words, p.text, Face::text);
 }
 
-// Below the card, above it or beside it, where the note covers fewer cards; its own card counts most.
+struct NoteBox {
+    ImVec2 low, high;
+    bool contains(ImVec2 p) const { return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y; }
+    bool overlaps(ImVec2 a, ImVec2 b) const { return a.x < high.x && b.x > low.x && a.y < high.y && b.y > low.y; }
+};
+
+// What a note there would cover: its own card counts most, then other cards, then wires.
+int covered_by(const Pen& pen, const Layout& layout, const NodeShape& own, const NoteBox& note) {
+    constexpr int own_card = 10000, card = 100, pieces = 24;
+    int sum = 0;
+    for (const NodeShape& other : layout.nodes)
+        if (note.overlaps(pen.at(other.centre - other.size / 2), pen.at(other.centre + other.size / 2)))
+            sum += other.id == own.id ? own_card : card;
+    for (const WireShape& wire : layout.wires) {
+        if (wire.wire < 0) continue;
+        bool covers = false;
+        for (int i = 0; i <= pieces && !covers; ++i)
+            covers = note.contains(pen.at(bezier_point(wire.bezier, static_cast<float>(i) / pieces)));
+        sum += covers ? 1 : 0;
+    }
+    return sum;
+}
+
+// Below the card, above it, beside it or at its corners, also farther away: the first place where the note covers
+// least.
 ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note, Rect area) {
-    constexpr std::ptrdiff_t own = 1000;  // more than all others
-    const auto covered = [&](ImVec2 wanted) {
-        const ImVec2 at = kept_inside(pen.ui, wanted, note, area);
-        std::ptrdiff_t count = 0;
-        for (const NodeShape& other : layout.nodes) {
-            const ImVec2 low = pen.at(other.centre - other.size / 2), high = pen.at(other.centre + other.size / 2);
-            if (low.x < at.x + note.x && high.x > at.x && low.y < at.y + note.y && high.y > at.y)
-                count += other.id == shape.id ? own : 1;
+    const ImVec2 low = pen.at(shape.centre - shape.size / 2), high = pen.at(shape.centre + shape.size / 2);
+    ImVec2 best{};
+    int least = -1;
+    for (const float layout_gap : {spacing::medium, 36.0f, 72.0f, 120.0f}) {
+        const float gap = pen.ui.px(layout_gap), middle = (low.y + high.y - note.y) / 2;
+        const float left = low.x - gap - note.x, right = high.x + gap, above = low.y - gap - note.y,
+                    below = high.y + gap;
+        const ImVec2 places[]{{low.x, below}, {low.x, above}, {right, middle}, {left, middle},
+                              {right, below}, {right, above}, {left, below},   {left, above}};
+        for (const ImVec2 wanted : places) {
+            const ImVec2 at = kept_inside(pen.ui, wanted, note, area);
+            const int covered = covered_by(pen, layout, shape, {at, {at.x + note.x, at.y + note.y}});
+            if (least < 0 || covered < least) best = wanted, least = covered;
+            if (least == 0) return best;
         }
-        return count;
-    };
-    constexpr float space = spacing::medium;
-    const ImVec2 low = pen.at(shape.centre - shape.size / 2 - vec2{space, space});
-    const ImVec2 high = pen.at(shape.centre + shape.size / 2 + vec2{space, space});
-    const float left = pen.at(shape.centre - shape.size / 2).x, middle = (low.y + high.y - note.y) / 2;
-    const ImVec2 places[]{{left, high.y}, {left, low.y - note.y}, {high.x, middle}, {low.x - note.x, middle}};
-    return *std::min_element(std::begin(places), std::end(places),
-                             [&](ImVec2 one, ImVec2 other) { return covered(one) < covered(other); });
+    }
+    return best;
 }
 
 float learned_now(const Picture& picture, const Wire& wire) {
@@ -172,7 +195,8 @@ void draw_description(const Pen& pen, const Picture& picture, const CanvasFrame&
     std::string words = node->name;
     if (has_description)
         words += ": " + std::string(pen.ui.strings(description_key(*picture.view.now, picture.vehicle, *node)));
-    draw_note(pen, beside(pen, frame.pointer.at), words, frame.area, pen.palette().second_text);
+    const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, words), frame.area);
+    draw_note(pen, at, words, frame.area, pen.palette().second_text);
     pen.ui.anchors.record("says." + node->name, {frame.pointer.at.x, frame.pointer.at.y, 1, 1});
 }
 
