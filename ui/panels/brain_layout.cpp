@@ -192,7 +192,7 @@ BrainLayout lay_out_pair(const BrainGraph& brain, const SensorPair& pair, Rect a
 BrainLayout lay_out_graph(const BrainGraph& brain, const Kind& kind, const SensorPair& pair, Rect area, float scale) {
     BrainLayout p;
     const float middle = area.x + area.w / 2, wheel_y = area.y + area.h - 32 * scale;
-    const float half = area.w / 2 - 46 * scale;   // of the sensors' row; the button to watch is at its right
+    const float half = area.w / 2 - 46 * scale;   // of the sensors' row
     const float wheel = area.w / 2 - 78 * scale;  // from the middle; numbers are outside
     const GraphFrame frame{{middle, area.y + area.h / 2}, area.h, (wheel - 28 * scale) / row_half_width};
 

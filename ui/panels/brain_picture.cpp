@@ -213,30 +213,30 @@ private:
 
     const std::vector<Sensor>& sensors() const { return kind_of(*view_.now, vehicle_).sensors; }
     std::string full_name(const NodeMark& sensor) const { return wiring::short_name(sensors(), sensor.name); }
-    // The symbol of the channel and the side, where the button would cover a longer name.
+    // The symbol of the channel and the side, where there is no room for a longer name.
     std::string name_in_pair(const NodeMark& which) const {
         const Sensor* sensor = is_crowded_ ? find_sensor(sensors(), which.name) : nullptr;
         return sensor ? wiring::symbol_name(*sensor) : full_name(which);
     }
-    // In the row of a graph, or of a pair between its eye and the button.
+    // In the row of a graph, or of a pair beside its right eye.
     float room_of_name() const {
         if (is_graph_) return ui_.px(parts_.sensor_radius / 0.36f - 4);
         const float from = parts_.sensors.back().at.x + unit_ * from_eye_to_its_name;
-        return (view_.lecture ? all_.x + all_.w : left_of_button()) - ui_.px(spacing::hair) - from;
+        return all_.x + all_.w - ui_.px(spacing::hair) - from;
     }
 
     SmallButton look_of_button() const {
         return {"button.watch", icon::wiring, ui_.strings("button.watch"),
                 view_.settings.watching && !state_.map.replaces_diagram};
     }
-    float left_of_button() const {
-        return all_.x + all_.w - small_button_width(ui_, look_of_button(), false) - ui_.px(spacing::tight);
-    }
 
-    // Shows the whole brain beside the scene, or hides it. In large type it would cover a number.
+    // Shows the whole brain beside the scene, or hides it: between the wheels, where no name and no number is. In large
+    // type it would cover a wire.
     void watch_button() {
         if (view_.lecture) return;
-        ImGui::SetCursorScreenPos({left_of_button(), all_.y + ui_.px(spacing::tight)});
+        const float width = small_button_width(ui_, look_of_button(), false);
+        ImGui::SetCursorScreenPos(
+            {all_.x + (all_.w - width) / 2, all_.y + all_.h - ui_.px(small_button_height + spacing::hair)});
         const Item at = small_button(ui_, look_of_button(), false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
         if (at.pressed) state_.chosen.push_back(Action::watch);
