@@ -56,6 +56,9 @@ constexpr float names_width = 28;  // of the widest dial: all tracks begin at on
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
+// Of an offered slider: the least length of its track, and the room of its knob at both ends.
+constexpr float least_track = 96, around_track = 16;
+
 // Where no more sliders are offered, there is room for what their letters mean.
 constexpr std::size_t few_offers = 2;
 
@@ -84,6 +87,7 @@ public:
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
         names_room_ = 0;
         for (const Offer& offer : offers) names_room_ = std::max(names_room_, room_for(words_of(offer)));
+        are_names_above_ = width < ui_.px(names_room_ + SliderLook{}.number_width + around_track + least_track);
         for (const Offer& offer : offers) turn_together(offer, width);
         if (is_offered(view_, offer_parts::curves)) curve_sliders(width);
         ImGui::PopStyleVar();
@@ -207,6 +211,7 @@ private:
         look.low = limits.low, look.high = limits.high;
         look.words_width = names_room_;
         look.home = at(homes_, first);
+        put_name_above(look);
         const auto edit =
             slider(ui_, state_.sliders, slider_of(first).anchor, at(values_, first), width, view_.wall_seconds, look);
         const ImVec2 corner = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
@@ -245,12 +250,20 @@ private:
         look.home = curve_home_.*member;
         look.signed_number = look.meaning = false;
         look.words_width = std::max(names_room_, room_for(look.words));
+        put_name_above(look);
         const auto edit = slider(ui_, state_.sliders, anchor, now.*member, width, view_.wall_seconds, look);
         if (!edit) return;
         BrainGraph changed = brain_;
         for (Wire& wire : changed.wires)
             if (is_curved(brain_, wire)) wire.curve.*member = edit->value;
         ui_.outbox.push_back(EditRequest{SetBrain{target_, std::move(changed)}, edit->gesture});
+    }
+
+    // The words of the slider as a line of their own, where they would leave its track too little room.
+    void put_name_above(SliderLook& look) {
+        if (!are_names_above_) return;
+        paragraph(ui_, look.words, ui_.palette.text, look.meaning ? Face::strong : Face::text);
+        look.words = {}, look.words_width = 0;
     }
 
     // Width in layout pixels of the words in front of a slider, with a gap.
@@ -264,7 +277,8 @@ private:
     Target target_;
     const BrainGraph& brain_;
     SensorPair pair_;
-    float names_room_ = 0;        // of the offered dials, layout pixels
+    float names_room_ = 0;  // of the offered dials, layout pixels
+    bool are_names_above_ = false;
     FourNeurons values_, homes_;  // current values, and those of the file
     Curve curve_home_;            // of the file's first curved wire
 };
