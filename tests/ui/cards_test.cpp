@@ -244,4 +244,24 @@ TEST(Cards, TheBrainBelowTheExerciseOpensByAClickWhereItHasNoRoom) {
     EXPECT_GT(desk.where("card.exercise").h, 200);
 }
 
+TEST(Cards, ACardBelowTheExerciseGrowsWhenItUnfolds) {
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.lesson.attempt.answers.prediction = 0, desk.lesson.attempt.work.has_run = true;
+    const insight::Design design;
+    auto& slots = desk.view.features.slots;
+    for (SlotView& slot : slots.slots) slot.design = &design;
+    desk.frame(8);
+    const float before = desk.where("card.slots").h;
+    static const insight::CompareNumbers a{0.4f, 5.3f, 0.5f, 27.4f, 13}, b{13.1f, INFINITY, 19.5f, 112.2f, NAN};
+    slots.seconds = 30, slots.slots[0].numbers = &a, slots.slots[1].numbers = &b;  // compared
+    desk.frame(8);
+    const Rect card = desk.where("card.slots");
+    EXPECT_GT(card.h, before + 60) << "the table has its room";
+    for (const Written& each : desk.written) {
+        if (each.words.find("112") == std::string::npos) continue;
+        EXPECT_LE(each.rect.y + each.rect.h, card.y + card.h);
+    }
+}
+
 }  // namespace braitenlab::tests::cards_test

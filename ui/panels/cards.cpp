@@ -90,16 +90,24 @@ std::size_t reasons_of(const Stack& stack, const LabView& view, PanelState& stat
 }
 
 // Below the open card of the exercise, whose text grows, the other cards are at the bottom of the column and keep their
-// heights; the exercise has all that is left. So none of their rows and none of its buttons moves under the pointer.
+// heights until one of them unfolds, as the slots do with the numbers of their runs; the exercise has all that is left.
+// So none of their rows and none of its buttons moves under the pointer.
 void fix_heights(const Ui& ui, const LabView& view, PanelState& state, const Stack& stack, Rect column,
                  std::array<float, card_count>& heights) {
     const bool is_exercise = stack.count > 0 && stack.rows[0]->card == Card::exercise;
     if (!is_exercise || state.card(Card::exercise).folded || view.lecture) return;
-    constexpr int frames = 4;  // until all contents are measured
+    constexpr int frames = 4;      // until all contents are measured
+    constexpr float unfolds = 44;  // layout pixels: more than the two lines by which a text changes
     CardsBelowExercise& below = state.exercise.below;
     const std::size_t reasons = reasons_of(stack, view, state, column);
-    if (std::exchange(below.depends_on, reasons) != reasons) below.settling = frames;
-    if (below.settling > 0) --below.settling, below.heights = heights;
+    bool changes = std::exchange(below.depends_on, reasons) != reasons;
+    std::array<float, card_count> wanted{};
+    for (std::size_t i = 1; i < stack.count; ++i) {
+        wanted[i] = wanted_of(ui, state, *stack.rows[i], column);
+        changes |= std::fabs(wanted[i] - below.wanted[i]) > ui.px(unfolds);
+    }
+    if (changes) below.settling = frames;
+    if (below.settling > 0) --below.settling, below.heights = heights, below.wanted = wanted;
     float rest = column.h;
     for (std::size_t i = 1; i < stack.count; ++i) {
         heights[i] = below.heights[i];

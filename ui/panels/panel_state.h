@@ -148,12 +148,13 @@ struct HandInState {
     bool begins = false;  // and gets the focus when it is drawn
 };
 
-// The heights of the cards below the open card of the exercise. They stay until what they depend on changes, so that no
-// row of these cards moves while the exercise's text grows.
+// The heights of the cards below the open card of the exercise. They stay until what they depend on changes or a card
+// unfolds, so that no row of these cards moves while the exercise's text grows.
 struct CardsBelowExercise {
     std::size_t depends_on = 0;  // hash of column, shown and folded cards, run, selection, and what may be shown
     int settling = 0;            // frames for which the heights still follow the cards' contents
     std::array<float, card_count> heights{};  // window pixels, by place in the column
+    std::array<float, card_count> wanted{};   // those that the contents had then
 };
 
 // The card of the exercise.
