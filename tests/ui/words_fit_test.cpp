@@ -443,19 +443,34 @@ TEST_P(EveryLanguage, ShowsNumbersWithItsDecimalMark) {
     EXPECT_GT(numbers, 200);
 }
 
-// All texts of prompts and modes in the hint bar, which has one line.
-TEST_P(EveryLanguage, ShowsEveryHintInOneLine) {
-    Desk desk(1024, 768, 1, true);
+// All texts of prompts, modes, tools and notices in the bar below the scene: whole, in one line or two.
+TEST_P(EveryLanguage, ShowsEveryMessageOfTheBarWhole) {
+    Desk desk(800, 600, 1, true);
     desk.strings = speaking(GetParam());
     desk.frame(3);
-    int hints = 0;
+    const auto expect_whole = [&](const std::string& key) {
+        expect_words_to_fit(desk, key);
+        EXPECT_FALSE(desk.anchors.find("hint.whole") || desk.anchors.find("hint.notice")) << key << " is cut";
+        const Rect bar = desk.layout.hint_bar;
+        for (const Written& w : desk.written)
+            EXPECT_TRUE(w.rect.y >= bar.y - 1 && w.rect.y + w.rect.h <= bar.y + bar.h + 1) << key << ": " << w.words;
+    };
+    int hints = 0, notices = 0;
     for (const auto& [key, words] : desk.strings.all()) {
-        if (!key.starts_with("hint.")) continue;
+        if (!key.starts_with("hint.") && !(key.starts_with("tools.") && key.ends_with("_how"))) continue;
         ++hints;
         desk.show_hint(key);
-        expect_words_to_fit(desk, key);
+        expect_whole(key);
     }
-    EXPECT_GT(hints, 15);
+    for (const auto& [key, words] : desk.strings.all()) {
+        if (!key.starts_with("notice.")) continue;
+        ++notices;
+        desk.view.notice = {NoticeKind::notice, key, "a hunt of mine.toml", "12.5"};
+        desk.show_hint("");
+        expect_whole(key);
+    }
+    EXPECT_GT(hints, 30);
+    EXPECT_GT(notices, 50);
 }
 
 TEST_P(EveryLanguage, ShowsTheLabelOfEachFieldBesideItsSlider) {

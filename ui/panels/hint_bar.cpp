@@ -50,41 +50,105 @@ std::string plain_hint(const Ui& ui, std::string_view hint) {
     return text;
 }
 
-// At least the width that it takes.
-float hint_width(const Ui& ui, std::string_view hint) {
-    const std::string text = plain_hint(ui, hint);
-    const auto caps = static_cast<float>(std::count(text.begin(), text.end(), '['));
-    return text_width(ui, Face::small, text) + caps * ui.px(6);
+// A word with the space before it, or the name of a key, which has a cap.
+struct HintPiece {
+    std::string text;
+    bool is_key = false;
+};
+using HintLine = std::vector<HintPiece>;
+
+std::vector<HintPiece> pieces_of(const Ui& ui, std::string_view hint) {
+    std::vector<HintPiece> pieces;
+    each_part(
+        ui, hint,
+        [&](std::string_view words) {
+            while (!words.empty()) {
+                const std::size_t end = std::min(words.find(' ', words.find_first_not_of(' ')), words.size());
+                pieces.push_back({std::string(words.substr(0, end))});
+                words.remove_prefix(end);
+            }
+        },
+        [&](const std::string& key) {
+            pieces.push_back({key, true});
+        });
+    return pieces;
 }
 
-// The hint, without the last of its parts and then of its words as far as it is wider than the room.
-std::string fitting_hint(const Ui& ui, std::string_view hint, float room) {
+float width_of(const Ui& ui, const HintPiece& piece, Face face) {
+    return piece.is_key ? key_cap_width(ui, piece.text, face) : text_width(ui, face, piece.text);
+}
+
+// The hint in lines that are no wider than the room, unless a word is; words of a line are one piece.
+std::vector<HintLine> lines_of_hint(const Ui& ui, std::string_view hint, Face face, float room) {
+    std::vector<HintLine> lines(1);
+    float x = 0;
+    for (HintPiece& piece : pieces_of(ui, hint)) {
+        const float width = width_of(ui, piece, face);
+        if (x + width > room && x > 0 && (piece.is_key || piece.text[0] == ' ')) {
+            lines.emplace_back(), x = 0;
+            piece.text.erase(0, piece.is_key ? 0 : std::min(piece.text.find_first_not_of(' '), piece.text.size()));
+        }
+        x += width;
+        HintLine& line = lines.back();
+        if (!line.empty() && !piece.is_key && !line.back().is_key)
+            line.back().text += piece.text;
+        else
+            line.push_back(std::move(piece));
+    }
+    return lines;
+}
+
+// The bar has one line of small type, or two of the smallest one.
+struct HintType {
+    Face face = Face::small;
+    std::size_t lines = 1;
+};
+constexpr HintType types_of_hint[]{{Face::small, 1}, {Face::label, 2}};
+
+bool fits_in(const Ui& ui, std::string_view hint, HintType type, float room) {
+    const std::vector<HintLine> lines = lines_of_hint(ui, hint, type.face, room);
+    return lines.size() <= type.lines && std::all_of(lines.begin(), lines.end(), [&](const HintLine& line) {
+               float width = 0;
+               for (const HintPiece& piece : line) width += width_of(ui, piece, type.face);
+               return width <= room + 1;
+           });
+}
+
+// The hint, without the last of its parts and then of its words as far as it does not fit in this type.
+std::string fitting_hint(const Ui& ui, std::string_view hint, HintType type, float room) {
     constexpr std::string_view between = "  ·  ";
-    for (auto cut = hint.npos; hint_width(ui, hint) > room; hint = hint.substr(0, cut))
+    for (auto cut = hint.npos; !fits_in(ui, hint, type, room); hint = hint.substr(0, cut))
         if (cut = hint.rfind(between); cut == hint.npos) break;
-    if (hint_width(ui, hint) <= room) return std::string(hint);
+    if (fits_in(ui, hint, type, room)) return std::string(hint);
     std::string words;
     do {
         const auto cut = hint.rfind(' ');
         if (cut == hint.npos) break;
         hint = hint.substr(0, cut);
         words = std::string(hint) + "…";
-    } while (hint_width(ui, words) > room);
+    } while (!fits_in(ui, words, type, room));
     return words;
 }
 
-// A hint that is too long for the bar is shown in full in its tooltip.
-void hint_line(Ui& ui, std::string_view hint, Colour colour, float x, Rect bar) {
-    const std::string fitting = fitting_hint(ui, hint, bar.x + bar.w - ui.px(16) - x);
-    const float top = bar.y + (bar.h - line_height(ui, Face::small)) / 2, middle = bar.y + bar.h / 2;
-    each_part(
-        ui, fitting,
-        [&](std::string_view words) {
-            x += put(ui, {x, top}, words, colour, Face::small);
-        },
-        [&](const std::string& key) {
-            x += key_cap(ui, {x, middle}, key);
-        });
+// The upper edge of the first of these lines, in the middle of the bar.
+float top_of_lines(const Ui& ui, Rect bar, HintType type) {
+    return bar.y + (bar.h - static_cast<float>(type.lines) * line_height(ui, type.face)) / 2;
+}
+
+// A hint that is too long even for two lines is shown in full in its tooltip.
+void hint_line(Ui& ui, std::string_view hint, Colour colour, float left, Rect bar) {
+    const float room = bar.x + bar.w - ui.px(16) - left;
+    const HintType type = fits_in(ui, hint, types_of_hint[0], room) ? types_of_hint[0] : types_of_hint[1];
+    const std::string fitting = fitting_hint(ui, hint, type, room);
+    const float line = line_height(ui, type.face);
+    float top = top_of_lines(ui, bar, type);
+    for (const HintLine& words : lines_of_hint(ui, fitting, type.face, room)) {
+        float x = left;
+        for (const HintPiece& piece : words)
+            x += piece.is_key ? key_cap(ui, {x, top + line / 2}, piece.text, type.face)
+                              : put(ui, {x, top}, piece.text, colour, type.face);
+        top += line;
+    }
     if (fitting == hint) return;
     ImGui::SetCursorScreenPos({bar.x, bar.y});
     tooltip(ui, item(ui, "hint.whole", {bar.w, bar.h}, false), plain_hint(ui, hint));
@@ -156,16 +220,21 @@ void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view
     hint_line(ui, words, prompted ? ui.palette.text : ui.palette.second_text, x, bar);
 }
 
-// A notice that is too long is shown in full in its tooltip.
+// A notice that is too long even for two lines is shown in full in its tooltip.
 void write_notice(const LabView& view, Ui& ui, float x, Rect bar) {
     const Colour colour = colour_of(view.notice.kind, ui.palette);
-    const float middle = bar.y + bar.h / 2;
-    put_icon(ui, {x + ui.px(6), middle}, sign_of(view.notice.kind), colour, Face::small);
+    put_icon(ui, {x + ui.px(6), bar.y + bar.h / 2}, sign_of(view.notice.kind), colour, Face::small);
     if (has_icons(ui)) x += ui.px(20);
     const float room = bar.x + bar.w - ui.px(16) - x;
-    const std::string words = text_of(view.notice, ui.strings), fitting = shortened(ui, words, Face::small, room);
-    put(ui, {x, middle - line_height(ui, Face::small) / 2}, fitting, colour, Face::small);
-    if (fitting == words) return;
+    const std::string words = text_of(view.notice, ui.strings);
+    const bool is_short = text_width(ui, Face::small, words) <= room;
+    const HintType type = is_short ? types_of_hint[0] : types_of_hint[1];
+    const std::vector<std::string> lines = lines_of_words(ui, words, type.face, room);
+    const bool fits = lines.size() <= type.lines && std::all_of(lines.begin(), lines.end(), [&](const auto& line) {
+                          return text_width(ui, type.face, line) <= room;
+                      });
+    put_lines(ui, {x, top_of_lines(ui, bar, type)}, words, colour, type.face, room, type.lines);
+    if (fits) return;
     ImGui::SetCursorScreenPos({bar.x, bar.y});
     tooltip(ui, item(ui, "hint.notice", {bar.w, bar.h}, false), words);
 }

@@ -194,16 +194,22 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
     return clicked;
 }
 
-float key_cap_width(const Ui& ui, std::string_view words) {
-    return std::max(text_width(ui, Face::small, words) + ui.px(10), ui.px(18));
+namespace {
+
+float key_cap_height(const Ui& ui, Face face) { return ui.px(face == Face::label ? 14 : 18); }
+
+}  // namespace
+
+float key_cap_width(const Ui& ui, std::string_view words, Face face) {
+    return std::max(text_width(ui, face, words) + ui.px(10), key_cap_height(ui, face));
 }
 
-float key_cap(const Ui& ui, ImVec2 at, std::string_view words) {
-    const float w = key_cap_width(ui, words), h = ui.px(18);
+float key_cap(const Ui& ui, ImVec2 at, std::string_view words, Face face) {
+    const float w = key_cap_width(ui, words, face), h = key_cap_height(ui, face);
     const Rect cap{at.x, at.y - h / 2, w, h};
     fill_box(ui, cap, ui.palette.raised);
     line_box(ui, cap, ui.palette.line);
-    put_centred(ui, {cap.x + w / 2, at.y - line_height(ui, Face::small) / 2}, words, ui.palette.text, Face::small);
+    put_centred(ui, {cap.x + w / 2, at.y - line_height(ui, face) / 2}, words, ui.palette.text, face);
     return w;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
@@ -56,7 +57,8 @@ bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bo
                std::string_view key = {});
 
 // A key cap; `at`: the middle of its left edge. Returns its width.
-float key_cap(const Ui&, ImVec2 at, std::string_view words);
+float key_cap(const Ui&, ImVec2 at, std::string_view words, Face = Face::small);
+float key_cap_width(const Ui&, std::string_view words, Face = Face::small);
 
 // A row that folds and unfolds the part below it. Returns true if the part is open.
 bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open, std::string_view how = {});
