@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/map_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/menu_bar.h"
@@ -106,7 +107,7 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
     const bool asks = asks_beside(view, open);
     float bottom = has_values ? s.y + s.h : l.window.h - margin;
     float top = l.toolbar.y + l.toolbar.h;
-    if (page.shows(PagePart::caption) && !page.current().caption.empty()) {
+    if (page.shows(PagePart::caption) && !page.current().caption.empty() && !hides_open_title(view)) {
         l.caption = {0, top, l.window.w, caption_height * l.scale};
         top += l.caption.h;
     }

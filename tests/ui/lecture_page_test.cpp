@@ -389,4 +389,38 @@ TEST_F(LecturePages, AShortNoticeIsInTheSizeOfTheText) {
     EXPECT_GT(size_of_notice("a short one"), 1.1f * size_of_notice(much));
 }
 
+TEST_F(LecturePages, AskingFirstHidesTheCaptionUntilTheTitleIsShown) {
+    show(0, 0);
+    const std::string caption = pages.current().caption;
+    ASSERT_FALSE(caption.empty());
+    EXPECT_GT(desk.layout.caption.w, 0);
+    desk.view.settings.revealed = hidden_until_asked;
+    show(0, 0);
+    EXPECT_EQ(desk.layout.caption.w, 0);
+    EXPECT_FALSE(desk.says(caption.substr(0, caption.find(' ', 8))));
+    desk.view.settings.revealed.title = true;
+    show(0, 0);
+    EXPECT_GT(desk.layout.caption.w, 0);
+}
+
+TEST_F(LecturePages, AskingFirstHidesTheNamesOfKindsAndTheStory) {
+    desk.view.pages = nullptr;
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds.push_back(scene->kinds[0]);
+    scene->kinds[0].name = "coward", scene->kinds[1].name = "lover";
+    scene->title = "Vehicle of fear", scene->story = "It flees.";
+    desk.now.scene = scene;
+    for (const Card card : {Card::brain, Card::scene}) desk.panels.card(card).folded = false;
+    desk.frame(6);
+    for (const Card card : {Card::brain, Card::scene}) desk.panels.card(card).folded = false;
+    desk.frame(6);
+    for (const char* told : {"Coward", "Vehicle of fear", "It flees."}) EXPECT_TRUE(desk.says(told)) << told;
+    desk.view.settings.revealed = hidden_until_asked;
+    desk.frame(6);
+    for (const char* told : {"Coward", "Vehicle of fear", "It flees."}) EXPECT_FALSE(desk.says(told)) << told;
+    desk.view.settings.revealed.title = desk.view.settings.revealed.character = true;
+    desk.frame(6);
+    for (const char* told : {"Coward", "Vehicle of fear", "It flees."}) EXPECT_TRUE(desk.says(told)) << told;
+}
+
 }  // namespace braitenlab::tests::lecture_page_test

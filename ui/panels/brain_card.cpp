@@ -13,6 +13,7 @@
 #include "core/scene/enums.h"
 #include "core/scene/sensor_edits.h"
 #include "ui/panels/cards.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sensor_changes.h"
@@ -43,7 +44,7 @@ bool is_given_name(const std::string& name, const std::string& kind) {
 
 // The name that a person gave to the vehicle; empty without one, and in an exercise, whose steps use the names.
 std::string own_name(const LabView& view, const VehicleView& vehicle) {
-    if (view.lesson) return {};
+    if (view.lesson || hides_names(view)) return {};
     std::string name = look_of(*view.now, vehicle).label;
     if (vehicle.start < 0) return name;
     if (is_given_name(name, kind_of(*view.now, vehicle).name)) return {};
@@ -383,8 +384,8 @@ std::string kind_name(const Ui& ui, const Kind& kind) {
 }
 
 std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehicle) {
-    const bool lone_kind = view.now->scene->kinds.size() == 1 && vehicle.role == Role::none;
-    return lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
+    const bool is_plain = vehicle.role == Role::none && (view.now->scene->kinds.size() == 1 || hides_names(view));
+    return is_plain ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
 constexpr float sums_height = 104;  // layout pixels: both equations and a line below them

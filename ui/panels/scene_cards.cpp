@@ -12,6 +12,7 @@
 #include "core/scene/enums.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/chart_data.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/prediction.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
@@ -264,9 +265,11 @@ void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     if (buttons[0].pressed) ui.outbox.push_back(Action::values);
     if (open) {
         const Scene& scene = *view.now->scene;
-        paragraph(ui, scene.title.empty() ? std::string_view(scene.name) : translated(ui, scene.title), ui.palette.text,
-                  Face::title);
-        if (!scene.story.empty()) paragraph(ui, translated(ui, scene.story), ui.palette.second_text);
+        const bool hides = hides_open_title(view);
+        if (!hides)
+            paragraph(ui, scene.title.empty() ? std::string_view(scene.name) : translated(ui, scene.title),
+                      ui.palette.text, Face::title);
+        if (!scene.story.empty() && !hides) paragraph(ui, translated(ui, scene.story), ui.palette.second_text);
         if (scene.goal.role != Role::none) goal_row(state, ui, scene.goal);
         start_row(view, state, ui);
     }

@@ -363,7 +363,7 @@ void passed_mark(Ui& ui) {
 // pointer.
 bool shows_title(const LabView& view) {
     const bool can_change = is_asked(view.lesson->exercise->prediction) && view.may.open_prediction;
-    return !hides_outcome(view) && (!can_change || view.pages);
+    return !hides_outcome(view) && !hides_open_title(view) && (!can_change || view.pages);
 }
 
 // Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,

@@ -43,6 +43,10 @@ bool is_title_known(const LabView& view, const CatalogueEntry& entry) {
 
 bool hides_titles(const LabView& view) { return view.lecture && view.settings.revealed.asks_first; }
 
+bool hides_open_title(const LabView& view) { return hides_titles(view) && !view.settings.revealed.title; }
+
+bool hides_names(const LabView& view) { return hides_titles(view) && !view.settings.revealed.character; }
+
 std::string exercise_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
     if (!hides_titles(view))
         return std::string(translated(ui, is_title_known(view, entry) ? entry.title : entry.exercise->goal));

@@ -23,6 +23,11 @@ std::string number_words(const LabView&, int number, std::string_view name);
 // True while titles, goals and stories would tell an audience what it is asked.
 bool hides_titles(const LabView&);
 
+// While a lecture asks first: true until the title of what is open is shown, with its story, reason and caption; and
+// true until the character is shown, with the names that kinds and vehicles have.
+bool hides_open_title(const LabView&);
+bool hides_names(const LabView&);
+
 // The title, or the goal, without the number. Of a scene: its title, or its number among the scenes.
 std::string exercise_words(const LabView&, const Ui&, const CatalogueEntry&);
 // With the number before it: "5  Aggressor". A scene: as exercise_words().
