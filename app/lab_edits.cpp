@@ -7,6 +7,7 @@
 
 #include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
+#include "app/what_changed.h"
 #include "ui/scene_input/clipboard.h"
 #include "ui/scene_input/edits.h"
 
@@ -40,14 +41,17 @@ bool apply(Workspace& space, const Command& command, std::uint64_t gesture) {
 
 namespace {
 
-// Undo or redo.
+// Undo or redo. The notice `key` says what it has changed.
 template <class Change>
-void change(Workspace& space, const Change& make) {
+void change(Workspace& space, std::string_view key, const Change& make) {
     const std::uint64_t latest = space.document.session.latest();
+    const Snapshot before = space.document.session.snapshot();
     const UndoResult made = make();
     space.document.edits += made.done;
     keep_selection(space);
     watch(space);
+    if (made.done)
+        say(space, {NoticeKind::done, std::string(key), what_changed(before, space.document.session.snapshot())});
     report_time_change(space, latest);
     if (made.error) say(space, *made.error);
 }
@@ -91,11 +95,11 @@ void select_all(Workspace& space) {
 }  // namespace
 
 void undo(Workspace& space) {
-    change(space, [&] { return space.document.session.undo(); });
+    change(space, "notice.undone", [&] { return space.document.session.undo(); });
 }
 
 void redo(Workspace& space) {
-    change(space, [&] { return space.document.session.redo(); });
+    change(space, "notice.redone", [&] { return space.document.session.redo(); });
 }
 
 void edit(Workspace& space, const EditRequest& r) {
