@@ -49,7 +49,7 @@ struct SelectionView {
     int generation = 0;                 // number of choices so far
     std::optional<StartResult> parent;  // its run from the start that Play shows; nullopt while it is computed
     std::vector<StartResult> children;  // theirs; empty while they are computed
-    std::vector<int> stays;             // of each child, of other_starts: at how many it stayed, too
+    std::vector<int> stays;             // of each child, at how many of other_starts; empty while not known
 };
 inline constexpr int other_starts = 3;  // at which children are run whose runs at the shown start do not differ
 

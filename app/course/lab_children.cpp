@@ -51,35 +51,65 @@ void follow_brain(Lesson& lesson, const BrainGraph& now) {
     forget_runs(lesson);
 }
 
-// The run of the parent at the shown start, then those of each of its children there and at other_starts more.
-constexpr std::size_t starts_of_a_child = 1 + other_starts;
+// Of brains from their starts.
+struct RunOfChild {
+    std::size_t child = 0;  // 0: the parent, then its children
+    std::uint64_t seed = 1;
+};
 
-Job<std::vector<StartResult>> submit_runs(Jobs& jobs, const Lesson& lesson) {
+Job<std::vector<StartResult>> submit_runs(Jobs& jobs, const Lesson& lesson, std::vector<RunOfChild> runs) {
     constexpr int ticks_per_step = 60;  // about a millisecond
     const Parent& parent = lesson.selecting->parents.back();
     std::vector<BrainGraph> brains = children_of(*lesson.exercise, parent);
     brains.insert(brains.begin(), parent.brain);
-    const std::size_t count = 1 + (brains.size() - 1) * starts_of_a_child;
+    const std::size_t count = runs.size();
     const auto begin = [exercise = lesson.exercise, brains = std::move(brains),
-                        start = lesson.selecting->start](std::size_t part) {
-        const std::size_t brain = part == 0 ? 0 : 1 + (part - 1) / starts_of_a_child;
-        const std::uint64_t seed = part == 0 ? start : start + (part - 1) % starts_of_a_child;
-        return [trial = Trial(*exercise, with_brain(*exercise, brains[brain]), seed)]() mutable {
+                        runs = std::move(runs)](std::size_t part) {
+        const RunOfChild& run = runs[part];
+        return [trial = Trial(*exercise, with_brain(*exercise, brains[run.child]), run.seed)]() mutable {
             return trial.run(ticks_per_step);
         };
     };
     return jobs.submit(count, begin);
 }
 
-void take_runs(Lesson& lesson, const std::vector<StartResult>& runs) {
+// The parent and its children at the shown start.
+std::vector<RunOfChild> runs_at_shown_start(const Lesson& lesson) {
+    const std::size_t children = children_of(*lesson.exercise, lesson.selecting->parents.back()).size();
+    std::vector<RunOfChild> runs;
+    for (std::size_t child = 0; child <= children; ++child) runs.push_back({child, lesson.selecting->start});
+    return runs;
+}
+
+// The children that stay at the shown start, where several do, at the other ones: these tell them apart.
+std::vector<RunOfChild> runs_at_other_starts(const Lesson& lesson) {
+    const Selecting& selecting = *lesson.selecting;
+    std::vector<RunOfChild> runs;
+    for (std::size_t i = 0; i < selecting.child_runs.size(); ++i)
+        for (std::uint64_t other = 1; other <= other_starts; ++other)
+            if (!has_fallen(*lesson.exercise, selecting.child_runs[i]))
+                runs.push_back({i + 1, selecting.start + other});
+    if (runs.size() <= other_starts) runs.clear();
+    return runs;
+}
+
+void take_stays(Lesson& lesson, const std::vector<StartResult>& results) {
+    const std::vector<RunOfChild> runs = runs_at_other_starts(lesson);
+    std::vector<int>& stays = lesson.selecting->child_stays;
+    stays.assign(lesson.selecting->child_runs.size(), 0);
+    for (std::size_t i = 0; i < std::min(runs.size(), results.size()); ++i)
+        stays[runs[i].child - 1] += has_fallen(*lesson.exercise, results[i]) ? 0 : 1;
+}
+
+// Submits the next runs that are missing.
+void submit_missing(Jobs& jobs, Lesson& lesson) {
     Selecting& selecting = *lesson.selecting;
-    selecting.parent_run = runs.front();
-    for (std::size_t first = 1; first < runs.size(); first += starts_of_a_child) {
-        selecting.child_runs.push_back(runs[first]);
-        const auto others = runs.begin() + static_cast<std::ptrdiff_t>(first) + 1;
-        selecting.child_stays.push_back(static_cast<int>(std::count_if(
-            others, others + other_starts, [&](const auto& run) { return !has_fallen(*lesson.exercise, run); })));
-    }
+    std::vector<RunOfChild> missing;
+    if (!selecting.parent_run)
+        missing = runs_at_shown_start(lesson);
+    else if (selecting.child_stays.empty())
+        missing = runs_at_other_starts(lesson);
+    if (!missing.empty()) selecting.job = submit_runs(jobs, lesson, std::move(missing));
 }
 
 void give_brain(Lab& lab, const BrainGraph& brain) {
@@ -99,16 +129,20 @@ void update_children(Lab& lab, Jobs& jobs) {
     follow_brain(lesson, present_brain(lab));
     const std::uint64_t start = lab.document.session.seed();
     if (std::exchange(lesson.selecting->start, start) != start) forget_runs(lesson);
-    Job<std::vector<StartResult>>& job = lesson.selecting->job;
     Selecting& selecting = *lesson.selecting;
-    if (auto result = job.take()) {
-        if (!*result) {
-            selecting.parent_run.emplace();  // not tried again before the brain or the start changes
-            return say(lab, result->error());
-        }
-        take_runs(lesson, **result);
-    } else if (!selecting.parent_run && !job.active()) {
-        job = submit_runs(jobs, lesson);
+    const auto result = selecting.job.take();
+    if (!result) {
+        if (!selecting.job.active()) submit_missing(jobs, lesson);
+    } else if (!*result) {  // not tried again before the brain or the start changes
+        if (!selecting.parent_run) selecting.parent_run.emplace();
+        selecting.child_stays.assign(selecting.child_runs.size(), 0);
+        return say(lab, result->error());
+    } else if (selecting.child_runs.empty()) {
+        selecting.parent_run = (**result).front();
+        selecting.child_runs.assign((**result).begin() + 1, (**result).end());
+        submit_missing(jobs, lesson);
+    } else {
+        take_stays(lesson, **result);
     }
 }
 

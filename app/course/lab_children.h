@@ -6,9 +6,9 @@
 
 namespace braitenlab {
 
-// Call once per turn, after Jobs::deliver. Runs the parent and its children from the start that Play shows, and writes
-// the runs to the lesson's view. Follows the vehicle's brain: undo takes choices back; a brain edited by hand becomes
-// the parent in place of the last one.
+// Call once per turn, after Jobs::deliver. Runs the parent and its children from the start that Play shows, then the
+// children that stay there from other_starts more where several do, and writes the runs to the lesson's view. Follows
+// the vehicle's brain: undo takes choices back; a brain edited by hand becomes the parent in place of the last one.
 void update_children(Lab&, Jobs&);
 
 // Gives the vehicle the brain of a child, in one step of undo, resets the run, and makes the child the parent. −1: the

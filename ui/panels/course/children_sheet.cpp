@@ -104,7 +104,7 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
     const SelectionView& selection = *lesson.selection;
     const bool may_choose = has_choices_left(lesson);
     const std::pair<float, int> best = best_merit(selection);
-    const bool has_dots = shows_other_starts(*lesson.exercise, selection);
+    const bool has_dots = shows_other_starts(*lesson.exercise, selection) && !selection.stays.empty();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < selection.children.size(); ++i) {
