@@ -169,7 +169,7 @@ TEST_F(LongExercise, NoHeadingIsAloneAtTheEndOfTheCard) {
     for (float height = 600; height <= 1100; height += 7) {
         Desk desk(1024, height, 1, true);
         begin(desk, 1);
-        desk.lesson.as_given = false;  // the steps are above the prediction
+        desk.lesson.at_start = false;  // the steps are above the prediction
         desk.frame(4);
         const std::string heading(desk.strings("exercise.predict")), question = desk.opened.prediction.question;
         const auto first_line_of = [&](std::string_view words) {

@@ -166,7 +166,6 @@ struct ExerciseState {
     bool outcome_seen = false;               // the outcome of the prediction has been scrolled to
     std::size_t hints_seen = 0;              // hints already scrolled to
     bool hints_first = false;                // they were above the steps in the last frame
-    bool outcome_newest = false;  // the outcome has been scrolled to after the newest hint, and is above the hints
     bool grade_seen = false;
     bool why_open = false;     // unfolded
     bool steps_open = true;    // can be folded once the exercise is passed

@@ -27,6 +27,7 @@ namespace braitenlab::ui {
 
 namespace {
 
+constexpr float gauge_height = 12;             // layout pixels
 constexpr float least_height_with_head = 400;  // layout pixels, of the card: below it title and goal scroll
 
 std::string numbered(const char* stem, std::size_t index) { return stem + std::to_string(index + 1); }
@@ -40,7 +41,7 @@ bool all_steps_ticked(const LessonView& lesson) {
 
 // A line whose coloured part is what is needed, and a dot at the measured value.
 void draw_gauge(const Gauge& gauge, bool is_met, float width, Ui& ui) {
-    const float height = ui.px(12), radius = ui.px(4), bar = ui.px(2);
+    const float height = ui.px(gauge_height), radius = ui.px(4), bar = ui.px(2);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float y = at.y + height / 2;
     ImGui::Dummy({width, height});
@@ -79,7 +80,21 @@ void step_value(const Measure& measure, bool done, bool has_begun, float left, U
     }
     ImGui::SetCursorScreenPos({at.x, y});
     ImGui::Dummy({width, line});
-    if (!done && measure.needed > 0) draw_gauge(gauge_of(measure), is_met, width, ui);
+    if (measure.needed <= 0) return;
+    if (done)
+        ImGui::Dummy({width, ui.px(gauge_height)});  // the rows below stay where they are
+    else
+        draw_gauge(gauge_of(measure), is_met, width, ui);
+}
+
+// The text of a step has the room that its bold letters need once it is done.
+void step_text(std::string_view words, bool done, Ui& ui) {
+    const float top = ImGui::GetCursorPosY(), width = card_width(ui) - ImGui::GetCursorPosX();
+    paragraph(ui, words, ui.palette.text, done ? Face::strong : Face::text);
+    const auto lines = static_cast<float>(lines_of_words(ui, words, Face::strong, width).size());
+    const float space = ImGui::GetStyle().ItemSpacing.y;
+    const float missing = top + lines * line_height(ui, Face::strong) + space - ImGui::GetCursorPosY();
+    if (missing > 1 + space) ImGui::Dummy({1, missing - space});
 }
 
 void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& ui) {
@@ -94,7 +109,7 @@ void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& u
     ImGui::BeginGroup();
     ImGui::Indent(left);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::hair)});
-    paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
+    step_text(translated(ui, asked.text), done, ui);
     const bool has_verdict = known && lesson.attempt.work.has_run;
     if (has_verdict && !(done && has_passed(lesson)))  // then the result has the room of the values
         for (const Measure& measure : lesson.verdicts[index].measures)
@@ -177,7 +192,7 @@ void result(const LabView& view, Ui& ui) {
 
 void hint_text(const LessonView& lesson, std::size_t index, PanelState& state, Ui& ui) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    state.exercise.rows.newest_hint.top = begin_row(state.exercise.rows);
+    begin_row(state.exercise.rows);
     ImGui::Indent(ui.px(12));
     paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(index + 1)}), ui.palette.second_text,
               Face::small);
@@ -188,26 +203,31 @@ void hint_text(const LessonView& lesson, std::size_t index, PanelState& state, U
                                               paint(ui.palette.accent), ui.px(radius::bar));
 }
 
-// In the wiring editor the newest is the first, right below the goal, because the card is low there.
-void hints(const LabView& view, PanelState& state, Ui& ui) {
+// In the wiring editor the newest is the first, because the card is low there.
+void hints(const LabView& view, PanelState& state, Ui& ui, bool below_steps) {
     const LessonView& lesson = *view.lesson;
+    ExerciseRows& rows = state.exercise.rows;
     const std::size_t count = lesson.exercise->hints.size();
     const auto shown = std::min(static_cast<std::size_t>(std::max(0, lesson.attempt.answers.hints_shown)), count);
     const bool newest_first = view.mode == Mode::wiring;
-    for (std::size_t i = 0; i < shown; ++i) hint_text(lesson, newest_first ? shown - 1 - i : i, state, ui);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const std::size_t index = newest_first ? shown - 1 - i : i;
+        const float top = ImGui::GetCursorPosY();
+        hint_text(lesson, index, state, ui);
+        if (index + 1 == shown) rows.newest_hint = {top, ImGui::GetCursorPosY()};
+    }
     // While the button is not available, how long that lasts.
     if (!lesson.attempt.answers.hint_ready && lesson.hint_in > 0 && !has_passed(lesson))
         paragraph(ui,
                   fill(ui.strings(shown < count ? "exercise.hint_in" : "exercise.show_me_in"),
                        {std::to_string(lesson.hint_in)}),
                   ui.palette.second_text, Face::small);
-    state.exercise.rows.newest_hint.end = ImGui::GetCursorPosY();
+    if (!newest_first) rows.newest_hint.end = ImGui::GetCursorPosY();
     // Scrolls to a new hint, and to the newest where the order changes.
     const bool is_new = std::exchange(state.exercise.hints_seen, shown) < shown;
     const bool is_first_now = std::exchange(state.exercise.hints_first, newest_first) != newest_first && newest_first;
     using Aim = ExerciseRows::Aim;
-    if (is_new) state.exercise.outcome_newest = false;
-    if (is_new || is_first_now) aim_at(state.exercise.rows, newest_first ? Aim::top : Aim::newest_hint);
+    if (is_new || is_first_now) aim_at(rows, is_new && below_steps ? Aim::newest_hint : Aim::top);
 }
 
 // After the last hint: gives the vehicle the solution.
@@ -281,8 +301,8 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
 void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise.id == lesson.exercise->id) return;
     state.exercise.id = lesson.exercise->id;
-    state.exercise.outcome_seen = state.exercise.outcome_newest = state.exercise.grade_seen = state.exercise.why_open =
-        state.exercise.note_open = false;
+    state.exercise.outcome_seen = state.exercise.grade_seen = state.exercise.why_open = state.exercise.note_open =
+        false;
     state.exercise.steps_open = true;
     state.exercise.hints_seen = 0;
     CardState& sensors = state.card(Card::sensors);  // open, it would take the room of the question
@@ -383,6 +403,13 @@ void reason(const LabView& view, PanelState& state, Ui& ui) {
     gap(ui, 12);
 }
 
+// True while the question stands first: it can be answered. Else the steps do, so that an outcome, which comes by
+// itself, moves no row above it.
+bool is_question_first(const LabView& view) {
+    return is_asked(view.lesson->exercise->prediction) && view.may.open_prediction &&
+           !view.lesson->attempt.work.outcome_known && !has_passed(*view.lesson);
+}
+
 }  // namespace
 
 std::string exercise_heading(const LabView& view, const Ui& ui) {
@@ -415,19 +442,21 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         if (!steps_on_top) head(view, state, ui);
         if (!is_low) end_head(ui, card, place), begin_rows(rows);
         const bool hints_first = view.mode == Mode::wiring && !passed;
-        if (hints_first) hints(view, state, ui);
-        if (steps_on_top) gap(ui, spacing::small), steps(view, state, ui), head(view, state, ui);
+        if (steps_on_top) gap(ui, spacing::small), steps(view, state, ui);
+        if (hints_first) hints(view, state, ui, steps_on_top);
+        if (steps_on_top) head(view, state, ui);
         result(view, ui);
         if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
         reason(view, state, ui);
         if (!hides_outcome(view)) generation_of_selection(view, ui);
-        const bool steps_first = (!lesson.as_given || lesson.attempt.work.outcome_known) && !hides_outcome(view);
-        if (!passed && steps_first && !steps_on_top) steps(view, state, ui);
-        const bool hints_last = passed || !steps_first || state.exercise.outcome_newest;
-        if (!hints_first && !hints_last) hints(view, state, ui);
+        const bool question_first = is_question_first(view), has_steps_here = !passed && !steps_on_top;
+        if (has_steps_here && !question_first) steps(view, state, ui);
+        const bool outcome_is_newer = rows.aim == ExerciseRows::Aim::outcome;
+        const bool hints_last = passed || question_first || outcome_is_newer;
+        if (!hints_first && !hints_last) hints(view, state, ui, true);
         prediction(view, state, ui);
-        if (!passed && !steps_first && !steps_on_top) steps(view, state, ui);
-        if (!hints_first && hints_last) hints(view, state, ui);
+        if (has_steps_here && question_first) steps(view, state, ui);
+        if (!hints_first && hints_last) hints(view, state, ui, true);
         kept_button(view, ui);
         note_field(view, state, ui);
         if (lesson.grade && !state.exercise.grade_seen) aim_at(rows, ExerciseRows::Aim::top);
