@@ -177,8 +177,9 @@ void draw_title_page(const LabView& view, PanelState& state, Ui& ui, Rect window
     end_keyboard(state.keyboard);
 }
 
-// The prompt, or the heading of the folded card that hides its widget.
-Prompt within_reach(const Prompt& prompt, const LabView& view, const PanelState& state) {
+// The prompt, or what leads to its widget: the heading of a folded card, or the button of a closed sheet.
+Prompt within_reach(Prompt prompt, const LabView& view, const PanelState& state) {
+    if (prompt.anchor.starts_with("breeding.") && state.sheet != Sheet::breeding) prompt.anchor = "exercise.breeding";
     constexpr std::array of_brain{"slider.", "bias.", "threshold.", "curve.", "lesion.", "brain."};
     const auto begins = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };
     const bool is_in_brain = std::any_of(of_brain.begin(), of_brain.end(), begins);
@@ -194,11 +195,12 @@ Prompt within_reach(const Prompt& prompt, const LabView& view, const PanelState&
 }
 
 // A prompt may name a widget that is not in the window now: then nothing pulses, and the usual hint is shown. The
-// toolbar is drawn later.
+// toolbar and sheets are drawn later.
 std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
     const bool pulses = prompt.anchor.empty() || prompt.anchor == lamp_anchor || ui.anchors.find(prompt.anchor);
     if (!pulses && prompt.hint == "hint.follow_hint") return "hint.after_hint";
-    return pulses || prompt.anchor.starts_with("button.") ? prompt.hint : "";
+    const bool is_drawn_later = prompt.anchor.starts_with("button.") || prompt.anchor.starts_with("breeding.");
+    return pulses || is_drawn_later ? prompt.hint : "";
 }
 
 }  // namespace

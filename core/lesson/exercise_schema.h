@@ -97,7 +97,7 @@ void describe(auto& v, Of<Exercise>) {
     v.text("question", &Exercise::question, limits::text_length, "asked afterwards, never graded");
     v.texts("offers", &Exercise::offers, limits::offers, limits::name_length,
             "the controls that are shown: dials like \"LR\", dials that move together like \"LL=RR\", \"curves\", "
-            "\"sensors\", \"wiring\", \"selection\"; default: all");
+            "\"sensors\", \"wiring\", \"selection\", a shipped breeding like \"breeding:chase-ten\"; default: all");
     v.texts("hides", &Exercise::hides, limits::kinds, limits::name_length,
             "names of kinds of the scene whose brains are never shown; not the first vehicle's");
     v.number("changes", &Exercise::changes, "", {0, 16}, "most offered controls that may be changed; 0: any number");

@@ -128,7 +128,9 @@ Scene scene_with(const Exercise& exercise, const Submission& submission) {
 
 std::optional<Offer> parse_offer(std::string_view text) {
     Offer offer{std::string(text), {}};
-    if (contains(offer_parts::all, text)) return offer;
+    constexpr std::string_view of_breeding = "breeding:";
+    const bool names_breeding = text.starts_with(of_breeding) && text.size() > of_breeding.size();
+    if (contains(offer_parts::all, text) || names_breeding) return offer;
     while (true) {
         const std::size_t end = std::min(text.find('='), text.size());
         const auto dial = dial_named(text.substr(0, end));

@@ -58,10 +58,11 @@ std::set<std::string> recorded_anchors(const Exercise& exercise) {
     for (const Mode mode : {Mode::paused, Mode::wiring})
         for (const auto state : states) record(exercise, state, mode, ids);
     Exercise some = exercise;
-    some.offers = {"LL=RR", "LR", "curves", "wiring"};
+    some.offers = {"LL=RR", "LR", "curves", "wiring", "breeding:chase-ten"};
     some.prediction.path_of = "one";
     for (Wire& wire : some.scene.kinds[0].brain.wires) wire.curve = {Response::hump, 0.2f, 0.1f};
     record(some, states[0], Mode::paused, ids);
+    record(some, states[1], Mode::paused, ids);
     return ids;
 }
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <set>
 
+#include "breeding_on_desk.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/selection.h"
 #include "core/lesson/submission.h"
@@ -354,6 +355,13 @@ TEST(ExercisesGuided, TheStepsAreInSightInTheWiringEditorOfASmallWindow) {
             it.desk.view.mode = Mode::wiring;
             it.desk.frame(8);
             EXPECT_TRUE(is_in_body(it.desk, "exercise.step.1"));
+            it.desk.view.mode = Mode::paused;
+            it.desk.lesson.attempt.answers.hints_shown = static_cast<int>(exercise.hints.size());
+            it.desk.lesson.attempt.work.outcome_known = true;
+            it.desk.frame(6);
+            it.desk.view.mode = Mode::wiring;
+            it.desk.frame(8);
+            EXPECT_TRUE(is_in_body(it.desk, "exercise.step.1")) << "with hints";
             for (std::size_t i = 0; i < exercise.steps.size(); ++i)
                 EXPECT_TRUE(scrolls_to(it.desk, "exercise.step." + std::to_string(i + 1))) << i;
         }
@@ -382,6 +390,123 @@ TEST(ExercisesGuided, NoWidgetMovesWhenAllStartsAreShownAtOnce) {
         const Rect was = before["exercise.together"];
         EXPECT_NEAR(it.desk.where("exercise.together").y, was.y, 0.5f) << exercise.id;
     }
+}
+
+namespace {
+
+Exercise exercise_of(const std::string& id) {
+    for (Exercise& each : course())
+        if (each.id == id) return std::move(each);
+    throw std::runtime_error("no exercise " + id);
+}
+
+}  // namespace
+
+TEST(ExercisesGuided, TheCardOfABredExerciseOpensItsBreedingAndTheSheetPulsesWhatIsNext) {
+    for (const float width : {1280.0f, 800.0f}) {
+        Opened it(exercise_of("22-breeding"), width, width == 800 ? 600.0f : 800.0f);
+        it.play_after_prediction();
+        it.desk.lesson.attempt.work.outcome_known = true;
+        for (int tick = 0; tick < 30; ++tick) it.world.step();
+        it.show();
+        it.desk.frame(6);
+        EXPECT_EQ(it.desk.panels.highlight.anchor, "exercise.breeding");
+        it.desk.all.clear();
+        it.desk.click("exercise.breeding");
+        ASSERT_TRUE(it.desk.last<BreedingRequest>());
+        const auto first = std::find_if(it.desk.all.begin(), it.desk.all.end(), [](const Request& request) {
+            return std::holds_alternative<BreedingRequest>(request);
+        });
+        EXPECT_EQ(std::get<BreedingRequest>(*first).edit, BreedingEdit::open);
+        EXPECT_EQ(std::get<BreedingRequest>(*first).path, "chase-ten");
+        EXPECT_EQ(it.desk.panels.sheet, Sheet::breeding);
+        BredOnDesk bred(0);
+        bred.show(it.desk);
+        it.desk.frame(6);
+        EXPECT_EQ(it.desk.panels.highlight.anchor, "breeding.start");
+        it.desk.view.features.breeding.runs = true, it.desk.view.features.breeding.seconds_left = 42;
+        it.desk.panels.sheet = Sheet::none;
+        it.desk.frame(6);
+        EXPECT_EQ(it.desk.panels.highlight.anchor, "");
+        EXPECT_TRUE(it.desk.says("0%, about 45")) << "on the card";
+        EXPECT_TRUE(it.desk.says("The breeding runs: 0%, about 45 s left.")) << "in the bar";
+        BredOnDesk complete(bred.base->breeding().generations + 1);
+        complete.show(it.desk);
+        it.desk.view.features.breeding.runs = false;
+        it.desk.frame(6);
+        EXPECT_EQ(it.desk.panels.highlight.anchor, "breeding.take");
+    }
+}
+
+TEST(ExercisesGuided, NoStepMovesWhenTheOutcomeArrivesOrAStepIsDone) {
+    for (const Exercise& exercise : course()) {
+        Opened it(exercise, 1280, 1400);
+        it.play_after_prediction();
+        it.desk.frame(8);
+        const auto tops = [&] {
+            std::map<std::string, float> all;
+            for (std::size_t i = 0; i < exercise.steps.size(); ++i) {
+                const std::string id = "exercise.step." + std::to_string(i + 1);
+                if (const Rect* at = it.desk.anchors.find(id)) all[id] = at->y;
+            }
+            return all;
+        };
+        const auto before = tops();
+        ASSERT_EQ(before.size(), exercise.steps.size()) << exercise.id;
+        it.desk.lesson.attempt.work.outcome_known = true;
+        it.desk.frame(8);
+        EXPECT_EQ(tops(), before) << exercise.id << ": the outcome";
+        it.desk.lesson.verdicts[0].done = true;
+        it.desk.frame(8);
+        EXPECT_EQ(tops(), before) << exercise.id << ": the first step is done";
+    }
+}
+
+TEST(ExercisesGuided, ASliderHasATrackThatCanBeUsedInASmallWindow) {
+    int sliders = 0;
+    for (const char* language : {"en", "de", "es"})
+        for (const Exercise& exercise : course())
+            for (const SmallWindow& w : small_windows) {
+                Opened it(exercise, w.width, w.height, w.scale);
+                it.desk.strings = speaking(language);
+                it.play_after_prediction();
+                it.desk.panels.card(Card::brain).opened_by_user = true;
+                it.desk.frame(6);
+                for (const Offer& offer : offered_dials(exercise)) {
+                    const Rect* at = it.desk.anchors.find(anchor_of(offer.dials.front()));
+                    if (!at || at->h < 20 * w.scale) continue;  // scrolled away
+                    float words = at->x, number = at->x + at->w;
+                    for (const Written& each : it.desk.written) {
+                        const float middle = each.rect.y + each.rect.h / 2;
+                        if (middle < at->y || middle > at->y + at->h) continue;
+                        if (std::fabs(each.rect.x - at->x) < 2) words = std::max(words, each.rect.x + each.rect.w);
+                        if (std::fabs(each.rect.x + each.rect.w - at->x - at->w) < 2)
+                            number = std::min(number, each.rect.x);
+                    }
+                    EXPECT_GE(number - words, 100 * w.scale) << exercise.id << " " << offer.text << " " << language;
+                    ++sliders;
+                }
+            }
+    EXPECT_GT(sliders, 60);
+}
+
+TEST(ExercisesGuided, TheButtonOfTheBrainPictureCoversNoNameInASmallWindow) {
+    int pictures = 0;
+    for (const Exercise& exercise : course()) {
+        Opened it(exercise, 800, 600);
+        it.play_after_prediction();
+        it.desk.panels.card(Card::information).folded = true;
+        it.desk.frame(6);
+        const Rect *button = it.desk.anchors.find("button.watch"), *picture = it.desk.anchors.find("brain.picture");
+        if (!button || !picture || button->h < 20) continue;
+        ++pictures;
+        for (const Written& each : it.desk.written) {
+            const bool is_icon = static_cast<unsigned char>(each.words[0]) == 0xEF;
+            if (is_icon || !picture->contains(each.rect.x + 1, each.rect.y + 1)) continue;
+            EXPECT_FALSE(button->overlaps(each.rect)) << exercise.id << ": " << each.words;
+        }
+    }
+    EXPECT_GT(pictures, 3);
 }
 
 }  // namespace braitenlab::tests::exercises_guided_test

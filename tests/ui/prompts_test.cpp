@@ -1,5 +1,6 @@
 #include "ui/panels/prompts.h"
 
+#include "breeding_on_desk.h"
 #include "desk.h"
 #include "render/view/pick.h"
 
@@ -490,6 +491,95 @@ TEST_F(Prompts, DoNotPulseWithReducedMotion) {
     EXPECT_EQ(pulse(desk.view), 1);
     desk.view.program.reduce_motion = false;
     EXPECT_NEAR(pulse(desk.view), 0, 1e-6f);
+}
+
+// An exercise that is solved by breeding, after the run as given has shown the outcome.
+struct BredPrompts : LessonPrompts {
+    BredPrompts() {
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->starts.emplace_back().kind = scene->kinds[0].name;
+        desk.opened.scene = *scene;
+        desk.now.scene = scene;
+        desk.now.vehicles[0].start = 0;
+        desk.opened.offers = {"LL", "RR", "breeding:chase-ten"};
+        desk.opened.hints.assign(2, {"Press Breeding.", "exercise.breeding"});
+        desk.opened.seconds = 15;
+        at(0, Mode::paused), next();
+    }
+    void show_breeding(const BredOnDesk& bred) {
+        BreedingView& view = desk.view.features.breeding;
+        view.base = bred.base, view.state = &bred.state, view.matrix = &bred.matrix;
+    }
+    void take_champion() {
+        auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);
+        brain->wires[0].weight += 0.5f;
+        desk.now.brains[0] = brain;
+    }
+};
+
+TEST_F(BredPrompts, PlayFirstThenStartTheBreeding) {
+    at(3);
+    EXPECT_EQ(anchor(), "") << "the run shows the outcome";
+    EXPECT_EQ(next().hint, "");
+    at(3, Mode::paused);
+    EXPECT_EQ(anchor(), "button.play");
+    desk.lesson.attempt.work.outcome_known = true;
+    at(16);
+    EXPECT_EQ(anchor(), "breeding.start") << "and no slider";
+    EXPECT_EQ(next().hint, "hint.breed");
+    desk.lesson.attempt.answers.hints_shown = 1;
+    EXPECT_EQ(anchor(), "breeding.start");
+    EXPECT_EQ(next_change(desk.view), "hint.change.breed");
+}
+
+TEST_F(BredPrompts, WaitWhileTheBreedingRunsThenTakeTheChampionResetAndPlay) {
+    desk.lesson.attempt.work.outcome_known = true;
+    BredOnDesk begun(3);
+    show_breeding(begun);
+    desk.view.features.breeding.runs = true;
+    at(16);
+    EXPECT_EQ(next().hint, "hint.breeding_runs");
+    EXPECT_EQ(anchor(), "") << "there is nothing to press";
+    desk.view.features.breeding.runs = false;
+    EXPECT_EQ(anchor(), "breeding.start") << "it was stopped";
+    BredOnDesk bred(begun.base->breeding().generations + 1);
+    show_breeding(bred);
+    EXPECT_EQ(anchor(), "breeding.take");
+    take_champion();
+    EXPECT_EQ(anchor(), "button.reset") << "the run has not shown it from its start on";
+    EXPECT_EQ(next().hint, "hint.changed_since");
+    at(0, Mode::paused);
+    EXPECT_EQ(anchor(), "button.play");
+    at(5);
+    EXPECT_EQ(next().hint, "");
+    EXPECT_EQ(anchor(), "");
+    desk.lesson.verdicts[1].lost = true;
+    EXPECT_EQ(anchor(), "breeding.matrix") << "another prey";
+    EXPECT_EQ(next().hint, "hint.breed_again");
+    desk.lesson.verdicts[1].lost = false;
+    at(15.5);
+    EXPECT_EQ(anchor(), "breeding.matrix") << "the time of a graded run is over";
+    desk.view.features.breeding.runs = true;
+    EXPECT_EQ(next().hint, "hint.breeding_runs");
+}
+
+TEST_F(LessonPrompts, PointToResetAfterAFailedRunInWhichTheBrainWasChanged) {
+    desk.opened.seconds = 40;
+    at(0, Mode::paused), next();
+    auto changed = std::make_shared<BrainGraph>(*desk.now.brains[0]);
+    changed->nodes.back().bias += 0.3f;
+    desk.now.brains[0] = changed;
+    at(21);
+    EXPECT_EQ(anchor(), "exercise.hint") << "the run can still succeed";
+    desk.lesson.verdicts[0].lost = true;
+    EXPECT_EQ(anchor(), "button.reset");
+    EXPECT_EQ(next().hint, "hint.changed_since");
+    desk.lesson.verdicts[0].lost = false;
+    at(41);
+    EXPECT_EQ(anchor(), "button.reset") << "its time is over";
+    at(0, Mode::paused), next();
+    at(41);
+    EXPECT_EQ(anchor(), "exercise.hint") << "the whole run has shown the change";
 }
 
 }  // namespace braitenlab::tests::prompts_test

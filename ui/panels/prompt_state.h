@@ -38,7 +38,7 @@ struct PromptMemory {
     int hint = 0, edits_before_hint = 0;        // number of hints shown, and of edits when the last one came
     double blind_since = -1, still_since = -1;  // simulated seconds; negative: it sees a stimulus or stands; it moves
     double dark_since = -1;                     // the same; negative: it sees a stimulus
-    std::shared_ptr<const BrainGraph> brain_at_start;  // of the single vehicle; null: the run was opened later
+    std::shared_ptr<const BrainGraph> brain_at_start;  // of the student's vehicle; null: opened later
 };
 
 }  // namespace braitenlab::ui

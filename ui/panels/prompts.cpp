@@ -136,6 +136,16 @@ void keep_time(double& since, bool holds, double now) {
 
 bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
 
+// The vehicle that the student changes: of several the first of the kind that the exercise is about. Null: none.
+const VehicleView* subject_of(const LabView& view) {
+    const auto& vehicles = view.now->vehicles;
+    if (vehicles.size() == 1) return &vehicles.front();
+    const int kind = view.lesson ? subject_kind(*view.now->scene) : -1;
+    const auto found =
+        std::find_if(vehicles.begin(), vehicles.end(), [&](const VehicleView& v) { return v.kind == kind; });
+    return found == vehicles.end() ? nullptr : &*found;
+}
+
 // A single vehicle that senses nothing or does not move needs a reset. In scenes with several vehicles both are common.
 void watch_vehicle(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
@@ -145,7 +155,8 @@ void watch_vehicle(PromptMemory& memory, const LabView& view) {
     keep_time(memory.blind_since, counts && !stands && is_blind(now, *vehicle), now.seconds);
     keep_time(memory.still_since, counts && stands, now.seconds);
     keep_time(memory.dark_since, counts && is_blind(now, *vehicle), now.seconds);
-    if (vehicle && now.tick == 0) memory.brain_at_start = brain_of(now, *vehicle);
+    if (const VehicleView* subject = subject_of(view); subject && now.tick == 0)
+        memory.brain_at_start = brain_of(now, *subject);
 }
 
 // Why a vehicle does not move.
@@ -233,6 +244,39 @@ bool has_missed_a_change(const PromptMemory& memory, const LabView& view) {
     return memory.brain_at_start && memory.brain_at_start != brain && memory.brain_at_start->wires != brain->wires;
 }
 
+bool is_bred(const LabView& view) { return view.lesson && !offered_breeding(*view.lesson->exercise).empty(); }
+
+// True if the run has not shown the present brain from its start on.
+bool has_changed_since_start(const PromptMemory& memory, const LabView& view) {
+    const VehicleView* subject = subject_of(view);
+    return view.now->tick > 0 && subject && memory.brain_at_start &&
+           *memory.brain_at_start != *brain_of(*view.now, *subject);
+}
+
+// True if this run cannot complete every step any more.
+bool has_failed(const LabView& view) {
+    const auto& verdicts = view.lesson->verdicts;
+    return view.now->seconds >= static_cast<double>(view.lesson->exercise->seconds) ||
+           std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.lost && !v.done; });
+}
+
+// The next step of an exercise that is solved by breeding: start it, wait, take the champion, reset, play.
+Prompt of_breeding(const PromptMemory& memory, const LabView& view) {
+    const LessonView& lesson = *view.lesson;
+    const BreedingView& bred = view.features.breeding;
+    const bool plays = view.mode == Mode::playing;
+    if (has_changed_since_start(memory, view)) return {"button.reset", "hint.changed_since"};
+    const bool has_champion = is_edited(*lesson.exercise, submission_of(*lesson.exercise, *view.now));
+    if (has_champion && view.now->tick == 0) return plays ? Prompt{} : Prompt{"button.play", "hint.press_play"};
+    if (bred.runs) return {{}, "hint.breeding_runs"};
+    const bool shows_outcome = is_asked(lesson.exercise->prediction) && !lesson.attempt.work.outcome_known;
+    if (has_champion ? !has_failed(view) : shows_outcome)
+        return plays ? Prompt{} : Prompt{"button.play", "hint.press_play"};
+    const bool is_complete = bred.base && last_generation(bred) >= bred.base->breeding().generations;
+    if (!is_complete) return {"breeding.start", "hint.breed"};
+    return has_champion ? Prompt{"breeding.matrix", "hint.breed_again"} : Prompt{"breeding.take", "hint.take_champion"};
+}
+
 // True once no vehicle that the student changes is left, because it was eaten or has used up its energy.
 bool is_subject_gone(const Snapshot& now) {
     const int kind = subject_kind(*now.scene);
@@ -249,11 +293,13 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (all_steps_done(lesson) && lesson.standing.changed_since_done) return {"button.reset", "hint.changed_since"};
     if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
     if (is_subject_gone(*view.now)) return {"button.reset", "hint.gone"};
+    if (is_bred(view)) return of_breeding(memory, view);
     if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
     if (at_start) return {"button.play", "hint.press_play"};
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
     if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view)) return out;
-    if (has_missed_a_change(memory, view)) return {"button.reset", "hint.changed_since"};
+    const bool has_failed_as_changed = has_failed(view) && has_changed_since_start(memory, view);
+    if (has_failed_as_changed || has_missed_a_change(memory, view)) return {"button.reset", "hint.changed_since"};
     if (may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
     return {};
 }
@@ -324,6 +370,7 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (view.lesson)
         if (const Prompt prompt = of_lesson(memory, view); !prompt.anchor.empty() || !prompt.hint.empty())
             return prompt;
+    if (is_bred(view)) return {};
     if (view.lesson && (!view.lesson->attempt.work.has_run || view.lesson->attempt.answers.hints_shown > 0)) return {};
     if (!view.lesson)
         if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
@@ -335,6 +382,7 @@ std::string_view next_change(const LabView& view) {
     if (view.mode != Mode::wiring && hides_outcome(view) && !has_answered && !view.lecture) return "hint.change.answer";
     if (!offers_some(view)) return "hint.change.slider";
     const Exercise& exercise = *view.lesson->exercise;
+    if (is_bred(view) && view.mode != Mode::wiring) return "hint.change.breed";
     if (!offered_dials(exercise).empty() || offers(exercise, offer_parts::curves)) return "hint.change.slider";
     if (offers(exercise, offer_parts::wiring)) return "hint.change.wire";
     return offers(exercise, offer_parts::sensors) ? "hint.change.sensor" : "hint.change.child";

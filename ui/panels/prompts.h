@@ -1,6 +1,7 @@
 // Prompts: the highlighted widget and the hint for a beginner's next step. A prompt ends when the step is done.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "ui/lab_view.h"
@@ -23,6 +24,9 @@ Prompt next_prompt(PromptMemory&, const LabView&);
 // The key of a few words for what the user may change now: a slider, a wire, a sensor or a child, or the answer while
 // the prediction is asked for. They fill the gap of the hint.* texts that have one.
 std::string_view next_change(const LabView&);
+
+// "43 %, about 40 s left" of the open breeding; empty without one.
+std::string breeding_progress(const BreedingView&, const Ui&);
 
 // For Ui::pulse: 0..1 with a period of 1.5 s; 1 where motion is reduced.
 float pulse(const LabView&);

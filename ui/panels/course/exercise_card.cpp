@@ -418,11 +418,11 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
     return fill(ui.strings("exercise.heading"), {number_words(view, exercise.number, exercise.id)});
 }
 
-// Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. Once the
-// outcome is known, the steps are above it: a change of the brain moves nothing. Of hints and outcome the newer one is
-// nearer to the steps. In the wiring editor the hints are above the steps, which are judged while the scene plays. In a
-// low window the rest scrolls, in a low card also title and goal, which in the editor are then below the steps. The
-// button of a selection by hand does not scroll: hints that are read below point at it.
+// Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. The steps keep
+// their place during a run, above the prediction; of hints and outcome the newer one is nearer to them. In the wiring
+// editor the hints are above the steps, which are judged while the scene plays. In a low window the rest scrolls, in a
+// low card also title and goal, which in the editor are then below steps and hints. The buttons of a selection by hand
+// and of a breeding do not scroll: hints that are read below point at them.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
@@ -463,7 +463,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         state.exercise.grade_seen = lesson.grade.has_value();
         scroll_to_aim(ui, rows);
         begin_footer(ui, card, place);
-        if (!hides_outcome(view)) selection_button(view, state, ui);
+        if (!hides_outcome(view)) selection_button(view, state, ui), breeding_button(view, state, ui);
         exercise_buttons(view, state, ui, card_width(ui, place));
         end_footer(ui, card);
     }
