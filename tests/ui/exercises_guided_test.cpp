@@ -410,7 +410,7 @@ TEST(ExercisesGuided, TheCardOfABredExerciseOpensItsBreedingAndTheSheetPulsesWha
         for (int tick = 0; tick < 30; ++tick) it.world.step();
         it.show();
         it.desk.frame(6);
-        EXPECT_EQ(it.desk.panels.highlight.anchor, "exercise.breeding");
+        EXPECT_EQ(it.desk.panels.prompts.highlight.anchor, "exercise.breeding");
         it.desk.all.clear();
         it.desk.click("exercise.breeding");
         ASSERT_TRUE(it.desk.last<BreedingRequest>());
@@ -423,18 +423,18 @@ TEST(ExercisesGuided, TheCardOfABredExerciseOpensItsBreedingAndTheSheetPulsesWha
         BredOnDesk bred(0);
         bred.show(it.desk);
         it.desk.frame(6);
-        EXPECT_EQ(it.desk.panels.highlight.anchor, "breeding.start");
+        EXPECT_EQ(it.desk.panels.prompts.highlight.anchor, "breeding.start");
         it.desk.view.features.breeding.runs = true, it.desk.view.features.breeding.seconds_left = 42;
         it.desk.panels.sheet = Sheet::none;
         it.desk.frame(6);
-        EXPECT_EQ(it.desk.panels.highlight.anchor, "");
+        EXPECT_EQ(it.desk.panels.prompts.highlight.anchor, "");
         EXPECT_TRUE(it.desk.says("0%, about 45")) << "on the card";
         EXPECT_TRUE(it.desk.says("The breeding runs: 0%, about 45 s left.")) << "in the bar";
         BredOnDesk complete(bred.base->breeding().generations + 1);
         complete.show(it.desk);
         it.desk.view.features.breeding.runs = false;
         it.desk.frame(6);
-        EXPECT_EQ(it.desk.panels.highlight.anchor, "breeding.take");
+        EXPECT_EQ(it.desk.panels.prompts.highlight.anchor, "breeding.take");
     }
 }
 
