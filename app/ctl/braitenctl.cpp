@@ -214,12 +214,20 @@ CLI::App* add_breed(CLI::App& app, BreedOptions& options) {
     command->add_option("--matrix", options.matrix,
                         "of a folder: champions of all generations against each other (master), or each against its "
                         "ancestors' opponents (ciao)");
-    command->add_option("--csv", options.csv, "write a row per pair of the matrix; -: to standard output")
+    command
+        ->add_option(
+            "--csv", options.csv,
+            "of a folder: write a row per pair of the matrix, or without --matrix per number of each generation; "
+            "-: to standard output")
         ->type_name("FILE");
     command
         ->add_option("--svg", options.svg,
                      "of a folder: write a drawing of the matrix, or without --matrix of the scores by generation")
         ->type_name("FILE");
+    command
+        ->add_option("--report", options.report,
+                     "of a folder: write all tables and drawings into another folder, as JSON, CSV and SVG")
+        ->type_name("FOLDER");
     add_labels(*command, options.labels);
     add_table(*command, options.table, " and of the words in the drawing");
     command->add_option("--champion", options.champion, "of a folder: write the brain of a champion, like predator:30");

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include "app/files/study_files.h"
 #include "app/platform/platform.h"
 #include "app/reports/breeding_drawing.h"
+#include "app/reports/breeding_table.h"
 #include "core/evolve/breeding.h"
 #include "core/evolve/breeding_json.h"
 #include "core/evolve/tournament.h"
@@ -188,17 +190,6 @@ int breed_into(const BreedOptions& options, const Base& base, const fs::path& fo
     return exit_code::done;
 }
 
-// One line a pair.
-std::string matrix_csv(const evolve::Tournament& tournament, MatrixKind kind) {
-    std::string text = "side,generation,opponent_generation,score\n";
-    for (const Side side : evolve::both_sides)
-        for (std::size_t own = 0; own < tournament.size(); ++own)
-            for (std::size_t opponent = 0; opponent < opponents_of(tournament, kind, own); ++opponent)
-                text += fmt::format("{},{},{},{:.4f}\n", word(side), tournament.generations[own],
-                                    tournament.generations[opponent], tournament.score(side, own, opponent));
-    return text;
-}
-
 std::string matrix_text(const evolve::Tournament& tournament) {
     std::string text;
     for (const Side side : evolve::both_sides) {
@@ -213,35 +204,75 @@ std::string matrix_text(const evolve::Tournament& tournament) {
     return text;
 }
 
-int print_matrix(const BreedOptions& options, const Base& base, const BreedingState& state, const Strings& strings) {
+Result<evolve::Tournament> run_tournament(const BreedOptions& options, const Base& base, const BreedingState& state) {
+    PartRunner runner(options.threads);
+    const auto numbers = run_trials(runner, base, state, {.is_tournament = true});
+    if (!numbers) return numbers.error();
+    if (numbers->empty()) return evolve::Tournament{};
+    return tournament_of(*base, state, matrix_generations, *numbers);
+}
+
+int print_matrix(const BreedOptions& options, const Base& base, const BreedingState& state, const Strings& strings,
+                 const io::CsvStyle& style) {
     if (options.matrix != "ciao" && options.matrix != "master")
         return complain({"--matrix is ciao (against ancestors) or master (against all)"});
     const MatrixKind kind = options.matrix == "ciao" ? MatrixKind::ciao : MatrixKind::master;
-    const auto style = style_of(options.table);
-    if (!style) return complain(style.error());
-    PartRunner runner(options.threads);
-    const auto numbers = run_trials(runner, base, state, {.is_tournament = true});
-    if (!numbers) return complain(numbers.error());
-    if (numbers->empty()) return interrupted();
-    const evolve::Tournament tournament = tournament_of(*base, state, matrix_generations, *numbers);
+    const auto tournament = run_tournament(options, base, state);
+    if (!tournament) return complain(tournament.error());
+    if (tournament->size() == 0) return interrupted();
     if (!options.csv.empty())
-        if (const auto error = write_table(options.csv, *style, matrix_csv(tournament, kind))) return complain(*error);
+        if (const auto error = write_table(options.csv, style, matrix_table(*tournament, kind)))
+            return complain(*error);
     if (!options.svg.empty())
         if (const auto error =
-                write_whole(options.svg, matrix_drawing(*base, tournament, kind, options.labels, strings)))
+                write_whole(options.svg, matrix_drawing(*base, *tournament, kind, options.labels, strings)))
             return complain(*error);
-    if (options.csv != standard_output) std::cout << matrix_text(tournament);
+    if (options.csv != standard_output) std::cout << matrix_text(*tournament);
     return exit_code::done;
 }
 
-int draw(const BreedOptions& options, const Base& base, const BreedingState& state) {
+// All numbers and drawings of a breeding, in a folder.
+int write_report(const BreedOptions& options, const Base& base, const BreedingState& state, const Strings& strings,
+                 const io::CsvStyle& style) {
+    const auto tournament = run_tournament(options, base, state);
+    if (!tournament) return complain(tournament.error());
+    if (tournament->size() == 0) return interrupted();
+    const fs::path folder = options.report;
+    const auto matrix = [&](MatrixKind kind) {
+        return matrix_drawing(*base, *tournament, kind, options.labels, strings);
+    };
+    const std::pair<const char*, std::string> files[]{
+        {"breeding.json", breeding_json(*base, state, *tournament)},
+        {"scores.svg", curves_drawing(*base, state, options.labels, strings)},
+        {"ciao.svg", matrix(MatrixKind::ciao)},
+        {"master.svg", matrix(MatrixKind::master)}};
+    for (const auto& [name, text] : files)
+        if (const auto error = write_whole(folder / name, text)) return complain(*error);
+    const std::string table = breeding_table(*base, state, &*tournament);
+    if (const auto error = write_table((folder / "breeding.csv").string(), style, table)) return complain(*error);
+    std::cout << summary_text(*base, state) << matrix_text(*tournament);
+    return exit_code::done;
+}
+
+int print_scores(const BreedOptions& options, const Base& base, const BreedingState& state, const Strings& strings,
+                 const io::CsvStyle& style) {
+    if (!options.csv.empty())
+        if (const auto error = write_table(options.csv, style, breeding_table(*base, state, nullptr)))
+            return complain(*error);
+    if (!options.svg.empty())
+        if (const auto error = write_whole(options.svg, curves_drawing(*base, state, options.labels, strings)))
+            return complain(*error);
+    return exit_code::done;
+}
+
+int analyse(const BreedOptions& options, const Base& base, const BreedingState& state) {
     const auto strings = strings_of(options.table.language);
     if (!strings) return complain(strings.error());
+    const auto style = style_of(options.table);
+    if (!style) return complain(style.error());
     if (const auto error = ending_fault("--svg", options.svg, ".svg")) return complain(*error);
-    if (!options.matrix.empty()) return print_matrix(options, base, state, *strings);
-    if (const auto error = write_whole(options.svg, curves_drawing(*base, state, options.labels, *strings)))
-        return complain(*error);
-    return exit_code::done;
+    const auto task = !options.report.empty() ? write_report : !options.matrix.empty() ? print_matrix : print_scores;
+    return task(options, base, state, *strings, *style);
 }
 
 // The generation at the end of the text, of those that are complete.
@@ -310,8 +341,9 @@ int breed(const BreedOptions& options) {
     const auto base = load_breeding(*path);
     if (!base) return complain(base.error());
 
-    const bool draws = !options.matrix.empty() || !options.svg.empty();
-    const bool asks = draws || !options.champion.empty() || !options.match.empty();
+    const bool analyses =
+        !options.matrix.empty() || !options.svg.empty() || !options.csv.empty() || !options.report.empty();
+    const bool asks = analyses || !options.champion.empty() || !options.match.empty();
     if (!asks) {
         const std::string folder = options.out.empty() && is_folder ? options.file : options.out;
         if (folder.empty()) return complain({"breed needs --out FOLDER for its results"});
@@ -323,7 +355,7 @@ int breed(const BreedOptions& options) {
     if (!state) return complain(state.error());
     if (complete_generations(**base, *state) == 0)
         return complain({"no generation is complete yet; breed on with --continue", options.file});
-    if (draws) return draw(options, *base, *state);
+    if (analyses) return analyse(options, *base, *state);
     if (options.out.empty()) return complain({"give the file to write with --out FILE"});
     return options.match.empty() ? write_champion(options, **base, *state) : write_match(options, **base, *state);
 }

@@ -137,15 +137,16 @@ struct BreedOptions {
     bool goes_on = false;  // with the results in the folder
     bool json = false;
     std::string matrix;  // ciao or master; empty: none
-    std::string csv;     // file of the matrix; "-": standard output; empty: none
+    std::string csv;     // file of the matrix, or without one of the scores; "-": standard output; empty: none
     std::string svg;     // file of a drawing of the matrix, or without one of the scores by generation; empty: none
+    std::string report;  // folder for all tables and drawings; empty: none
     FigureLabels labels;
     TableOptions table;    // its language is also that of the words in the SVG file
     std::string champion;  // predator:GENERATION or prey:GENERATION; empty: none
     std::string match;     // PREDATOR:PREY, two generations; empty: none
 };
 // Breeds predators and prey into a folder, which holds the state after each generation. Or prints the matrix of a
-// folder, or draws it or the scores, or writes the brain of a champion, or the scene of a match.
+// folder, or writes or draws it or the scores, or all of this, or the brain of a champion, or the scene of a match.
 int breed(const BreedOptions&);
 
 struct RobustnessOptions {

@@ -101,10 +101,6 @@ std::string cells_of(const Tournament& tournament, Side side, MatrixKind kind, c
 
 }  // namespace
 
-std::size_t opponents_of(const Tournament& tournament, MatrixKind kind, std::size_t own) {
-    return kind == MatrixKind::ciao ? own + 1 : tournament.size();
-}
-
 std::string curves_drawing(const BreedingBase& base, const BreedingState& state, const FigureLabels& labels,
                            const Strings& strings) {
     const auto count = static_cast<std::size_t>(complete_generations(base, state));

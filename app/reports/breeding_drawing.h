@@ -3,16 +3,12 @@
 
 #include <string>
 
+#include "app/reports/breeding_table.h"
 #include "app/reports/map_file.h"
 #include "core/evolve/tournament.h"
 #include "ui/strings.h"
 
 namespace braitenlab {
-
-// Against ancestors, and those of the same generation, or against all: see core/evolve/tournament.h.
-enum class MatrixKind { ciao, master };
-// The number of opponents that a champion has in the matrix, from the first one on.
-std::size_t opponents_of(const evolve::Tournament&, MatrixKind, std::size_t own);
 
 // A panel for each side that evolves: best, median and, if there is a panel of opponents, the score against it, by
 // generation. Without labels the title is that of the breeding; a label of the vertical axis is that of the first

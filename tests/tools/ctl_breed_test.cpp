@@ -125,6 +125,36 @@ TEST(CtlBreed, DrawsCurvesAndMatricesWithNamedAxes) {
     fs::remove(file), fs::remove(svg);
 }
 
+std::size_t rows_with(const std::string& table, const std::string& begin) { return count_of(table, "\n" + begin); }
+
+TEST(CtlBreed, OneCommandWritesAllTablesAndDrawings) {
+    const std::string file = small_breeding();
+    const Folder folder("breed-report"), report("breed-figures");
+    ASSERT_EQ(ctl("breed " + file + " --out " + folder.path).code, 0);
+    ASSERT_EQ(ctl("breed " + folder.path + " --report " + report.path).code, 0);
+    const std::string table = content(fs::path(report.path) / "breeding.csv");
+    EXPECT_TRUE(table.starts_with("measure,side,generation,of,value\n")) << table;
+    for (const char* side : {"predator", "prey"}) {
+        for (const char* measure : {"best", "median", "diversity", "panel", "champion"})
+            EXPECT_EQ(rows_with(table, std::string(measure) + "," + side + ","), 3U) << measure << side;
+        EXPECT_EQ(rows_with(table, std::string("parent,") + side + ","), 2U * 4);
+        EXPECT_EQ(rows_with(table, std::string("score,") + side + ","), 3U * 3);
+    }
+    const Json json = Json::parse(content(fs::path(report.path) / "breeding.json"));
+    EXPECT_EQ(json["generation"], 2);
+    EXPECT_EQ(json["prey"]["generations"].size(), 3U);
+    EXPECT_EQ(json["prey"]["generations"][1]["parents"].size(), 4U);
+    EXPECT_EQ(json["predator"]["verdict"]["course"], "too_early");
+    EXPECT_EQ(json["tournament"]["predator_scores"][2].size(), 3U);
+    for (const char* name : {"scores.svg", "ciao.svg", "master.svg"})
+        EXPECT_TRUE(content(fs::path(report.path) / name).starts_with("<?xml")) << name;
+    const std::string scores = ctl("breed " + folder.path + " --csv -").out;
+    EXPECT_EQ(rows_with(scores, "score,"), 0U) << "without the matches";
+    EXPECT_EQ(rows_with(scores, "parent,"), 2U * 2 * 4);
+    expect_refused("breed chase --csv -", "folder of a breeding");
+    fs::remove(file);
+}
+
 TEST(CtlBreed, AFolderThatIsThereIsNotReplaced) {
     const std::string file = small_breeding();
     const Folder folder("breed-kept");
