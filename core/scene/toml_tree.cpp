@@ -176,17 +176,20 @@ TomlNode& member_of(TomlNode::Table& members, const std::string& key) {
     return at->value;
 }
 
-// The table of a list that has this name, or goes FROM-TO; null if there is none.
+// The table of a list that has this name, or goes FROM-TO; null if there is none, or several: names may have a '-',
+// too.
 TomlNode* list_element(TomlNode::List& list, std::string_view part) {
     const auto text_of = [](const TomlNode& element, std::string_view key) {
         const TomlNode* value = element.get(key);
         return value && value->as_text() ? *value->as_text() : std::string();
     };
-    const auto found = std::find_if(list.begin(), list.end(), [&](const TomlNode& element) {
+    const auto is_meant = [&](const TomlNode& element) {
         return element.as_table() &&
                (text_of(element, "name") == part || text_of(element, "from") + "-" + text_of(element, "to") == part);
-    });
-    return found == list.end() ? nullptr : &*found;
+    };
+    const auto found = std::find_if(list.begin(), list.end(), is_meant);
+    if (found == list.end() || std::any_of(found + 1, list.end(), is_meant)) return nullptr;
+    return &*found;
 }
 
 }  // namespace

@@ -167,6 +167,29 @@ TEST(Breeding, FurtherWiresAndHiddenNeuronsAreGenes) {
     EXPECT_TRUE(has_fault(scene_text, "brain.wire.SL-H.weight", "no_such_value")) << "of a kind without further wires";
 }
 
+TEST(Breeding, NamesWithAHyphenAreInPathsUnlessTwoWiresAreMeant) {
+    const auto neuron = [](const std::string& name) {
+        return "[[kind.hare.brain.node]]\nname = \"" + name + "\"\nkind = \"neuron\"\n";
+    };
+    const auto wire = [](const std::string& from, const std::string& to) {
+        return "[[kind.hare.brain.wire]]\nfrom = \"" + from + "\"\nto = \"" + to + "\"\n";
+    };
+    const auto base_with = [](const std::string& hidden, const std::string& path) {
+        std::string scene = scene_text;
+        scene.insert(scene.find("[vehicle.hunter]"), hidden);
+        const std::string file = top + alone + "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"" + path + "\"");
+        return BreedingBase::create(*parse_breeding(file, "b.toml"), scene, "s.toml");
+    };
+    const std::string hidden = neuron("A-B") + neuron("A") + neuron("B-C") + neuron("C") + wire("SL", "A") +
+                               wire("SL", "A-B") + wire("B-C", "MR") + wire("C", "MR") + wire("A-B", "C");
+    for (const char* path : {"brain.wire.SL-A-B.weight", "brain.wire.A-B-C.weight", "brain.node.B-C.bias"}) {
+        const auto base = base_with(hidden, path);
+        ASSERT_TRUE(base) << path << base.error().text();
+        EXPECT_NE((*base)->kind_of(Side::prey, {0.25F}), (*base)->kind_of(Side::prey, {0.5F})) << path;
+    }
+    EXPECT_FALSE(base_with(hidden + wire("A", "B-C"), "brain.wire.A-B-C.weight")) << "two wires have this path";
+}
+
 TEST(Breeding, TheFirstGenerationIsMadeOfStartsIfTheFileSaysSo) {
     std::string starts = both;
     for (std::size_t at = 0; (at = starts.find("mutation = ", at)) != std::string::npos; at += 30)
