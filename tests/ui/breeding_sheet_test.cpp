@@ -95,6 +95,51 @@ TEST(BreedingButtons, StayInTheirPlacesWhateverTheFirstOneSays) {
     }
 }
 
+// The sheet's body is between its heading and its buttons; what is beyond would have to be scrolled to.
+void expect_figures_to_be_seen(const Desk& desk, int shortened_without, const std::string& where) {
+    const Rect sheet = desk.where("card.breeding"), fold = desk.where("breeding.choices");
+    const float end = desk.where("breeding.close").y;
+    std::vector<Rect> figures;
+    for (const char* id : {"breeding.curves", "breeding.matrix", "breeding.duel.1", "breeding.duel.2"}) {
+        const Rect r = desk.where(id);
+        EXPECT_GT(r.y, fold.y) << where << id;
+        EXPECT_LT(r.y + r.h, end) << where << id;
+        EXPECT_GT(r.x, sheet.x) << where << id;
+        EXPECT_LT(r.x + r.w, sheet.x + sheet.w) << where << id;
+        for (const Rect& other : figures)
+            EXPECT_TRUE(r.x >= other.x + other.w || other.x >= r.x + r.w) << where << id << " is beside the others";
+        figures.push_back(r);
+    }
+    EXPECT_GT(figures[1].w, 150) << where;
+    EXPECT_GT(figures[2].w, 80) << where;
+    EXPECT_TRUE(desk.says(desk.strings("breeding.score_1"))) << where << "the legend of the matrix";
+    EXPECT_EQ(desk.shortened, shortened_without) << where << "no text is cut";
+}
+
+TEST(BreedingFigures, AreSeenWithoutScrollingWhileItRuns) {
+    struct Size {
+        float width, height;
+    };
+    for (const Size size : {Size{800, 600}, {1024, 768}, {1280, 800}})
+        for (const Language& language : shipped_languages()) {
+            Desk desk(size.width, size.height, 1, true);
+            desk.strings = speaking(language.code);
+            desk.frame(5);
+            const int shortened = desk.shortened;
+            BredOnDesk bred(21);
+            bred.show(desk), bred.watch(desk, {18, 16}, {20, 10});
+            desk.frame(5);
+            desk.click("breeding.start");
+            desk.view.features.breeding.runs = true, desk.view.features.breeding.seconds_left = 38.0f;
+            desk.frame(5);
+            EXPECT_FALSE(desk.anchors.find("breeding.seed")) << "Start folds the choices";
+            expect_figures_to_be_seen(desk, shortened, language.code + " " + std::to_string(size.width) + " ");
+            desk.click("breeding.choices");
+            desk.frame(2);
+            EXPECT_TRUE(desk.anchors.find("breeding.seed")) << "and they can be unfolded";
+        }
+}
+
 TEST_F(BreedingDesk, OtherOpponentsAndNumbersAreAChoice) {
     BredOnDesk bred(3);
     bred.show(desk);

@@ -57,9 +57,9 @@ private:
     }
 
     void plot(Rect outer, std::string_view name, float evolve::Generation::*score, bool has_numbers) const {
-        const float line = line_height(ui_, Face::small);
-        put(ui_, {outer.x, outer.y}, shortened(ui_, ui_.strings(name), Face::small, outer.w), ui_.palette.second_text,
-            Face::small);
+        const auto lines = lines_of_words(ui_, ui_.strings(name), Face::small, outer.w).size();
+        const float line = static_cast<float>(lines) * line_height(ui_, Face::small);
+        put_lines(ui_, {outer.x, outer.y}, ui_.strings(name), ui_.palette.second_text, Face::small, outer.w, lines);
         Axis across = generations_;
         across.numbers = has_numbers;
         const Rect inner = plot_ground(ui_, {outer.x, outer.y + line, outer.w, outer.h - line}, across, scores_);

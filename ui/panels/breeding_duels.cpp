@@ -83,6 +83,29 @@ double moment_of(const LabView& lab, double began) {
                                      : std::fmod(std::max(0.0, lab.wall_seconds - began), longest + rest_at_end);
 }
 
+std::string name_of_match(const Ui& ui, const BreedingCell& cell) {
+    return fill(ui.strings("breeding.duel"), {std::to_string(cell.predator), std::to_string(cell.prey)});
+}
+
+std::string end_of_match(const Ui& ui, bool is_eaten, float seconds) {
+    return fill(ui.strings(is_eaten ? "breeding.eaten" : "breeding.lives"), {fixed(ui, seconds, 1)});
+}
+
+// The lines that the names of the watched matches need.
+std::size_t lines_of_names(const BreedingView& view, const Ui& ui, float width) {
+    std::size_t most = 1;
+    for (const BreedingCell& cell : view.watched)
+        most = std::max(most, lines_of_words(ui, name_of_match(ui, cell), Face::small, width).size());
+    return most;
+}
+
+// The same of their ends, whatever these will be: the pictures stay in their places.
+std::size_t lines_of_ends(const BreedingView& view, const Ui& ui, float width) {
+    const float longest = view.base->breeding().seconds;
+    return std::max(lines_of_words(ui, end_of_match(ui, true, longest), Face::small, width).size(),
+                    lines_of_words(ui, end_of_match(ui, false, longest), Face::small, width).size());
+}
+
 }  // namespace
 
 void breeding_duels(const LabView& lab, BreedingSheetState& state, Ui& ui, Rect r) {
@@ -92,27 +115,26 @@ void breeding_duels(const LabView& lab, BreedingSheetState& state, Ui& ui, Rect 
         put_lines(ui, {r.x, r.y}, ui.strings("breeding.watch_how"), ui.palette.second_text, Face::small, r.w, 6);
         return;
     }
-    const float line = line_height(ui, Face::small), space = ui.px(spacing::medium);
-    const float words = 2 * line + ui.px(spacing::tight);
-    const float width = (r.w - space) / 2, side = std::min(width, r.h - words);
+    const float line = line_height(ui, Face::small), space = ui.px(spacing::medium), tight = ui.px(spacing::tight);
+    const float width = (r.w - space) / 2;
+    const std::size_t in_names = lines_of_names(view, ui, width), in_ends = lines_of_ends(view, ui, width);
+    const float words = static_cast<float>(in_names + in_ends) * line + tight;
+    const float below = 2 * line + tight;  // of the words about both
+    const float side = std::min(width, r.h - words - below);
     for (std::size_t i = 0; i < view.watched.size(); ++i) {
         const BreedingCell& cell = view.watched[i];
         const Rect picture{r.x + static_cast<float>(i) * (width + space), r.y + words, side, side};
         mark(ui, "breeding.duel." + std::to_string(i + 1), picture);
-        const std::string name =
-            fill(ui.strings("breeding.duel"), {std::to_string(cell.predator), std::to_string(cell.prey)});
-        put(ui, {picture.x, r.y}, shortened(ui, name, Face::small, width), ui.palette.text, Face::small);
+        put_lines(ui, {picture.x, r.y}, name_of_match(ui, cell), ui.palette.text, Face::small, width, in_names);
         if (!view.duels) continue;
         const Duel& duel = (*view.duels)[i];
-        const std::string end =
-            fill(ui.strings(duel.is_eaten ? "breeding.eaten" : "breeding.lives"), {fixed(ui, duel.seconds(), 1)});
-        put(ui, {picture.x, r.y + line}, shortened(ui, end, Face::small, width), ui.palette.second_text, Face::small);
+        put_lines(ui, {picture.x, r.y + static_cast<float>(in_names) * line},
+                  end_of_match(ui, duel.is_eaten, duel.seconds()), ui.palette.second_text, Face::small, width, in_ends);
         picture_of_duel(view, duel, moment_of(lab, state.began), ui, picture);
     }
-    if (view.watched.size() > 1) {
-        const float below = r.y + words + side + ui.px(spacing::tight);
-        put_lines(ui, {r.x, below}, ui.strings("breeding.same_start"), ui.palette.second_text, Face::small, r.w, 2);
-    }
+    if (view.watched.size() > 1)
+        put_lines(ui, {r.x, r.y + words + side + tight}, ui.strings("breeding.same_start"), ui.palette.second_text,
+                  Face::small, r.w, 2);
 }
 
 }  // namespace braitenlab::ui

@@ -195,13 +195,14 @@ private:
             draw.AddRectFilled({x + w * static_cast<float>(i), y}, {x + w * static_cast<float>(i + 1), y + height},
                                paint(colour_of_score(ui_.palette, static_cast<float>(i) / (steps - 1))));
         const bool has_time = !view_.base->breeding().measure;
-        const float below = y + height + ui_.px(1);
-        const float left = put(ui_, {field_.x, below}, has_time ? ui_.strings("breeding.score_0") : "0",
-                               ui_.palette.text, Face::small);
-        const std::string_view words = has_time ? ui_.strings("breeding.score_1") : "1";
-        put_right(ui_, {field_.x + field_.w, below},
-                  shortened(ui_, words, Face::small, field_.w - left - ui_.px(spacing::tight)), ui_.palette.text,
-                  Face::small);
+        const float below = y + height + ui_.px(1), space = ui_.px(spacing::small);
+        const std::string_view least = has_time ? ui_.strings("breeding.score_0") : "0",
+                               most = has_time ? ui_.strings("breeding.score_1") : "1";
+        const float both = text_width(ui_, Face::small, least) + space + text_width(ui_, Face::small, most);
+        const float beyond = std::max(0.0f, both - field_.w);  // below the numbers of the predators, too
+        put(ui_, {field_.x - std::min(beyond, numbers_width(ui_)), below}, least, ui_.palette.text, Face::small);
+        put_right(ui_, {field_.x + field_.w + std::max(0.0f, beyond - numbers_width(ui_)), below}, most,
+                  ui_.palette.text, Face::small);
     }
 
     const BreedingView& view_;

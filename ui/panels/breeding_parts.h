@@ -1,4 +1,4 @@
-// Parts of the sheet of the breeding. Each is drawn into a rectangle of the window. Precondition: BreedingView::base.
+// Parts of the sheet of the breeding. Those with a rectangle are drawn into it. Precondition: BreedingView::base.
 #pragma once
 
 #include <string>
@@ -21,7 +21,10 @@ float breeding_matrix_width(const Ui&, float height);  // with a field as large 
 // The watched matches, which are repeated. Anchors: breeding.duel.1, breeding.duel.2. breeding_duels.cpp
 void breeding_duels(const LabView&, BreedingSheetState&, Ui&, Rect);
 
-// What the matrix shows, for each side that evolves. breeding_words.cpp
+// How far it is, and what the matrix shows, for each side that evolves, as items at the cursor. breeding_words.cpp
+void breeding_progress(const BreedingView&, Ui&);
 void breeding_words(const BreedingView&, Ui&);
+// Of the words, whatever they will be: the figures keep their size. The last line may need more. Window pixels.
+float breeding_words_height(const BreedingView&, const Ui&);
 
 }  // namespace braitenlab::ui

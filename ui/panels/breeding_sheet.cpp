@@ -1,5 +1,5 @@
-// The sheet of the breeding: what is bred, the scores by generation, the matrix of the champions, two matches to watch,
-// and what the matrix shows in words.
+// The sheet of the breeding: what is bred, which can be folded, the scores by generation, the matrix of the champions,
+// two matches to watch, and what the matrix shows in words.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -27,9 +27,11 @@ namespace {
 
 using evolve::Breeding;
 
-// Layout pixels. `chrome`: what is above and below the curves, the matrix and the matches.
-constexpr float column_gap_of_breeding = spacing::wide, chrome = 440, least_height = 300, most_height = 460;
-constexpr float least_of_columns = 720;  // narrower, they are below each other
+// Layout pixels, of the curves, the matrix and the matches.
+constexpr float column_gap_of_breeding = spacing::wide, least_height = 280, most_height = 460;
+// On a narrower sheet the figures, or the numbers, are below each other.
+constexpr float least_of_figures = 600, least_of_numbers = 720;
+constexpr float title_inset = 24;  // of the words of a row that folds
 
 void choose(const Breeding& choice, Ui& ui) {
     ui.outbox.emplace_back(
@@ -121,7 +123,7 @@ void numbers_of_breeding(const LabView& lab, const Breeding& now, SliderState& s
     const Number numbers[]{{"generations", 5, 200}, {"population", 6, 60}, {"seed", 1, 20}};
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float all = card_width(ui), space = ui.px(column_gap_of_breeding);
-    const bool is_wide = all >= ui.px(least_of_columns);
+    const bool is_wide = all >= ui.px(least_of_numbers);
     const float width = is_wide ? (all - 2 * space) / 3 : all;
     Breeding choice = now;
     for (std::size_t i = 0; i < std::size(numbers); ++i) {
@@ -163,49 +165,51 @@ void numbers_of_breeding(const LabView& lab, const Breeding& now, SliderState& s
         choose(choice, ui);
 }
 
-// " · about 40 s left", or nothing.
-std::string time_left(const BreedingView& view, const Ui& ui) {
-    if (!view.seconds_left) return {};
-    const auto seconds = static_cast<int>(std::ceil(*view.seconds_left / 5)) * 5;  // it does not flicker
-    const bool minutes = seconds >= 120;
-    return " · " + fill(ui.strings(minutes ? "breeding.minutes_left" : "breeding.seconds_left"),
-                        {std::to_string(minutes ? (seconds + 59) / 60 : std::max(5, seconds))});
+// "Chase · Opponents: anyone".
+std::string words_of_choice(const Breeding& breeding, const Ui& ui) {
+    const std::string opponents =
+        " · " + std::string(ui.strings("breeding.opponents")) + ": " +
+        std::string(ui.strings("breeding.opponents_" + std::string(row_of(breeding.opponents).word)));
+    const float room = card_width(ui) - ui.px(title_inset) - text_width(ui, Face::text, opponents);
+    return shortened(ui, translated(ui, breeding.title), Face::text, room) + opponents;
 }
 
-// "Generation 12 of 40", with a bar of all generations, those of the panel included.
-void progress_of_breeding(const BreedingView& view, Ui& ui) {
+// Whether the choices are unfolded: kept by Dear ImGui with the body of the sheet, as that of a tree node. Create it in
+// the body.
+class OpenChoices {
+public:
+    // The row with the title, which folds and unfolds them. True if they are unfolded.
+    bool row(const Breeding& breeding, Ui& ui) {
+        bool open = kept_.GetBool(id_, true);
+        fold_row(ui, "breeding.choices", words_of_choice(breeding, ui), open, ui.strings("breeding.choices_how"));
+        kept_.SetBool(id_, open);
+        return open;
+    }
+    void fold() { kept_.SetBool(id_, false); }
+
+private:
+    ImGuiStorage& kept_ = *ImGui::GetStateStorage();
+    ImGuiID id_ = ImGui::GetID("choices");
+};
+
+// What is bred and how.
+void choices_of_breeding(const LabView& lab, PanelState& state, Ui& ui) {
+    const BreedingView& view = lab.features.breeding;
+    const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    if (view.shipped) shipped_choice(view, ui, right);
+    scene_choice(lab, state.sheets.breeding.may, ui, right);
+    if (!view.base) return;
     const Breeding& breeding = view.base->breeding();
-    const int of_panel = breeding.panel > 0 ? breeding.panel_generations + 1 : 0;
-    const int panel = static_cast<int>(view.state->panel.generations.front().size());
-    const int done = last_generation(view) + 1, all = breeding.generations + 1;
-    if (panel < of_panel && (panel > 0 || view.runs))
-        paragraph(
-            ui,
-            fill(ui.strings("breeding.panel"), {std::to_string(panel), std::to_string(of_panel)}) + time_left(view, ui),
-            ui.palette.second_text, Face::small);
-    else if (done == 0 && !view.runs)
-        paragraph(ui, ui.strings("breeding.not_begun"), ui.palette.second_text, Face::small);
-    else
-        paragraph(ui,
-                  fill(ui.strings("breeding.progress"),
-                       {std::to_string(std::max(0, done - 1)), std::to_string(breeding.generations),
-                        std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)}) +
-                      time_left(view, ui),
-                  ui.palette.second_text, Face::small);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = card_width(ui), height = ui.px(4);
-    const float share = (static_cast<float>(std::min(panel, of_panel) + std::min(done, all)) + view.progress) /
-                        static_cast<float>(of_panel + all);
-    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
-    if (share > 0) fill_box(ui, {at.x, at.y, width * std::min(1.0f, share), height}, ui.palette.accent, Corner::bar);
-    ImGui::Dummy({width, height + ui.px(spacing::small)});
+    if (!breeding.story.empty()) paragraph(ui, translated(ui, breeding.story), ui.palette.text);
+    opponents_choice(breeding, ui, right);
+    numbers_of_breeding(lab, breeding, state.sliders, ui);
 }
 
 // Curves, matrix and matches side by side; below each other on a narrow sheet.
 void figures_of_breeding(const LabView& lab, PanelState& state, Ui& ui, float height) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float all = card_width(ui), space = ui.px(column_gap_of_breeding);
-    const bool is_wide = all >= ui.px(least_of_columns);
+    const bool is_wide = all >= ui.px(least_of_figures);
     const float matrix = is_wide ? std::min(0.38f * all, breeding_matrix_width(ui, height)) : all;
     const float curves = is_wide ? (all - matrix - 2 * space) * 0.48f : all;
     const float duels = is_wide ? all - matrix - curves - 2 * space : all;
@@ -246,8 +250,8 @@ bool match_button(const BreedingView& view, BreedingEdit edit, const char* id, U
     return true;
 }
 
-// True if the sheet closes.
-bool breeding_buttons(const BreedingView& view, Ui& ui) {
+// True if the sheet closes. Start folds the choices, so that a low window shows what is bred.
+bool breeding_buttons(const BreedingView& view, OpenChoices& choices, Ui& ui) {
     const bool is_complete = view.base && last_generation(view) >= view.base->breeding().generations &&
                              std::none_of(view.matrix->scores.begin(), view.matrix->scores.end(),
                                           [](float score) { return std::isnan(score); });
@@ -264,7 +268,10 @@ bool breeding_buttons(const BreedingView& view, Ui& ui) {
         first.icon = icon::play, first.words = ui.strings(has_begun ? "breeding.go_on" : "breeding.start");
         const Item start = button(ui, "breeding.start", first);
         tooltip(ui, start, ui.strings("breeding.start_how"));
-        if (start.pressed) ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::run});
+        if (start.pressed) {
+            ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::run});
+            choices.fold();
+        }
         ImGui::SameLine();
     } else if (view.base) {  // keeps the place of Stop
         first.icon = icon::check, first.words = ui.strings("breeding.complete"), first.enabled = false;
@@ -295,22 +302,20 @@ void breeding_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) 
         ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::open,
                                                .path = view.last.empty() ? view.shipped->front().id : view.last});
     SheetState& sheet = open_sheet(state, ui, Sheet::breeding, window);
-    const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
-    if (view.shipped) shipped_choice(view, ui, right);
-    scene_choice(lab, state.sheets.breeding.may, ui, right);
+    const float most = window.h - 2 * ui.px(spacing::medium) - (sheet.rect.h - ImGui::GetWindowHeight());
+    const float top = ImGui::GetCursorScreenPos().y;
+    OpenChoices choices;
+    if (!view.base || choices.row(view.base->breeding(), ui)) choices_of_breeding(lab, state, ui);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
     if (view.base) {
-        const Breeding& breeding = view.base->breeding();
-        if (!breeding.story.empty()) paragraph(ui, translated(ui, breeding.story), ui.palette.text);
-        opponents_choice(breeding, ui, right);
-        numbers_of_breeding(lab, breeding, state.sliders, ui);
-        progress_of_breeding(view, ui);
-        const float height = std::clamp(window.h - ui.px(chrome), ui.px(least_height), ui.px(most_height));
-        figures_of_breeding(lab, state, ui, height);
+        breeding_progress(view, ui);
+        const float above = ImGui::GetCursorScreenPos().y - top, below = breeding_words_height(view, ui);
+        const float room = most - above - below - ui.px(spacing::small);
+        figures_of_breeding(lab, state, ui, std::floor(std::clamp(room, ui.px(least_height), ui.px(most_height))));
         breeding_words(view, ui);
     }
     sheet_buttons(ui, sheet);
-    const bool closed = breeding_buttons(view, ui);
+    const bool closed = breeding_buttons(view, choices, ui);
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 

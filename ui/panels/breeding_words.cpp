@@ -1,8 +1,14 @@
-#include <array>
+// Of the sheet of the breeding: how far it is, and what the matrix shows in words.
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
+
+#include <imgui.h>
 
 #include "ui/panels/breeding_parts.h"
 #include "ui/strings.h"
+#include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
@@ -35,7 +41,45 @@ std::string words_of_verdict(const Ui& ui, const evolve::Verdict& verdict, Side 
     return {};
 }
 
+// " · about 40 s left", or nothing.
+std::string time_left(const BreedingView& view, const Ui& ui) {
+    if (!view.seconds_left) return {};
+    const auto seconds = static_cast<int>(std::ceil(*view.seconds_left / 5)) * 5;  // it does not flicker
+    const bool minutes = seconds >= 120;
+    return " · " + fill(ui.strings(minutes ? "breeding.minutes_left" : "breeding.seconds_left"),
+                        {std::to_string(minutes ? (seconds + 59) / 60 : std::max(5, seconds))});
+}
+
 }  // namespace
+
+// "Generation 12 of 40", with a bar of all generations, those of the panel included.
+void breeding_progress(const BreedingView& view, Ui& ui) {
+    const evolve::Breeding& breeding = view.base->breeding();
+    const int of_panel = breeding.panel > 0 ? breeding.panel_generations + 1 : 0;
+    const int panel = static_cast<int>(view.state->panel.generations.front().size());
+    const int done = last_generation(view) + 1, all = breeding.generations + 1;
+    if (panel < of_panel && (panel > 0 || view.runs))
+        paragraph(
+            ui,
+            fill(ui.strings("breeding.panel"), {std::to_string(panel), std::to_string(of_panel)}) + time_left(view, ui),
+            ui.palette.second_text, Face::small);
+    else if (done == 0 && !view.runs)
+        paragraph(ui, ui.strings("breeding.not_begun"), ui.palette.second_text, Face::small);
+    else
+        paragraph(ui,
+                  fill(ui.strings("breeding.progress"),
+                       {std::to_string(std::max(0, done - 1)), std::to_string(breeding.generations),
+                        std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)}) +
+                      time_left(view, ui),
+                  ui.palette.second_text, Face::small);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui), height = ui.px(4);
+    const float share = (static_cast<float>(std::min(panel, of_panel) + std::min(done, all)) + view.progress) /
+                        static_cast<float>(of_panel + all);
+    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
+    if (share > 0) fill_box(ui, {at.x, at.y, width * std::min(1.0f, share), height}, ui.palette.accent, Corner::bar);
+    ImGui::Dummy({width, height + ui.px(spacing::small)});
+}
 
 void breeding_words(const BreedingView& view, Ui& ui) {
     bool is_early = false;
@@ -50,6 +94,22 @@ void breeding_words(const BreedingView& view, Ui& ui) {
     const std::string how = is_early ? fill(ui.strings("breeding.early"), {std::to_string(evolve::least_generations)})
                                      : fill(ui.strings("breeding.verdict_how"), {fixed(ui, evolve::least_gain, 1)});
     paragraph(ui, how, ui.palette.second_text, Face::small);
+}
+
+float breeding_words_height(const BreedingView& view, const Ui& ui) {
+    const auto height_of = [&](std::string_view words, Face face) {
+        const auto lines = lines_of_words(ui, words, face, card_width(ui)).size();
+        return static_cast<float>(lines) * line_height(ui, face) + ui.px(spacing::small);
+    };
+    float height = 0;
+    for (const Side side : evolve::both_sides) {
+        if (!view.base->breed(side)) continue;
+        float most = 0;
+        for (const Course course : {Course::arms_race, Course::circles, Course::unclear})
+            most = std::max(most, height_of(words_of_verdict(ui, {course, {100, 199}, {100, 199}}, side), Face::text));
+        height += most;
+    }
+    return height + line_height(ui, Face::small);
 }
 
 }  // namespace braitenlab::ui
