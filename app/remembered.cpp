@@ -18,6 +18,7 @@ void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
     lab.playback.time_scale = stored.time_scale;
     panels.prompts.followed = stored.followed;
     panels.charts.strips = stored.strips;
+    panels.sheets.breeding.may = stored.may_change;
     if (!stored.folded) return;
     for (const ui::CardTraits& row : ui::cards())
         panels.card(row.card).folded =
@@ -32,6 +33,7 @@ StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
     stored.time_scale = lab.playback.time_scale;
     stored.followed = panels.prompts.followed;
     stored.strips = panels.charts.strips;
+    stored.may_change = panels.sheets.breeding.may;
     stored.folded.emplace();
     for (const ui::CardTraits& row : ui::cards()) {
         const auto index = static_cast<std::size_t>(row.card);

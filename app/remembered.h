@@ -1,4 +1,5 @@
-// What is remembered between two starts: how the scene is shown, which cards are folded, what the person knows.
+// What is remembered between two starts: how the scene is shown, which cards are folded, what the person
+// knows, what may change in a breeding.
 #pragma once
 
 #include "app/files/settings.h"

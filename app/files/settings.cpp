@@ -153,6 +153,10 @@ void visit_flags(View& view, const Visit& visit) {
     visit("knows_lamps", view.followed.lamp);
     visit("knows_wiring", view.followed.wiring);
     visit("knows_timeline", view.followed.timeline);
+    visit("breeds_weights", view.may_change.weights);
+    visit("breeds_biases", view.may_change.biases);
+    visit("breeds_thresholds", view.may_change.thresholds);
+    visit("breeds_eyes", view.may_change.eyes);
 }
 
 void read_view(SettingsReader& reader, StoredView& view) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/evolve/scene_breeding.h"
 #include "core/result.h"
 #include "render/view/view_settings.h"
 #include "ui/panels/prompt_state.h"
@@ -35,6 +36,7 @@ struct StoredView {
     std::optional<std::vector<std::string>> folded{};  // anchors of the folded cards; nullopt: first start
     ui::PromptsFollowed followed{};
     std::vector<std::string> strips{};  // names of the signals chosen for the chart, at most most_strips
+    evolve::MayChange may_change{};     // in a breeding of the open scene
     friend bool operator==(const StoredView&, const StoredView&) = default;
 };
 

@@ -20,6 +20,7 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     panels.card(Card::sensors).folded = false;
     panels.prompts.followed.wiring = true;
     panels.charts.strips = {"SL", "N1"};
+    panels.sheets.breeding.may = {.weights = true, .biases = false, .thresholds = true, .eyes = false};
     const StoredView stored = view_to_store(lab, panels);
 
     Lab next = opened_lab("2a-coward");
@@ -35,6 +36,7 @@ TEST(Remembered, IsRestoredByTheNextStart) {
     EXPECT_FALSE(next_panels.card(Card::sensors).folded);
     EXPECT_TRUE(next_panels.prompts.followed.wiring);
     EXPECT_EQ(next_panels.charts.strips, panels.charts.strips);
+    EXPECT_EQ(next_panels.sheets.breeding.may, panels.sheets.breeding.may);
     EXPECT_EQ(view_to_store(next, next_panels), stored);
 }
 

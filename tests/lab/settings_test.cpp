@@ -37,6 +37,7 @@ TEST(Settings, KeepTheViewAndTheWindow) {
     state.view.folded = {"card.brain", "card.scene"};
     state.view.followed = {true, false, true, false};
     state.view.strips = {"SL", "SL>N1"};
+    state.view.may_change = {.weights = false, .biases = true, .thresholds = true, .eyes = false};
     state.place = WindowPlace{-20, 40};
     state.study = "prey-eyes", state.breeding = "/kept/breeding.toml";
     const auto read = parse_state(write_state(state), "s");
