@@ -160,5 +160,82 @@ TEST(Soak, TheWindowEnduresARandomUser) {
     EXPECT_EQ(lab.said(), "");
 }
 
+// 2,000 vehicles that turn to a lamp in a corner.
+constexpr const char* crowd = R"(format = 1
+title = "Corner"
+[arena]
+width = 60
+height = 60
+[ecology]
+population = 2000
+[source.lamp]
+x = 29
+y = 29
+[kind.k.sensor.SL]
+x = 0.3
+y = 0.24
+angle = 35
+field = 150
+range = 100
+[kind.k.sensor.SR]
+x = 0.3
+y = -0.24
+angle = -35
+field = 150
+range = 100
+[kind.k.brain]
+LR = 1
+RL = 1
+LM = 0.4
+RM = 0.4
+)";
+
+// Frames of a window, each seen once by its number.
+struct Frames {
+    int seen = 0, passed = 0;
+    double slowest = 0;      // ms, of those that are seen
+    double longest_gap = 0;  // ms of wall time between two that are seen, with the wait for the next one
+
+    // Until the condition holds.
+    void watch(const LabWindow& lab, const std::function<bool(const Json&)>& is_over) {
+        using Clock = std::chrono::steady_clock;
+        auto last = Clock::now();
+        int number = lab.state()["frames"];
+        for (Json state = lab.state(); !is_over(state) && !lab.has_ended(); state = lab.state()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(4));
+            const int now = state["frames"];
+            if (now == number) continue;
+            ++seen, passed += now - number, number = now;
+            slowest = std::max(slowest, state["frame_ms"].get<double>());
+            longest_gap = std::max(longest_gap, std::chrono::duration<double>(Clock::now() - last).count() * 1000);
+            last = Clock::now();
+        }
+    }
+};
+
+TEST(Soak, TwoThousandVehiclesInACornerAreShownWithoutALongFrame) {
+    if (!std::getenv("BRAITENLAB_SOAK_MINUTES")) GTEST_SKIP() << "run by ./dev soak MINUTES";
+    const Home home;
+    const fs::path file = home.path / "corner.toml", gathered = home.path / "corner.run";
+    std::ofstream(file) << crowd;
+    const Ran ran =
+        shell(fmt::format("{} run {} --seconds 40 --save {}", program("braitenctl"), file.string(), gathered.string()));
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    LabWindow lab({gathered.string(), "--size", fmt::format("{}x{}", width, height), "--play"}, home.path);
+    ASSERT_EQ(lab.state()["population"], 2000);
+    const int first = lab.state()["tick"];
+    const auto began = std::chrono::steady_clock::now();
+    Frames frames;
+    frames.watch(lab, [&](const Json&) { return std::chrono::steady_clock::now() - began > std::chrono::minutes(1); });
+    ASSERT_FALSE(lab.has_ended()) << lab.said();
+    fmt::print(
+        "2,000 vehicles in a corner for 60 s: {} ticks; {} of {} frames seen, slowest {:.0f} ms, longest gap "
+        "{:.0f} ms\n",
+        lab.state()["tick"].get<int>() - first, frames.seen, frames.passed, frames.slowest, frames.longest_gap);
+    constexpr double most = 250;  // ms
+    EXPECT_LT(frames.slowest, most);
+    EXPECT_GT(frames.seen, frames.passed / 2) << "too few frames are seen to judge them";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::soak_test
