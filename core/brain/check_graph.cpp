@@ -19,14 +19,14 @@ std::optional<Message> outside(const char* name, float value, float low, float h
     return message_of("out_of_range", name, shown(value), shown(low), shown(high));
 }
 
-using Fault = std::optional<Message>;
+using GraphFault = std::optional<Message>;
 
-Fault fault_in(const Curve& curve) {
+GraphFault fault_in(const Curve& curve) {
     if (auto fault = outside("peak", curve.peak, -limits::peak, limits::peak)) return fault;
     return outside("width", curve.width, limits::least_width, limits::width);
 }
 
-Fault fault_in(const Node& node) {
+GraphFault fault_in(const Node& node) {
     if (auto fault = outside("bias", node.bias, -limits::bias, limits::bias)) return fault;
     if (auto fault = outside("time_constant", node.time_constant, 0, limits::time_constant)) return fault;
     if (node.place)
@@ -35,7 +35,7 @@ Fault fault_in(const Node& node) {
     return fault_in(node.curve);
 }
 
-Fault fault_in(const Wire& wire) {
+GraphFault fault_in(const Wire& wire) {
     if (auto fault = outside("weight", wire.weight, -limits::weight, limits::weight)) return fault;
     if (auto fault = outside("threshold", wire.threshold, 0, limits::threshold)) return fault;
     if (auto fault = outside("learning_rate", wire.learning_rate, 0, limits::learning_rate)) return fault;
