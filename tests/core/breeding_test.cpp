@@ -222,13 +222,17 @@ TEST(Breeding, OfASceneHasAGeneForEachValueThatMayChange) {
               (std::set<std::string>{"brain.threshold_LL", "brain.threshold_LR", "brain.threshold_RL",
                                      "brain.threshold_RR"}));
     for (const Gene& gene : all.breeding.breeds[0].genes)
-        if (gene.paths.front() == "brain.LM") EXPECT_EQ(gene.start, 0.3F);
+        if (gene.paths.front() == "brain.LM") {
+            EXPECT_EQ(gene.start, 0.3F);
+        }
     scene.starts[0].brain = scene.kinds[0].brain;
     turn(*scene.starts[0].brain, Dial::LM, 0.9F);
     const SceneBreeding own = breeding_of_scene(scene, {}, "Mine");
     EXPECT_FALSE(own.scene.starts[0].brain) << "the kind has the brain of its vehicle";
     for (const Gene& gene : own.breeding.breeds[0].genes)
-        if (gene.paths.front() == "brain.LM") EXPECT_EQ(gene.start, 0.9F);
+        if (gene.paths.front() == "brain.LM") {
+            EXPECT_EQ(gene.start, 0.9F);
+        }
 }
 
 TEST(Breeding, EveryGenomeStaysInTheRangesOfItsGenes) {
