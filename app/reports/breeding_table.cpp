@@ -3,9 +3,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/evolve/verdict.h"
+#include "core/io/checked_json.h"
 
 namespace braitenlab {
 
