@@ -102,6 +102,26 @@ TEST_F(WiringView, FindsCardsAndTheTopOneFirst) {
     EXPECT_EQ(at(same).node, ML);
 }
 
+TEST_F(WiringView, FindsTheNumberOfAShortWireBesideAPin) {
+    view.scale = 1;
+    const vec2 motor = find_shape(layout, MR)->in_pin(), to_pin = out(SL) - find_shape(layout, SL)->centre;
+    int found = 0;
+    for (float length = 20; length < 160; length += 2) {
+        layout = lay_out(make_graph({.LR = 1.5f, .RL = 1.5f}), {{SL, motor - to_pin - vec2{length, 0}}});
+        const Rect number = label_rect(view, *find_shape(layout, WireEnds{SL, MR}));
+        const vec2 pin = view.to_window(out(SL));
+        const vec2 nearest{std::clamp(pin.x, number.x + 1, number.x + number.w - 1),
+                           std::clamp(pin.y, number.y + 1, number.y + number.h - 1)};
+        const float away = maths::distance(pin, nearest);
+        const Rect card = node_rect(view, *find_shape(layout, SL));
+        if (away < pin_size / 2 + 1 || away > pin_reach || card.contains(nearest.x, nearest.y)) continue;
+        ++found;
+        EXPECT_EQ(hit(layout, view, nearest, 1, false), (Hit{Part::label, 0, {SL, MR}})) << length;
+        EXPECT_EQ(at(out(SL)).part, Part::out_pin) << length;
+    }
+    EXPECT_GT(found, 0);
+}
+
 TEST_F(WiringView, FindsLabelsAndThenWiresWithinEightPixels) {
     const WireShape& wire = *find_shape(layout, WireEnds{SL, MR});
     EXPECT_EQ(at(wire.label), (Hit{Part::label, 0, {SL, MR}}));

@@ -79,6 +79,18 @@ Hit nearest_pin(const Layout& layout, const View& view, vec2 pixel, float reach)
     return best;
 }
 
+Hit node_at(const Layout& layout, const View& view, vec2 pixel) {
+    for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node)
+        if (node_rect(view, *node).contains(pixel.x, pixel.y)) return {Part::node, node->id, {}};
+    return {};
+}
+
+Hit label_at(const Layout& layout, const View& view, vec2 pixel) {
+    for (auto wire = layout.wires.rbegin(); wire != layout.wires.rend(); ++wire)
+        if (label_rect(view, *wire).contains(pixel.x, pixel.y)) return {Part::label, 0, wire->ends};
+    return {};
+}
+
 template <class Visitor>
 void each_stop(const Layout& layout, bool nodes_only, Visitor visit) {
     for (const NodeShape& node : layout.nodes) visit(Hit{Part::node, node.id, {}}, node.centre);
@@ -160,12 +172,13 @@ bool is_map(const View& view, float ui_scale, float least_type) {
 }
 
 Hit hit(const Layout& layout, const View& view, vec2 pixel, float ui_scale, bool map) {
-    const float reach_of_pins = std::min(pin_reach * ui_scale, 48 * view.scale);
-    if (const Hit pin = nearest_pin(layout, view, pixel, reach_of_pins); pin.part != Part::nothing) return pin;
-    for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node)
-        if (node_rect(view, *node).contains(pixel.x, pixel.y)) return {Part::node, node->id, {}};
-    for (auto wire = layout.wires.rbegin(); !map && wire != layout.wires.rend(); ++wire)
-        if (label_rect(view, *wire).contains(pixel.x, pixel.y)) return {Part::label, 0, wire->ends};
+    const Hit node = node_at(layout, view, pixel), label = map ? Hit{} : label_at(layout, view, pixel);
+    // On a short wire the number is beside a pin: the pin reaches no further than it is drawn.
+    const bool is_on_number = label.part != Part::nothing && node.part == Part::nothing;
+    const float drawn = pin_size / 2 * view.scale, reach_of_pins = std::min(pin_reach * ui_scale, 48 * view.scale);
+    const Hit pin = nearest_pin(layout, view, pixel, is_on_number ? std::min(drawn, reach_of_pins) : reach_of_pins);
+    for (const Hit& part : {pin, node, label})
+        if (part.part != Part::nothing) return part;
     Hit best;
     float reach = wire_reach * ui_scale;
     const vec2 at = view.to_canvas(pixel), room = vec2{reach, reach} / view.scale;
@@ -211,7 +224,7 @@ CanvasSelection in_box(const Layout& layout, const View& view, vec2 corner, vec2
 
 Rect node_rect(const View& view, const NodeShape& node) { return rect_around(view, node.centre, node.size); }
 Rect label_rect(const View& view, const WireShape& wire) { return rect_around(view, wire.label, wire.label_size); }
-Rect pin_rect(const View& view, vec2 pin) { return rect_around(view, pin, {18, 18}); }
+Rect pin_rect(const View& view, vec2 pin) { return rect_around(view, pin, {pin_size, pin_size}); }
 
 bool CanvasSelection::contains(const Hit& part) const {
     if (part.part == Part::nothing) return false;

@@ -67,9 +67,10 @@ struct Hit {
 
 // Layout pixels at any zoom; a pin's reach is never larger than its card.
 inline constexpr float pin_reach = 14, wire_reach = 8;
+inline constexpr float pin_size = 18;  // units, as drawn
 
 // The part under a pixel: the nearest pin within reach, else the topmost node, else a label, else the nearest wire
-// within reach. A map has no labels.
+// within reach. On a label beside a card a pin reaches no further than it is drawn. A map has no labels.
 Hit hit(const Layout&, const View&, maths::vec2 pixel, float ui_scale, bool map);
 
 // The wire nearest to a point (canvas units) within `reach` units, wires of weight 0 excluded.
