@@ -193,9 +193,11 @@ void Referee::watch(const Snapshot& now) {
     std::vector<bool> done(state_.steps.size());  // of its size at once: this runs at every tick
     for (std::size_t i = 0; i < done.size(); ++i) done[i] = state_.steps[i].done;
     const CheckedTick tick{now, subjects, reference_at(now), done};
+    const bool is_over = now.seconds > static_cast<double>(exercise_->seconds);
     for (std::size_t i = 0; i < state_.steps.size(); ++i) {
         RefereeState::Judged& step = state_.steps[i];
-        if (!step.done) step.done = update(exercise_->steps[i].check, step.check, tick);
+        if (!step.done && !(is_over && step.check.lost))
+            step.done = update(exercise_->steps[i].check, step.check, tick);
     }
 }
 

@@ -15,7 +15,8 @@
 
 namespace braitenlab {
 
-// One step, judged: once done it stays done, and its measures stay as they were then.
+// One step, judged: once done it stays done, and its measures stay as they were then. Those of a lost step stay as they
+// were at the end of the exercise's time.
 struct Verdict {
     bool done = false;
     std::vector<Measure> measures;  // at least one; the values to show

@@ -58,6 +58,25 @@ TEST(Referee, AStepThatWasDoneStaysDone) {
     EXPECT_FLOAT_EQ(measure(referee).value, 0.4f);
 }
 
+TEST(Referee, ALostStepShowsWhatItWasAtTheEndOfTheExercise) {
+    Exercise exercise = with({{goals::AllOf{{{goals::Runs{2}}, {goals::NoneOf{{{goals::Captures{2}}}}}}}}});
+    exercise.seconds = 2;
+    Referee referee(exercise);
+    const auto with_captures = [](std::uint64_t tick, int captures) {
+        Snapshot now = moment(tick, 3);
+        now.events.captures = captures;
+        return now;
+    };
+    referee.watch(with_captures(0, 0));
+    referee.watch(with_captures(60, 3));
+    ASSERT_TRUE(referee.lost());
+    const auto captures = [&] { return referee.verdicts()[0].measures.back().value; };
+    referee.watch(with_captures(120, 5));
+    EXPECT_FLOAT_EQ(captures(), 5);
+    referee.watch(with_captures(180, 9));
+    EXPECT_FLOAT_EQ(captures(), 5);
+}
+
 TEST(Referee, ADistanceIsTheSmallestSoFar) {
     Referee referee(with({touch}));
     referee.watch(moment(0, 3));
