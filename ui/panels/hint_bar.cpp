@@ -130,9 +130,9 @@ std::string fitting_hint(const Ui& ui, std::string_view hint, HintType type, flo
     return words;
 }
 
-// The upper edge of the first of these lines, in the middle of the bar.
-float top_of_lines(const Ui& ui, Rect bar, HintType type) {
-    return bar.y + (bar.h - static_cast<float>(type.lines) * line_height(ui, type.face)) / 2;
+// The upper edge of the first of these lines, which are in the middle of the bar.
+float top_of_lines(const Ui& ui, Rect bar, Face face, std::size_t lines) {
+    return bar.y + (bar.h - static_cast<float>(lines) * line_height(ui, face)) / 2;
 }
 
 // A hint that is too long even for two lines is shown in full in its tooltip.
@@ -140,9 +140,10 @@ void hint_line(Ui& ui, std::string_view hint, Colour colour, float left, Rect ba
     const float room = bar.x + bar.w - ui.px(16) - left;
     const HintType type = fits_in(ui, hint, types_of_hint[0], room) ? types_of_hint[0] : types_of_hint[1];
     const std::string fitting = fitting_hint(ui, hint, type, room);
+    const std::vector<HintLine> lines = lines_of_hint(ui, fitting, type.face, room);
     const float line = line_height(ui, type.face);
-    float top = top_of_lines(ui, bar, type);
-    for (const HintLine& words : lines_of_hint(ui, fitting, type.face, room)) {
+    float top = top_of_lines(ui, bar, type.face, lines.size());
+    for (const HintLine& words : lines) {
         float x = left;
         for (const HintPiece& piece : words)
             x += piece.is_key ? key_cap(ui, {x, top + line / 2}, piece.text, type.face)
@@ -236,7 +237,8 @@ void write_notice(const LabView& view, Ui& ui, float x, Rect bar) {
     const bool fits = lines.size() <= type.lines && std::all_of(lines.begin(), lines.end(), [&](const auto& line) {
                           return text_width(ui, type.face, line) <= room;
                       });
-    put_lines(ui, {x, top_of_lines(ui, bar, type)}, words, colour, type.face, room, type.lines);
+    const float top = top_of_lines(ui, bar, type.face, std::min(lines.size(), type.lines));
+    put_lines(ui, {x, top}, words, colour, type.face, room, type.lines);
     if (fits) return;
     ImGui::SetCursorScreenPos({bar.x, bar.y});
     tooltip(ui, item(ui, "hint.notice", {bar.w, bar.h}, false), words);
