@@ -68,10 +68,10 @@ public:
             node(neuron, {ui_.px(24), ui_.px(24)}, "lesion.neuron", "lesion.neuron_hurt");
         wires();
         strokes();
-        watch_button();
+        const bool is_on_button = watch_button();
         ImGui::SetCursorScreenPos({all_.x, all_.y});
         const Item area = item(ui_, "brain.picture", {all_.w, all_.h}, false);
-        if (state_.brain.lesion_under_pointer.empty()) tooltip(ui_, area, ui_.strings("brain.picture"));
+        if (state_.brain.lesion_under_pointer.empty() && !is_on_button) tooltip(ui_, area, ui_.strings("brain.picture"));
         heal();
     }
 
@@ -231,15 +231,16 @@ private:
     }
 
     // Shows the whole brain beside the scene, or hides it: between the wheels, where no name and no number is. In large
-    // type it would cover a wire.
-    void watch_button() {
-        if (view_.lecture) return;
+    // type it would cover a wire. True while the pointer is on it.
+    bool watch_button() {
+        if (view_.lecture) return false;
         const float width = small_button_width(ui_, look_of_button(), false);
         ImGui::SetCursorScreenPos(
             {all_.x + (all_.w - width) / 2, all_.y + all_.h - ui_.px(small_button_height + spacing::hair)});
         const Item at = small_button(ui_, look_of_button(), false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
         if (at.pressed) state_.chosen.push_back(Action::watch);
+        return at.hovered;
     }
 
     // The number of lesions in the brain, and a button that heals them all.
