@@ -234,7 +234,14 @@ bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cel
         if (!apply(space, SetSensors{{no_vehicle, index}, champion.sensors}, gesture)) return true;
         if (!apply(space, SetBrain{{no_vehicle, index}, champion.brain}, gesture)) return true;
     }
-    say(space, {NoticeKind::done, "notice.champions", std::to_string(cell.predator), std::to_string(cell.prey)});
+    const std::string predator = std::to_string(cell.predator), prey = std::to_string(cell.prey);
+    const bool is_of_prey = is_lesson && at(kinds, Side::prey) == subject_kind(scene);
+    if (!is_lesson)
+        say(space, {NoticeKind::done, "notice.champions", predator, prey});
+    else if (is_of_prey)
+        say(space, {NoticeKind::done, "notice.champion_prey", prey});
+    else
+        say(space, {NoticeKind::done, "notice.champion_predator", predator});
     return true;
 }
 
