@@ -71,7 +71,8 @@ public:
         const bool is_on_button = watch_button();
         ImGui::SetCursorScreenPos({all_.x, all_.y});
         const Item area = item(ui_, "brain.picture", {all_.w, all_.h}, false);
-        if (state_.brain.lesion_under_pointer.empty() && !is_on_button) tooltip(ui_, area, ui_.strings("brain.picture"));
+        if (state_.brain.lesion_under_pointer.empty() && !is_on_button)
+            tooltip(ui_, area, ui_.strings("brain.picture"));
         heal();
     }
 
