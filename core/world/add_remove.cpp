@@ -215,9 +215,9 @@ std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
     if (auto error = refusal(s, c)) return error;
     Scene scene = *s.scene;
     if (c.id == no_vehicle) {  // one that is brought back has been counted before
-        ++scene.ecology.population;
-        if (auto error = check_size(with_present_brains(s, scene))) return error;
-        --scene.ecology.population;
+        Scene counted = with_present_brains(s, scene);
+        ++counted.ecology.population;
+        if (auto error = check_size(counted)) return error;
     }
     std::optional<FreeSpace> free_space;
     if (auto error = add_last(s, scene, c, free_space)) return error;
