@@ -23,6 +23,7 @@ void breeding_duels(const LabView&, BreedingSheetState&, Ui&, Rect);
 
 // How far it is, and what the matrix shows, for each side that evolves, as items at the cursor. breeding_words.cpp
 void breeding_progress(const BreedingView&, Ui&);
+std::string breeding_percent(const BreedingView&, const Ui&);  // "43 %, about 40 s left"; empty without a base
 void breeding_words(const BreedingView&, Ui&);
 // Of the words, whatever they will be: the figures keep their size. The last line may need more. Window pixels.
 float breeding_words_height(const BreedingView&, const Ui&);

@@ -41,44 +41,63 @@ std::string words_of_verdict(const Ui& ui, const evolve::Verdict& verdict, Side 
     return {};
 }
 
-// " · about 40 s left", or nothing.
+// "about 40 s left"; empty while it is not known.
 std::string time_left(const BreedingView& view, const Ui& ui) {
     if (!view.seconds_left) return {};
-    const auto seconds = static_cast<int>(std::ceil(*view.seconds_left / 5)) * 5;  // it does not flicker
+    const int seconds = std::max(5, static_cast<int>(std::ceil(*view.seconds_left / 5)) * 5);  // it does not flicker
     const bool minutes = seconds >= 120;
-    return " · " + fill(ui.strings(minutes ? "breeding.minutes_left" : "breeding.seconds_left"),
-                        {std::to_string(minutes ? (seconds + 59) / 60 : std::max(5, seconds))});
+    return fill(ui.strings(minutes ? "breeding.minutes_left" : "breeding.seconds_left"),
+                {std::to_string(minutes ? (seconds + 59) / 60 : seconds)});
+}
+
+int generations_of_panel(const evolve::Breeding& breeding) {
+    return breeding.panel > 0 ? breeding.panel_generations + 1 : 0;
+}
+
+int bred_of_panel(const BreedingView& view) { return static_cast<int>(view.state->panel.generations.front().size()); }
+
+// Of all generations, those of the panel included: 0 to 1.
+float share_of_breeding(const BreedingView& view) {
+    const evolve::Breeding& breeding = view.base->breeding();
+    const int of_panel = generations_of_panel(breeding), all = breeding.generations + 1;
+    const int done = std::min(bred_of_panel(view), of_panel) + std::min(last_generation(view) + 1, all);
+    return std::clamp((static_cast<float>(done) + view.progress) / static_cast<float>(of_panel + all), 0.0f, 1.0f);
+}
+
+// "Generation 12 of 40".
+std::string words_of_progress(const BreedingView& view, const Ui& ui) {
+    const evolve::Breeding& breeding = view.base->breeding();
+    const int of_panel = generations_of_panel(breeding), panel = bred_of_panel(view), last = last_generation(view);
+    if (panel < of_panel && (panel > 0 || view.runs))
+        return fill(ui.strings("breeding.panel"), {std::to_string(panel), std::to_string(of_panel)});
+    return fill(ui.strings("breeding.progress"),
+                {std::to_string(std::max(0, last)), std::to_string(breeding.generations),
+                 std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)});
+}
+
+bool has_begun(const BreedingView& view) {
+    return view.runs || last_generation(view) >= 0 ||
+           (bred_of_panel(view) > 0 && bred_of_panel(view) < generations_of_panel(view.base->breeding()));
 }
 
 }  // namespace
 
-// "Generation 12 of 40", with a bar of all generations, those of the panel included.
+std::string breeding_percent(const BreedingView& view, const Ui& ui) {
+    if (!view.base) return {};
+    const std::string left = time_left(view, ui);
+    return fill(ui.strings("lecture.percent"), {std::to_string(std::lround(100 * share_of_breeding(view)))}) +
+           (left.empty() ? "" : ", ") + left;
+}
+
 void breeding_progress(const BreedingView& view, Ui& ui) {
-    const evolve::Breeding& breeding = view.base->breeding();
-    const int of_panel = breeding.panel > 0 ? breeding.panel_generations + 1 : 0;
-    const int panel = static_cast<int>(view.state->panel.generations.front().size());
-    const int done = last_generation(view) + 1, all = breeding.generations + 1;
-    if (panel < of_panel && (panel > 0 || view.runs))
-        paragraph(
-            ui,
-            fill(ui.strings("breeding.panel"), {std::to_string(panel), std::to_string(of_panel)}) + time_left(view, ui),
-            ui.palette.second_text, Face::small);
-    else if (done == 0 && !view.runs)
+    if (has_begun(view)) {
+        const std::string left = time_left(view, ui);
+        paragraph(ui, words_of_progress(view, ui) + (left.empty() ? "" : " · ") + left, ui.palette.second_text,
+                  Face::small);
+    } else {
         paragraph(ui, ui.strings("breeding.not_begun"), ui.palette.second_text, Face::small);
-    else
-        paragraph(ui,
-                  fill(ui.strings("breeding.progress"),
-                       {std::to_string(std::max(0, done - 1)), std::to_string(breeding.generations),
-                        std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)}) +
-                      time_left(view, ui),
-                  ui.palette.second_text, Face::small);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = card_width(ui), height = ui.px(4);
-    const float share = (static_cast<float>(std::min(panel, of_panel) + std::min(done, all)) + view.progress) /
-                        static_cast<float>(of_panel + all);
-    fill_box(ui, {at.x, at.y, width, height}, ui.palette.raised, Corner::bar);
-    if (share > 0) fill_box(ui, {at.x, at.y, width * std::min(1.0f, share), height}, ui.palette.accent, Corner::bar);
-    ImGui::Dummy({width, height + ui.px(spacing::small)});
+    }
+    progress_bar(ui, share_of_breeding(view), spacing::small);
 }
 
 void breeding_words(const BreedingView& view, Ui& ui) {

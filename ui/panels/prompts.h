@@ -25,9 +25,6 @@ Prompt next_prompt(PromptMemory&, const LabView&);
 // the prediction is asked for. They fill the gap of the hint.* texts that have one.
 std::string_view next_change(const LabView&);
 
-// "43 %, about 40 s left" of the open breeding; empty without one.
-std::string breeding_progress(const BreedingView&, const Ui&);
-
 // For Ui::pulse: 0..1 with a period of 1.5 s; 1 where motion is reduced.
 float pulse(const LabView&);
 
