@@ -312,10 +312,13 @@ Result<std::shared_ptr<const BreedingBase>> BreedingBase::create(Breeding breedi
         const Breed& breed = breeding.breeds[i];
         const auto is_kind = [&](Side side) { return base->kind(side).name == breed.kind; };
         const auto side = std::find_if(both_sides.begin(), both_sides.end(), is_kind);
-        if (side == both_sides.end())
-            return error_of(message_of("breed_without_side", in_quotes(breed.kind)), breeding.file);
+        if (side == both_sides.end()) {
+            const std::string_view known[]{base->kind(Side::predator).name, base->kind(Side::prey).name};
+            return error_of(message_of("breed_without_side", in_quotes(breed.kind)) + nearest_of(breed.kind, known),
+                            breeding.file, breed.line);
+        }
         if (at(base->breeds_, *side) >= 0)
-            return error_of(message_of("breed_twice", in_quotes(breed.kind)), breeding.file);
+            return error_of(message_of("breed_twice", in_quotes(breed.kind)), breeding.file, breed.line);
         at(base->breeds_, *side) = static_cast<int>(i);
         // The numbers of all genes are valid at both ends of their ranges.
         for (float Gene::*end : {&Gene::low, &Gene::high}) {

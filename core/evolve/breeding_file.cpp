@@ -69,6 +69,7 @@ namespace {
 
 void check_genes(TomlTable& table, Breed& breed) {
     if (breed.kind.empty()) table.fail_missing("kind", message_of("missing_in_breed", "kind"));
+    if (const TomlNode* kind = table.content().get("kind")) breed.line = static_cast<int>(kind->place.line);
     if (breed.genes.empty()) return table.fail_missing("gene", message_of("missing_in_breed", "gene"));
     const TomlNode::List& tables = *table.content().get("gene")->as_list();
     for (std::size_t i = 0; i < breed.genes.size(); ++i) {

@@ -63,7 +63,8 @@ struct Gene {
 // A kind that evolves. Its role is its side.
 struct Breed {
     std::string kind;
-    std::vector<Gene> genes;
+    std::vector<Gene> genes{};
+    int line{};  // of the kind in the file
 };
 
 struct Breeding {

@@ -94,10 +94,11 @@ TEST(Breeding, AnErrorHasItsLine) {
     EXPECT_TRUE(fault_of(top + path).starts_with("b.toml:13: ")) << fault_of(top + path);
     EXPECT_NE(fault_of(top + "[[breed]]\nkind = \"hare\"\n" + gene("g", "\"brain.LL\"", 1, 1)).find("has no range"),
               std::string::npos);
-    EXPECT_NE(fault_of(top + "[[breed]]\nkind = \"fox\"\n" + genes).find("'fox'"), std::string::npos);
-    EXPECT_NE(fault_of(top + "[[breed]]\nkind = \"hare\"\n" + genes + "[[breed]]\nkind = \"hare\"\n" + genes)
-                  .find("two [[breed]] tables"),
-              std::string::npos);
+    const std::string no_side = fault_of(top + "[[breed]]\nkind = \"hair\"\n" + genes);
+    EXPECT_TRUE(no_side.starts_with("b.toml:10: ") && no_side.ends_with("'hair'; the nearest is 'hare'")) << no_side;
+    const std::string twice =
+        fault_of(top + "[[breed]]\nkind = \"hare\"\n" + genes + "[[breed]]\nkind = \"hare\"\n" + genes);
+    EXPECT_TRUE(twice.starts_with("b.toml:30: two [[breed]] tables")) << twice;
     const std::string one_vehicle = scene_text.substr(0, scene_text.find("[vehicle.hare]"));
     EXPECT_TRUE(fault_of(top + both, one_vehicle).starts_with("s.toml: a breeding needs"))
         << fault_of(top + both, one_vehicle);
