@@ -135,4 +135,10 @@ Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice& ch
     return brain_of_text(*text, path->string(), choice);
 }
 
+Submission submission_with(const Exercise& exercise, BrainOfFile found) {
+    Submission submission = with_brain(exercise, std::move(found.brain));
+    if (!found.sensors.empty() && offers(exercise, offer_parts::sensors)) submission.sensors = std::move(found.sensors);
+    return submission;
+}
+
 }  // namespace braitenlab

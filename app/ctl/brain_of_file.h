@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/brain/graph.h"
+#include "core/lesson/submission.h"
 #include "core/result.h"
 #include "core/scene/scene.h"
 
@@ -31,5 +32,8 @@ Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice&);
 
 // The same for the text of a file that is no saved run. `file`: its name in errors.
 Result<BrainOfFile> brain_of_text(const std::string& text, const std::string& file, const BrainChoice&);
+
+// The brain as an answer to the exercise; with the file's sensors, if it has some and the exercise offers sensors.
+Submission submission_with(const Exercise&, BrainOfFile);
 
 }  // namespace braitenlab

@@ -216,7 +216,7 @@ int check_sound(const ReadExercise& read, std::uint64_t first_seed, CheckJson* j
 int check_brain(const SharedExercise& exercise, const CheckOptions& options) {
     auto found = brain_of_file(options.brain, options.choice);
     if (!found) return complain(found.error());
-    const Submission submission = with_brain(*exercise, std::move(found->brain));
+    const Submission submission = submission_with(*exercise, *found);
     auto grades = grade_several(exercise, {submission}, options.seed);
     if (!grades) return complain(grades.error());
     Grade& grade = grades->front();

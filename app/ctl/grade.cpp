@@ -47,7 +47,7 @@ Result<std::vector<GradedFile>> grade_files(const SharedExercise& exercise, cons
     for (const std::string& file : options.files) {
         graded.push_back({file, brain_of_file(file, options.choice), {}});
         if (const auto& found = graded.back().found) {
-            submissions.push_back(with_brain(*exercise, found->brain));
+            submissions.push_back(submission_with(*exercise, *found));
             graded.back().fault = offers_fault(*exercise, submissions.back());
         }
     }

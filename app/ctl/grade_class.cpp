@@ -27,7 +27,7 @@ namespace {
 
 ClassRow with_brain_of(const Exercise& exercise, ClassRow row, Result<BrainOfFile> brain) {
     if (brain)
-        row.submission = with_brain(exercise, std::move(brain->brain));
+        row.submission = submission_with(exercise, std::move(*brain));
     else
         row.problem = RowProblem{{}, {}, brain.error()};
     return row;

@@ -40,7 +40,7 @@ Result<Tried> tried_exercise(const std::filesystem::path& path, const Robustness
         return Tried{(*exercise)->id, scene_with(**exercise, with_solution(**exercise)), *exercise};
     auto found = brain_of_file(options.brain, {});
     if (!found) return found.error();
-    return Tried{(*exercise)->id, scene_with(**exercise, with_brain(**exercise, std::move(found->brain))), *exercise};
+    return Tried{(*exercise)->id, scene_with(**exercise, submission_with(**exercise, std::move(*found))), *exercise};
 }
 
 Result<Tried> tried_scene(const RobustnessOptions& options) {

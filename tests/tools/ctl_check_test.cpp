@@ -129,5 +129,27 @@ TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
     std::filesystem::remove(brain);
 }
 
+TEST(CtlCheck, TheSensorsOfASceneCountWhereTheExerciseOffersThem) {
+    std::ifstream shipped(std::string(BRAITENLAB_SOURCE) + "/exercises/guided/18-prey.toml");
+    std::string text{std::istreambuf_iterator<char>(shipped), {}};
+    text = "format = 1\ntitle = \"T\"\n" +
+           text.substr(text.find("[scene.arena]"), text.find("[predict]") - text.find("[scene.arena]"));
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    };
+    replace("[scene.", "[");
+    const std::string file = scratch("scene.toml");
+    const auto passes = [&] {
+        std::ofstream(file) << text;
+        return ctl("check 18-prey --kind prey --brain " + file).code;
+    };
+    EXPECT_EQ(passes(), 1);
+    replace("\nangle = 40\nfield = 140", "\nangle = 140\nfield = 140");
+    replace("\nangle = -40\nfield = 140", "\nangle = -140\nfield = 140");
+    EXPECT_EQ(passes(), 0);
+    std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::ctl_check_test
