@@ -142,7 +142,7 @@ void begin_breeding_of(BreedingRuns& runs, BreedingBasePtr base) {
     runs.error.reset();
     if (runs.base && !is_same && !has_begun(*bred_of(runs).state)) runs.bred.erase(runs.base->fingerprint());
     runs.base = std::move(base);
-    if (!is_same) runs.duels.forget(), runs.not_kept.reset(), runs.kept_for = 0;
+    if (!is_same) runs.duels.forget(), runs.has_choice = false, runs.not_kept.reset(), runs.kept_for = 0;
     if (!runs.bred.contains(runs.base->fingerprint())) {
         runs.bred[runs.base->fingerprint()].state =
             std::make_shared<const evolve::BreedingState>(evolve::begin_breeding(*runs.base));
@@ -188,12 +188,33 @@ bool is_complete(const BreedingRuns& runs, BreedingCell cell) {
     return std::min(cell.predator, cell.prey) >= 0 && std::max(cell.predator, cell.prey) < complete(runs);
 }
 
+void ask_for_duels(BreedingRuns& runs, DuelsQuestion question) {
+    if (!runs.duels.is_about(question)) runs.duels.forget(), runs.duels.ask(std::move(question));
+}
+
 void watch_match(BreedingRuns& runs, BreedingCell cell) {
     DuelsQuestion question{runs.base->fingerprint(), {cell}};
-    if (const DuelsQuestion* last = runs.duels.question())
+    if (const DuelsQuestion* last = runs.duels.question(); last && runs.has_choice)
         for (const BreedingCell& each : last->cells)
             if (each != cell && question.cells.size() < 2) question.cells.push_back(each);
-    if (!runs.duels.is_about(question)) runs.duels.forget(), runs.duels.ask(std::move(question));
+    runs.has_choice = true;
+    ask_for_duels(runs, std::move(question));
+}
+
+// While it runs and until the last champions have been watched. They change only after a match was shown to its end.
+void watch_last_champions(BreedingRuns& runs, double now) {
+    constexpr double rest_at_end = 1;  // s, as on the sheet
+    const int last = complete(runs) - 1;
+    const bool begins = !runs.duels.question();
+    if (runs.has_choice || last < 0 || (begins && !runs.runs) || runs.duels.is_computing()) return;
+    float longest = 0;
+    if (const auto* duels = runs.duels.answer())
+        for (const Duel& each : *duels) longest = std::max(longest, each.seconds());
+    if (!begins && now < runs.duels_asked + static_cast<double>(longest) + rest_at_end) return;
+    runs.duels_asked = now;
+    DuelsQuestion question{runs.base->fingerprint(), {{last, last}}};
+    if (last > 0) question.cells.push_back({0, 0});
+    ask_for_duels(runs, std::move(question));
 }
 
 OpenRequest scene_of_match(const BreedingRuns& runs, const BreedingRequest& wanted) {
@@ -390,6 +411,7 @@ void update_breeding(BreedingRuns& runs, Jobs& jobs, double now) {
     } else if (runs.fills) {
         runs.fills = submit_scores(runs, jobs);
     }
+    watch_last_champions(runs, now);
     runs.duels.follow([&](const DuelsQuestion& question) -> Result<Job<std::vector<Duel>>> {
         std::vector<evolve::Trial> trials;
         for (const BreedingCell& cell : question.cells)

@@ -1,5 +1,6 @@
 // The breeding on its sheet: while it runs, its generations are bred in the background and their champions meet in a
-// matrix. Two of these matches can be watched, opened as a scene, or taken into the open scene.
+// matrix. Two of these matches can be watched, by themselves those of the last and of the first champions, opened as a
+// scene, or taken into the open scene.
 #pragma once
 
 #include <cstdint>
@@ -59,6 +60,8 @@ struct BreedingRuns {
     evolve::Tournament matrix{};  // of the complete generations, see matrix_generations()
     evolve::BySide<evolve::Verdict> verdicts{};
     Asked<DuelsQuestion, std::vector<evolve::Duel>> duels{};
+    bool has_choice = false;  // of a match to watch; without one the last champions are watched while it runs
+    double duels_asked = 0;   // wall time, s
 };
 
 // The generations of the matrix while `complete` of them exist and `last` is the one to end with: at distances of 1, 2,

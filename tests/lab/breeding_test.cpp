@@ -190,6 +190,29 @@ TEST_F(LabBreeding, TwoMatchesAreWatchedFromTheSameStart) {
         EXPECT_EQ(at(newest.paths, side)[0], at((*view().duels)[1].paths, side)[0]);
 }
 
+TEST_F(LabBreeding, WhileItRunsTheLastChampionsDriveBesideTheFirstOnes) {
+    using Cells = std::vector<BreedingCell>;
+    lab.wall_seconds = 1000;
+    ask(BreedingEdit::run);
+    for (int i = 0; i < 100 && last_generation(view()) < 0; ++i) turn();
+    EXPECT_EQ(view().watched, (Cells{{0, 0}}));
+    for (int i = 0; i < 100 && last_generation(view()) < 2; ++i) turn();
+    EXPECT_EQ(view().watched, (Cells{{0, 0}})) << "a match is shown to its end";
+    EXPECT_TRUE(view().duels);
+    lab.wall_seconds += 5;
+    turn();
+    const int last = last_generation(view());
+    EXPECT_EQ(view().watched, (Cells{{last, last}, {0, 0}}));
+    breed_to_the_end();
+    lab.wall_seconds += 5;
+    turn();
+    EXPECT_EQ(view().watched, (Cells{{3, 3}, {0, 0}})) << "also those of the last generation";
+    ask(BreedingEdit::watch, {1, 0});
+    lab.wall_seconds += 5;
+    turn();
+    EXPECT_EQ(view().watched, (Cells{{1, 0}})) << "a choice stays";
+}
+
 TEST_F(LabBreeding, AMatchOpensAndDrivesAsItWasBred) {
     breed_to_the_end();
     handle(lab, BreedingRequest{.edit = BreedingEdit::match, .cell = {2, 1}, .title = "A match"});

@@ -12,7 +12,7 @@ TEST(BreedingWindow, BreedsWatchesAMatchAndTakesItsChampions) {
     lab.click("breeding.start");
     ASSERT_TRUE(lab.eventually([&] { return lab.state()["breeding"]["generation"].get<int>() >= 1; }, 60));
     EXPECT_EQ(lab.state()["breeding"]["running"], true);
-    EXPECT_TRUE(lab.state()["breeding"]["cell"].is_null());
+    EXPECT_FALSE(lab.state()["breeding"]["cell"].is_null()) << "champions drive while it runs";
     lab.click("breeding.stop");
     ASSERT_TRUE(lab.eventually([&] { return lab.state()["breeding"]["running"] == false; }));
     lab.click("breeding.cell.1.0");
