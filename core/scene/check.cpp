@@ -114,7 +114,7 @@ std::optional<Fault> range_fault(const T& object) {
 }
 
 template <class Named>
-std::vector<std::string_view> names_of(const std::vector<Named>& all) {
+std::vector<std::string_view> known_names(const std::vector<Named>& all) {
     std::vector<std::string_view> names;
     for (const Named& one : all) names.emplace_back(one.name);
     return names;
@@ -193,10 +193,10 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     if (start.kind.empty()) return Fault{path, message_of("vehicle_without_kind")};
     if (find_kind(scene, start.kind) < 0)
         return Fault{path + ".kind", message_of("no_kind_called", in_quotes(start.kind)) +
-                                         nearest_of(start.kind, names_of(scene.kinds))};
+                                         nearest_of(start.kind, known_names(scene.kinds))};
     if (!start.facing.empty() && find_source(scene, start.facing) < 0)
         return Fault{path + ".facing", message_of("no_source_called", in_quotes(start.facing)) +
-                                           nearest_of(start.facing, names_of(scene.sources))};
+                                           nearest_of(start.facing, known_names(scene.sources))};
     if (!is_inside(scene.arena, {start.x, start.y})) {
         const bool only_y = std::fabs(start.x) <= scene.arena.width / 2 && std::fabs(start.y) > scene.arena.height / 2;
         return Fault{path + (only_y ? ".y" : ".x"), message_of("starts_outside")};
@@ -211,7 +211,7 @@ std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
     if (number >= scene.ecology.population) return Fault{path, message_of("member_beyond", scene.ecology.population)};
     if (!member.kind.empty() && find_kind(scene, member.kind) < 0)
         return Fault{path + ".kind", message_of("no_kind_called", in_quotes(member.kind)) +
-                                         nearest_of(member.kind, names_of(scene.kinds))};
+                                         nearest_of(member.kind, known_names(scene.kinds))};
     if (member.placed && !is_inside(scene.arena, {member.x, member.y}))
         return Fault{path, message_of("starts_outside")};
     return own_values_fault(member, path);

@@ -107,15 +107,15 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     c.space = space;
     c.factors = factors;
     float x = left + name;
-    const auto right_end = [&](float w) { return x += space + w; };
-    c.equals = right_end(sign) - sign / 2;
-    if (products) c.first = right_end(product(0));
-    if (factors) c.plus = right_end(sign) - sign / 2;
-    if (products) c.second = right_end(product(1));
-    for (std::size_t i = 0; i < terms; ++i) c.terms[i] = right_end(term(i));
-    c.bias = right_end(number);
-    c.rest = more ? right_end(rest) : x;
-    c.result = right_end(sign) - sign / 2;
+    const auto end_of = [&](float w) { return x += space + w; };
+    c.equals = end_of(sign) - sign / 2;
+    if (products) c.first = end_of(product(0));
+    if (factors) c.plus = end_of(sign) - sign / 2;
+    if (products) c.second = end_of(product(1));
+    for (std::size_t i = 0; i < terms; ++i) c.terms[i] = end_of(term(i));
+    c.bias = end_of(number);
+    c.rest = more ? end_of(rest) : x;
+    c.result = end_of(sign) - sign / 2;
     c.total = left + width;
     return c;
 }

@@ -22,7 +22,7 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels. `taken`: height of the sheet's heading, buttons and least margin.
-constexpr float sheet_width = 680, gallery_width = 1280, body_height = 490, gallery_height = 720, least_body = 200,
+constexpr float sheet_width = 680, gallery_width = 1280, body_height = 490, gallery_height = 720, least_body_height = 200,
                 taken = 170;
 
 // The existing file that saving would replace, or null. "scene" also matches "scene.toml".
@@ -204,7 +204,7 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
                    files.saving ? sheet_width : gallery_width);
     // The part above the buttons has the same height on every tab, so that the buttons do not move.
     const float body =
-        std::clamp(window.h - ui.px(taken), ui.px(least_body), ui.px(files.saving ? body_height : gallery_height));
+        std::clamp(window.h - ui.px(taken), ui.px(least_body_height), ui.px(files.saving ? body_height : gallery_height));
     float bottom = ImGui::GetCursorPosY() + body;
     if (files.saving)
         saving_head(view, files, ui);

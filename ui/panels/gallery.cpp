@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view gallery_stem = "gallery.";
 constexpr std::size_t lines_of_card = 3;                                                         // of a goal
-constexpr float least_card = 180, card_inset = spacing::small, between_cards = spacing::medium;  // layout pixels
+constexpr float least_card = 180, card_inset = spacing::small, between_previews = spacing::medium;  // layout pixels
 
 // A disc with a check mark; a ring while the exercise was passed only by the solution that was shown.
 void passed_mark(const Ui& ui, ImVec2 c, bool alone) {
@@ -138,7 +138,7 @@ bool put_scene_picture(const LabView& view, const Ui& ui, const std::string& pat
 
 void exercise_gallery(const LabView& view, const std::vector<CatalogueEntry>& listed, const std::string& beside,
                       FilesState& files, Ui& ui) {
-    const float all = card_width(ui), gap_between = ui.px(between_cards);
+    const float all = card_width(ui), gap_between = ui.px(between_previews);
     const int columns = std::max(1, static_cast<int>((all + gap_between) / (ui.px(least_card) + gap_between)));
     const float width = (all - gap_between * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     move_in_gallery(listed, beside, files, ui, columns);

@@ -32,7 +32,7 @@ using insight::StudyRow;
 using insight::StudySummary;
 
 // Layout pixels.
-constexpr float least_row = 20, most_row = 44, column_gap = spacing::medium, dot_radius = 2.2f;
+constexpr float least_row = 20, most_row = 44, column_gap = spacing::medium, dot_of_run = 2.2f;
 
 std::string measure_words(const Ui& ui, const StudyMeasureTraits& measure) {
     std::string words(ui.strings("study.measure." + std::string(measure.word)));
@@ -183,7 +183,7 @@ private:
         if (std::isnan(number)) return;
         constexpr float golden = 0.61803399f;
         const float share = std::fmod(static_cast<float>(seed + 1) * golden, 1.0f) - 0.5f;
-        draw.AddCircleFilled({x_of(number, row), row.y + row.h / 2 + 0.5f * share * row.h}, ui_.px(dot_radius),
+        draw.AddCircleFilled({x_of(number, row), row.y + row.h / 2 + 0.5f * share * row.h}, ui_.px(dot_of_run),
                              paint(ui_.palette.text.with_alpha(0.62f)), 10);
     }
 

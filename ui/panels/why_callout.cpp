@@ -138,7 +138,7 @@ float callout_height(const Ui& ui, const WhyCallout& callout) {
 }
 
 // The widest words beside a bar.
-float words_width(const Ui& ui, const WhyCallout& callout) {
+float width_of_words(const Ui& ui, const WhyCallout& callout) {
     float width = text_width(ui, Face::small, ui.strings("why.total"));
     for (const WhyBar& bar : callout.bars) width = std::max(width, text_width(ui, Face::small, bar.words));
     return width;
@@ -147,7 +147,7 @@ float words_width(const Ui& ui, const WhyCallout& callout) {
 // The width of the callout without its border in which the words beside the bars are whole.
 float bars_width(const Ui& ui, const WhyCallout& callout) {
     if (callout.bars.empty()) return 0;
-    return words_width(ui, callout) + text_width(ui, Face::small, with_sign(ui, -1, 2)) + ui.px(least_bar) +
+    return width_of_words(ui, callout) + text_width(ui, Face::small, with_sign(ui, -1, 2)) + ui.px(least_bar) +
            2 * ui.px(between_parts);
 }
 
@@ -173,7 +173,7 @@ void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float widt
     float longest = 0, sum = 0;
     for (const WhyBar& bar : callout.bars) longest = std::max(longest, std::fabs(bar.value)), sum += bar.value;
     const float height = line_height(ui, Face::small), number = text_width(ui, Face::small, with_sign(ui, -1, 2));
-    const float room = std::max(ui.px(least_bar), std::min(0.24f * width, width - number - words_width(ui, callout) -
+    const float room = std::max(ui.px(least_bar), std::min(0.24f * width, width - number - width_of_words(ui, callout) -
                                                                               2 * ui.px(between_parts)));
     const float bars = at.x + width - number - room - ui.px(between_parts);
     const auto row = [&](const WhyBar& bar, Colour colour) {

@@ -25,7 +25,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr int per_row = 3;
+constexpr int children_per_row = 3;
 constexpr float between_children = spacing::small, most_picture = 280, least_picture = 64;  // layout pixels
 
 bool has_choices_left(const LessonView& lesson) {
@@ -108,7 +108,7 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < selection.children.size(); ++i) {
-        if (i % per_row != 0) ImGui::SameLine();
+        if (i % children_per_row != 0) ImGui::SameLine();
         const std::string number = std::to_string(i + 1);
         const Item at = item(ui, "selection.child." + number, size, may_choose);
         const StartResult& run = selection.children[i];
