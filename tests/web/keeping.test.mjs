@@ -1,9 +1,11 @@
 // What the page keeps: in the browser's storage, beside other pages of the lab, over a reload.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import os from "node:os";
+import path from "node:path";
 import { test } from "node:test";
 
-import { Lab, useLabs } from "./page.mjs";
+import { Lab, openUser, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
@@ -46,6 +48,24 @@ test("Without storage the lab starts and says that nothing is kept", limit, () =
                 Object.defineProperty(window, name, { get() { throw new DOMException("denied", "SecurityError"); } });
         },
     }));
+
+test("In a browser that refuses cookies the lab starts and says that nothing is kept", limit, async () => {
+    const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
+    await mkdir(path.join(folder, "Default"));
+    const refused = 2;
+    await writeFile(path.join(folder, "Default/Preferences"),
+        JSON.stringify({ profile: { default_content_setting_values: { cookies: refused } } }));
+    const context = await openUser(folder);
+    try {
+        const lab = await Lab.openIn(context, labs.server.address + "?open=01-drive");
+        assert.match(await noticeText(lab), /keep nothing/);
+        await predict(lab);
+        assert.deepEqual(lab.errors, []);
+    } finally {
+        await context.close();
+        await rm(folder, { recursive: true });
+    }
+});
 
 test("A full storage keeps what it has, and the page offers the rest as a download", limit, () =>
     withLab("?open=01-drive", async (lab) => {
@@ -160,4 +180,7 @@ test("The notes of a lecture are in a window of their own and follow it", limit,
         await lab.page.keyboard.press("PageDown");
         await notes.waitForSelector("h1:has-text('What will it do?')");
         assert.equal((await lab.state()).lecture.notes, false, "the audience does not see them");
+        await lab.page.bringToFront();
+        await lab.page.keyboard.press("n");
+        await lab.until((state) => state.lecture.notes, null, "N shows them to the audience");
     }));

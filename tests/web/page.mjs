@@ -33,11 +33,15 @@ export async function serve(folder) {
 }
 
 // WebGL by SwiftShader, a software renderer. `extra`: further switches.
-export function openBrowser(extra = []) {
-    return chromium.launch({
-        executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-        args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...extra],
-    });
+const program = (extra = []) => ({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...extra],
+});
+export const openBrowser = (extra) => chromium.launch(program(extra));
+
+// A browser with the settings and the storage of a user, who has this folder.
+export function openUser(folder) {
+    return chromium.launchPersistentContext(folder, { ...program(), viewport: { width: 1280, height: 800 }, locale: "en-US" });
 }
 
 // Runs the window of the desktop without settings of the user until it has written its picture. For keys: window.mjs.
