@@ -9,7 +9,7 @@ import { pathToFileURL } from "node:url";
 
 import { largeScene } from "./large.mjs";
 import { pause, withWindow } from "./window.mjs";
-import { Lab, differing, longestTask, openBrowser, root, squaresOf, useLabs } from "./page.mjs";
+import { Lab, differing, longestTask, openBrowser, root, squaresInside, squaresOf, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
@@ -59,6 +59,42 @@ test("A paused scene stays as in the window", limit, async () => {
         assert.ok(differing(onPage, inWindow, 24) < 0.03, `${differing(onPage, inWindow, 24)} of the picture differs`);
     });
 });
+
+// Pictures of the scene at rest, of the same in the corner of the wiring editor, and after the editor, of a lab on the
+// page or in the window. `take`: returns a PNG picture of the lab. Each picture has the rectangle of its scene.
+async function threeAtRest(lab, key, take) {
+    const atRest = async (mode) => {
+        await lab.until((state, wanted) => state.mode === wanted, mode);
+        await pause(2);  // the picture is stored and copied
+        await lab.frames(2);
+        return { png: await take(lab), scene: (await lab.anchors()).viewport };
+    };
+    const before = await atRest("paused");
+    await key("w");
+    const beside = await atRest("wiring");
+    await key("w");
+    return [before, beside, await atRest("paused")];
+}
+
+for (const quality of ["low", "medium"])
+    test(`At ${quality} quality a paused scene stays, also beside the wiring editor and after it`, { timeout: 300000 }, async () => {
+        const inWindow = await withWindow(["2a-coward", `--quality=${quality}`], async (lab) => {
+            await lab.frames(4);
+            return threeAtRest(lab, (key) => lab.key(key), () => lab.picture());
+        });
+        await withLab(`?open=2a-coward&quality=${quality}`, async (lab) => {
+            const onPage = await threeAtRest(lab, (key) => lab.page.keyboard.press(key), () => lab.page.screenshot());
+            const shares = [];
+            for (const [i, { png, scene }] of onPage.entries()) {
+                const [page, window] = await Promise.all([png, inWindow[i].png].map((each) => squaresOf(labs.browser, each, 20)));
+                const squares = squaresInside(page, scene);
+                assert.ok(squares.length > 50, `only ${squares.length} squares in ${scene}`);
+                shares.push(differing(squares, squaresInside(window, inWindow[i].scene), 24));
+            }
+            console.log(`${quality} quality: ${shares.map((share) => (100 * share).toFixed(1)).join(", ")} % of the scene differ`);
+            assert.ok(Math.max(...shares) < 0.05, `${shares} of the scene differ`);
+        });
+    });
 
 test("A playing scene is as in the window", limit, async () => {
     const inWindow = await pictureOfWindow("2a-coward", "--play", "--after", "2");

@@ -113,6 +113,15 @@ export function differing(a, b, levels) {
     return a.filter((colour, i) => colour.some((value, c) => Math.abs(value - b[i][c]) > levels)).length / a.length;
 }
 
+// The squares of 20 pixels, of a picture 1280 pixels wide, that are wholly inside a rectangle [x, y, width, height].
+export function squaresInside(squares, [x, y, w, h]) {
+    const side = 20, columns = 1280 / side;
+    return squares.filter((_, i) => {
+        const left = side * (i % columns), top = side * Math.floor(i / columns);
+        return left >= x && top >= y && left + side <= x + w && top + side <= y + h;
+    });
+}
+
 // Processor time in ms of the longest task of the page's main thread while `work` runs. Unlike a task's duration it does
 // not depend on what else the machine does.
 export async function longestTask(lab, work) {

@@ -15,20 +15,30 @@ class DesktopWindow {
         this.folder = folder;
     }
 
-    // What --state writes. A file that is half written is read again.
-    async state() {
+    // What --state writes.
+    state() {
+        return this.report("state.json");
+    }
+
+    // A file that the window replaces while it runs. One that is half written is read again.
+    async report(name) {
         for (let tries = 0; tries < 400; ++tries) {
-            const text = await readFile(path.join(this.folder, "state.json"), "utf8").catch(() => "");
+            const text = await readFile(path.join(this.folder, name), "utf8").catch(() => "");
             if (text.trimEnd().endsWith("}")) return JSON.parse(text);
             await pause(0.05);
         }
         throw new Error("the window does not start");
     }
 
-    // Waits until check(state) is true.
-    async until(check) {
+    // What --anchors writes.
+    anchors() {
+        return this.report("anchors.json");
+    }
+
+    // Waits until check(state, argument) is true.
+    async until(check, argument) {
         for (let tries = 0; tries < 400; ++tries) {
-            if (check(await this.state())) return;
+            if (check(await this.state(), argument)) return;
             await pause(0.05);
         }
         throw new Error(`never true in the window: ${check}`);
@@ -64,7 +74,7 @@ export async function withWindow(options, use) {
     const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
     const obey = '"$@" >&2 & lab=$!; while IFS= read -r line; do eval "$line" >&2; echo; done; kill $lab; wait $lab';
     const run = spawn("xvfb-run", ["-a", "bash", "-c", obey, "bash", path.join(root, "build/release/braitenlab"),
-        ...options, "--size", "1280x800", "--state", path.join(folder, "state.json")],
+        ...options, "--size", "1280x800", "--state", path.join(folder, "state.json"), "--anchors", path.join(folder, "anchors.json")],
         { env: { ...process.env, HOME: folder, XDG_STATE_HOME: "", XDG_CONFIG_HOME: "" }, stdio: ["pipe", "pipe", "ignore"] });
     const ended = once(run, "exit");
     try {
