@@ -238,9 +238,24 @@ int check_brain(const SharedExercise& exercise, const CheckOptions& options) {
     return grade.good ? exit_code::done : exit_code::failed;
 }
 
+// Prints whether each shipped exercise is sound.
+int check_all(std::uint64_t first_seed, bool as_json) {
+    int result = exit_code::done;
+    CheckJson json = CheckJson::array();
+    for (const auto& path : shipped_exercises()) {
+        const auto read = read_with_text(path);
+        if (!read) return complain_of_all(path, read.error());
+        result = std::max(result, check_sound(*read, first_seed, as_json ? &json : nullptr));
+    }
+    if (as_json) std::cout << json.dump(2) << "\n";
+    return result;
+}
+
 }  // namespace
 
 int check(const CheckOptions& options) {
+    if (options.all) return check_all(options.seed, options.json);
+    if (options.exercise.empty()) return complain({"check needs an EXERCISE or --all"});
     const auto path = find_shipped(options.exercise, Shipped::exercise);
     if (!path) return complain(path.error());
     if (const auto text = read_text(*path)) {
@@ -255,18 +270,6 @@ int check(const CheckOptions& options) {
     CheckJson json;
     const int result = check_sound(*read, options.seed, options.json ? &json : nullptr);
     if (options.json && !json.empty()) std::cout << json[0].dump(2) << "\n";
-    return result;
-}
-
-int check_all(std::uint64_t first_seed, bool as_json) {
-    int result = exit_code::done;
-    CheckJson json = CheckJson::array();
-    for (const auto& path : shipped_exercises()) {
-        const auto read = read_with_text(path);
-        if (!read) return complain_of_all(path, read.error());
-        result = std::max(result, check_sound(*read, first_seed, as_json ? &json : nullptr));
-    }
-    if (as_json) std::cout << json.dump(2) << "\n";
     return result;
 }
 

@@ -186,17 +186,16 @@ struct CheckOptions {
     std::string brain;       // file; empty: see check()
     BrainChoice choice;      // of the brain in the file
     std::uint64_t seed = 1;  // of the first start
+    bool all = false;        // every shipped exercise, in place of one
     bool json = false;
 };
 // Prints whether the brain of the file (see brain_of_file) passes the exercise, and for each start that fails the first
 // step that was not done. With an empty file name: whether the exercise is sound, i.e. no start passes as shipped,
 // every start passes with its own solution, which uses only what is offered, no wrong answer passes, and the run shows
-// what the prediction's answer says.
+// what the prediction's answer says. With `all`: whether each shipped exercise is sound.
 int check(const CheckOptions&);
 // Prints whether every page of a lecture can be opened and whether their minutes are those of the lecture.
 int check_lecture(const std::filesystem::path&, bool json);
-// Prints whether each shipped exercise is sound.
-int check_all(std::uint64_t first_seed, bool json);
 
 struct ClassOptions {
     std::string exercise;            // path or bare name
@@ -212,8 +211,9 @@ struct ClassOptions {
 };
 
 // Grades brains, one row each, into the CSV file, or to stdout when its name is empty or "-". A file that holds no
-// brain gets a row with the error; the other files are still graded.
-int grade_all(const ClassOptions&);
+// brain gets a row with the error; the other files are still graded. Where a folder or a hand-in is among the files, or
+// a page or marks are wanted, the files are those of a class: see docs/grading.md.
+int grade(const ClassOptions&);
 
 // The error for an argument that is neither a file or a folder nor the name of a shipped scene, as for a mistyped
 // folder.
@@ -222,7 +222,7 @@ std::optional<Error> missing_argument(const std::vector<std::string>& files);
 // True if there is a folder or a hand-in file among the files.
 bool is_class(const std::vector<std::string>& files);
 
-// Grades a class, one row a file, as docs/grading.md says. A file that cannot be graded is a row with its error.
+// Grades a class, one row a file. A file that cannot be graded is a row with its error.
 int grade_class(const ClassOptions&);
 
 struct HashOptions {

@@ -64,7 +64,8 @@ Result<std::vector<GradedFile>> grade_files(const SharedExercise& exercise, cons
 
 }  // namespace
 
-int grade_all(const ClassOptions& options) {
+int grade(const ClassOptions& options) {
+    if (!options.html.empty() || !options.platform.empty() || is_class(options.files)) return grade_class(options);
     const std::string& csv = options.csv;
     const auto exercise = find_exercise(options.exercise);
     if (!exercise) return complain(exercise.error());

@@ -21,7 +21,6 @@
 #include "core/io/run_file.h"
 #include "core/io/vehicle_table.h"
 #include "core/scene/file_kind.h"
-#include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 
