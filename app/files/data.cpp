@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 #include "app/files/paths.h"
@@ -46,31 +47,21 @@ std::vector<fs::path> toml_files(const fs::path& folder) {
     return files;
 }
 
-bool is_of(Shipped wanted, std::string_view folder) {
-    switch (wanted) {
-        case Shipped::exercise:
-            return folder == "guided";
-        case Shipped::study:
-            return folder == "studies";
-        case Shipped::breeding:
-            return folder == "breeding";
-        default:
-            return true;
-    }
+std::vector<fs::path> shipped_in(const char* folder) {
+    const auto data = data_folder();
+    return data ? toml_files(*data / "exercises" / folder) : std::vector<fs::path>{};
 }
 
-Message no_shipped(Shipped wanted, const std::string& name) {
-    switch (wanted) {
-        case Shipped::exercise:
-            return message_of("no_shipped_exercise", name);
-        case Shipped::study:
-            return message_of("no_shipped_study", name);
-        case Shipped::breeding:
-            return message_of("no_shipped_breeding", name);
-        default:
-            return message_of("no_shipped", name);
-    }
-}
+// Of each Shipped: the folder of these files, empty for all, and the message where none has the name.
+struct ShippedKind {
+    Shipped value;
+    std::string_view folder;
+    MessageId<1> none;
+};
+constexpr ShippedKind shipped_kinds[]{{Shipped::any, "", "no_shipped"},
+                                      {Shipped::exercise, "guided", "no_shipped_exercise"},
+                                      {Shipped::study, "studies", "no_shipped_study"},
+                                      {Shipped::breeding, "breeding", "no_shipped_breeding"}};
 
 }  // namespace
 
@@ -89,42 +80,25 @@ Result<fs::path> find_shipped(const std::string& path_or_name, Shipped wanted) {
     if (file_exists(path_or_name)) return fs::path(path_or_name);
     const auto data = data_folder();
     if (!data) return data.error();
+    const auto* kind = std::find_if(std::begin(shipped_kinds), std::end(shipped_kinds),
+                                    [&](const ShippedKind& each) { return each.value == wanted; });
     std::vector<std::string> names;
     for (const char* folder : {"scenes", "robots", "guided", "lectures", "studies", "breeding"})
         for (const fs::path& file : toml_files(*data / "exercises" / folder)) {
             if (file.stem() == path_or_name) return file;
-            if (is_of(wanted, folder)) names.push_back(file.stem().string());
+            if (kind->folder.empty() || folder == kind->folder) names.push_back(file.stem().string());
         }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     const fs::path given(path_or_name);
     const std::string stem = given.extension() == ".toml" ? given.stem().string() : path_or_name;
-    return error_of(no_shipped(wanted, path_or_name) + nearest_of(stem, candidates));
+    return error_of(message_of(kind->none, path_or_name) + nearest_of(stem, candidates));
 }
 
-std::vector<fs::path> shipped_exercises() {
-    const auto data = data_folder();
-    return data ? toml_files(*data / "exercises" / "guided") : std::vector<fs::path>{};
-}
-
-std::vector<fs::path> shipped_scenes() {
-    const auto data = data_folder();
-    return data ? toml_files(*data / "exercises" / "scenes") : std::vector<fs::path>{};
-}
-
-std::vector<fs::path> shipped_lectures() {
-    const auto data = data_folder();
-    return data ? toml_files(*data / "exercises" / "lectures") : std::vector<fs::path>{};
-}
-
-std::vector<fs::path> shipped_studies() {
-    const auto data = data_folder();
-    return data ? toml_files(*data / "exercises" / "studies") : std::vector<fs::path>{};
-}
-
-std::vector<fs::path> shipped_breedings() {
-    const auto data = data_folder();
-    return data ? toml_files(*data / "exercises" / "breeding") : std::vector<fs::path>{};
-}
+std::vector<fs::path> shipped_exercises() { return shipped_in("guided"); }
+std::vector<fs::path> shipped_scenes() { return shipped_in("scenes"); }
+std::vector<fs::path> shipped_lectures() { return shipped_in("lectures"); }
+std::vector<fs::path> shipped_studies() { return shipped_in("studies"); }
+std::vector<fs::path> shipped_breedings() { return shipped_in("breeding"); }
 
 bool ships(const fs::path& path) {
     const auto data = data_folder();
