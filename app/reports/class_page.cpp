@@ -7,54 +7,12 @@
 #include "app/reports/class_report.h"
 #include "app/reports/html.h"
 #include "app/reports/path_picture.h"
+#include "app/reports/texts.h"
 #include "ui/number_text.h"
 
 namespace braitenlab {
 
 namespace {
-
-constexpr const char* class_style = R"(@page { size: A4; margin: 14mm 12mm; }
-* { box-sizing: border-box; }
-body { font: 14px/1.45 "Noto Sans", "Segoe UI", Helvetica, Arial, sans-serif; color: #1c1c1a; margin: 0 auto;
-  max-width: 1080px; padding: 24px; }
-h1 { font-size: 24px; margin: 0 0 4px; } h2 { font-size: 17px; margin: 28px 0 8px; } h3 { font-size: 15px; margin: 0; }
-p { margin: 4px 0; } .quiet { color: #5a5a55; }
-.tiles { display: flex; flex-wrap: wrap; gap: 12px; margin: 16px 0; }
-.tile { border: 1px solid #cfcfc8; border-radius: 8px; padding: 10px 14px; flex: 1 1 150px; }
-.tile b { display: block; font-size: 22px; line-height: 1.25; }
-table { border-collapse: collapse; width: 100%; }
-th, td { text-align: left; padding: 5px 8px; border-bottom: 1px solid #deded8; vertical-align: top; }
-th { border-bottom: 2px solid #8a8a84; font-weight: 600; vertical-align: bottom; }
-td.n, th.n { text-align: right; } th.n { white-space: nowrap; } a { color: #1d4f91; }
-td:first-child, th:first-child { padding-left: 0; } td:last-child, th:last-child { padding-right: 0; }
-.n + td:not(.n), .n + th:not(.n) { padding-left: 20px; } table.sorted td:last-child { min-width: 12em; }
-td.n { font-variant-numeric: tabular-nums; } thead { display: table-header-group; } tr { break-inside: avoid; }
-table.sorted th { cursor: pointer; user-select: none; }
-table.sorted th[aria-sort=ascending]::after { content: " \25B2"; }
-table.sorted th[aria-sort=descending]::after { content: " \25BC"; }
-.good { color: #0b6e4f; font-weight: 600; } .bad { color: #b3261e; font-weight: 600; }
-.shown { color: #8a5a00; font-weight: 600; }
-section.student { border-top: 1px solid #cfcfc8; padding: 12px 0; break-inside: avoid; }
-.feedback { user-select: all; background: #f4f4f0; border-radius: 6px; padding: 8px 10px; margin: 8px 0; }
-.starts { display: flex; flex-wrap: wrap; gap: 5px; }
-.superseded, .superseded a { color: #6b6b66; } section.superseded .starts { opacity: 0.55; }
-.name { overflow-wrap: anywhere; } td.name { min-width: 9em; }
-@media print { body { padding: 0 1px; max-width: none; font-size: 11px; } a { color: inherit; text-decoration: none; }
-  th, td { padding: 4px 5px; } th.n { white-space: normal; } .n + td:not(.n), .n + th:not(.n) { padding-left: 12px; }
-  .tile { flex-basis: 108px; } .starts svg { width: 64px; height: auto; } }
-)";
-
-// A click on a heading sorts the table by this column: numbers by value, others as text. Again: the other way round.
-constexpr const char* class_script = R"(for (const table of document.querySelectorAll("table.sorted"))
-  table.querySelectorAll("th").forEach((head, column) => head.addEventListener("click", () => {
-    const down = head.getAttribute("aria-sort") === "ascending";
-    table.querySelectorAll("th").forEach(other => other.removeAttribute("aria-sort"));
-    head.setAttribute("aria-sort", down ? "descending" : "ascending");
-    const value = row => row.cells[column]?.textContent.trim() ?? "", body = table.tBodies[0];
-    [...body.rows].sort((a, b) => (down ? -1 : 1) *
-      value(a).localeCompare(value(b), document.documentElement.lang, {numeric: true})).forEach(r => body.append(r));
-  }));
-)";
 
 using Row = ClassRow;
 
@@ -261,7 +219,10 @@ struct Page {
 
 std::string class_page(const ClassReport& report, const Strings& strings, const std::string& language) {
     const Page page{report, strings};
-    return html::page(language, page.translated(report.exercise->title), class_style, page.body(), class_script);
+    // A click on a heading sorts the table by this column: numbers by value, others as text. Again: the other way
+    // round.
+    const std::string_view script = texts::sorted_tables_js;
+    return html::page(language, page.translated(report.exercise->title), texts::class_css, page.body(), script);
 }
 
 }  // namespace braitenlab

@@ -7,31 +7,12 @@
 #include "app/reports/brain_drawing.h"
 #include "app/reports/html.h"
 #include "app/reports/path_picture.h"
+#include "app/reports/texts.h"
 #include "ui/measure_text.h"
 
 namespace braitenlab {
 
 namespace {
-
-constexpr const char* record_style = R"(@page { size: A4; margin: 14mm 15mm; }
-* { box-sizing: border-box; }
-body { font: 13px/1.4 "Noto Sans", "Segoe UI", Helvetica, Arial, sans-serif; color: #1c1c1a; margin: 0 auto;
-  max-width: 680px; padding: 20px 0; }
-h1 { font-size: 22px; margin: 0; } h2 { font-size: 14px; margin: 14px 0 4px; border-bottom: 1px solid #b8b8b2; }
-p { margin: 3px 0; } .quiet { color: #5a5a55; } .good { color: #0b6e4f; font-weight: 600; }
-.bad { color: #b3261e; font-weight: 600; }
-header { border-bottom: 2px solid #1c1c1a; padding-bottom: 6px; }
-.who { display: flex; justify-content: space-between; margin-top: 6px; overflow-wrap: anywhere; }
-.pair { display: flex; gap: 16px; align-items: flex-start; } .pair > div { flex: 1 1 0; }
-.pair svg { max-width: 100%; height: auto; max-height: 330px; }
-table { border-collapse: collapse; width: 100%; } td { padding: 3px 8px 3px 0; vertical-align: top; }
-td:first-child { width: 1.6em; }
-.starts { display: grid; grid-template-columns: repeat(5, 1fr); gap: 6px; }
-.starts.many { grid-template-columns: repeat(10, 1fr); gap: 3px; } .starts svg { width: 100%; height: auto; }
-.notes { overflow-wrap: anywhere; } .line { border-bottom: 1px solid #b8b8b2; height: 26px; }
-h2 { break-after: avoid; } .pair, .starts svg, tr, .whole { break-inside: avoid; }
-@media print { body { padding: 0 1px; max-width: none; } }
-)";
 
 struct Record {
     const LabRecord& record;
@@ -162,7 +143,7 @@ struct Record {
 std::string lab_record_html(const LabRecord& record, const Strings& strings, const std::string& language) {
     const Record page{record, strings};
     const std::string title = page.title();
-    return html::page(language, record.student.empty() ? title : title + " – " + record.student, record_style,
+    return html::page(language, record.student.empty() ? title : title + " – " + record.student, texts::record_css,
                       page.body());
 }
 

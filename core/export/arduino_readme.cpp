@@ -5,6 +5,7 @@
 
 #include "core/export/arduino.h"
 #include "core/export/text.h"
+#include "core/export/texts.h"
 #include "core/export/wiring_svg.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
@@ -48,69 +49,6 @@ static_assert([] {
         if (sensor_parts[i].channel != channel_table[i].value) return false;
     return sensor_parts.size() == channel_table.size();
 }());
-
-constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on an Arduino Uno
-
-Exported from Braitenlab. The program computes the same commands as the lab: it was compared with it in a simulator of the
-processor. **This export has not been tried on a real robot yet**; please report what you find.
-
-| File | Contents |
-|---|---|
-| `braitenberg/braitenberg.ino` | the sketch: eyes, motors, calibration |
-| `braitenberg/brain.h` | the brain, one function that you can read |
-| `wiring.svg` | the wiring |
-| `parts.csv` | the shopping list |
-
-## Wiring
-
-![Wiring](wiring.svg)
-
-@PINS@
-| Sensor | Pin | Part |
-|---|---|---|
-@SENSORS@
-All grounds are connected: battery, driver, Arduino. The driver's motor supply (VM of a TB6612, +12V of an L298N) is the battery, not the
-5 V of the Arduino. Left motor: AO1, AO2 (OUT1, OUT2). Right motor: BO1, BO2 (OUT3, OUT4).
-The Arduino gets its 5 V by USB, from a power bank or the computer, so that the sensors read the same while calibrated and while driving.
-Its VIN needs 7 V or more; four cells give 4.8 V to 6 V, which are for the motors alone.
-With an L298N remove the jumpers of ENA and ENB. It loses about 2 V, so take six cells instead of four.
-The board works at 5 V and 16 MHz. On a board of 3.3 V the sensors of this list damage the inputs.
-Solder a capacitor of 100 nF to the terminals of each motor; brushes disturb the sensors.
-
-The list is that of the robot *tt2wd-ldr*. Wheels, track and top speed of your scene are no part of the export; the brain is the same.
-The 1.5 kΩ of a photoresistor belong to eyes with `half_lux = 268`. For another value take 15 kΩ · (half_lux / 10)^−0.7.
-
-## First start
-
-1. Open `braitenberg/braitenberg.ino` in the Arduino program, choose *Arduino Uno*, upload. Open the serial monitor at 115200 baud:
-   it says each step. Without a computer the light on the board blinks while it waits for the button.
-2. **Wheels off the floor.** Swap the two wires of a motor that turns backwards.
-3. **Sensors**, one after the other: the serial monitor says what to show it for the readings 0 and 1, as the table above does; press the
-   button at each. An eye in the lab reaches 1 only right at the lamp, so hold the lamp as near as it goes. If both values are nearly
-   the same, it asks again.
-4. **Minimum PWM**, with the motors' battery on: press the button, the left wheel gets slowly more; press again as soon as it turns. Then
-   the right one. Without this step small commands do not turn the wheels at all, and the brain seems dead.
-5. **Straight run**: on the floor, press the button, step back. It drives for 3 s. Press once if it turned left, twice if it turned right, and
-   it repeats with the faster wheel 2 % slower. Wait 5 s if it was straight.
-
-The values are kept in the EEPROM. To calibrate again, hold the button during reset. A sketch with other sensors, or with the same ones in
-another order, calibrates anew.
-
-**Each start.** After power-on or reset the light on the board blinks and the wheels stand for 3 s: time to set the robot down. The button
-starts it at once. `START_DELAY` in the sketch is this time. While it drives the button stops it, and starts it again.
-
-## Rate and memory
-
-The brain is computed @RATE@ times per second. A step takes up to @STEP@ ms of @PERIOD@ ms, the program up to @BYTES@ of @LARGEST@ bytes: estimates
-from costs that were measured in a simulator of the processor.@LOWERED@
-
-## What transfers and what does not
-
-- Light seekers and light avoiders work with motors that differ by 20 %, with noise and with a latency of 0.3 s, because the eyes correct
-  the course. What has no feedback drifts: a circle or a dance by biases alone will not close.
-- The lamp must be brighter than the room at the eye: a torch, or a lamp within 0.5 m, and less than 20 lx otherwise (curtains).
-- The speed of a wheel is not measured. PWM and speed are only roughly proportional.
-)";
 
 std::string pin_table() {
     std::string text = "| Pin | TB6612 | L298N | |\n|---|---|---|---|\n";
@@ -162,30 +100,22 @@ std::string readme(const Plan& plan, int robot_rate) {
         sensors += fmt::format("| {} | {} | {}; 0: {}, 1: {}{} |\n", cell(plan.inputs[i].name), pin_of_input(i),
                                part.part, part.zero, part.one, doubt_about(plan.inputs[i]));
     }
-    return filled(readme_text, {{"TITLE", comment_text(plan.title)},
-                                {"PINS", pin_table()},
-                                {"SENSORS", sensors},
-                                {"RATE", fmt::format("{:g}", plan.rate_hz)},
-                                {"STEP", fmt::format("{:.1f}", cost.cycles / 16e3)},
-                                {"PERIOD", fmt::format("{:g}", 1000 / plan.rate_hz)},
-                                {"BYTES", std::to_string(cost.bytes)},
-                                {"LARGEST", std::to_string(largest_program)},
-                                {"LOWERED", lowered}});
+    return filled(texts::arduino_readme_md, {{"TITLE", comment_text(plan.title)},
+                                             {"PINS", pin_table()},
+                                             {"SENSORS", sensors},
+                                             {"RATE", fmt::format("{:g}", plan.rate_hz)},
+                                             {"STEP", fmt::format("{:.1f}", cost.cycles / 16e3)},
+                                             {"PERIOD", fmt::format("{:g}", 1000 / plan.rate_hz)},
+                                             {"BYTES", std::to_string(cost.bytes)},
+                                             {"LARGEST", std::to_string(largest_program)},
+                                             {"LOWERED", lowered}});
 }
 
 std::string parts_csv(const Plan& plan) {
-    std::string text =
-        "number,part,note\n"
-        "1,Arduino Uno,or a compatible board of 5 V and 16 MHz with an ATmega328P\n"
-        "1,USB power bank,for the Arduino\n"
-        "1,TB6612 board,or an L298N board with six cells\n"
-        "1,chassis with two TT motors 1:48 and wheels of 65 mm,with a castor\n"
-        "1,battery holder for four AA cells,for the motors; six with an L298N; with a switch\n"
-        "2,capacitor 100 nF,at the terminals of each motor\n"
-        "1,push button,\n";
+    std::string sensors;
     for (const Input& input : plan.inputs)
-        text += fmt::format("1,\"{}\",\"for sensor {}\"\n", part_of(input).part, cell(input.name).c_str());
-    return text + "1,set of jumper wires and a half breadboard,\n";
+        sensors += fmt::format("1,\"{}\",\"for sensor {}\"\n", part_of(input).part, cell(input.name).c_str());
+    return filled(texts::arduino_parts_csv, {{"SENSORS", sensors}});
 }
 
 std::string wiring_svg(const Plan& plan) {

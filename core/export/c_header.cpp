@@ -6,6 +6,7 @@
 #include "core/export/curve_tables.h"
 #include "core/export/export.h"
 #include "core/export/text.h"
+#include "core/export/texts.h"
 #include "core/scene/enums.h"
 
 namespace braitenlab::robots {
@@ -177,51 +178,42 @@ std::string think_function(const Header& header) {
     return text + "}\n";
 }
 
-}  // namespace
-
-std::string c_header(const Plan& plan, Curves curves) {
-    std::string text = fmt::format(
-        "/* brain.h: the brain \"{}\", exported from Braitenlab.\n"
-        " *\n"
-        " * Needs C99 or C++11 and nothing else. Use:\n"
-        " *\n"
-        " *     Brain brain = {{0}};            // all values start at 0\n"
-        " *     every 1/{:g} s:\n",
-        comment_text(plan.title), plan.rate_hz);
-    for (const Input& input : plan.inputs)
-        text += fmt::format(" *         brain.{} = ...;  // {}0 to 1\n", input.id,
-                            input.channel ? fmt::format("{}, ", word(*input.channel)) : "");
-    text +=
-        " *         brain_think(&brain);\n"
-        " *         // brain.left and brain.right are the commands of the wheels, -1 to 1\n"
-        " */\n"
-        "#ifndef BRAIN_H\n#define BRAIN_H\n\n";
-    const bool needs_exponential = has_response(plan, Response::sigmoid) || has_response(plan, Response::hump);
-    const bool is_looked_up = needs_exponential && curves == Curves::looked_up;
-    if (is_looked_up)
-        text += "#include <avr/pgmspace.h>\n#include <stdint.h>\n\n";
-    else if (needs_exponential)
-        text += "#include <math.h>  /* expf */\n\n";
-    text += fmt::format("#define BRAIN_RATE_HZ {:g}  /* calls of brain_think() per second */\n", plan.rate_hz);
-    if (has_wire(plan, [](const PlanTap& tap) { return tap.learning_rate > 0; }))
-        text += fmt::format("#define BRAIN_PERIOD {}  /* s */\n", c_number(plan.period()));
-    text += "\n" + structure(plan) + "\n";
-    text +=
-        "static inline float brain_clamp(float x, float low, float high) {\n"
-        "    return x < low ? low : x > high ? high : x;\n}\n\n";
-    if (has_threshold(plan))
-        text +=
-            "/* Threshold of a wire: an input of smaller size counts as 0. */\n"
-            "static inline float brain_masked(float x, float threshold) {\n"
-            "    return (x < 0.0f ? -x : x) < threshold ? 0.0f : x;\n}\n\n";
+// What the curves of this brain need, before the functions that use it.
+std::string functions(const Plan& plan, Curves curves, bool is_looked_up) {
+    std::string text;
+    if (has_threshold(plan)) text += texts::brain_masked_h;
     if (is_looked_up) text += table_lookup();
     for (const Helper& helper : helpers) {
         if (!has_response(plan, helper.response)) continue;
-        text += (curves == Curves::looked_up ? table_function(helper.response).value_or(std::string(helper.text))
-                                             : std::string(helper.text)) +
-                "\n";
+        const auto table = curves == Curves::looked_up ? table_function(helper.response) : std::nullopt;
+        text += table.value_or(std::string(helper.text)) + "\n";
     }
-    return text + think_function({plan, curves}) + "\n#endif\n";
+    return text;
+}
+
+}  // namespace
+
+std::string c_header(const Plan& plan, Curves curves) {
+    std::string sensors, includes, period;
+    for (const Input& input : plan.inputs)
+        sensors += fmt::format(" *         brain.{} = ...;  // {}0 to 1\n", input.id,
+                               input.channel ? fmt::format("{}, ", word(*input.channel)) : "");
+    const bool needs_exponential = has_response(plan, Response::sigmoid) || has_response(plan, Response::hump);
+    const bool is_looked_up = needs_exponential && curves == Curves::looked_up;
+    if (is_looked_up)
+        includes = "#include <avr/pgmspace.h>\n#include <stdint.h>\n\n";
+    else if (needs_exponential)
+        includes = "#include <math.h>  /* expf */\n\n";
+    if (has_wire(plan, [](const PlanTap& tap) { return tap.learning_rate > 0; }))
+        period = fmt::format("#define BRAIN_PERIOD {}  /* s */\n", c_number(plan.period()));
+    return filled(texts::brain_h, {{"TITLE", comment_text(plan.title)},
+                                   {"RATE", fmt::format("{:g}", plan.rate_hz)},
+                                   {"SENSORS", sensors},
+                                   {"INCLUDES", includes},
+                                   {"PERIOD", period},
+                                   {"STRUCTURE", structure(plan)},
+                                   {"CURVES", functions(plan, curves, is_looked_up)},
+                                   {"THINK", think_function({plan, curves})}});
 }
 
 }  // namespace braitenlab::robots

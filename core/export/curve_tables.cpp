@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/export/text.h"
+#include "core/export/texts.h"
 
 namespace braitenlab::robots {
 
@@ -23,27 +24,8 @@ struct CurveTable {
 };
 
 constexpr auto curve_tables = std::to_array<CurveTable>({
-    {Response::sigmoid, 32, 12 * 32, [](double t) { return 1 / (1 + std::exp(-t)) - 0.5; },
-     R"(/* Sigmoid: rises smoothly from 0 to 1; 0.5 at the centre. Its values above the centre less 0.5, in steps of 1/@STEPS@
- * of its width; `scale`: @STEPS@ * 65536 / width. */
-static const uint16_t brain_sigmoid_values[] PROGMEM = {
-@VALUES@};
-__attribute__((const)) static float brain_sigmoid(float x, float centre, float scale) {
-    const float t = (x - centre) * scale, size = t < 0.0f ? -t : t;
-    const float y = size < @END@ ? brain_looked_up(brain_sigmoid_values, (uint32_t)size) : 0.5f;
-    return t < 0.0f ? 0.5f - y : 0.5f + y;
-}
-)"},
-    {Response::hump, 128, 448, [](double t) { return std::exp(-t * t); },
-     R"(/* Hump: 1 at the peak, less on both sides. Its values from the peak on, in steps of 1/@STEPS@ of its width; `scale`:
- * @STEPS@ * 65536 / width. */
-static const uint16_t brain_hump_values[] PROGMEM = {
-@VALUES@};
-__attribute__((const)) static float brain_hump(float x, float peak, float scale) {
-    const float t = (x - peak) * scale, size = t < 0.0f ? -t : t;
-    return size < @END@ ? brain_looked_up(brain_hump_values, (uint32_t)size) : 0.0f;
-}
-)"},
+    {Response::sigmoid, 32, 12 * 32, [](double t) { return 1 / (1 + std::exp(-t)) - 0.5; }, texts::brain_sigmoid_h},
+    {Response::hump, 128, 448, [](double t) { return std::exp(-t * t); }, texts::brain_hump_h},
 });
 
 const CurveTable* table_of_curve(Response response) {
@@ -56,15 +38,7 @@ constexpr int parts_of_step = 65536;
 
 }  // namespace
 
-std::string table_lookup() {
-    return "/* The value at a place in a table in program memory, 65536 of a step, between two of its values. */\n"
-           "static float brain_looked_up(const uint16_t *values, uint32_t place) {\n"
-           "    const uint16_t *at = values + (place >> 16);\n"
-           "    const uint16_t low = pgm_read_word(at), high = pgm_read_word(at + 1);\n"
-           "    const int32_t more = (int32_t)(int16_t)(high - low) * (uint16_t)place;\n"
-           "    return (((uint32_t)low << 16) + more) * 2.3283064e-10f;  /* 2^-32 */\n"
-           "}\n\n";
-}
+std::string table_lookup() { return std::string(texts::brain_looked_up_h); }
 
 std::optional<std::string> table_function(Response response) {
     const CurveTable* table = table_of_curve(response);

@@ -6,6 +6,7 @@
 
 #include "core/export/arduino.h"
 #include "core/export/text.h"
+#include "core/export/texts.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
@@ -88,89 +89,6 @@ std::string learning(const Plan& plan) {
     return text;
 }
 
-constexpr std::string_view main_text =
-    R"(# The brain "@TITLE@" on a micro:bit. Exported from Braitenlab. README.md has the pins.
-# Button A: drive, and stop. Button B: print the sensors.
-from microbit import *
-import brain
-
-# Calibration: write your own values. Button B prints what a sensor reads.
-DARK = [@DARK@]  # of each sensor, at its reading 0
-BRIGHT = [@BRIGHT@]  # at its reading 1
-MINIMUM = [180, 180]  # of 1023: PWM from which the left and the right wheel turn
-FASTEST = [1023, 1023]  # less for the faster motor, so that it drives straight
-
-EYES = [@EYES@]
-MOTORS = [[pin8, pin12, pin13], [pin16, pin14, pin15]]  # left and right: PWM, forwards, backwards
-STEP = 1000 // brain.RATE_HZ  # ms
-
-
-def eye(i):  # 0 to 1
-    return max(0, min(1, (EYES[i].read_analog() - DARK[i]) / (BRIGHT[i] - DARK[i])))
-
-
-def drive(wheel, command):  # -1 to 1
-    size = abs(command)
-    pwm = 0 if size < @SMALLEST@ else int(MINIMUM[wheel] + size * (FASTEST[wheel] - MINIMUM[wheel]) + 0.5)
-    MOTORS[wheel][1].write_digital(1 if command > 0 else 0)
-    MOTORS[wheel][2].write_digital(1 if command < 0 else 0)
-    MOTORS[wheel][0].write_analog(pwm)
-
-
-display.off()  # its pins are free then
-for wheel in MOTORS:
-    wheel[0].set_analog_period(4)  # ms; without it 20, as long as a step
-driving = False
-due = running_time()
-try:
-    while True:
-        if button_a.was_pressed():
-            driving = not driving
-        if button_b.was_pressed():
-            print([e.read_analog() for e in EYES])
-        left, right = brain.think(@ARGUMENTS@)
-        drive(0, left if driving else 0)
-        drive(1, right if driving else 0)
-        due = max(due + STEP, running_time() - STEP)  # of the next step, so that errors of sleep() do not add up
-        sleep(max(0, due - running_time()))
-finally:  # the motors stop when the program does
-    for wheel in MOTORS:
-        wheel[0].write_analog(0)
-)";
-
-constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on a micro:bit
-
-Exported from Braitenlab. `brain.py` was compared with the lab in MicroPython 1.9.2 for the micro:bit, in an emulator. **Pins, motors and
-eyes (`main.py`) have not been tried on a real robot**; please report what you find.
-
-| File | Contents |
-|---|---|
-| `brain.py` | the brain, one function that you can read: @BYTES@ bytes |
-| `main.py` | pins, calibration values, the loop |
-| `wiring.svg` | the wiring picture |
-| `parts.csv` | the shopping list |
-
-Copy both files to the micro:bit, for example with the editor Mu.
-
-| Pin | TB6612 | |
-|---|---|---|
-| P8, P12, P13 | PWMA, AIN1, AIN2 | left motor |
-| P16, P14, P15 | PWMB, BIN1, BIN2 | right motor |
-| 3V | VCC, STBY | |
-| GND | GND | also the battery's |
-
-| Sensor | Pin | Part |
-|---|---|---|
-@SENSORS@
-The pins take 3 V. A sensor that is built for 5 V does not work at 3 V, and 5 V at a pin damage the board: take the parts of this list.
-
-Calibrate by writing values into `main.py`: button B prints what the sensors read. `DARK` is the value at the reading 0, `BRIGHT` that at
-the reading 1; the table says what to show each sensor.
-Raise `MINIMUM` until each wheel just turns; lower `FASTEST` of the faster motor until it drives straight. Button A starts and stops.
-
-Numbers on the micro:bit have 30 bits and are cut, not rounded, so a command differs from the lab's by less than 0.0001.
-)";
-
 }  // namespace
 
 std::optional<Error> refusal(const Plan& plan) {
@@ -241,12 +159,12 @@ std::string main_py(const Plan& plan) {
         dark += comma + "100", bright += comma + "900";
         eyes += fmt::format("{}pin{}", comma, i), arguments += fmt::format("{}eye({})", comma, i);
     }
-    return filled(main_text, {{"TITLE", comment_text(plan.title)},
-                              {"DARK", dark},
-                              {"BRIGHT", bright},
-                              {"EYES", eyes},
-                              {"ARGUMENTS", arguments},
-                              {"SMALLEST", number(arduino::smallest_command)}});
+    return filled(texts::main_py, {{"TITLE", comment_text(plan.title)},
+                                   {"DARK", dark},
+                                   {"BRIGHT", bright},
+                                   {"EYES", eyes},
+                                   {"ARGUMENTS", arguments},
+                                   {"SMALLEST", number(arduino::smallest_command)}});
 }
 
 std::string readme(const Plan& plan) {
@@ -257,7 +175,7 @@ std::string readme(const Plan& plan) {
                                part_of(plan.inputs[i]), shown.zero, shown.one, arduino::doubt_about(plan.inputs[i]));
     }
     return filled(
-        readme_text,
+        texts::micropython_readme_md,
         {{"TITLE", comment_text(plan.title)}, {"BYTES", std::to_string(brain_py(plan).size())}, {"SENSORS", sensors}});
 }
 

@@ -7,6 +7,7 @@
 #include "core/export/arduino.h"
 #include "core/export/micropython.h"
 #include "core/export/text.h"
+#include "core/export/texts.h"
 #include "core/export/wiring_svg.h"
 
 namespace braitenlab::robots::micropython {
@@ -30,18 +31,10 @@ std::string part_of(const Input& input) {
 }
 
 std::string parts_csv(const Plan& plan) {
-    std::string text =
-        "number,part,note\n"
-        "1,BBC micro:bit,version 1 or 2\n"
-        "1,edge connector with a breakout board,for the pins besides P0 to P2\n"
-        "1,TB6612 board,\n"
-        "1,chassis with two TT motors 1:48 and wheels of 65 mm,with a castor\n"
-        "1,battery holder for four AA cells,for the motors; with a switch\n"
-        "1,battery holder for two AAA cells,for the micro:bit\n"
-        "2,capacitor 100 nF,at the terminals of each motor\n";
+    std::string sensors;
     for (const Input& input : plan.inputs)
-        text += fmt::format("1,\"{}\",for sensor {}\n", part_of(input), comment_text(input.name));
-    return text + "1,set of jumper wires and a half breadboard,\n";
+        sensors += fmt::format("1,\"{}\",for sensor {}\n", part_of(input), comment_text(input.name));
+    return filled(texts::micropython_parts_csv, {{"SENSORS", sensors}});
 }
 
 std::string wiring_svg(const Plan& plan) {

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "core/export/text.h"
+#include "core/export/texts.h"
 #include "core/export/wiring_svg.h"
 #include "core/maths/fnv.h"
 #include "core/messages.h"
@@ -89,27 +90,6 @@ std::string subcircuit_name(const std::string& title, const std::string& content
     std::transform(name.begin(), name.end(), name.begin(), lower_case);
     return fmt::format("{}_{:06x}", name, maths::fnv(contents) & 0xffffffU);
 }
-
-// The amplifier has one pole: 1 MHz of gain times bandwidth (1 mS / (2 π 160 pF)) and a slew rate of 0.4 V/µs (64 µA
-// into 160 pF), both of an LM324. Its output without a limit would not converge in a transient where it leaves a rail.
-// The gain, 10^6, is ten times that of an LM324, so that a command is off by its resistors only.
-constexpr std::string_view netlist_text =
-    R"(* The brain "@TITLE@" as a circuit, exported from Braitenlab. Resistors: @VALUES@.
-* 5 V stand for 1. Include this file, then:
-* X1 @PINS@ @NAME@
-
-* Operational amplifier with one pole, between 0 and 7.5 V, as an LM324 at 9 V: currents near 0 V are not limited.
-.subckt @NAME@_opamp plus minus out
-Bgm 0 g I = 64u * tanh(15.625 * (V(plus) - V(minus))) - 10 * uramp(V(g) - 7.5) + 10 * uramp(-V(g))
-Rg g 0 1000meg
-Cg g 0 160p
-Eout out 0 g 0 1
-Rin plus minus 100meg
-.ends
-
-.subckt @NAME@ @PINS@
-@PARTS@.ends
-)";
 
 std::string node_text(const std::string& node) {
     if (node == "0") return "ground";
@@ -196,6 +176,9 @@ double largest_reading_of_dark(const Plan& plan) {
     return most;
 }
 
+// The amplifier has one pole: 1 MHz of gain times bandwidth (1 mS / (2 π 160 pF)) and a slew rate of 0.4 V/µs (64 µA
+// into 160 pF), both of an LM324. Its output without a limit would not converge in a transient where it leaves a rail.
+// The gain, 10^6, is ten times that of an LM324, so that a command is off by its resistors only.
 std::string netlist(const Plan& plan, bool exact) {
     std::string pins, parts;
     for (const Input& input : plan.inputs) pins += input.id + " ";
@@ -210,11 +193,11 @@ std::string netlist(const Plan& plan, bool exact) {
         parts += fmt::format("X{} {} {} {} {}_opamp\n", amplifier.name(), amplifier.plus.node, amplifier.minus.node,
                              amplifier.out.node, name);
     }
-    return filled(netlist_text, {{"TITLE", comment_text(plan.title)},
-                                 {"VALUES", exact ? "exact values" : "nearest of E24"},
-                                 {"NAME", name},
-                                 {"PINS", pins},
-                                 {"PARTS", parts}});
+    return filled(texts::opamp_cir, {{"TITLE", comment_text(plan.title)},
+                                     {"VALUES", exact ? "exact values" : "nearest of E24"},
+                                     {"NAME", name},
+                                     {"PINS", pins},
+                                     {"PARTS", parts}});
 }
 
 std::string readme(const Plan& plan) {
@@ -231,54 +214,13 @@ std::string readme(const Plan& plan) {
     const std::string sheets =
         "| `wiring.svg` | the schematic with the E24 values, to be printed on A4 |\n" +
         (count == 1 ? "" : fmt::format("| `wiring-2.svg` to `wiring-{}.svg` | its other sheets |\n", count));
-    constexpr std::string_view text = R"(# The brain "@TITLE@" as a circuit
-
-Exported from Braitenlab. The circuit was compared with the lab in ngspice. **It has not been soldered yet**; please report what you find.
-
-5 V stand for 1. Parts: @CHIPS@ × LM324 at 9 V, a 5 V regulator for `v5`, resistors of 1 %.
-
-@SENSORS@
-`left` and `right` are the outputs of two more amplifiers, 0 V to 7.5 V. **A negative command gives 0 V**: the wheel stops and does not
-turn backwards. Above 1 the output rises to 7.5 V.
-
-`left_driver` and `right_driver` drive an input of a motor driver, not a motor: 0.72 of these outputs, by a divider. A command of 1 gives 3.6 V;
-the most is 5.4 V, 5.9 V with a fresh battery. Inputs of a TB6612 take 6 V, those of an L298 7 V. Both read their inputs as on or off: below
-1.5 V, a command of 0.42, the wheel certainly stands; above 3.5 V (TB6612 at 5 V) or 2.3 V (L298) it certainly turns at full speed. A speed in
-proportion to the command needs a driver with an analog input.
-
-TB6612: `left_driver` to PWMA, `right_driver` to PWMB; AIN1, BIN1, STBY and VCC to 5 V; AIN2 and BIN2 to ground. L298: `left_driver` to ENA,
-`right_driver` to ENB; IN1 and IN3 to 5 V, IN2 and IN4 to ground. The motors have a battery of their own at VM (+12V); a 9 V block battery
-does not drive motors. All grounds are connected. Each LM324 has 100 nF between its supply and ground, the regulator 330 nF at its input
-and 100 nF at its output, each motor 100 nF at its terminals.
-
-A sensor is read as its voltage by 5 V, without a calibration: a distance sensor GP2Y0A21 gives 0.4 V to 3.1 V, so that it reads 0.08 to 0.62.
-
-The 1 kΩ from each buffer to ground is there because an LM324 sinks 12 µA only near 0 V (50 µA typically), less than other resistors bring. With
-the weakest LM324 a sensor that reads 0 counts as @RAISED@ at most, and a stopped motor's input stays below 0.1 V.
-
-| Name | From | To | Exact | E24 |
-|---|---|---|---|---|
-@ROWS@
-`left_minus` and `left_plus` are the inverting and the other input of the left amplifier. An input without a resistor is connected
-to ground.
-
-∥: two resistors in parallel. With these E24 values, a command is off by at most @ERROR@ %. Resistors of 1 % add about 1 % to 2 % (in
-simulations of every shipped brain).
-
-| File | Contents |
-|---|---|
-@SHEETS@| `brain.cir` | netlist for ngspice and LTspice with the E24 values |
-| `brain-exact.cir` | with the exact values |
-| `brain.net` | netlist for KiCad's board editor (File › Import › Netlist) with the E24 values |
-| `parts.csv` | the parts of the board and its sensors |
-)";
-    return filled(text, {{"TITLE", comment_text(plan.title)},
-                         {"CHIPS", std::to_string(circuit.chips())},
-                         {"SHEETS", sheets},
-                         {"SENSORS", sensors},
-                         {"ROWS", rows},
-                         {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))},
-                         {"RAISED", fmt::format("{:.3f}", largest_reading_of_dark(plan))}});
+    return filled(texts::opamp_readme_md, {{"TITLE", comment_text(plan.title)},
+                                           {"CHIPS", std::to_string(circuit.chips())},
+                                           {"SHEETS", sheets},
+                                           {"SENSORS", sensors},
+                                           {"ROWS", rows},
+                                           {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))},
+                                           {"RAISED", fmt::format("{:.3f}", largest_reading_of_dark(plan))}});
 }
 
 std::string parts_csv(const Plan& plan) {

@@ -20,73 +20,12 @@
 
 #include "core/export/micropython.h"
 #include "core/export/text.h"
+#include "core/export/texts.h"
 #include "core/export/thymio_places.h"
 
 namespace braitenlab::robots::thymio3 {
 
 namespace {
-
-constexpr std::string_view head_text = R"(# The brain "@TITLE@" for a Thymio 3, exported from Braitenlab.
-import time
-import thymio
-@EXP@
-# Calibration
-@CALIBRATION@SPEED = 500  # for the command 1; at most 1000
-
-)";
-
-constexpr std::string_view loop_text = R"(
-
-def read(sensor, ids, low, high):  # 0 to 1
-    raw = max([sensor(i).value() for i in ids])
-    return max(0, min(1, (raw - low) / (high - low)))
-
-
-buttons = thymio.BUTTONS()
-motors = thymio.MOTORS()
-running = True
-last = time.ticks_ms()
-rest = 0  # ms until the next step is due
-try:
-    while True:
-        pressed = buttons.get_status()  # [3] forward: go, [2] centre: stop
-        running = (running or pressed[3]) and not pressed[2]
-        left = right = 0
-        if running:
-            left, right = think(
-@ARGUMENTS@            )
-        motors.set_speed(round(SPEED * left), round(SPEED * right))
-        now = time.ticks_ms()
-        rest += 1000 // RATE_HZ - time.ticks_diff(now, last)
-        last = now
-        time.sleep_ms(max(0, rest))
-finally:
-    motors.set_speed(0, 0)
-)";
-
-constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on a Thymio 3
-
-Exported from Braitenlab. `brain.py` is the whole program: @BYTES@ of at most @LIMIT@ bytes@SHORT@. It was compared
-with the lab in MicroPython on an emulated micro:bit, with a stand-in for the robot's module `thymio`. **It has not been tried on a real
-Thymio 3**; please report what you find.
-
-1. Open a program that sends Python to a Thymio 3 by Bluetooth in Chrome or Edge, for example the demo of
-   [thymio3-ts-api](https://github.com/Mobsya/thymio3-ts-api), and connect the robot.
-2. Send the text of `brain.py` and start it. The robot drives at once; the centre button stops it, the forward button starts it again.
-
-| Sensor of the brain | Sensors of the robot |
-|---|---|
-@SENSORS@
-A Thymio sees obstacles, not lamps: a hand takes the place of the lamp.
-
-Calibrate with the numbers at the top of `brain.py`. `FAR` and `NEAR` are what a proximity sensor reads with nothing and with a hand in front
-of it, `WHITE` what a ground sensor reads on the brightest floor. Two lines print them, with `GROUND` and 2 for the ground sensors:
-
-    import thymio
-    print([thymio.PROXIMITY(i).value() for i in range(5)])
-
-`SPEED` is the speed of a wheel at the command 1.
-)";
 
 struct Part {
     std::string_view ids, name;  // for the program and for the table
@@ -117,10 +56,10 @@ std::string commented_program(const Plan& plan) {
     if (has_place(plan, false)) calibration += "FAR, NEAR = 0, 3500  # of a proximity sensor\n";
     if (has_place(plan, true)) calibration += "WHITE = 1024  # of a ground sensor\n";
     for (const Input& input : plan.inputs) arguments += argument(input);
-    return filled(head_text, {{"TITLE", comment_text(plan.title)},
-                              {"EXP", micropython::needs_exp(plan) ? "from math import exp\n" : ""},
-                              {"CALIBRATION", calibration}}) +
-           micropython::think_py(plan) + filled(loop_text, {{"ARGUMENTS", arguments}});
+    return filled(texts::thymio3_head_py, {{"TITLE", comment_text(plan.title)},
+                                           {"EXP", micropython::needs_exp(plan) ? "from math import exp\n" : ""},
+                                           {"CALIBRATION", calibration}}) +
+           micropython::think_py(plan) + filled(texts::thymio3_loop_py, {{"ARGUMENTS", arguments}});
 }
 
 // The same program without comments and empty lines, indented by one space.
@@ -159,11 +98,12 @@ std::string readme(const Plan& plan) {
     std::string sensors;
     for (const Input& input : plan.inputs)
         sensors += fmt::format("| {} | {} |\n", comment_text(input.name), part_of(*thymio::place_of(input)).name);
-    return filled(readme_text, {{"TITLE", comment_text(plan.title)},
-                                {"BYTES", std::to_string(program(plan).size())},
-                                {"LIMIT", std::to_string(largest_program)},
-                                {"SHORT", is_too_large(commented_program(plan)) ? ", without comments to fit" : ""},
-                                {"SENSORS", sensors}});
+    return filled(texts::thymio3_readme_md,
+                  {{"TITLE", comment_text(plan.title)},
+                   {"BYTES", std::to_string(program(plan).size())},
+                   {"LIMIT", std::to_string(largest_program)},
+                   {"SHORT", is_too_large(commented_program(plan)) ? ", without comments to fit" : ""},
+                   {"SENSORS", sensors}});
 }
 
 }  // namespace braitenlab::robots::thymio3
