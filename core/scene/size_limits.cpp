@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -114,66 +115,85 @@ double area_of(const std::vector<maths::vec2>& corners) {
     return static_cast<double>(twice / 2);
 }
 
-// Pairs of obstacles that are near each other, of which one can be pushed.
+// Pairs of obstacles that are near each other, of which one can be pushed. A drag of an obstacle asks at each of its
+// steps, so only those are compared that overlap along one axis.
 class MovablePairs {
 public:
     explicit MovablePairs(const std::vector<Obstacle>& obstacles) {
+        maths::vec2 low{std::numeric_limits<float>::max(), std::numeric_limits<float>::max()}, high = -low;
+        for (const Obstacle& each : obstacles) {
+            low = {std::min(low.x, each.x), std::min(low.y, each.y)};
+            high = {std::max(high.x, each.x), std::max(high.y, each.y)};
+        }
+        const bool is_tall = high.y - low.y > high.x - low.x;
         for (const Obstacle& each : obstacles) {
             const auto corners = corners_of(each);
-            const Circle circle{{each.x, each.y}, margin + maths::length(extent_of(corners)), area_of(corners)};
-            (each.mass > 0 ? movable_ : fixed_).push_back(circle);
+            const float reach = margin + maths::length(extent_of(corners));
+            const maths::vec2 at = is_tall ? maths::vec2{each.y, each.x} : maths::vec2{each.x, each.y};
+            all_.push_back({at, reach, each.mass > 0});
+            if (each.mass <= 0) continue;
+            reaches_.push_back(reach);
+            areas_.push_back(area_of(corners));
         }
-        std::sort(movable_.begin(), movable_.end(), [](const auto& a, const auto& b) { return a.reach < b.reach; });
+        std::sort(all_.begin(), all_.end(), [](const auto& a, const auto& b) { return a.begin() < b.begin(); });
+        std::sort(reaches_.begin(), reaches_.end());
+        std::sort(areas_.begin(), areas_.end());
     }
 
     // At most, wherever vehicles push them.
-    double most() const { return movable_.empty() ? 0 : std::max(in_place(), when_pushed()); }
+    double most() const { return reaches_.empty() ? 0 : std::max(in_place(), when_pushed()); }
 
 private:
     static constexpr float margin = 0.1f;  // m, by which Box2D grows a body in its search for pairs
     struct Circle {
-        maths::vec2 at;
-        float reach;  // m, with the margin
-        double area;  // m², of the obstacle
+        maths::vec2 at;  // m; x along the longer side of the rectangle around all
+        float reach;     // m, with the margin
+        bool is_movable;
+        float begin() const { return at.x - reach; }
     };
-    static bool are_near(const Circle& a, const Circle& b, float between = 0) {
-        const maths::vec2 apart = a.at - b.at;
-        const float reach = a.reach + b.reach + between;
-        return maths::dot(apart, apart) < reach * reach;
+    // Calls f with each two that are nearer than `between` (m).
+    template <class F>
+    static void each_near(const std::vector<Circle>& by_begin, float between, F f) {
+        for (std::size_t i = 0; i < by_begin.size(); ++i) {
+            const Circle& a = by_begin[i];
+            const float end = a.at.x + a.reach + between;
+            for (std::size_t j = i + 1; j < by_begin.size() && by_begin[j].begin() < end; ++j) {
+                const maths::vec2 apart = a.at - by_begin[j].at;
+                const float reach = a.reach + by_begin[j].reach + between;
+                if (maths::dot(apart, apart) < reach * reach) f(i, j);
+            }
+        }
     }
     // At the places of the scene, where obstacles may overlap.
     double in_place() const {
         double pairs = 0;
-        for (std::size_t i = 0; i < movable_.size(); ++i) {
-            for (std::size_t j = 0; j < i; ++j) pairs += are_near(movable_[i], movable_[j]);
-            for (const Circle& fixed : fixed_) pairs += are_near(movable_[i], fixed);
-        }
+        each_near(all_, 0, [&](std::size_t i, std::size_t j) { pairs += all_[i].is_movable || all_[j].is_movable; });
         return pairs;
     }
     // Physics keeps those apart that are pushed: the smaller ones near one, whole, find room in thrice its circle.
     double when_pushed() const {
-        std::vector<double> areas;
-        for (const Circle& each : movable_) areas.push_back(each.area);
-        std::sort(areas.begin(), areas.end());
-        for (std::size_t i = 1; i < areas.size(); ++i) areas[i] += areas[i - 1];
-        double pairs = static_cast<double>(movable_.size()) * densest_fixed();
-        for (std::size_t i = 0; i < movable_.size(); ++i) {
-            const auto around = static_cast<double>(3 * movable_[i].reach - margin);
-            const auto room = std::upper_bound(areas.begin(), areas.end(), maths::pi_d * around * around);
-            pairs += std::min(static_cast<double>(i), static_cast<double>(room - areas.begin()));
+        std::vector<double> of_smallest = areas_;  // of the first, the first two …
+        for (std::size_t i = 1; i < of_smallest.size(); ++i) of_smallest[i] += of_smallest[i - 1];
+        double pairs = static_cast<double>(reaches_.size()) * densest_fixed();
+        for (std::size_t i = 0; i < reaches_.size(); ++i) {
+            const auto around = static_cast<double>(3 * reaches_[i] - margin);
+            const auto room = std::upper_bound(of_smallest.begin(), of_smallest.end(), maths::pi_d * around * around);
+            pairs += std::min(static_cast<double>(i), static_cast<double>(room - of_smallest.begin()));
         }
         return pairs;
     }
     // The most fixed obstacles that one which is pushed can be near at a time.
     double densest_fixed() const {
-        std::vector<int> beside(fixed_.size(), 1);
-        for (std::size_t i = 0; i < fixed_.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                if (are_near(fixed_[i], fixed_[j], 2 * movable_.back().reach)) ++beside[i], ++beside[j];
+        std::vector<Circle> fixed;
+        std::copy_if(all_.begin(), all_.end(), std::back_inserter(fixed), [](const auto& c) { return !c.is_movable; });
+        std::vector<int> beside(fixed.size(), 1);
+        each_near(fixed, 2 * reaches_.back(), [&](std::size_t i, std::size_t j) { ++beside[i], ++beside[j]; });
         return beside.empty() ? 0 : *std::max_element(beside.begin(), beside.end());
     }
 
-    std::vector<Circle> movable_, fixed_;  // movable_: by ascending reach
+    std::vector<Circle> all_;     // by their begin
+    std::vector<float> reaches_;  // m, of those that can be pushed, ascending
+    std::vector<double> areas_;   // m², of these, ascending
 };
 
 // The work of a tick at most, wherever vehicles gather and push obstacles: of sensors, brains, wheels and bodies near

@@ -1,8 +1,10 @@
 #include "core/scene/size_limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <map>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -257,6 +259,64 @@ TEST(SizeLimits, CountTheBrainsThatEditsGive) {
     Session few = open_session(crowd_of(10, 300));
     ASSERT_FALSE(few.apply(SetBrain{{.kind = 0}, large}));
     expect_too_much_work(few, SetPopulation{0, 6000});
+}
+
+// The time of the cheapest of a few calls.
+double time_of_work(const Scene& scene) {
+    double least = 1e30;
+    for (int attempt = 0; attempt < 7; ++attempt) {
+        const auto began = std::clock();
+        (void)work_of_a_tick(scene);
+        least = std::min(least, static_cast<double>(std::clock() - began));
+    }
+    return least;
+}
+
+TEST(SizeLimits, AreFoundQuicklyAmongManyObstacles) {
+    const Scene few = with_boxes(crowd_of(1, 200), 1000, 0.3f), many = with_boxes(crowd_of(1, 200), 4000, 0.3f);
+    EXPECT_LT(time_of_work(many), 9 * time_of_work(few)) << "16 times if each is compared with each";
+}
+
+// By comparing each with each.
+double pairs_of(const std::vector<Obstacle>& obstacles, float between, std::vector<int>* beside = nullptr) {
+    const float margin = 0.1f;  // m, of Box2D
+    double pairs = 0;
+    const auto reach = [&](const Obstacle& o) { return margin + std::hypot(o.length, o.width) / 2; };
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const Obstacle &a = obstacles[i], &b = obstacles[j];
+            if (std::hypot(a.x - b.x, a.y - b.y) >= reach(a) + reach(b) + between) continue;
+            ++pairs;
+            if (beside) ++(*beside)[i], ++(*beside)[j];
+        }
+    return pairs;
+}
+
+TEST(SizeLimits, CompareEachObstacleWithThoseNearIt) {
+    constexpr double cost = 1200;  // of a pair of which one can be pushed
+    maths::Random chance{3, 1};
+    for (const maths::vec2 sides : {maths::vec2{3, 9}, maths::vec2{9, 3}}) {
+        Scene fixed = crowd_of(1, 100);
+        for (int i = 0; i < 200; ++i)
+            fixed.obstacles.push_back({.name = fmt::format("o{}", i),
+                                       .x = chance.uniform(-sides.x, sides.x) / 2,
+                                       .y = chance.uniform(-sides.y, sides.y) / 2,
+                                       .length = chance.uniform(1, 2),
+                                       .width = chance.uniform(1, 2)});
+        Scene movable = fixed;
+        for (Obstacle& obstacle : movable.obstacles) obstacle.mass = 1;
+        const double pairs = pairs_of(fixed.obstacles, 0);
+        EXPECT_GT(pairs, 6000);
+        EXPECT_NEAR((work_of_a_tick(movable) - work_of_a_tick(fixed)) / cost, pairs, 0.01);
+
+        Scene pushed = fixed;  // one more, that vehicles may push to where most of the others are
+        pushed.obstacles.push_back({.name = "box", .x = 40, .y = 40, .length = 0.6f, .width = 0.8f});
+        const double without = work_of_a_tick(pushed);
+        pushed.obstacles.back().mass = 1;
+        std::vector<int> beside(fixed.obstacles.size(), 1);
+        (void)pairs_of(fixed.obstacles, 2 * 0.6f, &beside);
+        EXPECT_NEAR((work_of_a_tick(pushed) - without) / cost, *std::max_element(beside.begin(), beside.end()), 0.01);
+    }
 }
 
 TEST(SizeLimits, RefuseObstaclesThatMoveIntoOneCorner) {
