@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <tuple>
 #include <vector>
@@ -8,7 +9,7 @@
 #include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
-#include "core/scene/size_limits.h"
+#include "core/world/present_parts.h"
 
 namespace braitenlab::io {
 
@@ -68,12 +69,18 @@ std::optional<Error> pile_fault(const State& m) {
     return std::nullopt;
 }
 
-// The same for obstacles, with room for those that vehicles have pushed together.
-bool has_piled_obstacles(const State& m) {
+// Of what the state has and not its scene: pushed obstacles, edited brains and sensors, all its vehicles. Twice the
+// limit of a scene, because vehicles may have pushed obstacles together.
+std::optional<Error> work_fault(const State& m) {
+    constexpr double most = 2 * most_work;
     Scene now = *m.scene;
     for (std::size_t i = 0; i < now.obstacles.size(); ++i)
         now.obstacles[i].x = m.obstacles[i].position.x, now.obstacles[i].y = m.obstacles[i].position.y;
-    return work_of_a_tick(now) > 2 * most_work;
+    const auto in_population = static_cast<int>(m.vehicles.size()) - static_cast<int>(now.starts.size());
+    now.ecology.population = std::max(now.ecology.population, in_population);
+    const double work = work_of_a_tick(now, world::present_parts(m));
+    if (work <= most) return std::nullopt;
+    return error_of(message_of("too_much_work", m.vehicles.size(), std::llround(work / 1e6), std::llround(most / 1e6)));
 }
 
 std::optional<Error> vehicles_fault(const State& m) {
@@ -143,9 +150,9 @@ std::optional<Error> check_state(const State& m) {
     if (!std::is_sorted(m.looks.begin(), m.looks.end(), in_order) ||
         !all_of(m.looks, [&](const VehicleLook& l) { return lives(l.vehicle) && !check_look(l.look); }))
         return error_of(message_of("contradicts", "looks"));
-    if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound) || has_piled_obstacles(m))
+    if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound))
         return error_of(message_of("contradicts", "obstacles"));
-    return std::nullopt;
+    return work_fault(m);
 }
 
 }  // namespace braitenlab::io

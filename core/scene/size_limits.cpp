@@ -24,8 +24,20 @@ namespace {
 
 double vehicle_count(const Scene& scene) { return static_cast<double>(scene.starts.size()) + scene.ecology.population; }
 
+PresentParts parts_of(const Scene& scene) {
+    PresentParts parts;
+    for (const Kind& kind : scene.kinds) parts.of_kinds.push_back(&kind.brain);
+    const auto add_own = [&](const auto& one) {
+        if (one.brain || one.sensors)
+            parts.of_vehicles.push_back({one.brain ? &*one.brain : nullptr, one.sensors ? &*one.sensors : nullptr});
+    };
+    for (const Start& start : scene.starts) add_own(start);
+    for (const Member& member : scene.members) add_own(member);
+    return parts;
+}
+
 // A world keeps about a dozen copies of its state; the limit keeps an untrusted file from filling the memory.
-std::optional<Fault> memory_fault(const Scene& scene) {
+std::optional<Fault> memory_fault(const Scene& scene, const PresentParts& parts) {
     constexpr double most = 1 << 24;  // numbers, in all brains and all sensors' latencies
     double largest = 0;
     const auto numbers_of = [](const BrainGraph* brain, const std::vector<Sensor>* sensors) {
@@ -34,13 +46,10 @@ std::optional<Fault> memory_fault(const Scene& scene) {
             for (const Sensor& sensor : *sensors) numbers += 1 + static_cast<double>(sensor.latency) / tick_seconds;
         return numbers;
     };
-    for (const Kind& kind : scene.kinds) largest = std::max(largest, numbers_of(&kind.brain, &kind.sensors));
-    const auto count_own = [&](const auto& own) {
-        largest =
-            std::max(largest, numbers_of(own.brain ? &*own.brain : nullptr, own.sensors ? &*own.sensors : nullptr));
-    };
-    for (const Start& start : scene.starts) count_own(start);
-    for (const Member& member : scene.members) count_own(member);
+    for (std::size_t k = 0; k < scene.kinds.size(); ++k)
+        largest = std::max(largest, numbers_of(parts.of_kinds[k], &scene.kinds[k].sensors));
+    for (const PresentParts::Own& own : parts.of_vehicles)
+        largest = std::max(largest, numbers_of(own.brain, own.sensors));
     const double vehicles = vehicle_count(scene);
     if (vehicles * largest <= most) return std::nullopt;
     return Fault{"ecology.population", message_of("too_much_memory", std::llround(vehicles), std::llround(largest),
@@ -200,7 +209,8 @@ private:
 // each other.
 class WorkOfATick {
 public:
-    explicit WorkOfATick(const Scene& scene) : scene_(scene), vehicles_(vehicle_count(scene)) {
+    WorkOfATick(const Scene& scene, const PresentParts& parts)
+        : scene_(scene), parts_(parts), vehicles_(vehicle_count(scene)) {
         const auto force = [](const Zone& z) { return std::fabs(z.wind_x) + std::fabs(z.wind_y) + std::fabs(z.pull); };
         float push = 0, fastest = 0;  // N, m/s
         double beyond = 0;            // wheels beside a chassis, which are bodies of their own
@@ -251,14 +261,13 @@ public:
 
     double total() const {
         double own = 0, largest = 0;
-        const auto add_own = [&](const auto& one) {
+        for (const PresentParts::Own& one : parts_.of_vehicles)
             own += (one.sensors ? of(*one.sensors) : 0) + (one.brain ? of(*one.brain) : 0);
-        };
-        for (const Start& start : scene_.starts) add_own(start);
-        for (const Member& member : scene_.members) add_own(member);
-        for (const Kind& kind : scene_.kinds)
-            largest = std::max(largest, of(kind.sensors) + of(kind.brain) +
+        for (std::size_t k = 0; k < scene_.kinds.size(); ++k) {
+            const Kind& kind = scene_.kinds[k];
+            largest = std::max(largest, of(kind.sensors) + of(*parts_.of_kinds[k]) +
                                             cost::in_zone * zones_ * static_cast<double>(kind.body.wheels.size() + 2));
+        }
         return vehicles_ * (cost::vehicle + cost::pair * touched_ + largest) + own +
                cost::movable_pair * MovablePairs(scene_.obstacles).most();
     }
@@ -306,6 +315,7 @@ private:
     }
 
     const Scene& scene_;
+    const PresentParts& parts_;
     double vehicles_;
     float side_ = 0;                                                // m, longest of any vehicle
     double smallest_ = std::numeric_limits<double>::max();          // m², floor of the smallest vehicle
@@ -316,8 +326,8 @@ private:
 
 // A tick is not interrupted, so its work decides how soon the window answers. Without a limit a short file of 20,000
 // vehicles that see 100 m far asks for a tick of minutes.
-std::optional<Fault> work_fault(const Scene& scene) {
-    const double work = work_of_a_tick(scene);
+std::optional<Fault> work_fault(const Scene& scene, const PresentParts& parts) {
+    const double work = work_of_a_tick(scene, parts);
     if (work <= most_work) return std::nullopt;
     return Fault{"ecology.population", message_of("too_much_work", std::llround(vehicle_count(scene)),
                                                   std::llround(work / 1e6), std::llround(most_work / 1e6))};
@@ -325,13 +335,17 @@ std::optional<Fault> work_fault(const Scene& scene) {
 
 }  // namespace
 
-double work_of_a_tick(const Scene& scene) { return WorkOfATick(scene).total(); }
+double work_of_a_tick(const Scene& scene) { return work_of_a_tick(scene, parts_of(scene)); }
 
-std::optional<Fault> size_fault(const Scene& scene) {
+double work_of_a_tick(const Scene& scene, const PresentParts& parts) { return WorkOfATick(scene, parts).total(); }
+
+std::optional<Fault> size_fault(const Scene& scene) { return size_fault(scene, parts_of(scene)); }
+
+std::optional<Fault> size_fault(const Scene& scene, const PresentParts& parts) {
     if (auto fault = crowd_fault(scene)) return fault;
     if (auto fault = density_fault(scene)) return fault;
-    if (auto fault = memory_fault(scene)) return fault;
-    return work_fault(scene);
+    if (auto fault = memory_fault(scene, parts)) return fault;
+    return work_fault(scene, parts);
 }
 
 }  // namespace braitenlab

@@ -24,6 +24,18 @@ std::optional<Error> refusal(const WorldData& s, const AddVehicle& c) {
     return check_look(c.look);
 }
 
+// The error of check_size() with this vehicle.
+std::optional<Error> check_size_with(const WorldData& s, const AddVehicle& c) {
+    const auto kind = static_cast<std::size_t>(c.kind >= 0 ? c.kind : next_kind(s));
+    PresentParts parts = present_parts(s);
+    PresentParts::Own& own = parts.of_vehicles.emplace_back();
+    if (c.brain && *c.brain != s.kind_brains[kind]->graph) own.brain = &*c.brain;
+    if (c.sensors && *c.sensors != s.scene->kinds[kind].sensors) own.sensors = &*c.sensors;
+    Scene counted = *s.scene;
+    ++counted.ecology.population;
+    return check_size(counted, parts);
+}
+
 // Number in the population that the vehicle with this id has or would have.
 int number_in_population(const WorldData& s, VehicleId id) {
     int number = 0;
@@ -214,11 +226,8 @@ void set_numbers(Scene& scene, const State& before, const SetPopulation& c) {
 std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
     if (auto error = refusal(s, c)) return error;
     Scene scene = *s.scene;
-    if (c.id == no_vehicle) {  // one that is brought back has been counted before
-        Scene counted = with_present_brains(s, scene);
-        ++counted.ecology.population;
-        if (auto error = check_size(counted)) return error;
-    }
+    if (c.id == no_vehicle)  // one that is brought back has been counted before
+        if (auto error = check_size_with(s, c)) return error;
     std::optional<FreeSpace> free_space;
     if (auto error = add_last(s, scene, c, free_space)) return error;
     s.scene = std::make_shared<const Scene>(std::move(scene));

@@ -29,7 +29,7 @@ void give_brain(WorldData& s, std::size_t row, SharedBrain brain) {
 }
 
 // Edits all brains of the target. Vehicles that share a brain share the edited one. Changes nothing when an edited
-// brain does not compile.
+// brain does not compile, or when a tick would take too long with it.
 template <class Edit>
 std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) {
     struct Change {
@@ -46,25 +46,33 @@ std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) 
         return after;
     };
 
+    PresentParts parts = present_parts(s);
     if (target.vehicle != no_vehicle) {
         const auto row = s.row_of(target.vehicle);
         if (!row) return unknown_vehicle(target.vehicle);
         const auto brain = changed(s.vehicles.brain[*row], s.design(*row));
         if (!brain) return brain.error();
+        parts.of_vehicles[*row].brain = own_graph(*brain, s.kind_brains[s.kind(*row)]);
+        if (auto error = check_size(*s.scene, parts)) return error;
         give_brain(s, *row, *brain);
         return std::nullopt;
     }
     if (target.kind < 0 || target.kind >= static_cast<int>(s.kinds.size()))
         return Error{fmt::format("the scene has no kind number {}", target.kind)};
-    SharedBrain& kind_brains = s.kind_brains[static_cast<std::size_t>(target.kind)];
-    const auto of_kind = changed(kind_brains, s.scene->kinds[static_cast<std::size_t>(target.kind)]);
+    const auto kind = static_cast<std::size_t>(target.kind);
+    const auto of_kind = changed(s.kind_brains[kind], s.scene->kinds[kind]);
     if (!of_kind) return of_kind.error();
+    parts.of_kinds[kind] = &(*of_kind)->graph;
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        if (s.kind(row) != kind) continue;
+        const auto brain = changed(s.vehicles.brain[row], s.design(row));
+        if (!brain) return brain.error();
+        parts.of_vehicles[row].brain = own_graph(*brain, *of_kind);
+    }
+    if (auto error = check_size(*s.scene, parts)) return error;
     for (std::size_t row = 0; row < s.vehicles.size(); ++row)
-        if (s.vehicles.kind[row] == target.kind)
-            if (auto brain = changed(s.vehicles.brain[row], s.design(row)); !brain) return brain.error();
-    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
-        if (s.vehicles.kind[row] == target.kind) give_brain(s, row, *changed(s.vehicles.brain[row], s.design(row)));
-    kind_brains = *of_kind;
+        if (s.kind(row) == kind) give_brain(s, row, *changed(s.vehicles.brain[row], s.design(row)));
+    s.kind_brains[kind] = *of_kind;
     return std::nullopt;
 }
 
@@ -74,12 +82,6 @@ std::optional<Error> execute(WorldData& s, const TurnDial& c) {
 }
 
 std::optional<Error> execute(WorldData& s, const SetBrain& c) {
-    const bool is_of_kind = c.target.vehicle == no_vehicle && !missing(s.scene->kinds, c.target.kind, "kind");
-    if (is_of_kind) {
-        Scene scene = with_present_brains(s, *s.scene);
-        iterator_at(scene.kinds, c.target.kind)->brain = c.brain;
-        if (auto error = check_size(scene)) return error;
-    }
     return edit_brains(s, c.target, [&](BrainGraph& graph) { graph = c.brain; });
 }
 

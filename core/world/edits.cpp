@@ -2,7 +2,6 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
-#include "core/scene/size_limits.h"
 
 namespace braitenlab::world {
 
@@ -79,20 +78,15 @@ std::optional<Error> move_all_in(Scene& scene, const std::vector<MoveObject<Obje
 
 }  // namespace
 
-std::optional<Error> check_size(const Scene& scene) {
-    const auto fault = size_fault(scene);
+std::optional<Error> check_size(const Scene& scene, const PresentParts& parts) {
+    const auto fault = size_fault(scene, parts);
     if (!fault) return std::nullopt;
     return error_of(fault->path.empty() ? fault->what : Message(fault->path + ": ") + fault->what);
 }
 
-Scene with_present_brains(const WorldData& s, Scene scene) {
-    for (std::size_t kind = 0; kind < scene.kinds.size(); ++kind) scene.kinds[kind].brain = s.kind_brains[kind]->graph;
-    return scene;
-}
-
 std::optional<Error> check_edited(const WorldData& s, const Scene& scene) {
     if (auto error = check_scene(scene)) return error;
-    return check_size(with_present_brains(s, scene));
+    return check_size(scene, present_parts(s));
 }
 
 void compile_again(WorldData& s, int index, const Kind& kind) {
@@ -163,7 +157,7 @@ std::optional<Error> execute(WorldData& s, const MoveObject<Object>& c) {
     Scene scene = *s.scene;
     if (auto error = move_in(scene, c)) return error;
     if constexpr (has_body<Object>) {
-        if (auto error = check_size(with_present_brains(s, scene))) return error;
+        if (auto error = check_size(scene, present_parts(s))) return error;
         rest(s, scene, c.index);
     }
     replace<Object>(s, std::move(scene));
@@ -191,7 +185,7 @@ std::optional<Error> execute(WorldData& s, const MoveObjects& c) {
         if (auto error = move_all_in(scene, c.of_obstacles)) return error;
         if (auto error = move_all_in(scene, c.of_zones)) return error;
         if (!c.of_obstacles.empty())
-            if (auto error = check_size(with_present_brains(s, scene))) return error;
+            if (auto error = check_size(scene, present_parts(s))) return error;
         for (const MoveObstacle& m : c.of_obstacles) rest(s, scene, m.index);
         if (!c.of_obstacles.empty() || (!c.of_sources.empty() && !c.of_zones.empty()))
             replace_scene(s, std::move(scene));

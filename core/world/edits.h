@@ -14,6 +14,7 @@
 #include "core/maths/angle.h"
 #include "core/messages.h"
 #include "core/scene/scene_file.h"
+#include "core/world/present_parts.h"
 #include "core/world/world_data.h"
 
 namespace braitenlab::world {
@@ -60,11 +61,9 @@ inline void renew_designs(State& s) {
     }
 }
 
-// The error of size_fault() for a scene that is valid but for its size.
-std::optional<Error> check_size(const Scene&);  // edits.cpp
-// The scene with the present brains of its kinds, as when it is saved. Precondition: its kinds are those of the world.
-Scene with_present_brains(const WorldData&, Scene);
-// The error of check_scene(), or of check_size() with the present brains.
+// The error of size_fault() for a scene that is valid but for its size. Precondition: its kinds are those of the parts.
+std::optional<Error> check_size(const Scene&, const PresentParts&);  // edits.cpp
+// The error of check_scene(), or of check_size() with the present brains and sensors.
 std::optional<Error> check_edited(const WorldData&, const Scene&);
 
 // The error that the scene would have if these were the sensors of the kind.

@@ -79,6 +79,9 @@ std::optional<Error> set_vehicle_sensors(WorldData& s, std::size_t row, const st
     Vehicles& v = s.vehicles;
     const std::size_t kind = s.kind(row);
     if (auto error = check_sensors(s, kind, sensors)) return error;
+    PresentParts parts = present_parts(s);
+    parts.of_vehicles[row].sensors = sensors == s.scene->kinds[kind].sensors ? nullptr : &sensors;
+    if (auto error = check_size(*s.scene, parts)) return error;
     SharedDesign design = own_design(s.scene->kinds[kind], sensors);
     carry_readings(
         s, [&](std::size_t r) -> const std::vector<Sensor>& { return r == row ? sensors : s.design(r).sensors; });
@@ -93,7 +96,11 @@ std::optional<Error> set_vehicle_sensors(WorldData& s, std::size_t row, const st
 
 std::optional<Error> set_kind_sensors(WorldData& s, std::size_t kind, const std::vector<Sensor>& sensors) {
     Scene scene = with_sensors(s, kind, sensors);
-    if (auto error = check_edited(s, scene)) return error;
+    if (auto error = check_scene(scene)) return error;
+    PresentParts parts = present_parts(s);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+        if (s.kind(row) == kind) parts.of_vehicles[row].sensors = nullptr;
+    if (auto error = check_size(scene, parts)) return error;
     carry_readings(s, [&](std::size_t row) -> const std::vector<Sensor>& {
         return s.kind(row) == kind ? sensors : s.design(row).sensors;
     });

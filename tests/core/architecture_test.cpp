@@ -63,6 +63,7 @@ const std::map<std::string, std::vector<std::string>> libraries{
 const std::map<std::string, std::vector<std::string>> internal_headers{
     {"core/world/state.h", {"core/world/", "core/io/"}},
     {"core/world/compiled.h", {"core/world/", "core/io/"}},
+    {"core/world/present_parts.h", {"core/world/", "core/io/"}},
     {"core/world/world_data.h", {"core/world/"}},
     {"core/world/tick.h", {"core/world/"}},
     {"core/world/physics.h", {"core/world/"}},

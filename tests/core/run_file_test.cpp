@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -193,6 +194,40 @@ TEST(RunFile, RefusesVehiclesAndObstaclesThatAreAllInOnePlace) {
     EXPECT_NE(piled([&](auto& state) { in_one_place(state["vehicles"]["motion"]); }).find("vehicles"),
               std::string::npos);
     EXPECT_NE(piled([&](auto& state) { in_one_place(state["obstacles"]); }).find("obstacles"), std::string::npos);
+}
+
+TEST(RunFile, RefusesAStateWhoseTickWouldTakeTooLong) {
+    Scene scene = crowd(7000);
+    scene.arena.width = scene.arena.height = 300;
+    for (Kind& kind : scene.kinds)
+        for (Sensor& sensor : kind.sensors) sensor.channel = Channel::vehicle, sensor.range = 1;
+    const SavedRun sound = Session::open(scene, 3)->save();
+    const auto refusal = [&](auto change) {
+        SavedRun run = sound;
+        world::State state = *run.checkpoint.keyframe;
+        change(state);
+        run.checkpoint.keyframe = std::make_shared<const world::State>(std::move(state));
+        const auto read = io::read_run(io::write_run(run), "a.run");
+        return read ? "read" : read.error().text();
+    };
+    EXPECT_EQ(refusal([](world::State&) {}), "read");
+    const auto far_sight_of_few = [&](world::State& state) {
+        Scene few = scene;
+        few.ecology.population = 1;
+        for (Kind& kind : few.kinds)
+            for (Sensor& sensor : kind.sensors) sensor.range = 100;
+        state.scene = std::make_shared<const Scene>(few);
+    };
+    EXPECT_NE(refusal(far_sight_of_few).find("a tick of 7000 vehicles"), std::string::npos);
+    const auto large_brains = [](world::State& state) {
+        const Kind& kind = state.scene->kinds[0];
+        BrainGraph brain = kind.brain;
+        for (NodeId id = 100; id < 1100; ++id)
+            brain.nodes.push_back({.id = id, .kind = NodeKind::neuron, .name = "n" + std::to_string(id)}),
+                brain.wires.push_back({.from = id, .to = id});
+        state.kind_brains[0] = *world::compile_brain(brain, kind);
+    };
+    EXPECT_NE(refusal(large_brains).find("a tick of 7000 vehicles"), std::string::npos);
 }
 
 TEST(RunFile, RefusesAFileOfAnotherKind) {

@@ -261,6 +261,51 @@ TEST(SizeLimits, CountTheBrainsThatEditsGive) {
     expect_too_much_work(few, SetPopulation{0, 6000});
 }
 
+// 40 vehicles in a scene whose obstacles leave little room for more work.
+Scene nearly_refused() {
+    int count = 200;
+    const auto of = [](int obstacles) { return with_obstacles(crowd_of(40, 200), obstacles, 0, 5, 1); };
+    while (!find_fault(of(count + 1))) ++count;
+    return of(count);
+}
+
+// The vehicle whose edit is refused first.
+template <class Edit>
+VehicleId first_refused(Session& session, Edit edit) {
+    VehicleId vehicle = 0;
+    while (vehicle < 40 && !session.apply(edit(vehicle))) ++vehicle;
+    EXPECT_GT(vehicle, 1);
+    EXPECT_LT(vehicle, 40);
+    expect_too_much_work(session, edit(vehicle));
+    return vehicle;
+}
+
+TEST(SizeLimits, CountTheBrainsThatSingleVehiclesGet) {
+    const Scene scene = nearly_refused();
+    const BrainGraph small = scene.kinds[0].brain, large = with_neurons(scene, 250, 20).kinds[0].brain;
+    Session session = open_session(scene);
+    const auto give = [&](VehicleId vehicle) { return SetBrain{{.vehicle = vehicle}, large}; };
+    const VehicleId refused = first_refused(session, give);
+    EXPECT_FALSE(session.apply(SetBrain{{.vehicle = refused}, with_neurons(scene, 1, 1).kinds[0].brain}));
+    EXPECT_TRUE(io::read_run(io::write_run(session.save()), "a.run"));
+    ASSERT_FALSE(session.apply(SetBrain{{.vehicle = 0}, small}));
+    EXPECT_FALSE(session.apply(give(refused))) << "in place of another one";
+    session.reset();
+    EXPECT_FALSE(session.last_reset_error());
+}
+
+TEST(SizeLimits, CountTheSensorsThatSingleVehiclesGet) {
+    Scene scene = with_zones(nearly_refused(), 8);
+    while (find_fault(scene)) scene.obstacles.pop_back();
+    Session session = open_session(scene);
+    const auto give = [&](VehicleId vehicle) {
+        return SetSensors{{.vehicle = vehicle}, eyes(vehicle < 20 ? 30 : 31, Channel::floor)};
+    };
+    const VehicleId refused = first_refused(session, give);
+    ASSERT_FALSE(session.apply(SetSensors{{.vehicle = 0}, {}}));
+    EXPECT_FALSE(session.apply(give(refused)));
+}
+
 // The time of the cheapest of a few calls.
 double time_of_work(const Scene& scene) {
     double least = 1e30;
