@@ -87,7 +87,8 @@ void fill(SensingBuffers& buffers, const WorldData& s) {
 // Random numbers for one vehicle's sensors in one tick; a repeated reading has the same noise.
 maths::Random noise_for(const WorldData& s, std::size_t row) {
     const auto id = static_cast<std::uint32_t>(s.vehicles.id[row]);
-    return {s.seed ^ 0x6e6f697365ULL, (s.tick << 32U) | id};
+    const std::uint64_t beyond_stream = (s.tick >> 31U) * 0x9e3779b97f4a7c15ULL;  // a stream has 63 bits
+    return {s.seed ^ 0x6e6f697365ULL ^ beyond_stream, (s.tick << 32U) | id};
 }
 
 // Random numbers for the gains of one vehicle's sensors: the same at every tick and for every spread.

@@ -129,11 +129,8 @@ TEST(World, AHeadingStaysWithinOneTurn) {
     EXPECT_LE(widest, maths::pi);
 }
 
-// Mean, standard deviation and correlation with the next tick of the noise in 2,000 readings.
-struct Noise {
-    double mean = 0, deviation = 0, correlation = 0;
-};
-Noise noise_from(std::uint64_t tick) {
+// The noise in 2,000 readings.
+std::vector<double> noise_from(std::uint64_t tick) {
     Scene scene = alone({});
     scene.sources.push_back({.name = "lamp", .x = 3});
     scene.kinds[0].sensors[0].noise = 0.05f;
@@ -148,6 +145,14 @@ Noise noise_from(std::uint64_t tick) {
         noisy.capture(now);
         parts.push_back(static_cast<double>(now.sensed[0] - exact));
     }
+    return parts;
+}
+
+// Mean, standard deviation and correlation with the next tick.
+struct Noise {
+    double mean = 0, deviation = 0, correlation = 0;
+};
+Noise describe_noise(const std::vector<double>& parts) {
     const auto count = static_cast<double>(parts.size());
     Noise noise;
     noise.mean = std::accumulate(parts.begin(), parts.end(), 0.0) / count;
@@ -161,10 +166,20 @@ Noise noise_from(std::uint64_t tick) {
 TEST(World, NoiseIsAsLargeAndAsIndependentAtAnyAge) {
     for (const std::uint64_t tick : {std::uint64_t{0}, age, (std::uint64_t{1} << 24U) - 1000,
                                      (std::uint64_t{1} << 31U) - 1000, (std::uint64_t{1} << 32U) - 1000}) {
-        const Noise noise = noise_from(tick);
+        const Noise noise = describe_noise(noise_from(tick));
         EXPECT_NEAR(noise.mean, 0, 0.005) << tick;
         EXPECT_NEAR(noise.deviation, 0.05, 0.003) << tick;
         EXPECT_NEAR(noise.correlation, 0, 0.08) << tick;
+    }
+}
+
+TEST(World, NoiseDoesNotRepeatAfterTick2To31) {
+    const std::vector<double> young = noise_from(0);
+    for (const unsigned bits : {31U, 32U, 33U}) {
+        const std::vector<double> old = noise_from(std::uint64_t{1} << bits);
+        int same = 0;
+        for (std::size_t i = 0; i < young.size(); ++i) same += !(young[i] < old[i]) && !(young[i] > old[i]);
+        EXPECT_LT(same, 20) << bits;
     }
 }
 
