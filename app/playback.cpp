@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
+
+#include <fmt/format.h>
 
 #include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
@@ -24,6 +27,33 @@ void measure_pace(Playback& playback, double wall_seconds, double simulated) {
     pace.reached.reset();
     if (reached < tolerated * static_cast<double>(playback.time_scale)) pace.reached = static_cast<float>(reached);
     pace.wall = pace.simulated = 0;
+}
+
+constexpr double slow_tick = 0.25;  // s, for which a key has to wait
+constexpr const char* slow_notice = "notice.slow_ticks";
+
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+bool has_been_slow(const Pace& pace) {
+    constexpr double slowest = tick_length / slow_tick;  // simulated seconds per second
+    if (pace.reached && static_cast<double>(*pace.reached) <= slowest) return true;
+    return pace.wall >= 2 * slow_tick && pace.simulated <= pace.wall * slowest;
+}
+
+// True if the run pauses because its ticks take so long, in real time and in processor time: a tick may have waited for
+// other programs, and threads work beside it. The notice stays while ticks are slow; until then a person who goes on is
+// not stopped again.
+bool pauses_slow_run(Lab& lab, double seconds, double processor_seconds) {
+    const bool is_told = lab.notice.key == slow_notice;
+    if (std::min(seconds, processor_seconds) <= slow_tick) {
+        if (is_told) lab.notice = {};
+        return false;
+    }
+    if (is_told || !has_been_slow(lab.playback.pace)) return false;
+    constexpr double stays = 3600;  // s
+    set_mode(lab, Mode::paused);
+    say(lab, {NoticeKind::notice, slow_notice, fmt::format("{:.1f}", seconds), "", true}, stays);
+    return true;
 }
 
 // The next hint is available after a while, also without a run.
@@ -90,9 +120,11 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
     playback.debt += wall_seconds * static_cast<double>(playback.time_scale);
     const double before = shown_snapshot(lab).seconds;
     while (playback.debt >= tick_length && spent() < stepping_budget) {
+        const double tick_began = spent(), processor_began = processor_time();
         tick(lab);
         if (seen) seen(shown_snapshot(lab));
         playback.debt -= tick_length;
+        if (pauses_slow_run(lab, spent() - tick_began, processor_time() - processor_began)) return;
         if (!pauses_here(lab)) continue;
         set_mode(lab, Mode::paused);
         if (lab.notice.kind != NoticeKind::failure || lab.notice.empty())

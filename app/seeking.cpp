@@ -23,9 +23,7 @@ void arrive(Workspace& space) {
     watch(space);
 }
 
-bool is_costly(const Workspace& space) {
-    return work_of_a_tick(*space.document.session.snapshot().scene) > most_at_once;
-}
+bool is_costly(const Workspace& space) { return work_of_a_tick(space.document.session.edited_scene()) > most_at_once; }
 
 void go_to_tick(Workspace& space, std::uint64_t tick) {
     Session& session = space.document.session;

@@ -2,6 +2,8 @@
 #include "app/playback.h"
 
 #include <cstdint>
+#include <ctime>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -33,6 +35,31 @@ TEST(Playback, DropsTicksThatDoNotFitIntoAFrame) {
     advance(lab, 3600);
     EXPECT_EQ(lab.playback.debt, 0);
     EXPECT_LT(lab.document.session.snapshot().seconds, 3600);
+}
+
+TEST(Playback, PausesWhereTicksTakeSoLongThatKeysHaveToWait) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, Action::play_pause);
+    const auto play = [&](int frames, int milliseconds) {
+        const auto take_time = [&](const Snapshot&) {
+            const auto end = std::clock() + milliseconds * CLOCKS_PER_SEC / 1000;
+            while (std::clock() < end) continue;
+        };
+        for (int i = 0; i < frames; ++i) advance(lab, 0.017, take_time);
+    };
+    play(1, 260), play(1, 0);
+    EXPECT_EQ(lab.playback.mode, Mode::playing) << "one may be an exception";
+    play(6, 260);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_EQ(lab.notice.key, "notice.slow_ticks");
+    EXPECT_GT(std::stod(lab.notice.words), 0.2);
+    handle(lab, Action::play_pause);
+    play(4, 260);
+    EXPECT_EQ(lab.playback.mode, Mode::playing) << "the person has gone on";
+    play(1, 0);
+    EXPECT_TRUE(lab.notice.empty()) << "ticks are fast again";
+    play(6, 260);
+    EXPECT_EQ(lab.playback.mode, Mode::paused) << "slow anew";
 }
 
 TEST(Playback, ShowsEachTickOfAFastRun) {
