@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/scene_file.h"
 #include "tests/folder.h"
 #include "tests/tools/ctl.h"
 
@@ -20,7 +21,10 @@ fs::path study_in(const Folder& folder) {
 // A call of each command, and of each form of its output.
 std::vector<std::string> calls_that_print(const Folder& folder) {
     const std::string study = study_in(folder).string(), out = (folder / "robot").string();
-    const std::string bred = (folder / "bred").string();
+    const std::string bred = (folder / "bred").string(), hidden = (folder / "hidden.toml").string();
+    auto mystery = load_scene(fs::path(BRAITENLAB_SOURCE) / "exercises/scenes/2b-aggressor.toml");
+    mystery->kinds[0].hidden = true;
+    put_text(hidden, write_scene(*mystery));
     EXPECT_EQ(ctl("breed flee --generations 1 --out " + bred).code, 0);
     return {"--help",
             "--version",
@@ -50,6 +54,8 @@ std::vector<std::string> calls_that_print(const Folder& folder) {
             "study " + study + " --csv -",
             "compare 2a-coward --a 2a-coward --b 2b-aggressor --seconds 1",
             "compare 2a-coward --a 2a-coward --b 2b-aggressor --seconds 1 --json",
+            "mystery " + hidden + " --brain 2a-coward --starts 1",
+            "mystery " + hidden + " --brain 2a-coward --starts 1 --json",
             "link 2a-coward",
             "link \"$(" BRAITENLAB_BINARY "/braitenctl link 2a-coward)\""};
 }
