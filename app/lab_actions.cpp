@@ -123,6 +123,20 @@ void show_next_field(Lab& lab) {
     lab.view.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
 }
 
+// A playing scene is beside the diagram at most (ViewSettings::watching), so Play leaves the wiring editor, and says
+// so.
+void play_or_pause(Lab& lab) {
+    const bool left_wiring = lab.playback.mode == Mode::wiring;
+    set_mode(lab, lab.playback.mode == Mode::playing ? Mode::paused : Mode::playing);
+    if (left_wiring) say(lab, {NoticeKind::notice, "notice.left_wiring"});
+}
+
+// The wiring editor stays open: its inset shows the vehicle at its start.
+void reset_and_pause(Lab& lab) {
+    if (lab.playback.mode != Mode::wiring) set_mode(lab, Mode::paused);
+    reset(lab);
+}
+
 struct LabAction {
     Action action;
     void (*act)(Lab&);
@@ -132,8 +146,7 @@ struct LabAction {
 constexpr bool own_run = true;
 
 constexpr LabAction lab_actions[]{
-    {Action::play_pause,
-     [](Lab& lab) { set_mode(lab, lab.playback.mode == Mode::playing ? Mode::paused : Mode::playing); }},
+    {Action::play_pause, [](Lab& lab) { play_or_pause(lab); }},
     {Action::step,
      [](Lab& lab) {
          if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
@@ -156,7 +169,7 @@ constexpr LabAction lab_actions[]{
          else if (lab.together)
              show_starts_together(lab);
          else
-             set_mode(lab, Mode::paused), reset(lab);
+             reset_and_pause(lab);
      }},
     {Action::add, [](Lab& lab) { apply(lab, AddVehicle{}); }, own_run},
     {Action::remove, [](Lab& lab) { apply(lab, RemoveVehicle{}); }, own_run},

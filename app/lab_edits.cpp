@@ -41,17 +41,22 @@ bool apply(Workspace& space, const Command& command, std::uint64_t gesture) {
 
 namespace {
 
-// Undo or redo. The notice `key` says what it has changed.
+enum class Direction { undo, redo };
+
+// The notice says what the edit has changed that is taken back or made again.
 template <class Change>
-void change(Workspace& space, std::string_view key, const Change& make) {
+void change(Workspace& space, Direction direction, const Change& make) {
     const std::uint64_t latest = space.document.session.latest();
     const Snapshot before = space.document.session.snapshot();
     const UndoResult made = make();
     space.document.edits += made.done;
     keep_selection(space);
     watch(space);
-    if (made.done)
-        say(space, {NoticeKind::done, std::string(key), what_changed(before, space.document.session.snapshot())});
+    const Snapshot& now = space.document.session.snapshot();
+    if (made.done && direction == Direction::undo)
+        say(space, {NoticeKind::done, "notice.undone", what_changed(now, before)});
+    if (made.done && direction == Direction::redo)
+        say(space, {NoticeKind::done, "notice.redone", what_changed(before, now)});
     report_time_change(space, latest);
     if (made.error) say(space, *made.error);
 }
@@ -95,11 +100,11 @@ void select_all(Workspace& space) {
 }  // namespace
 
 void undo(Workspace& space) {
-    change(space, "notice.undone", [&] { return space.document.session.undo(); });
+    change(space, Direction::undo, [&] { return space.document.session.undo(); });
 }
 
 void redo(Workspace& space) {
-    change(space, "notice.redone", [&] { return space.document.session.redo(); });
+    change(space, Direction::redo, [&] { return space.document.session.redo(); });
 }
 
 void edit(Workspace& space, const EditRequest& r) {

@@ -45,6 +45,17 @@ std::string changed_dials(const ChangedBrain& changed) {
     return turned_back == *changed.before ? names : std::string();
 }
 
+bool has_places(const BrainGraph& brain) {
+    return std::any_of(brain.nodes.begin(), brain.nodes.end(), [](const Node& node) { return node.place.has_value(); });
+}
+
+// The string key of a change of the diagram alone; empty if the brain differs otherwise, too. Without a place of its
+// own each node is where Tidy puts it; the first move of a node gives them places.
+std::string changed_diagram(const ChangedBrain& changed) {
+    if (!same_wiring(*changed.before, *changed.after)) return {};
+    return has_places(*changed.after) ? "changed.places" : "wiring.arrange";
+}
+
 bool have_sensors_changed(const Snapshot& before, const Snapshot& after) {
     const auto &earlier = before.scene->kinds, &later = after.scene->kinds;
     for (std::size_t i = 0; i < std::min(earlier.size(), later.size()); ++i)
@@ -70,6 +81,7 @@ std::string what_changed(const Snapshot& before, const Snapshot& after) {
     const bool sensors = have_sensors_changed(before, after);
     if (brain.before && sensors) return "changed.brain_and_sensors";
     if (brain.before) {
+        if (std::string diagram = changed_diagram(brain); !diagram.empty()) return diagram;
         const std::string dials = changed_dials(brain);
         return dials.empty() ? "changed.brain" : dials;
     }

@@ -7,8 +7,8 @@
 
 namespace braitenlab {
 
-// The difference of two snapshots of a session at the same tick: a string key "changed.*", or the names of the dials of
-// a brain's first pair, "LL, RR", where no other part of the brain differs.
+// What an edit has changed from one snapshot of a session to another at the same tick: a string key, or the names of
+// the dials of a brain's first pair, "LL, RR", where no other part of the brain differs.
 std::string what_changed(const Snapshot& before, const Snapshot& after);
 
 }  // namespace braitenlab

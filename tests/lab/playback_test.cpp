@@ -135,6 +135,24 @@ TEST(Playback, CountsChangesBetweenPlayingAndNotPlaying) {
     EXPECT_EQ(lab.playback.toggles, 2);
 }
 
+TEST(Playback, AResetStaysInTheWiringEditorAndPlaySaysThatItLeaves) {
+    Lab lab = opened_lab("2a-coward");
+    for (int i = 0; i < 60; ++i) tick(lab);
+    handle(lab, Action::wiring);
+    handle(lab, Action::reset);
+    EXPECT_EQ(lab.playback.mode, Mode::wiring);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+    lab.notice = {};
+    handle(lab, Action::play_pause);
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
+    EXPECT_EQ(lab.notice.key, "notice.left_wiring");
+    lab.notice = {};
+    handle(lab, Action::play_pause), handle(lab, Action::play_pause);
+    EXPECT_TRUE(lab.notice.empty()) << "from the scene it leaves nothing";
+    handle(lab, Action::reset);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+}
+
 TEST(Playback, GoesBackAndForwardExactly) {
     Lab lab = opened_lab("predator-prey");
     for (int i = 0; i < 700; ++i) tick(lab);

@@ -42,6 +42,19 @@ TEST(WhatChanged, AnUndoSaysWhatItTakesBack) {
     EXPECT_EQ(said({Retitle{.title = "Another"}}), "changed.other");
 }
 
+TEST(WhatChanged, OfADiagramSaysWhetherItWasTidied) {
+    Lab lab = opened_lab("22-breeding");
+    const Target prey{.kind = 0};
+    const BrainGraph& brain = lab.document.lesson->exercise->scene.kinds[0].brain;
+    const PlaceNodes moved{prey, {{brain.nodes[0].id, maths::vec2{40, 60}}}}, tidied{prey, {{brain.nodes[0].id, {}}}};
+    EXPECT_EQ(notice_of_undo(lab, {moved}).words, "changed.places");
+    handle(lab, Action::redo);
+    EXPECT_EQ(lab.notice.words, "changed.places");
+    EXPECT_EQ(notice_of_undo(lab, {tidied}).words, "wiring.arrange");
+    handle(lab, Action::redo);
+    EXPECT_EQ(lab.notice.words, "wiring.arrange");
+}
+
 TEST(WhatChanged, ARedoSaysItToo) {
     Lab lab = opened_lab("22-breeding");
     EXPECT_EQ(notice_of_undo(lab, {TurnDial{{.kind = 0}, Dial::LL, 1}}).key, "notice.undone");
