@@ -101,6 +101,36 @@ TEST_F(WiringDraw, TheSumOfANodeNeverCoversItsCard) {
         }
 }
 
+TEST_F(WiringDraw, TheSumOfANodeCoversNoOtherCard) {
+    BrainGraph graph = make_graph({.LL = 1, .LR = 1.5f, .RL = 1.5f, .RR = 1});
+    for (int i = 0; i < 6; ++i) {
+        Node neuron;
+        neuron.id = static_cast<NodeId>(40 + i), neuron.kind = NodeKind::neuron, neuron.name = "N" + std::to_string(i);
+        graph.nodes.push_back(neuron);
+        for (const WireEnds ends : {WireEnds{SL, neuron.id}, {SR, neuron.id}, {neuron.id, ML}, {neuron.id, MR}})
+            graph.wires.push_back({.from = ends.from, .to = ends.to, .weight = 1});
+    }
+    show(graph);
+    int shown = 0;
+    for (const float height : {180.0f, 260.0f, 340.0f, 640.0f})
+        for (const Node& node : graph.nodes) {
+            area.h = height;
+            ImGui::GetIO().DisplaySize.y = height + 60;  // fits the brain again
+            state.camera.by_user = false;
+            state.selection = {{node.id}, {}};
+            frames(3);
+            const Rect* sum = anchors.find("canvas.sum");
+            if (!sum) continue;
+            ++shown;
+            for (const Node& other : graph.nodes) {
+                const Rect* card = anchors.find("node." + other.name);
+                if (!card) continue;
+                EXPECT_FALSE(sum->overlaps(*card)) << height << ": " << node.name << " over " << other.name;
+            }
+        }
+    EXPECT_GT(shown, 12) << "of 32";
+}
+
 TEST_F(WiringDraw, DotsMoveOnlyWithTicks) {
     EXPECT_EQ(first_dot(100), first_dot(100));
     for (std::uint64_t tick = 0; tick < 100; ++tick) {

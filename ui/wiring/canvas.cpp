@@ -152,16 +152,33 @@ void set_cursor(const CanvasState& state) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
 }
 
-// Covers the window while the menu is open, so that no other window gets the mouse. True when it is hovered.
-bool cover_window() {
+// A window of Dear ImGui over all others. End it with ImGui::End().
+void begin_cover() {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
     ImGui::Begin("wiring menu", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse);
+}
+
+// Covers the window while the menu is open, so that no other window gets the mouse. True when it is hovered.
+bool cover_window() {
+    begin_cover();
     const bool hovers = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::End();
     return hovers;
+}
+
+// Over all, because a menu is higher than a low canvas.
+void draw_menu_on_cover(const Pen& canvas, CanvasMenu& menu) {
+    if (!menu.open()) return;
+    begin_cover();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    draw_menu({list, canvas.ui, canvas.view}, menu, {0, 0, window.x, window.y});
+    list.PopClipRect();
+    ImGui::End();
 }
 
 // `why`: key of the reason why there is no brain to show.
@@ -228,7 +245,7 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     draw_minimap(pen, picture, area);
     draw_cursor(pen, picture, after);
     state.menu.for_finger = view.program.touch;
-    draw_menu(pen, state.menu, area);
+    draw_menu_on_cover(pen, state.menu);
     set_cursor(state);
 }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
+#include <string>
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
@@ -56,13 +58,20 @@ struct NoteBox {
     bool overlaps(ImVec2 a, ImVec2 b) const { return a.x < high.x && b.x > low.x && a.y < high.y && b.y > low.y; }
 };
 
+constexpr int own_card_cover = 10000, card_cover = 100;  // by a note; a wire: 1
+
 // What a note there would cover: its own card counts most, then other cards, then wires.
-int covered_by(const Pen& pen, const Layout& layout, const NodeShape& own, const NoteBox& note) {
-    constexpr int own_card = 10000, card = 100, pieces = 24;
+int cards_covered_by(const Pen& pen, const Layout& layout, const NodeShape& own, const NoteBox& note) {
     int sum = 0;
     for (const NodeShape& other : layout.nodes)
         if (note.overlaps(pen.at(other.centre - other.size / 2), pen.at(other.centre + other.size / 2)))
-            sum += other.id == own.id ? own_card : card;
+            sum += other.id == own.id ? own_card_cover : card_cover;
+    return sum;
+}
+
+int covered_by(const Pen& pen, const Layout& layout, const NodeShape& own, const NoteBox& note) {
+    constexpr int pieces = 24;
+    int sum = cards_covered_by(pen, layout, own, note);
     for (const WireShape& wire : layout.wires) {
         if (wire.wire < 0) continue;
         bool covers = false;
@@ -73,12 +82,16 @@ int covered_by(const Pen& pen, const Layout& layout, const NodeShape& own, const
     return sum;
 }
 
+struct NotePlace {
+    ImVec2 at;  // its upper left corner, window pixels
+    int covered = -1;
+};
+
 // Below the card, above it, beside it or at its corners, also farther away: the first place where the note covers
 // least.
-ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note, Rect area) {
+NotePlace beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note, Rect area) {
     const ImVec2 low = pen.at(shape.centre - shape.size / 2), high = pen.at(shape.centre + shape.size / 2);
-    ImVec2 best{};
-    int least = -1;
+    NotePlace best;
     for (const float layout_gap : {spacing::medium, 36.0f, 72.0f, 120.0f}) {
         const float gap = pen.ui.px(layout_gap), middle = (low.y + high.y - note.y) / 2;
         const float left = low.x - gap - note.x, right = high.x + gap, above = low.y - gap - note.y,
@@ -88,10 +101,28 @@ ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape,
         for (const ImVec2 wanted : places) {
             const ImVec2 at = kept_inside(pen.ui, wanted, note, area);
             const int covered = covered_by(pen, layout, shape, {at, {at.x + note.x, at.y + note.y}});
-            if (least < 0 || covered < least) best = wanted, least = covered;
-            if (least == 0) return best;
+            if (best.covered < 0 || covered < best.covered) best = {at, covered};
+            if (covered == 0) return best;
         }
     }
+    return best;
+}
+
+// The place in the area that is nearest to the card and covers no card.
+std::optional<ImVec2> free_of_cards(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note,
+                                    Rect area) {
+    const ImVec2 middle = pen.at(shape.centre);
+    const float step = pen.ui.px(spacing::medium);
+    std::optional<ImVec2> best;
+    float least = 0;
+    for (float y = area.y; y <= area.y + area.h - note.y; y += step)
+        for (float x = area.x; x <= area.x + area.w - note.x; x += step) {
+            const ImVec2 at = kept_inside(pen.ui, {x, y}, note, area);
+            const float away = std::hypot(at.x + note.x / 2 - middle.x, at.y + note.y / 2 - middle.y);
+            if (best && away >= least) continue;
+            if (cards_covered_by(pen, layout, shape, {at, {at.x + note.x, at.y + note.y}}) == 0)
+                best = at, least = away;
+        }
     return best;
 }
 
@@ -116,10 +147,20 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
         picture.graph, shape->id, [&](NodeId id) { return node_value(now, picture.vehicle, id); },
         [&](const Wire& wire) { return learned_now(picture, wire); }, pen.ui.decimal_mark);
     if (sum.empty()) return;
-    const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum), area);
-    draw_note(pen, at, sum, area, pen.palette().second_text);
-    const ImVec2 size = note_size(pen.ui, sum), inside = kept_inside(pen.ui, at, size, area);
-    pen.ui.anchors.record("canvas.sum", {inside.x, inside.y, size.x, size.y});
+    // In one line, else in several shorter ones. Where no place is left between the cards the inspector shows it alone.
+    const float width = note_size(pen.ui, sum).x - 2 * pen.ui.px(note_padding.x);
+    for (const float share : {1.0f, 0.55f, 0.4f}) {
+        const std::string words = share < 1 ? wrapped_at_spaces(pen.ui, Face::text, sum, share * width) : sum;
+        const ImVec2 size = note_size(pen.ui, words);
+        NotePlace place = beside_card(pen, picture.layout, *shape, size, area);
+        if (place.covered >= card_cover) {
+            const auto free = free_of_cards(pen, picture.layout, *shape, size, area);
+            if (!free) continue;
+            place.at = *free;
+        }
+        draw_note(pen, place.at, words, area, pen.palette().second_text);
+        return pen.ui.anchors.record("canvas.sum", {place.at.x, place.at.y, size.x, size.y});
+    }
 }
 
 void draw_box(const Pen& pen, vec2 a, vec2 b) {
@@ -195,7 +236,7 @@ void draw_description(const Pen& pen, const Picture& picture, const CanvasFrame&
     std::string words = node->name;
     if (has_description)
         words += ": " + std::string(pen.ui.strings(description_key(*picture.view.now, picture.vehicle, *node)));
-    const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, words), frame.area);
+    const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, words), frame.area).at;
     draw_note(pen, at, words, frame.area, pen.palette().second_text);
     pen.ui.anchors.record("says." + node->name, {frame.pointer.at.x, frame.pointer.at.y, 1, 1});
 }

@@ -181,19 +181,20 @@ float heading_height(const CanvasMenu& menu) {
     return ((menu.heading.empty() ? 0 : heading_room) + (menu.note.empty() ? 0 : note_room)) * menu.ui_scale;
 }
 
-void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float width) {
+void place_menu(CanvasMenu& menu, Rect window, float ui_scale, float width) {
     menu.ui_scale = ui_scale;
     const float room = spacing::tight * ui_scale;
     float height = 2 * menu_padding * ui_scale + heading_height(menu);
     for (const MenuRow& row : menu.rows) height += row.begins_group ? menu_group_gap * ui_scale : 0;
     const float count = static_cast<float>(std::max<std::size_t>(1, menu.rows.size()));
-    const float fits = (area.h - 2 * room - height) / count / ui_scale;
+    const float fits = (window.h - 2 * room - height) / count / ui_scale;
     menu.row_height = std::clamp(fits, least_menu_row, menu.for_finger ? finger_row : menu_row_height);
     height += count * menu.row_height * ui_scale;
     const auto within = [room](float at, float size, float low, float extent) {
         return std::clamp(at, low + room, std::max(low + room, low + extent - size - room));
     };
-    menu.rect = {within(menu.at.x, width, area.x, area.w), within(menu.at.y, height, area.y, area.h), width, height};
+    menu.rect = {within(menu.at.x, width, window.x, window.w), within(menu.at.y, height, window.y, window.h), width,
+                 height};
 }
 
 Rect row_rect(const CanvasMenu& menu, std::size_t wanted) {
@@ -212,11 +213,11 @@ int row_at(const CanvasMenu& menu, maths::vec2 pixel) {
     return -1;
 }
 
-void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
+void draw_menu(const Pen& pen, CanvasMenu& menu, Rect window) {
     if (!menu.open()) return;
     const Ui& ui = pen.ui;
     const Palette& p = ui.palette;
-    place_menu(menu, area, ui.scale, menu_width(ui, menu));
+    place_menu(menu, window, ui.scale, menu_width(ui, menu));
     const Rect& r = menu.rect;
     shadow_box(ui, pen.list, r, Corner::box, {6, 1.5f, 0.09f});
     fill_box(ui, r, mix(p.panel, p.raised, 0.5f));

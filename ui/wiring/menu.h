@@ -23,8 +23,8 @@ void set_heading(CanvasMenu&);
 // The height of heading and note, window pixels.
 float heading_height(const CanvasMenu&);
 
-// Sets the menu's rectangle within the area. `width`: window pixels.
-void place_menu(CanvasMenu&, Rect area, float ui_scale, float width);
+// Sets the menu's rectangle within the window; rows of a low one are lower. `width`: window pixels.
+void place_menu(CanvasMenu&, Rect window, float ui_scale, float width);
 
 // Window pixels.
 Rect row_rect(const CanvasMenu&, std::size_t row);
@@ -34,7 +34,7 @@ int row_at(const CanvasMenu&, maths::vec2 pixel);
 
 struct Pen;
 
-// Places the menu in the area and draws it; nothing when it is closed.
-void draw_menu(const Pen&, CanvasMenu&, Rect area);
+// Places the menu in the window and draws it; nothing when it is closed.
+void draw_menu(const Pen&, CanvasMenu&, Rect window);
 
 }  // namespace braitenlab::wiring
