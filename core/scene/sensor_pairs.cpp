@@ -43,9 +43,12 @@ SensorPair chosen_pair(const Kind& kind, const std::string& name) {
     const std::vector<KindPair> pairs = sensor_pairs(kind);
     for (const KindPair& pair : pairs)
         if (pair.name == name) return pair.sensors;
-    for (const KindPair& pair : pairs)
-        if (pair.sensors == SensorPair{}) return pair.sensors;
-    return pairs.empty() ? SensorPair{} : pairs.front().sensors;
+    // Also where they are no mirror images: a breeding turns each eye by itself, and the sliders stay with them.
+    const SensorPair eyes;
+    const auto has = [&](const std::string& wanted) {
+        return std::any_of(kind.sensors.begin(), kind.sensors.end(), [&](const Sensor& s) { return s.name == wanted; });
+    };
+    return pairs.empty() || (has(eyes.left) && has(eyes.right)) ? eyes : pairs.front().sensors;
 }
 
 bool senses_vehicles(Channel channel) {

@@ -4,6 +4,7 @@
 
 #include "brain_on_desk.h"
 #include "core/brain/four_neurons.h"
+#include "core/scene/sensor_pairs.h"
 #include "ui/wiring/node_text.h"
 
 namespace braitenlab::tests::brain_card_test {
@@ -189,6 +190,24 @@ TEST(BrainCard, SaysThatAVehicleHasABrainOfItsOwn) {
     desk.view.settings.selection.vehicle = 1;
     desk.rest();
     EXPECT_FALSE(desk.says("brain of its own"));
+}
+
+TEST(BrainCard, KeepsTheChoiceOfPairsWhenABreedingHasTurnedTheEyes) {
+    Desk desk(1280, 1000);
+    desk.now = shipped_scene("3c-values");
+    auto bred = std::make_shared<Scene>(*desk.now.scene);
+    for (Sensor& sensor : bred->kinds[0].sensors)
+        if (sensor.name == "SL") sensor.angle += 0.4f;
+    desk.now.scene = bred;
+    desk.rest();
+    ASSERT_TRUE(desk.anchors.find("pair.light")) << "no mirror images any more";
+    ASSERT_TRUE(desk.anchors.find("pair.heat"));
+    desk.point("pair.light");
+    desk.frame(60);
+    EXPECT_TRUE(desk.says("no mirror images of each other"));
+    desk.click("pair.light");
+    ASSERT_TRUE(desk.last<PairRequest>());
+    EXPECT_EQ(chosen_pair(bred->kinds[0], desk.last<PairRequest>()->name), SensorPair{});
 }
 
 TEST(BrainCard, HasNoChoiceOfPairsForTwoSensors) {

@@ -186,9 +186,32 @@ void describe_brain(const LabView& view, PanelState& state, Ui& ui, const Vehicl
     ImGui::Dummy({1, height});
 }
 
+struct PairToChoose {
+    KindPair pair;
+    bool is_mirrored = true;
+};
+
+// The pairs of the kind, and SL and SR, which the sliders set without a chosen pair, also where they are no mirror
+// images of each other: a breeding turns each eye by itself.
+std::vector<PairToChoose> pairs_to_choose(const Kind& kind) {
+    std::vector<PairToChoose> all;
+    for (const KindPair& pair : sensor_pairs(kind)) all.push_back({pair});
+    const SensorPair usual{};
+    const Sensor *left = find_sensor(kind.sensors, usual.left), *right = find_sensor(kind.sensors, usual.right);
+    const bool is_listed =
+        std::any_of(all.begin(), all.end(), [&](const PairToChoose& each) { return each.pair.sensors == usual; });
+    if (is_listed || !left || !right || left->channel != right->channel) return all;
+    const std::string channel(word(left->channel));
+    const bool is_taken =
+        std::any_of(all.begin(), all.end(), [&](const PairToChoose& each) { return each.pair.name == channel; });
+    // With a name that no pair has the usual one is chosen.
+    all.insert(all.begin(), {{is_taken ? usual.left : channel, left->channel, usual}, false});
+    return all;
+}
+
 // A button for each pair of sensors; the sliders set the wires of the chosen one.
 void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
-    const std::vector<KindPair> pairs = sensor_pairs(kind_of(*view.now, vehicle));
+    const std::vector<PairToChoose> pairs = pairs_to_choose(kind_of(*view.now, vehicle));
     if (pairs.size() < 2) return;
     const SensorPair shown = shown_pair(view, vehicle);
     const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
@@ -204,12 +227,12 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         return words;
     };
     float row = -space;
-    for (const KindPair& pair : pairs)
+    for (const auto& [pair, is_mirrored] : pairs)
         row += space + small_button_width(ui, {"", wiring::channel_symbol(pair.channel), words_of(pair)}, true);
     // Where the words do not fit into one row, only the shown pair has its word.
     const bool all_words = row <= card_width(ui) || !has_icons(ui);
     bool is_first = true;
-    for (const KindPair& pair : pairs) {
+    for (const auto& [pair, is_mirrored] : pairs) {
         const std::string id = "pair." + pair.name, words = words_of(pair);
         const SmallButton look{id, wiring::channel_symbol(pair.channel), words, pair.sensors == shown};
         const bool has_words = all_words || look.on;
@@ -217,7 +240,9 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
             ImGui::SameLine(0, space);
         is_first = false;
         const Item at = small_button(ui, look, has_words);
-        tooltip(ui, at, fill(ui.strings("tooltip.pair"), {label(pair.sensors.left), label(pair.sensors.right)}));
+        tooltip(ui, at,
+                fill(ui.strings(is_mirrored ? "tooltip.pair" : "tooltip.pair_uneven"),
+                     {label(pair.sensors.left), label(pair.sensors.right)}));
         if (at.pressed) ui.outbox.push_back(PairRequest{pair.name});
     }
 }
