@@ -9,10 +9,10 @@
 #include "app/jobs/in_pieces.h"
 #include "app/lab_edits.h"
 #include "app/workspace.h"
+#include "core/evolve/champions.h"
 #include "core/evolve/scene_breeding.h"
 #include "core/io/link.h"
 #include "core/scene/scene_file.h"
-#include "core/scene/subject.h"
 #include "ui/breeding_view.h"
 
 namespace braitenlab {
@@ -225,29 +225,18 @@ OpenRequest scene_of_match(const BreedingRuns& runs, const BreedingRequest& want
     return {.path = io::encode_link(scene), .seed = trial.seed};
 }
 
-int kind_with_role(const Scene& scene, Role role) {
-    const auto found =
-        std::find_if(scene.kinds.begin(), scene.kinds.end(), [&](const Kind& kind) { return kind.role == role; });
-    return found == scene.kinds.end() ? -1 : static_cast<int>(found - scene.kinds.begin());
-}
-
 // True if predator and prey of the open scene have got body, sensors and brain of the champions; in an exercise only
 // what the student may change has got sensors and brain.
 bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cell) {
     if (space.pages) return false;
     const bool is_lesson = space.document.lesson.has_value();
+    const auto kinds = evolve::kinds_for_champions(*runs.base, *space.document.session.snapshot().scene, is_lesson);
+    if (!kinds) return false;
     const evolve::Trial trial = first_trial(runs, cell, cell);
-    const Scene& scene = *space.document.session.snapshot().scene;
-    BySide<int> kinds{};
-    for (const Side side : evolve::both_sides) {
-        const int kind = kind_with_role(scene, at(trial.kinds, side)->role);
-        if (kind < 0 || scene.kinds[static_cast<std::size_t>(kind)].hidden) return false;
-        at(kinds, side) = kind;
-    }
     const std::uint64_t gesture = new_gesture(space);
     for (const Side side : evolve::both_sides) {
-        const int index = at(kinds, side);
-        if (!runs.base->breed(side) || (is_lesson && index != subject_kind(scene))) continue;
+        const int index = at(*kinds, side);
+        if (index < 0) continue;
         const Kind& champion = *at(trial.kinds, side);
         Kind kind = space.document.session.snapshot().scene->kinds[static_cast<std::size_t>(index)];
         kind.body = champion.body;
@@ -256,13 +245,12 @@ bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cel
         if (!apply(space, SetBrain{{no_vehicle, index}, champion.brain}, gesture)) return true;
     }
     const std::string predator = std::to_string(cell.predator), prey = std::to_string(cell.prey);
-    const bool is_of_prey = is_lesson && at(kinds, Side::prey) == subject_kind(scene);
-    if (!is_lesson)
-        say(space, {NoticeKind::done, "notice.champions", predator, prey});
-    else if (is_of_prey)
+    if (at(*kinds, Side::prey) < 0)
+        say(space, {NoticeKind::done, "notice.champion_predator", predator});
+    else if (at(*kinds, Side::predator) < 0)
         say(space, {NoticeKind::done, "notice.champion_prey", prey});
     else
-        say(space, {NoticeKind::done, "notice.champion_predator", predator});
+        say(space, {NoticeKind::done, "notice.champions", predator, prey});
     return true;
 }
 

@@ -95,6 +95,96 @@ TEST(BreedingButtons, StayInTheirPlacesWhateverTheFirstOneSays) {
     }
 }
 
+// In a low window Start folds the choices; the figures then take their room.
+TEST(BreedingRows, StayInTheirPlacesFromStartToEnd) {
+    struct Size {
+        float width, height;
+    };
+    for (const Size size : {Size{800, 600}, {1024, 768}, {1280, 1000}})
+        for (const std::string& language : shipped_codes()) {
+            SCOPED_TRACE(language + " " + std::to_string(size.width));
+            Desk desk(size.width, size.height, 1, true);
+            desk.strings = speaking(language);
+            BredOnDesk none(0), some(7), all(41, 2);
+            none.show(desk);
+            desk.frame(5);
+            const Rect sheet = desk.where("card.breeding");
+            desk.click("breeding.start");
+            BreedingView& view = desk.view.features.breeding;
+            std::map<std::string, Rect> before;
+            const auto same_places = [&](const char* when) {
+                desk.frame(5);
+                EXPECT_NEAR(desk.where("card.breeding").h, sheet.h, 1) << when;
+                EXPECT_NEAR(desk.where("card.breeding").y, sheet.y, 1) << when;
+                for (const char* id : {"breeding.curves", "breeding.matrix", "breeding.words", "breeding.close"}) {
+                    const Rect now = desk.where(id), was = before.try_emplace(id, now).first->second;
+                    EXPECT_NEAR(now.y, was.y, 0.5f) << when << id;
+                    EXPECT_NEAR(now.h, was.h, 0.5f) << when << id;
+                }
+            };
+            view.runs = true;
+            same_places("the panel is bred: ");
+            some.show(desk);
+            view.seconds_left = 115.0f;
+            same_places("it runs: ");
+            all.show(desk);
+            view.runs = false, view.seconds_left.reset();
+            same_places("the end: ");
+            for (evolve::Verdict& verdict : view.verdicts)
+                verdict = {evolve::Course::circles, {100, 199}, {100, 199}, -0.3f};
+            same_places("round in circles: ");
+            for (evolve::Verdict& verdict : view.verdicts) verdict.course = evolve::Course::unclear;
+            same_places("no clear change: ");
+        }
+}
+
+TEST_F(BreedingDesk, TheButtonNamesTheChampionsThatItTakes) {
+    BredOnDesk none(0), bred(5), flee(5, 1, "flee");
+    none.show(desk);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Take predator … and prey …"));
+    bred.show(desk);
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("Take predator 4 and prey 4"));
+    bred.watch(desk, {3, 1}, {0, 0});
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("Take predator 3 and prey 1"));
+    flee.show(desk);
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("Take prey 1")) << "the predators do not evolve";
+    bred.show(desk);
+    const auto scene = desk.now.scene;
+    desk.open_exercise();
+    desk.now.scene = scene;  // its first start is a predator's
+    auto started = std::make_shared<Scene>(*scene);
+    Start& start = started->starts.emplace_back();
+    start.kind = "predator";
+    desk.now.scene = started;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("Take predator 3")) << "an exercise takes its vehicle's only";
+    EXPECT_FALSE(desk.says("Take predator 3 and"));
+}
+
+TEST_F(BreedingDesk, SaysWhatTheChosenOpponentsAre) {
+    BredOnDesk bred(3);
+    bred.show(desk);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says(desk.strings("breeding.opponents_best_of_last_how")));
+    EXPECT_FALSE(desk.says(desk.strings("breeding.opponents_random_how")));
+}
+
+TEST_F(BreedingDesk, SaysWhatTheTwoCurvesMeasure) {
+    BredOnDesk bred(9);
+    bred.show(desk);
+    desk.frame(3);
+    desk.point("breeding.score_panel");
+    desk.frame(60);
+    EXPECT_TRUE(desk.says("stay the same for every generation"));
+    desk.point("breeding.score_opponents");
+    desk.frame(60);
+    EXPECT_TRUE(desk.says("They change, too"));
+}
+
 // The sheet's body is between its heading and its buttons; what is beyond would have to be scrolled to.
 void expect_figures_to_be_seen(const Desk& desk, int shortened_without, const std::string& where) {
     const Rect sheet = desk.where("card.breeding"), fold = desk.where("breeding.choices");
@@ -304,7 +394,16 @@ TEST_F(BreedingDesk, SaysWhatTheMatrixShows) {
     EXPECT_TRUE(desk.says("do worse against the predators of generations 10–18"));
     desk.view.features.breeding.verdicts[1].course = evolve::Course::unclear;
     desk.frame(2);
-    EXPECT_TRUE(desk.says("no clear change against earlier predators"));
+    desk.view.features.breeding.verdicts[1].gain = -0.03f;
+    desk.frame(2);
+    EXPECT_TRUE(
+        desk.says("no clear change against earlier predators (−0.03 of the score against those of generations "
+                  "10–18)"));
+    EXPECT_TRUE(desk.says("The curve of the prey against the panel rises by 0.1")) << "of quarters of ten generations";
+    for (evolve::Generation& each : at(race.state.main.generations, evolve::Side::prey)) each.panel = 0.4f;
+    desk.frame(2);
+    EXPECT_FALSE(desk.says("rises by"));
+    EXPECT_TRUE(desk.says("at least 0.1 of the score"));
 }
 
 TEST_F(BreedingDesk, OneSideAloneHasNoPanelAndOneSentence) {

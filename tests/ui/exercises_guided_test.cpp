@@ -345,6 +345,22 @@ TEST(ExercisesGuided, AnswersAndStepsAreReachedInASmallWindowWhateverOtherCardsA
             }
 }
 
+TEST(ExercisesGuided, AnswersAndTheFirstStepAreSeenWithoutScrollingInASmallWindow) {
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            SCOPED_TRACE(exercise.id + " " + language);
+            Opened it(exercise, 800, 600);
+            it.desk.strings = speaking(language);
+            it.desk.frame(12);
+            for (std::size_t i = 0; i < exercise.prediction.options.size(); ++i)
+                EXPECT_TRUE(is_in_body(it.desk, "exercise.predict." + std::to_string(i + 1))) << i;
+            it.play_after_prediction();
+            it.desk.frame(8);
+            const Rect body = body_of_exercise(it.desk), step = it.desk.where("exercise.step.1");
+            EXPECT_LE(step.y + step.h, body.y + body.h + 1) << "with its value";
+        }
+}
+
 TEST(ExercisesGuided, TheStepsAreInSightInTheWiringEditorOfASmallWindow) {
     for (const Exercise& exercise : course())
         for (const SmallWindow& w : small_windows) {

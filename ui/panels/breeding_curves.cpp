@@ -32,14 +32,20 @@ public:
         const Rect rest{all.x, all.y + small + space, all.w, all.h - 2 * (small + space)};
         const bool has_panel = view_.base->breeding().panel > 0;
         const float height = has_panel ? rest.h / 2 : rest.h;
-        plot({rest.x, rest.y, rest.w, height}, "breeding.score_opponents", &evolve::Generation::best, !has_panel);
+        plot({rest.x, rest.y, rest.w, height}, {"breeding.score_opponents", "breeding.score_opponents_how"},
+             &evolve::Generation::best, !has_panel);
         if (has_panel)
-            plot({rest.x, rest.y + height, rest.w, height}, "breeding.score_panel", &evolve::Generation::panel, true);
+            plot({rest.x, rest.y + height, rest.w, height}, {"breeding.score_panel", "breeding.score_panel_how"},
+                 &evolve::Generation::panel, true);
         put_centred(ui_, {all.x + all.w / 2, all.y + all.h - small}, ui_.strings("breeding.generation"),
                     ui_.palette.second_text, Face::small);
     }
 
 private:
+    struct Title {
+        std::string_view key, how;  // string keys; `key` is its anchor, too
+    };
+
     const std::vector<evolve::Generation>& of(Side side) const { return at(view_.state->main.generations, side); }
 
     void legend(ImVec2 at) const {
@@ -56,10 +62,13 @@ private:
         }
     }
 
-    void plot(Rect outer, std::string_view name, float evolve::Generation::*score, bool has_numbers) const {
-        const auto lines = lines_of_words(ui_, ui_.strings(name), Face::small, outer.w).size();
+    void plot(Rect outer, Title title, float evolve::Generation::*score, bool has_numbers) const {
+        const auto lines = lines_of_words(ui_, ui_.strings(title.key), Face::small, outer.w).size();
         const float line = static_cast<float>(lines) * line_height(ui_, Face::small);
-        put_lines(ui_, {outer.x, outer.y}, ui_.strings(name), ui_.palette.second_text, Face::small, outer.w, lines);
+        put_lines(ui_, {outer.x, outer.y}, ui_.strings(title.key), ui_.palette.second_text, Face::small, outer.w,
+                  lines);
+        ImGui::SetCursorScreenPos({outer.x, outer.y});
+        tooltip(ui_, item(ui_, title.key, {outer.w, line}, false), ui_.strings(title.how));
         Axis across = generations_;
         across.numbers = has_numbers;
         const Rect inner = plot_ground(ui_, {outer.x, outer.y + line, outer.w, outer.h - line}, across, scores_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "ui/lab_view.h"
 #include "ui/panels/panel_state.h"
@@ -25,7 +26,10 @@ void breeding_duels(const LabView&, BreedingSheetState&, Ui&, Rect);
 void breeding_progress(const BreedingView&, Ui&);
 std::string breeding_percent(const BreedingView&, const Ui&);  // "43 %, about 40 s left"; empty without a base
 void breeding_words(const BreedingView&, Ui&);
-// Of the words, whatever they will be: the figures keep their size. The last line may need more. Window pixels.
+// Of the words, whatever they will be: nothing moves while they change. With the space above them, window pixels.
 float breeding_words_height(const BreedingView&, const Ui&);
+
+// A paragraph of small second text that takes the room of so many lines. breeding_words.cpp
+void paragraph_of_lines(Ui&, std::string_view words, std::size_t lines);
 
 }  // namespace braitenlab::ui

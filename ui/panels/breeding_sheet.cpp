@@ -8,6 +8,7 @@
 
 #include <imgui.h>
 
+#include "core/evolve/champions.h"
 #include "ui/panels/breeding_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
@@ -94,6 +95,11 @@ void scene_choice(const LabView& lab, evolve::MayChange& may, Ui& ui, float righ
     }
 }
 
+std::string_view how_of(evolve::Opponents which, const Ui& ui) {
+    return ui.strings("breeding.opponents_" + std::string(row_of(which).word) + "_how");
+}
+
+// What is bred against, and below it what that means.
 void opponents_choice(const Breeding& now, Ui& ui, float right) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string_view words = ui.strings("breeding.opponents");
@@ -106,12 +112,16 @@ void opponents_choice(const Breeding& now, Ui& ui, float right) {
         const SmallButton which{id, {}, ui.strings(stem), row.value == now.opponents};
         beside_or_below(ui, small_button_width(ui, which, true), right);
         const Item item = small_button(ui, which);
-        tooltip(ui, item, ui.strings(stem + "_how"));
+        tooltip(ui, item, how_of(row.value, ui));
         if (!item.pressed || row.value == now.opponents) continue;
         Breeding choice = now;
         choice.opponents = row.value;
         choose(choice, ui);
     }
+    std::size_t lines = 1;  // of the longest explanation: another choice moves nothing
+    for (const evolve::OpponentsTraits& row : evolve::opponents_table)
+        lines = std::max(lines, lines_of_words(ui, how_of(row.value, ui), Face::small, card_width(ui)).size());
+    paragraph_of_lines(ui, how_of(now.opponents, ui), lines);
 }
 
 // Three numbers side by side; below each other on a narrow sheet.
@@ -181,11 +191,15 @@ public:
     // The row with the title, which folds and unfolds them. True if they are unfolded.
     bool row(const Breeding& breeding, Ui& ui) {
         bool open = kept_.GetBool(id_, true);
-        fold_row(ui, "breeding.choices", words_of_choice(breeding, ui), open, ui.strings("breeding.choices_how"));
+        const std::string how =
+            std::string(ui.strings("breeding.choices_how")) + "\n" + std::string(how_of(breeding.opponents, ui));
+        fold_row(ui, "breeding.choices", words_of_choice(breeding, ui), open, how);
         kept_.SetBool(id_, open);
         return open;
     }
     void fold() { kept_.SetBool(id_, false); }
+    // Height of all rows above the figures while they are unfolded; window pixels.
+    float& height_unfolded() { return *kept_.GetFloatRef(id_ + 1); }
 
 private:
     ImGuiStorage& kept_ = *ImGui::GetStateStorage();
@@ -228,14 +242,29 @@ BreedingCell chosen_cell(const BreedingView& view) {
     return view.watched.empty() ? BreedingCell{last, last} : view.watched.front();
 }
 
-bool match_button(const BreedingView& view, BreedingEdit edit, const char* id, Ui& ui) {
+// "Take predator 30 and prey 12": the champions that a press takes. Their numbers come with the first generation.
+std::string words_of_taking(const LabView& lab, const std::string& predator, const std::string& prey, const Ui& ui) {
+    const auto kinds = evolve::kinds_for_champions(*lab.features.breeding.base, *lab.now->scene, lab.lesson != nullptr);
+    if (kinds && at(*kinds, evolve::Side::prey) < 0) return fill(ui.strings("breeding.take_predator"), {predator});
+    if (kinds && at(*kinds, evolve::Side::predator) < 0) return fill(ui.strings("breeding.take_prey"), {prey});
+    return fill(ui.strings("breeding.take"), {predator, prey});
+}
+
+bool match_button(const LabView& lab, BreedingEdit edit, const char* id, Ui& ui) {
+    const BreedingView& view = lab.features.breeding;
     const BreedingCell cell = chosen_cell(view);
-    ButtonLook look{edit == BreedingEdit::take ? icon::load : icon::open, ui.strings(id)};
-    look.enabled = cell.predator >= 0;
+    const bool takes = edit == BreedingEdit::take, has_champions = cell.predator >= 0;
+    const auto number = [&](int generation) { return has_champions ? std::to_string(generation) : std::string("…"); };
+    const std::string predator = number(cell.predator), prey = number(cell.prey);
+    const std::string words = takes ? words_of_taking(lab, predator, prey, ui) : std::string(ui.strings(id));
+    ButtonLook look{takes ? icon::load : icon::open, words};
+    look.enabled = has_champions;
+    if (takes) {  // another match moves no button
+        const std::string widest = words_of_taking(lab, "000", "000", ui);
+        look.words = widest, look.min_width = button_width(ui, look) / ui.px(1), look.words = words;
+    }
     const Item item = button(ui, id, look);
-    const std::string predator = std::to_string(cell.predator), prey = std::to_string(cell.prey);
     if (wants_tooltip(ui, item)) {
-        const bool takes = edit == BreedingEdit::take;
         tooltip(ui, item,
                 look.enabled ? fill(ui.strings(takes ? "breeding.take_how" : "breeding.match_how"), {predator, prey})
                              : std::string(ui.strings("breeding.no_champion")));
@@ -250,8 +279,9 @@ bool match_button(const BreedingView& view, BreedingEdit edit, const char* id, U
     return true;
 }
 
-// True if the sheet closes. Start folds the choices, so that a low window shows what is bred.
-bool breeding_buttons(const BreedingView& view, OpenChoices& choices, Ui& ui) {
+// True if the sheet closes. In a low window Start folds the choices, so that what is bred is seen.
+bool breeding_buttons(const LabView& lab, OpenChoices& choices, bool folds, Ui& ui) {
+    const BreedingView& view = lab.features.breeding;
     const bool is_complete = view.base && last_generation(view) >= view.base->breeding().generations &&
                              std::none_of(view.matrix->scores.begin(), view.matrix->scores.end(),
                                           [](float score) { return std::isnan(score); });
@@ -270,7 +300,7 @@ bool breeding_buttons(const BreedingView& view, OpenChoices& choices, Ui& ui) {
         tooltip(ui, start, ui.strings("breeding.start_how"));
         if (start.pressed) {
             ui.outbox.emplace_back(BreedingRequest{.edit = BreedingEdit::run});
-            choices.fold();
+            if (folds) choices.fold();
         }
         ImGui::SameLine();
     } else if (view.base) {  // keeps the place of Stop
@@ -281,8 +311,8 @@ bool breeding_buttons(const BreedingView& view, OpenChoices& choices, Ui& ui) {
     }
     bool closes = false;
     if (view.base) {
-        closes |= match_button(view, BreedingEdit::match, "breeding.match", ui);
-        closes |= match_button(view, BreedingEdit::take, "breeding.take", ui);
+        closes |= match_button(lab, BreedingEdit::match, "breeding.match", ui);
+        closes |= match_button(lab, BreedingEdit::take, "breeding.take", ui);
     }
     const Item close = button(ui, "breeding.close", {{}, ui.strings("keys.close")});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
@@ -304,18 +334,25 @@ void breeding_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) 
     SheetState& sheet = open_sheet(state, ui, Sheet::breeding, window);
     const float most = window.h - 2 * ui.px(spacing::medium) - (sheet.rect.h - ImGui::GetWindowHeight());
     const float top = ImGui::GetCursorScreenPos().y;
+    bool is_low = false;
     OpenChoices choices;
-    if (!view.base || choices.row(view.base->breeding(), ui)) choices_of_breeding(lab, state, ui);
+    const bool is_open = !view.base || choices.row(view.base->breeding(), ui);
+    if (is_open) choices_of_breeding(lab, state, ui);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
     if (view.base) {
         breeding_progress(view, ui);
         const float above = ImGui::GetCursorScreenPos().y - top, below = breeding_words_height(view, ui);
-        const float room = most - above - below - ui.px(spacing::small);
-        figures_of_breeding(lab, state, ui, std::floor(std::clamp(room, ui.px(least_height), ui.px(most_height))));
+        // The figures take the room of folded choices, so that the sheet keeps its height.
+        float& unfolded = choices.height_unfolded();
+        if (is_open) unfolded = above;
+        const float body = std::min(most, std::max(above, unfolded) + ui.px(most_height) + below);
+        const float height = std::floor(std::max(ui.px(least_height), body - above - below));
+        is_low = is_open && height < ui.px(most_height);
+        figures_of_breeding(lab, state, ui, height);
         breeding_words(view, ui);
     }
     sheet_buttons(ui, sheet);
-    const bool closed = breeding_buttons(view, choices, ui);
+    const bool closed = breeding_buttons(lab, choices, is_low, ui);
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
