@@ -175,6 +175,7 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     ASSERT_EQ(desk.all.size(), 1u);
     EXPECT_EQ(std::get<OpenRequest>(desk.all[0]).path, "6.toml");
     EXPECT_TRUE(std::get<OpenRequest>(desk.all[0]).next_exercise);
+    EXPECT_TRUE(desk.says("Passed. Next exercise")) << "in the bar";
     desk.opened.number = 0;
     desk.click("exercise.next");
     EXPECT_EQ(desk.all.size(), 1u) << "an exercise of one's own is in no order: the list opens";
@@ -183,6 +184,8 @@ TEST(ExerciseGrade, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     desk.panels.sheet = Sheet::none;
     const std::vector<CatalogueEntry> last{more[0], more[3]};
     desk.view.documents.catalogue = &last;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Passed. More to try")) << "the bar has the word of the button";
     desk.click("exercise.next");
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
 }

@@ -129,6 +129,27 @@ TEST(ExerciseOutcome, ShowsTheStepsAboveThePredictionFromTheRunOnAlsoWhenTheBrai
     EXPECT_GT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y);
 }
 
+TEST(ExerciseOutcome, HintsStayWhereTheyAreWhenItArrives) {
+    Desk desk(1280, 1400, 1, true);
+    desk.open_exercise();
+    predict_and_run(desk, 0);
+    desk.lesson.attempt.answers.hints_shown = 2;
+    desk.frame(6);
+    const auto top_of = [&](std::string_view words) {
+        for (const Written& each : desk.written)
+            if (each.words == words) return each.rect.y;
+        return -1.0f;
+    };
+    const float first = top_of("A nudge."), second = top_of("The principle.");
+    ASSERT_GT(first, desk.where("exercise.step.3").y);
+    ASSERT_GT(second, first);
+    desk.lesson.attempt.work.outcome_known = true;
+    desk.frame(6);
+    EXPECT_GT(desk.where("exercise.came_true").y, second);
+    EXPECT_FLOAT_EQ(top_of("A nudge."), first);
+    EXPECT_FLOAT_EQ(top_of("The principle."), second);
+}
+
 TEST(ExerciseOutcome, ASecretBrainIsNotShown) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "ui/panels/breeding_parts.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
@@ -218,10 +219,11 @@ void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view
     const bool is_slider = hint == "hint.turn_slider" || hint == "hint.turn_slider_paused";
     const std::string key = is_slider ? key_to_slider(view, ui.highlight) : std::string();
     const std::string progress = hint == "hint.breeding_runs" ? breeding_percent(view.features.breeding, ui) : "";
-    const std::string words =
-        fill(ui.strings(prompted ? hint : usual_hint(view)), {is_slider           ? std::string_view(key)
-                                                              : !progress.empty() ? std::string_view(progress)
-                                                                                  : ui.strings(next_change(view))});
+    const std::string words = fill(ui.strings(prompted ? hint : usual_hint(view)),
+                                   {hint == "hint.passed" ? ui.strings(next_exercise_key(view))
+                                    : is_slider           ? std::string_view(key)
+                                    : !progress.empty()   ? std::string_view(progress)
+                                                          : ui.strings(next_change(view))});
     hint_line(ui, words, prompted ? ui.palette.text : ui.palette.second_text, x, bar);
 }
 

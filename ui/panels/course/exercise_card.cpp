@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include <imgui.h>
@@ -251,22 +250,11 @@ void hint_button(const LessonView& lesson, Ui& ui) {
             key_name(Action::hint, ui.strings));
 }
 
-// The exercise after this one, by number and then by name; or null.
-const CatalogueEntry* next_exercise(const LabView& view) {
-    const CatalogueEntry* next = nullptr;
-    if (!view.documents.catalogue || view.lesson->exercise->number == 0) return next;  // one's own is in no order
-    const auto order = [](const CatalogueEntry& entry) { return std::tie(entry.number, entry.name); };
-    const auto now = std::tie(view.lesson->exercise->number, view.lesson->exercise->id);
-    for (const CatalogueEntry& entry : *view.documents.catalogue)
-        if (entry.number > 0 && order(entry) > now && (!next || order(entry) < order(*next))) next = &entry;
-    return next;
-}
-
 // Opens the next exercise, or the list of files after the last one.
 void next_button(const LabView& view, PanelState& state, Ui& ui) {
     const CatalogueEntry* next = next_exercise(view);
     const Emphasis emphasis = has_passed(*view.lesson) ? Emphasis::primary : Emphasis::plain;
-    const Item at = button(ui, "exercise.next", {{}, ui.strings(next ? "exercise.next" : "exercise.more"), emphasis});
+    const Item at = button(ui, "exercise.next", {{}, ui.strings(next_exercise_key(view)), emphasis});
     tooltip(ui, at, next ? entry_words(view, ui, *next) : std::string(ui.strings("exercise.more_how")),
             key_name({key::enter}, ui.strings));
     if (!at.pressed) return;
@@ -419,10 +407,10 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 }
 
 // Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. The steps keep
-// their place during a run, above the prediction; of hints and outcome the newer one is nearer to them. In the wiring
-// editor the hints are above the steps, which are judged while the scene plays. In a low window the rest scrolls, in a
-// low card also title and goal, which in the editor are then below steps and hints. The buttons of a selection by hand
-// and of a breeding do not scroll: hints that are read below point at them.
+// their place during a run, above the prediction, and so do the hints between both. In the wiring editor the hints are
+// above the steps, which are judged while the scene plays. In a low window the rest scrolls, in a low card also title
+// and goal, which in the editor are then below steps and hints. The buttons of a selection by hand and of a breeding do
+// not scroll: hints that are read below point at them.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
@@ -451,8 +439,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         if (!hides_outcome(view)) generation_of_selection(view, ui);
         const bool question_first = is_question_first(view), has_steps_here = !passed && !steps_on_top;
         if (has_steps_here && !question_first) steps(view, state, ui);
-        const bool outcome_is_newer = rows.aim == ExerciseRows::Aim::outcome;
-        const bool hints_last = passed || question_first || outcome_is_newer;
+        const bool hints_last = passed || question_first;
         if (!hints_first && !hints_last) hints(view, state, ui, true);
         prediction(view, state, ui);
         if (has_steps_here && question_first) steps(view, state, ui);

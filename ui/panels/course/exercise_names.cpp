@@ -1,5 +1,7 @@
 #include "ui/panels/course/exercise_names.h"
 
+#include <tuple>
+
 #include "ui/strings.h"
 #include "ui/widgets/paint.h"
 
@@ -18,6 +20,21 @@ int number_of_scene(const LabView& view, const CatalogueEntry& entry) {
 }
 
 }  // namespace
+
+const CatalogueEntry* next_exercise(const LabView& view) {
+    const CatalogueEntry* next = nullptr;
+    if (!view.lesson || !view.documents.catalogue || view.lesson->exercise->number == 0)
+        return next;  // one's own is in no order
+    const auto order = [](const CatalogueEntry& entry) { return std::tie(entry.number, entry.name); };
+    const auto now = std::tie(view.lesson->exercise->number, view.lesson->exercise->id);
+    for (const CatalogueEntry& entry : *view.documents.catalogue)
+        if (entry.number > 0 && order(entry) > now && (!next || order(entry) < order(*next))) next = &entry;
+    return next;
+}
+
+std::string_view next_exercise_key(const LabView& view) {
+    return next_exercise(view) ? "exercise.next" : "exercise.more";
+}
 
 std::string number_words(const LabView& view, int number, std::string_view name) {
     int sharing = 0, before = 0;

@@ -17,6 +17,11 @@ const ExerciseProgress* progress_of(const LabView&, const CatalogueEntry&);
 // True if the title tells nothing that the student is still asked to predict, and where no progress is kept.
 bool is_title_known(const LabView&, const CatalogueEntry&);
 
+// The exercise after the open one, by number and then by name; null without one, and for one's own exercise, which is
+// in no order. The string key of what leads to it, on the card and in the bar.
+const CatalogueEntry* next_exercise(const LabView&);
+std::string_view next_exercise_key(const LabView&);
+
 // "14"; "14a", "14b" … for exercises that share a number, in the order of their names.
 std::string number_words(const LabView&, int number, std::string_view name);
 

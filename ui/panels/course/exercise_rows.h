@@ -19,7 +19,7 @@ struct ExerciseRows {
 
     std::vector<float> tops;               // of the rows drawn in this frame, ascending
     std::optional<float> first_open_step;  // its top
-    Part outcome;                          // of the prediction; from the first open step on
+    Part outcome;                          // of the prediction; without hints from the first open step on
     Part newest_hint;
     Aim aim = Aim::top;
     int settling = 0;  // frames for which the card still scrolls, because rows around its aim appear in the next ones

@@ -195,7 +195,9 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     if (std::exchange(state.exercise.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
     if (!std::exchange(state.exercise.outcome_seen, is_known) && is_known) aim_at(rows, ExerciseRows::Aim::outcome);
-    rows.outcome = {rows.first_open_step.value_or(top), ImGui::GetCursorPosY()};
+    // With hints between the steps and the outcome, there is no room for both.
+    const bool has_hints = lesson.attempt.answers.hints_shown > 0;
+    rows.outcome = {has_hints ? top : rows.first_open_step.value_or(top), ImGui::GetCursorPosY()};
     gap(ui, 12);
 }
 
