@@ -83,6 +83,26 @@ TEST_F(FilesSheet, ASearchWhileALectureAsksFirstFindsWhatIsHidden) {
     EXPECT_FALSE(desk.says("Coward"));
 }
 
+TEST(FilesSheetNames, OfScenesAreWholeInTheSmallestWindow) {
+    Desk desk(800, 600, 1, true);
+    const std::string title = "Vehicle 3c: Four pairs of sensors, and what each of them prefers";
+    const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/05-aggressor.toml", "Aggressor", "", 5},
+                                                {"3c-values", "/x/3c-values.toml", title, "What it likes."}};
+    FilesView files;
+    desk.view.documents.catalogue = &catalogue, desk.view.documents.files = &files;
+    desk.frame(4);
+    const int shortened = desk.shortened;
+    desk.key({'O', true});
+    desk.frame(4);
+    EXPECT_EQ(desk.shortened, shortened);
+    EXPECT_TRUE(desk.says("prefers"));
+    const Rect row = desk.where("open.3c-values");
+    for (const Written& each : desk.written) {
+        if (each.words != "What it likes.") continue;
+        EXPECT_LE(each.rect.y + each.rect.h, row.y + row.h);
+    }
+}
+
 TEST_F(FilesSheet, OpensTheClickedFileAndClosesAfterwards) {
     desk.choose("file", "open");
     desk.frame(2);

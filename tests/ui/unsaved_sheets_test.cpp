@@ -42,8 +42,8 @@ TEST_F(UnsavedSheets, NamesTheUnsavedDocumentAndTheNextOne) {
 TEST_F(UnsavedSheets, SayThatAPassedExerciseIsKept) {
     files.leaving = Leaving{.title = "Coward", .next = "/home/me/other.toml", .next_title = "Values", .passed = true};
     desk.frame(3);
-    EXPECT_TRUE(desk.says("You have passed this exercise"));
-    EXPECT_FALSE(desk.says("changes that no file has yet"));
+    EXPECT_TRUE(desk.says("The exercise is passed"));
+    EXPECT_FALSE(desk.says("has unsaved changes"));
 }
 
 TEST_F(UnsavedSheets, TellTheTimeOfTheKeptWorkAndItsFile) {

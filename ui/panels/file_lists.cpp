@@ -22,6 +22,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float least_list = 80, row_picture = 72;  // layout pixels
+constexpr std::size_t most_name_lines = 3;
 
 // True if the words shown of the entry have every word of the search. The title of an exercise that tells its outcome
 // is not searched until it is shown. A lecturer who asks first searches what is hidden, too, and sees numbers.
@@ -99,9 +100,20 @@ struct FileRow {
 bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view how) {
     const bool has_picture = view.documents.pictures && !row.path.empty();
     const std::size_t lines_below = row.below.empty() ? 0 : row.is_story ? 2 : 1;
-    const float words_height = line_height(ui, Face::text) +
-                               static_cast<float>(lines_below) * line_height(ui, Face::small) + ui.px(spacing::medium);
     const float picture = ui.px(row_picture), picture_height = picture * picture_share;
+    const float aside = text_width(ui, Face::small, row.aside);
+    const bool has_icon = !has_picture && !row.icon.empty() && has_icons(ui);
+    const float left = ui.px(12) + (has_picture ? picture + ui.px(6) : has_icon ? ui.px(26) : 0);
+    const float room = card_width(ui) - ui.px(20) - left - (aside > 0 ? aside + ui.px(12) : 0);
+    const std::vector<std::string> name = lines_of_words(ui, row.words, Face::strong, room);
+    const std::size_t name_lines = std::clamp<std::size_t>(name.size(), 1, most_name_lines);
+    const bool is_name_whole =
+        name.size() <= most_name_lines && std::all_of(name.begin(), name.end(), [&](const std::string& line) {
+            return text_width(ui, Face::strong, line) <= room;
+        });
+    const float name_height = static_cast<float>(name_lines) * line_height(ui, Face::text);
+    const float words_height =
+        name_height + static_cast<float>(lines_below) * line_height(ui, Face::small) + ui.px(spacing::medium);
     const float height = has_picture ? std::max(words_height, picture_height + ui.px(8)) : words_height;
     const Item at = item(ui, row.id, {card_width(ui), height});
     fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
@@ -118,21 +130,16 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
             fill_box(ui, place, p.raised, Corner::box);  // until it is rendered
             put_icon(ui, {place.x + place.w / 2, place.y + place.h / 2}, icon::vehicle, p.second_text);
         }
-        x += picture + ui.px(6);
-    } else if (!row.icon.empty() && has_icons(ui)) {
+    } else if (has_icon) {
         put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);
-        x += ui.px(26);
     }
-    const float aside = text_width(ui, Face::small, row.aside);
+    x = at.rect.x + left;
     put_right(ui, {at.right() - ui.px(12), y + ui.px(2)}, row.aside, quiet, Face::small);
-    const float room = at.right() - ui.px(20) - x - (aside > 0 ? aside + ui.px(12) : 0);
-    const std::string words = shortened(ui, row.words, Face::strong, room);
-    put(ui, {x, y}, words, ui.palette.text, Face::strong);
-    const bool is_whole =
-        lines_below == 0 || put_lines(ui, {x, y + line_height(ui, Face::text)}, row.below, ui.palette.second_text,
-                                      Face::small, at.right() - ui.px(12) - x, lines_below);
+    put_lines(ui, {x, y}, row.words, ui.palette.text, Face::strong, room, name_lines);
+    const bool is_whole = lines_below == 0 || put_lines(ui, {x, y + name_height}, row.below, ui.palette.second_text,
+                                                        Face::small, at.right() - ui.px(12) - x, lines_below);
     // No tooltip for words that are fully visible in the row.
-    tooltip(ui, at, !is_whole ? std::string_view(row.below) : words != row.words ? row.words : how);
+    tooltip(ui, at, !is_whole ? std::string_view(row.below) : is_name_whole ? how : std::string_view(row.words));
     return at.pressed;
 }
 
