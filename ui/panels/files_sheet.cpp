@@ -22,8 +22,8 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels. `taken`: height of the sheet's heading, buttons and least margin.
-constexpr float sheet_width = 680, gallery_width = 1280, body_height = 490, gallery_height = 720, least_body_height = 200,
-                taken = 170;
+constexpr float sheet_width = 680, gallery_width = 1280, body_height = 490, gallery_height = 720,
+                least_body_height = 200, taken = 170;
 
 // The existing file that saving would replace, or null. "scene" also matches "scene.toml".
 const FileEntry* existing_file(const FilesState& files, const FolderListing& listing) {
@@ -203,8 +203,8 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         open_sheet(state, ui, Sheet::files, window, ui.strings(files.saving ? "files.save_as" : "files.open"),
                    files.saving ? sheet_width : gallery_width);
     // The part above the buttons has the same height on every tab, so that the buttons do not move.
-    const float body =
-        std::clamp(window.h - ui.px(taken), ui.px(least_body_height), ui.px(files.saving ? body_height : gallery_height));
+    const float body = std::clamp(window.h - ui.px(taken), ui.px(least_body_height),
+                                  ui.px(files.saving ? body_height : gallery_height));
     float bottom = ImGui::GetCursorPosY() + body;
     if (files.saving)
         saving_head(view, files, ui);

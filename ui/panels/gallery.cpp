@@ -22,7 +22,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::string_view gallery_stem = "gallery.";
-constexpr std::size_t lines_of_card = 3;                                                         // of a goal
+constexpr std::size_t lines_of_card = 3;                                                            // of a goal
 constexpr float least_card = 180, card_inset = spacing::small, between_previews = spacing::medium;  // layout pixels
 
 // A disc with a check mark; a ring while the exercise was passed only by the solution that was shown.

@@ -17,7 +17,7 @@ using maths::vec2;
 namespace {
 
 constexpr float arrow_inset = 20, disc = 7, rim = 2, tip = 15, tip_half = 5;  // layout pixels
-constexpr std::size_t most = 24;                                            // sources; of more the marks are a crowd
+constexpr std::size_t most = 24;                                              // sources; of more the marks are a crowd
 
 // Where the line from the middle of the area to a point outside leaves the area.
 vec2 at_edge(const Rect& area, vec2 outside) {
