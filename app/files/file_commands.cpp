@@ -209,6 +209,12 @@ struct FileCommands {
         return true;
     }
 
+    // The same for the exercise that its author goes on with.
+    bool replaces_edits_of_exercise() const {
+        const FileMark mark = mark_of(lab.authored->path);
+        return mark != FileMark{} && mark != std::exchange(lab.authored->on_disk, mark);
+    }
+
     // Writes the exercise, opens it and begins its check.
     void save_exercise(const SaveExerciseRequest& wanted) const {
         const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), FileKind::scene);
@@ -218,6 +224,7 @@ struct FileCommands {
         const bool is_own = lab.authored && lab.authored->path == path && lab.authored->restored_run == now.run_id;
         if (!wanted.replace && !is_own && fs::exists(path, none))
             return fail(error_of(message_of("file_exists"), path.string()));
+        if (is_own && replaces_edits_of_exercise()) return fail(error_of(message_of("changed_outside"), path.string()));
         auto made = make_exercise(*wanted.draft, exercise_id_of(path), now.session.edited_scene(), *now.file);
         if (!made) return fail(made.error());
         const std::string text = write_exercise(*made);

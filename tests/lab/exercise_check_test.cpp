@@ -8,6 +8,8 @@
 #include "app/lab_requests.h"
 #include "core/lesson/author.h"
 #include "core/lesson/submission.h"
+#include "core/messages.h"
+#include "core/scene/file_kind.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
 #include "tests/lab/other_program.h"
@@ -96,6 +98,21 @@ TEST_F(ExerciseCheckLab, AfterAFailedCheckTheSceneComesBackWithTheBrainOfTheWind
     ASSERT_TRUE(lab.document.lesson);
     EXPECT_TRUE(is_same_submission(with_solution(*lab.document.lesson->exercise), tried))
         << "what passed in the window is the solution";
+}
+
+TEST_F(ExerciseCheckLab, EditsOfTheFileByAnotherProgramAreReplacedOnlyAfterAQuestion) {
+    save();
+    handle(lab, Action::edit_again);
+    const std::string edited = *read_text(file) + "\n[[hint]]\ntext = \"Watch the wheels.\"\n";
+    other.rename_over(file, edited);
+    save();
+    ASSERT_TRUE(files.refused);
+    EXPECT_EQ(files.refused->what, error_of(message_of("changed_outside")).what);
+    EXPECT_FALSE(lab.document.lesson);
+    EXPECT_EQ(*read_text(file), edited);
+    save(true);
+    EXPECT_TRUE(lab.document.lesson);
+    EXPECT_EQ(read_text(file)->find("Watch the wheels."), std::string::npos);
 }
 
 TEST_F(ExerciseCheckLab, WithoutASavedExerciseThereIsNothingToEditAgain) {
