@@ -279,6 +279,7 @@ Result<Gradebook> gradebook(const ClassReport& report, const Strings& strings, c
     } else {
         const io::CsvTable list = io::parse_csv(options.list);
         if (list.rows.empty()) return writer.wrong_columns("it is empty");
+        if (options.list.starts_with(io::byte_order_mark)) writer.book.table = io::byte_order_mark;
         if (options.platform == Platform::moodle) error = writer.moodle(list);
         if (options.platform == Platform::canvas) error = writer.canvas(list);
         if (options.platform == Platform::ilias) error = writer.ilias(list);
