@@ -262,6 +262,26 @@ TEST(LiveBrain, HidesTheBrainTheCharacterAndTheTitle) {
     EXPECT_TRUE(hidden_brains(desk.view).at(0)) << "nor on the deck";
 }
 
+TEST(LiveBrain, WhileTheAudienceIsAskedTheWheelsOfAHiddenBrainTellNothing) {
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "2b-aggressor");
+    Revealed& revealed = desk.view.settings.revealed;
+    const auto numbers = [&] {
+        desk.frame(2);
+        return std::count_if(desk.written.begin(), desk.written.end(), [&](const ui::Written& w) {
+            const Rect left = desk.where("lecture.left"), right = desk.where("lecture.right");
+            return (is_inside(w.rect, left) || is_inside(w.rect, right)) && w.words.find('.') != std::string::npos;
+        });
+    };
+    revealed.brain = false;
+    EXPECT_EQ(numbers(), 2) << "hidden by its own key";
+    revealed.asks_first = true;
+    EXPECT_EQ(numbers(), 0);
+    EXPECT_TRUE(shows(desk, "?"));
+    revealed.brain = true;
+    EXPECT_GE(numbers(), 2);
+}
+
 TEST(LiveBrain, KeysHideAndRevealAndAreNotShownToTheAudience) {
     Desk desk(1280, 800, 1.6f, true);
     begin_lecture(desk, "2b-aggressor");

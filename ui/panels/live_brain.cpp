@@ -71,7 +71,7 @@ public:
         }
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             LiveRow wheel = wheels_[i];
-            wheel.value = vehicle_.motor[i];
+            wheel.value = asks_first() ? 0 : vehicle_.motor[i];
             draw_row(wheel, true);
             mark(ui_, i == 0 ? "lecture.left" : "lecture.right", wheel.place);
         }
@@ -89,6 +89,9 @@ public:
     }
 
 private:
+    // True while the audience is asked what a hidden brain does, which its wheels would tell.
+    bool asks_first() const { return view_.settings.revealed.asks_first && hides_brain(view_, vehicle_.kind); }
+
     // In place of the wires of a hidden brain.
     void say_hidden(Rect between) {
         const std::string_view words = ui_.strings("wiring.hidden");
@@ -156,8 +159,10 @@ private:
         const float y = row.middle() - (line + gap + h) / 2;
         put(ui_, {row.place.x, y}, wiring::short_name(kind_of(*view_.now, vehicle_).sensors, row.name), p.second_text,
             Face::title);
-        put_right(ui_, {row.place.x + row.place.w, y},
-                  is_wheel ? with_sign(ui_, row.value, 2) : fixed(ui_, row.value, 2), p.text, Face::title);
+        const std::string number = !is_wheel      ? fixed(ui_, row.value, 2)
+                                   : asks_first() ? std::string("?")
+                                                  : with_sign(ui_, row.value, 2);
+        put_right(ui_, {row.place.x + row.place.w, y}, number, p.text, Face::title);
         if (is_wheel) write_bias(row, y);
         const Rect track{row.place.x, y + line + gap, row.place.w, h};
         fill_box(ui_, track, p.line.with_alpha(0.6f), Corner::round);
