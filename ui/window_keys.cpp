@@ -19,8 +19,18 @@ namespace braitenlab::ui {
 
 namespace {
 
-bool key_for_typing(SliderState& sliders, Keyboard& keyboard, KeyPress press) {
+bool turns_page(const LabView& view, KeyPress press) {
+    const auto action = action_for(press, KeyPlace::lecture);
+    return view.lecture && (action == Action::next_page || action == Action::previous_page);
+}
+
+// Keys for the number that is typed at a slider. Those that turn a page, as a clicker sends them, also take the number.
+bool key_for_typing(const LabView& view, SliderState& sliders, Keyboard& keyboard, KeyPress press) {
     if (sliders.typed.empty()) return false;
+    if (turns_page(view, press)) {
+        sliders.commit = true;
+        return false;
+    }
     if (press.key == key::enter || press.key == key::tab) sliders.commit = true;
     if (press.key == key::tab) keyboard.focus = sliders.typed, keyboard.presses.push_back(press);
     if (press.key == key::escape) sliders.give_up = true;
@@ -75,8 +85,8 @@ bool works_under_a_sheet(KeyPress press) {
 bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     const auto action = action_for(press, KeyPlace::lecture);
     if (!view.lecture || !action) return false;
-    const bool turns_page = action == Action::next_page || action == Action::previous_page;
-    if (turns_page && !view.pages && view.documents.left_pages) return outbox.emplace_back(back_to_page(view)), true;
+    if (turns_page(view, press) && !view.pages && view.documents.left_pages)
+        return outbox.emplace_back(back_to_page(view)), true;
     if (!has_effect_in_lecture(*action, view.pages))
         return *action == Action::notes;  // without pages: it is not the key of a new population
     if (!act_on_panels({view, state, press, outbox}, *action)) outbox.push_back(*action);
@@ -211,7 +221,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         outbox.push_back(Action::exit);
         return true;
     }
-    if (key_for_typing(state.sliders, state.keyboard, press)) return true;
+    if (key_for_typing(view, state.sliders, state.keyboard, press)) return true;
     if (state.sheet == Sheet::none &&
         (for_record_text(state.fields, press) || for_text_field(state.values.seed, press) ||
          for_text_area(state.exercise.note, press) || key_for_hands(state, press) ||

@@ -29,6 +29,21 @@ TEST_F(LectureKeys, PageKeysTurnPagesOnlyWhileALectureFileIsOpen) {
     EXPECT_EQ(desk.actions(), std::vector{Action::new_population});
 }
 
+TEST_F(LectureKeys, AKeyOfAClickerTakesTheNumberThatIsTyped) {
+    show(0, 0);
+    for (const int key : {key::page_down, key::page_up}) {
+        desk.panels.sliders.typed = "slider.LL";
+        desk.all.clear();
+        desk.key({key});
+        EXPECT_EQ(desk.actions().size(), 1u);
+        EXPECT_TRUE(desk.panels.sliders.commit);
+    }
+    desk.panels.sliders.typed = "slider.LL";
+    desk.all.clear();
+    desk.key({'N'});
+    EXPECT_TRUE(desk.all.empty()) << "other keys belong to the number";
+}
+
 TEST_F(LectureKeys, F5AsksForTheFirstPage) {
     show(3, 1);
     desk.key({key::f5});
