@@ -83,6 +83,18 @@ TEST_F(FilesSheet, ASearchWhileALectureAsksFirstFindsWhatIsHidden) {
     EXPECT_FALSE(desk.says("Coward"));
 }
 
+TEST_F(FilesSheet, ASearchFindsAnExerciseByTheNameOfItsFile) {
+    begin_files(desk.panels.sheets.files, false);
+    desk.panels.sheets.files.place = FilesPlace::shipped;
+    desk.panels.sheet = Sheet::files;
+    for (const char* search : {"05", "05-aggressor"}) {
+        desk.panels.sheets.files.search = search;
+        desk.frame(4);
+        EXPECT_TRUE(desk.anchors.find("gallery.05-aggressor")) << search;
+        EXPECT_FALSE(desk.anchors.find("open.2a-coward")) << search;
+    }
+}
+
 TEST(FilesSheetNames, OfScenesAreWholeInTheSmallestWindow) {
     Desk desk(800, 600, 1, true);
     const std::string title = "Vehicle 3c: Four pairs of sensors, and what each of them prefers";

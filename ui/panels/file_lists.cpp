@@ -25,8 +25,10 @@ constexpr float least_list = 80, row_picture = 72;  // layout pixels
 constexpr std::size_t most_name_lines = 3;
 
 // True if the words shown of the entry have every word of the search. The title of an exercise that tells its outcome
-// is not searched until it is shown. A lecturer who asks first searches what is hidden, too, and sees numbers.
+// is not searched until it is shown, but the name of its file from the beginning, as in the documentation: "05-a". A
+// lecturer who asks first searches what is hidden, too, and sees numbers.
 bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
+    if (entry.name.starts_with(search)) return true;
     std::string words = entry_words(view, ui, entry) + " ";
     words += entry.exercise ? translated(ui, entry.exercise->goal) : translated(ui, entry.story);
     if (hides_titles(view)) words += " " + std::string(translated(ui, entry.title));
@@ -49,8 +51,7 @@ int hit_of(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const
     const bool is_number = entry.number > 0 && number_words(view, entry.number, entry.name) == search;
     if (title == search || is_number) return 4;
     if (title.starts_with(search)) return 3;
-    const bool begins_name = entry.number == 0 && entry.name.starts_with(search);
-    if (begins_name || title.find(" " + search) != std::string::npos) return 2;
+    if (entry.name.starts_with(search) || title.find(" " + search) != std::string::npos) return 2;
     return title.find(search) != std::string::npos ? 1 : 0;
 }
 
