@@ -41,11 +41,12 @@ bool has_been_slow(const Pace& pace) {
 }
 
 // True if the run pauses because its ticks take so long, in real time and in processor time: a tick may have waited for
-// other programs, and threads work beside it. The notice stays while ticks are slow; until then a person who goes on is
-// not stopped again.
-bool pauses_slow_run(Lab& lab, double seconds, double processor_seconds) {
+// other programs, and threads work beside it. `seconds`: of the last tick. `processor_began`: when its frame began, at
+// most stepping_budget before the tick, because the time of the processor is asked by a call of the system. The notice
+// stays while ticks are slow; until then a person who goes on is not stopped again.
+bool pauses_slow_run(Lab& lab, double seconds, double processor_began) {
     const bool is_told = lab.notice.key == slow_notice;
-    if (std::min(seconds, processor_seconds) <= slow_tick) {
+    if (seconds <= slow_tick || processor_time() - processor_began <= slow_tick) {
         if (is_told) lab.notice = {};
         return false;
     }
@@ -118,13 +119,14 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
     const auto began = Clock::now();
     const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
     playback.debt += wall_seconds * static_cast<double>(playback.time_scale);
-    const double before = shown_snapshot(lab).seconds;
-    while (playback.debt >= tick_length && spent() < stepping_budget) {
-        const double tick_began = spent(), processor_began = processor_time();
+    const double before = shown_snapshot(lab).seconds, processor_began = processor_time();
+    while (playback.debt >= tick_length) {
+        const double tick_began = spent();
+        if (tick_began >= stepping_budget) break;
         tick(lab);
         if (seen) seen(shown_snapshot(lab));
         playback.debt -= tick_length;
-        if (pauses_slow_run(lab, spent() - tick_began, processor_time() - processor_began)) return;
+        if (pauses_slow_run(lab, spent() - tick_began, processor_began)) return;
         if (!pauses_here(lab)) continue;
         set_mode(lab, Mode::paused);
         if (lab.notice.kind != NoticeKind::failure || lab.notice.empty())
