@@ -12,7 +12,8 @@
 
 namespace braitenlab {
 
-inline constexpr int most_in_matrix = 21;  // generations of each side
+inline constexpr double rest_after_match = 1;  // s, before a match that is watched begins again
+inline constexpr int most_in_matrix = 21;      // generations of each side
 
 struct BreedingView {
     const std::vector<evolve::Breeding>* shipped = nullptr;  // null: none

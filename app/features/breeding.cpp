@@ -203,14 +203,13 @@ void watch_match(BreedingRuns& runs, BreedingCell cell) {
 
 // While it runs and until the last champions have been watched. They change only after a match was shown to its end.
 void watch_last_champions(BreedingRuns& runs, double now) {
-    constexpr double rest_at_end = 1;  // s, as on the sheet
     const int last = complete(runs) - 1;
     const bool begins = !runs.duels.question();
     if (runs.has_choice || last < 0 || (begins && !runs.runs) || runs.duels.is_computing()) return;
     float longest = 0;
     if (const auto* duels = runs.duels.answer())
         for (const Duel& each : *duels) longest = std::max(longest, each.seconds());
-    if (!begins && now < runs.duels_asked + static_cast<double>(longest) + rest_at_end) return;
+    if (!begins && now < runs.duels_asked + static_cast<double>(longest) + rest_after_match) return;
     runs.duels_asked = now;
     DuelsQuestion question{runs.base->fingerprint(), {{last, last}}};
     if (last > 0) question.cells.push_back({0, 0});

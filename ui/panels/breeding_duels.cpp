@@ -19,8 +19,7 @@ namespace {
 using evolve::Duel;
 using evolve::Side;
 
-constexpr double rest_at_end = 1;  // s, before the matches begin again
-constexpr float least_body = 9;    // layout pixels
+constexpr float least_body = 9;  // layout pixels
 
 // A body with a point at its front for a predator, and a round one for prey.
 void draw_body(const Ui& ui, const FloorMap& map, const Pose& pose, Role role, float length) {
@@ -80,7 +79,7 @@ double moment_of(const LabView& lab, double began) {
                                              [](const Duel& a, const Duel& b) { return a.seconds() < b.seconds(); })
                                 ->seconds());
     return lab.program.reduce_motion ? longest
-                                     : std::fmod(std::max(0.0, lab.wall_seconds - began), longest + rest_at_end);
+                                     : std::fmod(std::max(0.0, lab.wall_seconds - began), longest + rest_after_match);
 }
 
 std::string name_of_match(const Ui& ui, const BreedingCell& cell) {

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "core/evolve/tournament.h"
 #include "ui/panels/breeding_parts.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
@@ -45,18 +46,14 @@ std::string words_of_verdict(const Ui& ui, const evolve::Verdict& verdict, Side 
 
 enum class ScoreCurve { opponents, panel };
 
-// The mean of the last quarter of a curve less that of its first quarter; 0 while it has no quarters.
+// The mean of the last quarter of a curve less that of its first quarter.
 float rise_of(const BreedingView& view, Side side, ScoreCurve which) {
     const std::vector<evolve::Generation>& all = at(view.state->main.generations, side);
-    const std::size_t quarter = static_cast<std::size_t>(last_generation(view) + 1) / 4;
-    if (quarter == 0) return 0;
-    float first = 0, last = 0;
-    const auto score = [&](std::size_t i) { return which == ScoreCurve::panel ? all[i].panel : all[i].best; };
-    for (std::size_t i = 0; i < quarter; ++i) {
-        first += score(i);
-        last += score(static_cast<std::size_t>(last_generation(view)) - i);
-    }
-    return (last - first) / static_cast<float>(quarter);
+    std::vector<float> scores;  // of the complete generations
+    for (std::size_t i = 0; i < static_cast<std::size_t>(last_generation(view) + 1); ++i)
+        scores.push_back(which == ScoreCurve::panel ? all[i].panel : all[i].best);
+    const evolve::Trend trend = evolve::trend_of(scores);
+    return trend.last - trend.first;
 }
 
 std::string words_of_rise(const Ui& ui, Side side, ScoreCurve which, float rise) {
