@@ -131,11 +131,13 @@ const std::string& file_of(const std::vector<robots::ExportedFile>& files, std::
 }
 
 // Runs a program whose clock is simulated: the brain takes 7 ms of each step, and sleep() 1.4 ms more than it is told.
-// The step 500 waits for 600 ms. Prints the mean time of a step before that, the steps in the 400 ms after it, and the
+// The clock goes back to 0 at the step 250, as it does after 2^30 ms (the module `utime` of the firmware 1.0.1). The
+// step 500 waits for 600 ms. Prints the mean time of a step before that, the steps in the 400 ms after it, and the
 // periods of the PWM pins, in ms.
 constexpr const char* with_clock = R"py(
 import sys, types
-clock = [0.0]
+period = 1 << 30
+clock = [period - 5000.0]
 steps = []
 periods = []
 class Pin:
@@ -163,12 +165,14 @@ def think(*sensors):
     clock[0] += 7 + len(steps) % 3
     if len(steps) == 500: clock[0] += 600
     return 0.5, 0.5
+ticks = {"ticks_ms": lambda: int(clock[0]) % period, "sleep_ms": sleep,
+         "ticks_diff": lambda a, b: (a - b + period // 2) % period - period // 2}
 for name, content in {
         "microbit": dict({"pin%d" % i: Pin() for i in range(17)}, button_a=Button(), button_b=Button(), display=Display(),
-                         sleep=sleep, running_time=lambda: int(clock[0])),
+                         sleep=sleep, running_time=ticks["ticks_ms"]),
         "brain": {"RATE_HZ": 50, "think": think},
         "thymio": {"BUTTONS": Buttons, "MOTORS": Motors, "PROXIMITY": Sensor, "GROUND": Sensor},
-        "time": {"ticks_ms": lambda: int(clock[0]), "ticks_diff": lambda a, b: a - b, "sleep_ms": sleep}}.items():
+        "time": ticks, "utime": ticks}.items():
     sys.modules[name] = types.ModuleType(name)
     sys.modules[name].__dict__.update(content)
 source = open(sys.argv[1]).read()
@@ -181,7 +185,7 @@ after = steps[500]
 print((steps[499] - steps[0]) / 499, sum(after <= s < after + 400 for s in steps), sorted(set(periods)))
 )py";
 
-TEST(Micropython, KeepsItsRateThoughSleepTakesLongerAndSetsThePeriodOfItsMotors) {
+TEST(Micropython, KeepsItsRateForWeeksThoughSleepTakesLongerAndSetsThePeriodOfItsMotors) {
     const Folder folder;
     put_text(folder / "clock.py", with_clock);
     for (const char* robot : {"microbit", "thymio3"}) {
