@@ -62,8 +62,10 @@ private:
     }
     Point place() { return allowed({static_cast<int>(below(width)), static_cast<int>(below(height))}); }
 
-    // The point, or the middle of the window where a widget that is left alone is there.
+    // The point of the window, or its middle where a widget that is left alone is there. Parts of a large diagram lie
+    // beyond the window.
     Point allowed(Point p) const {
+        p = {std::clamp(p.x, 0, width - 1), std::clamp(p.y, 0, height - 1)};
         const Json anchors = lab_.anchors();
         for (const auto& [name, rect] : anchors.items()) {
             const auto r = rect.get<std::vector<double>>();
