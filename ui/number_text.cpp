@@ -9,16 +9,14 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float largest_number = 1e6f;
+constexpr double largest_number = 1e8;  // seconds of three years
 
 // True when it is written with a minus; −0.001 at two decimals is 0.00.
-bool is_negative(float value, int decimals) {
-    return std::round(value * std::pow(10.0f, static_cast<float>(decimals))) < 0;
-}
+bool is_negative(double value, int decimals) { return std::round(value * std::pow(10.0, decimals)) < 0; }
 
 }  // namespace
 
-std::string fixed(float value, int decimals, char decimal_mark) {
+std::string fixed(double value, int decimals, char decimal_mark) {
     if (!std::isfinite(value) || std::fabs(value) > largest_number) return "—";
     std::string digits = fmt::format("{:.{}f}", std::fabs(value), decimals);
     std::replace(digits.begin(), digits.end(), '.', decimal_mark);

@@ -5,8 +5,8 @@
 
 namespace braitenlab::ui {
 
-// "0.42"; the minus is U+2212, as wide as a plus. "—" for a value that is not finite or above 1e6.
-std::string fixed(float value, int decimals, char decimal_mark = '.');
+// "0.42"; the minus is U+2212, as wide as a plus. "—" for a value that is not finite or above 1e8.
+std::string fixed(double value, int decimals, char decimal_mark = '.');
 
 // "+0.42", "−0.42", and "0.00" for a value that rounds to zero.
 std::string with_sign(float value, int decimals, char decimal_mark = '.');

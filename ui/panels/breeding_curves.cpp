@@ -22,7 +22,7 @@ using evolve::Side;
 class BreedingCurves {
 public:
     BreedingCurves(const BreedingView& view, Ui& ui) : view_(view), ui_(ui), last_(last_generation(view)) {
-        generations_.high = static_cast<float>(std::max(1, view.base->breeding().generations));
+        generations_.high = std::max(1, view.base->breeding().generations);
     }
 
     void draw(Rect all) {
@@ -77,13 +77,12 @@ private:
             const Colour colour = colour_of(ui_.palette, role_of(side));
             const auto point = [&](std::size_t i) {
                 const float number = of(side)[i].*score;
-                return ImVec2{static_cast<float>(i), number < 0 ? NAN : number};
+                return PlotPoint{static_cast<double>(i), number < 0 ? NAN : number};
             };
             const auto count = static_cast<std::size_t>(last_ + 1);
             plot_line(ui_, inner, across, scores_, count, colour, 2, point);
             if (count == 0) continue;
-            const ImVec2 end = point(count - 1);
-            ImGui::GetWindowDrawList()->AddCircleFilled(plot_point(inner, across, scores_, end.x, end.y), ui_.px(3),
+            ImGui::GetWindowDrawList()->AddCircleFilled(plot_point(inner, across, scores_, point(count - 1)), ui_.px(3),
                                                         paint(colour), 12);
         }
         read_out(inner, across, score);

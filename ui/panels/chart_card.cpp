@@ -73,7 +73,7 @@ void signal_pair(const History& history, const ShownSignals& shown, Ui& ui, Rect
         plot_line(ui, inner, time, value, history.signals.size(), i == first ? left : right, i == first ? 2.6f : 1.3f,
                   [&](std::size_t k) {
                       const History::Signals& s = history.signals[k];
-                      return ImVec2{static_cast<float>(s.seconds), shown.value(s, i)};
+                      return PlotPoint{s.seconds, shown.value(s, i)};
                   });
     // The names stand above the lines, where no line crosses them.
     const float above = inner.y - line_height(ui, Face::small);
@@ -83,7 +83,7 @@ void signal_pair(const History& history, const ShownSignals& shown, Ui& ui, Rect
     if (!at) return;
     const History::Signals& s = nearest_sample(history.signals, *at);
     ReadOut words;
-    words.add(fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(s.seconds), 2)}), ui.palette.second_text);
+    words.add(fill(ui.strings("time.seconds"), {fixed(ui, s.seconds, 2)}), ui.palette.second_text);
     for (const std::size_t i : {first, first + 1}) {
         const float at_pointer = shown.value(s, i);
         words.add(shown.names[i] + " " + (motors ? with_sign(ui, at_pointer, 2) : fixed(ui, at_pointer, 2)),
@@ -145,14 +145,14 @@ void population_chart(const History& history, Ui& ui, Rect r, bool energy) {
             return energy ? samples[k].energy[g] : static_cast<float>(samples[k].count[g]);
         };
         plot_line(ui, inner, time, value, samples.size(), colour, line_widths[g], [&](std::size_t k) {
-            return ImVec2{static_cast<float>(samples[k].seconds), shown(k)};
+            return PlotPoint{samples[k].seconds, shown(k)};
         });
     }
     const auto at = plot_cursor(ui, inner, time);
     if (!at) return;
     const History::Population& p = nearest_sample(samples, *at);
     ReadOut words;
-    words.add(fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(p.seconds), 0)}), ui.palette.second_text);
+    words.add(fill(ui.strings("time.seconds"), {fixed(ui, p.seconds, 0)}), ui.palette.second_text);
     for (std::size_t g = 0; g < 3; ++g)
         if (there[g])
             words.add((energy ? fixed(ui, p.energy[g], 2) : std::to_string(p.count[g])) + " " +
@@ -199,7 +199,7 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
     for (std::size_t i = 0; i < shown; ++i) {
         const VehicleView& v = view.now->vehicles[rows[i]];
         const float x = inner.x + width * static_cast<float>(i), gap = width > ui.px(5) ? ui.px(1.5f) : ui.px(0.5f);
-        const ImVec2 top = plot_point(inner, place, energy, 0, v.energy);
+        const ImVec2 top = plot_point(inner, place, energy, {0, v.energy});
         const Rect bar{x + gap, top.y, width - 2 * gap, inner.y + inner.h - top.y};
         fill_box(ui, bar, colour_of(ui.palette, v.role), Corner::bar);
         if (width >= ui.px(6))

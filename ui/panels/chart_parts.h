@@ -11,21 +11,19 @@
 namespace braitenlab::ui {
 
 // The time axis: at least `least` seconds long, up to the newest sample.
-inline Axis time_axis(double first, double last, float least) {
-    const float low = static_cast<float>(first), high = std::max(static_cast<float>(last), low + least);
-    return {low, high, " s", 0};
+inline Axis time_axis(double first, double last, double least) {
+    return {first, std::max(last, first + least), " s", 0};
 }
 
 // The sample nearest to a moment.
 template <class Samples>
-const auto& nearest_sample(const Samples& samples, float seconds) {
-    const auto later = std::lower_bound(samples.begin(), samples.end(), static_cast<double>(seconds),
+const auto& nearest_sample(const Samples& samples, double seconds) {
+    const auto later = std::lower_bound(samples.begin(), samples.end(), seconds,
                                         [](const auto& s, double at) { return s.seconds < at; });
     if (later == samples.end()) return samples.back();
     if (later == samples.begin()) return *later;
     const auto& before = *(later - 1);
-    return static_cast<double>(seconds) - before.seconds < later->seconds - static_cast<double>(seconds) ? before
-                                                                                                         : *later;
+    return seconds - before.seconds < later->seconds - seconds ? before : *later;
 }
 
 // Instead of a chart without samples.

@@ -67,7 +67,7 @@ void signal_strip(const History& history, const Signal& signal, Ui& ui, const St
     const Axis value{range.low, range.high};
     plot_line(ui, plot, place.time, value, history.signals.size(), ui.palette.accent, 1.5f, [&](std::size_t k) {
         const History::Signals& s = history.signals[k];
-        return ImVec2{static_cast<float>(s.seconds), signal.value(s)};
+        return PlotPoint{s.seconds, signal.value(s)};
     });
     const auto at = plot_cursor(ui, plot, place.time);
     const float shown = signal.value(at ? nearest_sample(history.signals, *at) : history.signals.back());

@@ -179,12 +179,12 @@ void signal_strip(const Ui& ui, Rect r, const History& history, const ShownSigna
     if (low < 0)
         ImGui::GetWindowDrawList()->AddLine({plot.x, plot.y + plot.h / 2}, {plot.x + plot.w, plot.y + plot.h / 2},
                                             paint(ui.palette.line), ui.px(1));
-    const auto newest = static_cast<float>(history.signals.back().seconds);
-    const Axis time{newest - static_cast<float>(strip_seconds), newest}, value{low, 1};
+    const double newest = history.signals.back().seconds;
+    const Axis time{newest - strip_seconds, newest}, value{low, 1};
     const std::size_t first = first_in_strip(history);
     plot_line(ui, plot, time, value, history.signals.size() - first, ui.palette.text, 1.5f, [&](std::size_t i) {
         const History::Signals& s = history.signals[first + i];
-        return ImVec2{static_cast<float>(s.seconds), shown.value(s, signal)};
+        return PlotPoint{s.seconds, shown.value(s, signal)};
     });
 }
 
@@ -212,14 +212,14 @@ void population_strip(const History& history, Ui& ui) {
     const std::size_t first = all.size() > shown ? all.size() - shown : 0;
     int most = 1;
     for (std::size_t i = first; i < all.size(); ++i) most = std::max({most, all[i].count[0], all[i].count[1]});
-    const auto newest = static_cast<float>(all.back().seconds);
-    const Axis time{newest - static_cast<float>(shown), newest}, value{0, static_cast<float>(most) * 1.1f};
+    const double newest = all.back().seconds;
+    const Axis time{newest - shown, newest}, value{0, most * 1.1};
     for (const std::size_t side : {std::size_t{1}, std::size_t{0}}) {
         const Role role = side == 0 ? Role::predator : Role::prey;
         plot_line(ui, plot, time, value, all.size() - first, colour_of(ui.palette, role), 1.5f, [&](std::size_t i) {
-            return ImVec2{static_cast<float>(all[first + i].seconds), static_cast<float>(all[first + i].count[side])};
+            return PlotPoint{all[first + i].seconds, static_cast<double>(all[first + i].count[side])};
         });
-        const float y = plot_point(plot, time, value, newest, static_cast<float>(all.back().count[side])).y;
+        const float y = plot_point(plot, time, value, {newest, static_cast<double>(all.back().count[side])}).y;
         put_role(ui, {plot.x + plot.w - ui.px(3), y}, ui.px(8), role);
     }
     ImGui::Dummy({plot.w, plot.h + ui.px(spacing::tight)});

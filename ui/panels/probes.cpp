@@ -57,15 +57,15 @@ void draw_probe(const Ui& ui, const History& history, const Signal& signal, Rect
     const float pad = ui.px(probe_pad), number = text_width(ui, Face::small, with_sign(ui, -1, 2)) + pad;
     const Rect plot{r.x + pad, r.y + pad, r.w - 2 * pad - number, r.h - 2 * pad};
     const double now = history.signals.back().seconds;
-    const Axis time{static_cast<float>(now - strip_seconds), static_cast<float>(now)};
+    const Axis time{now - strip_seconds, now};
     const SignalRange range = range_of(history, signal);
     const Axis values{range.low, range.high};
-    const ImVec2 zero = plot_point(plot, time, values, time.low, 0);
+    const ImVec2 zero = plot_point(plot, time, values, {time.low, 0});
     ImGui::GetWindowDrawList()->AddLine(zero, {plot.x + plot.w, zero.y}, paint(p.line), ui.px(1));
     const std::size_t first = first_in_strip(history);
     plot_line(ui, plot, time, values, history.signals.size() - first, p.accent, 1.6f, [&](std::size_t i) {
         const History::Signals& sample = history.signals[first + i];
-        return ImVec2{static_cast<float>(sample.seconds), signal.value(sample)};
+        return PlotPoint{sample.seconds, signal.value(sample)};
     });
     const float value = signal.value(history.signals.back()), h = line_height(ui, Face::small);
     const bool is_signed = signal.of != Signal::Of::sensor;

@@ -98,15 +98,15 @@ private:
         low = std::min(low, 0.0);  // lengths of boxes compare only from 0
         if (high <= low) high = low + 1;
         const double span = high - low;
-        axis_ = {static_cast<float>(low), static_cast<float>(high + 0.04 * span), "", span < 5 ? 1 : 0};
-        if (has_never_) axis_.high = static_cast<float>(high + 0.12 * span);
+        axis_ = {low, high + 0.04 * span, "", span < 5 ? 1 : 0};
+        if (has_never_) axis_.high = high + 0.12 * span;
         decimals_ = row_of(study_.measures[measure_]).unit.empty() ? 0 : span < 10 ? 2 : 1;
     }
 
     std::string text(double number) const {
         if (!std::isfinite(number)) return std::string(ui_.strings("map.never"));
         const bool is_whole = decimals_ == 0 && number == std::floor(number);
-        return fixed(ui_, static_cast<float>(number), is_whole ? 0 : std::max(1, decimals_));
+        return fixed(ui_, number, is_whole ? 0 : std::max(1, decimals_));
     }
 
     std::string against_words(const StudySummary& summary) const {
@@ -143,8 +143,8 @@ private:
 
     float x_of(double number, Rect row) const {
         const double shown = std::isfinite(number) ? number : axis_.high;
-        const float share = (static_cast<float>(shown) - axis_.low) / (axis_.high - axis_.low);
-        return row.x + std::clamp(share, 0.0f, 1.0f) * row.w;
+        const double share = (shown - axis_.low) / (axis_.high - axis_.low);
+        return row.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * row.w;
     }
 
     void draw_row(std::size_t i, Rect row) const {

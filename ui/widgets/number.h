@@ -11,7 +11,7 @@
 namespace braitenlab::ui {
 
 // fixed() and the others with the decimal mark of the language: for every number that is shown.
-inline std::string fixed(const Ui& ui, float value, int decimals) { return fixed(value, decimals, ui.decimal_mark); }
+inline std::string fixed(const Ui& ui, double value, int decimals) { return fixed(value, decimals, ui.decimal_mark); }
 inline std::string with_sign(const Ui& ui, float value, int decimals) {
     return with_sign(value, decimals, ui.decimal_mark);
 }

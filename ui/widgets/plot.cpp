@@ -12,17 +12,17 @@ namespace braitenlab::ui {
 
 namespace {
 
-std::string number(const Ui& ui, float value, const Axis& axis) {
+std::string number(const Ui& ui, double value, const Axis& axis) {
     return fixed(ui, value, axis.decimals) + std::string(axis.unit);
 }
 
 // The distance between the numbers of an axis. The decimals of the axis show it, so that no two numbers are equal.
-float step_of(const Axis& axis, int most) {
-    return std::max(round_step(axis.high - axis.low, most), std::pow(10.0f, static_cast<float>(-axis.decimals)));
+double step_of(const Axis& axis, int most) {
+    return std::max(round_step(axis.high - axis.low, most), std::pow(10.0, -axis.decimals));
 }
 
 // The first multiple of the step that is not below the axis.
-float first_on(const Axis& axis, float step) { return std::ceil(axis.low / step - 1e-4f) * step; }
+double first_on(const Axis& axis, double step) { return std::ceil(axis.low / step - 1e-4) * step; }
 
 Colour grid(const Ui& ui, bool is_zero) { return is_zero ? ui.palette.second_text : ui.palette.line.with_alpha(0.6f); }
 
@@ -35,17 +35,16 @@ bool is_sharp(ImVec2 before, ImVec2 corner, ImVec2 after) {
 
 }  // namespace
 
-float round_step(float span, int most) {
-    const float rough = span / static_cast<float>(std::max(1, most));
-    const float power = std::pow(10.0f, std::floor(std::log10(rough)));
-    for (const float times : {1.0f, 2.0f, 5.0f})
-        if (power * times >= rough * 0.9999f) return power * times;
+double round_step(double span, int most) {
+    const double rough = span / std::max(1, most), power = std::pow(10.0, std::floor(std::log10(rough)));
+    for (const double times : {1.0, 2.0, 5.0})
+        if (power * times >= rough * 0.9999) return power * times;
     return power * 10;
 }
 
-ImVec2 plot_point(Rect r, const Axis& x, const Axis& y, float at_x, float at_y) {
-    const float across = (at_x - x.low) / (x.high - x.low);
-    const float up = std::clamp((at_y - y.low) / (y.high - y.low), 0.0f, 1.0f);
+ImVec2 plot_point(Rect r, const Axis& x, const Axis& y, PlotPoint at) {
+    const auto across = static_cast<float>((at.x - x.low) / (x.high - x.low));
+    const auto up = static_cast<float>(std::clamp((at.y - y.low) / (y.high - y.low), 0.0, 1.0));
     return {r.x + r.w * across, r.y + r.h * (1 - up)};
 }
 
@@ -57,17 +56,17 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     const Rect inner{outer.x + aside, outer.y + line / 2, outer.w - aside - ui.px(6), outer.h - 1.5f * line - ui.px(3)};
     fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), Corner::box);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float y_step = step_of(y, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
-    for (float v = first_on(y, y_step); y.numbers && v <= y.high + y_step * 1e-3f; v += y_step) {
-        const float at = plot_point(inner, x, y, x.low, v).y;
-        draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3f)), ui.px(1));
+    const double y_step = step_of(y, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
+    for (double v = first_on(y, y_step); y.numbers && v <= y.high + y_step * 1e-3; v += y_step) {
+        const float at = plot_point(inner, x, y, {x.low, v}).y;
+        draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3)), ui.px(1));
         put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(ui, v, y), ui.palette.second_text, Face::label);
     }
     if (!x.numbers) return inner;
     const float widest = text_width(ui, Face::label, number(ui, x.high, x)) + ui.px(44);
-    const float x_step = step_of(x, std::max(1, static_cast<int>(inner.w / widest)));
-    for (float v = first_on(x, x_step); v <= x.high + x_step * 1e-3f; v += x_step) {
-        const float at = plot_point(inner, x, y, v, y.low).x;
+    const double x_step = step_of(x, std::max(1, static_cast<int>(inner.w / widest)));
+    for (double v = first_on(x, x_step); v <= x.high + x_step * 1e-3; v += x_step) {
+        const float at = plot_point(inner, x, y, {v, y.low}).x;
         draw.AddLine({at, inner.y}, {at, inner.y + inner.h}, paint(grid(ui, false)), ui.px(1));
         const std::string words = number(ui, v, x);
         const float half = text_width(ui, Face::label, words) / 2;
@@ -77,12 +76,12 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     return inner;
 }
 
-std::optional<float> plot_cursor(const Ui& ui, Rect inner, const Axis& x) {
+std::optional<double> plot_cursor(const Ui& ui, Rect inner, const Axis& x) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!inner.contains(mouse.x, mouse.y) || !ImGui::IsWindowHovered()) return std::nullopt;
     ImGui::GetWindowDrawList()->AddLine({mouse.x, inner.y}, {mouse.x, inner.y + inner.h}, paint(ui.palette.text),
                                         ui.px(1));
-    return x.low + (mouse.x - inner.x) / inner.w * (x.high - x.low);
+    return x.low + static_cast<double>((mouse.x - inner.x) / inner.w) * (x.high - x.low);
 }
 
 void plot_words(const Ui& ui, Rect inner, float pixel_x, const std::string_view* lines, const Colour* colours,

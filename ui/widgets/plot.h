@@ -11,29 +11,34 @@
 namespace braitenlab::ui {
 
 // The smallest of 1, 2 or 5 times a power of ten that divides `span` into at most `most` pieces. span > 0.
-float round_step(float span, int most);
+double round_step(double span, int most);
 
-// Range of an axis, and the unit of its numbers (" s", "" …).
+// Range of an axis, and the unit of its numbers (" s", "" …). Doubles: steps of a float are as long as half a second
+// after 50 days.
 struct Axis {
-    float low = 0, high = 1;
+    double low = 0, high = 1;
     std::string_view unit{};
     int decimals = 0;
     bool numbers = true;  // false: neither grid lines nor numbers
+};
+
+struct PlotPoint {
+    double x = 0, y = 0;
 };
 
 // Background, grid, numbers and units. Returns the rectangle of the lines; the numbers are outside of it.
 Rect plot_ground(const Ui&, Rect outer, const Axis& x, const Axis& y);
 
 // The pixel of a point, clamped vertically to the chart.
-ImVec2 plot_point(Rect inner, const Axis& x, const Axis& y, float at_x, float at_y);
+ImVec2 plot_point(Rect inner, const Axis& x, const Axis& y, PlotPoint);
 
-// A line through `count` points: point(i) gives x and y as an ImVec2. NaN in y breaks it.
+// A line through `count` points: point(i) gives a PlotPoint. NaN in y breaks it.
 template <class Point>
 void plot_line(const Ui&, Rect inner, const Axis& x, const Axis& y, std::size_t count, Colour, float layout_thickness,
                Point point);
 
 // The x under the pointer, with a vertical line; nullopt when the pointer is outside.
-std::optional<float> plot_cursor(const Ui&, Rect inner, const Axis& x);
+std::optional<double> plot_cursor(const Ui&, Rect inner, const Axis& x);
 
 // The read-out: a box of lines beside the pointer, inside the chart.
 void plot_words(const Ui&, Rect inner, float pixel_x, const std::string_view* lines, const Colour* colours, int count);
@@ -49,11 +54,11 @@ template <class Point>
 void plot_line(const Ui& ui, Rect inner, const Axis& x, const Axis& y, std::size_t count, Colour colour,
                float thickness, Point point) {
     for (std::size_t i = 0; i < count; ++i) {
-        const ImVec2 p = point(i);
+        const PlotPoint p = point(i);
         if (p.y != p.y)
             detail::stroke(ui, colour, thickness);
         else
-            detail::path_to(plot_point(inner, x, y, p.x, p.y));
+            detail::path_to(plot_point(inner, x, y, p));
     }
     detail::stroke(ui, colour, thickness);
 }
