@@ -1,5 +1,9 @@
 #include "app/ctl/exercises.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "app/ctl/ctl.h"
@@ -26,19 +30,23 @@ Result<SharedExercise> find_exercise(const std::string& name) {
 
 std::optional<Error> other_than_exercise(const std::filesystem::path& path, std::string_view text,
                                          std::string_view command) {
-    const FileKind kind = detect_kind(path, text);
-    if (kind == FileKind::study)
-        return Error{fmt::format("this is a study, and '{}' takes an exercise; run it by 'braitenctl study {}'",
-                                 command, path.stem().string()),
-                     path.string()};
-    if (kind == FileKind::breeding)
-        return Error{
-            fmt::format("this is a breeding, and '{}' takes an exercise; run it by 'braitenctl breed'", command),
-            path.string()};
-    if (kind == FileKind::lecture)
-        return Error{fmt::format("this is a lecture, and '{}' takes an exercise; test it by 'check'", command),
-                     path.string()};
-    return std::nullopt;
+    struct Other {
+        FileKind kind;
+        std::string_view what, advice;
+    };
+    static constexpr std::array others{
+        Other{FileKind::scene, "scene", "run it by 'braitenctl run'"},
+        Other{FileKind::brain, "brain", "test it by 'braitenctl check EXERCISE --brain FILE'"},
+        Other{FileKind::run, "saved run", "continue it by 'braitenctl run'"},
+        Other{FileKind::study, "study", "run it by 'braitenctl study'"},
+        Other{FileKind::breeding, "breeding", "run it by 'braitenctl breed'"},
+        Other{FileKind::lecture, "lecture", "test it by 'braitenctl check'"},
+    };
+    const auto kind = find_kind(path, text);
+    const auto other = std::find_if(others.begin(), others.end(), [&](const Other& each) { return kind == each.kind; });
+    if (other == others.end()) return std::nullopt;
+    return Error{fmt::format("this is a {}, and '{}' takes an exercise; {}", other->what, command, other->advice),
+                 path.string()};
 }
 
 Result<std::vector<Grade>> grade_several(const SharedExercise& exercise, const std::vector<Submission>& submissions,

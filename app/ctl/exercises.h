@@ -18,11 +18,11 @@ namespace braitenlab {
 using SharedExercise = std::shared_ptr<const Exercise>;
 
 Result<SharedExercise> read_exercise(const std::filesystem::path&);
-// Fails for a study, a breeding and a lecture, which are no exercises.
+// Fails for a file of another kind.
 Result<SharedExercise> find_exercise(const std::string& path_or_name);
 
-// Why the file, of the given content, cannot be read as an exercise by `command`: it is a study or, unless `command`
-// takes them, a lecture. nullopt for other files; reading them reports what is wrong.
+// Why the file, of the given content, cannot be read as an exercise by `command`: it is a file of another kind. nullopt
+// for an exercise and for a text of no kind; reading them reports what is wrong.
 std::optional<Error> other_than_exercise(const std::filesystem::path&, std::string_view text, std::string_view command);
 
 // The grades of the submissions, in their order. Their starts run on all processors.

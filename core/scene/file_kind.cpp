@@ -10,7 +10,7 @@
 
 namespace braitenlab {
 
-FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
+std::optional<FileKind> find_kind(const std::filesystem::path& path, std::string_view text) {
     if (path.extension() == ".run") return FileKind::run;
     bool is_scene = false, is_brain = false;
     while (!text.empty()) {
@@ -25,7 +25,8 @@ FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
         is_scene |= line.starts_with("[kind.") || line.starts_with("[arena]") || line.starts_with("[source.");
         is_brain |= line.starts_with("[brain");
     }
-    return is_brain && !is_scene ? FileKind::brain : FileKind::scene;
+    if (is_scene) return FileKind::scene;
+    return is_brain ? std::optional(FileKind::brain) : std::nullopt;
 }
 
 std::string_view foreign_format(std::string_view content) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,8 +15,13 @@ inline constexpr int file_kinds = 7;
 
 // The kind of a file, by its extension (.run) or by the tables in its text: [[step]] makes an exercise, [[page]] a
 // lecture, [[value]] a study, [[breed]] a breeding; [kind.…], [arena] or [source.…] a scene; a [brain] without these a
-// brain. Any other text counts as a scene. The text may be malformed: parsing it as this kind reports the error.
-FileKind detect_kind(const std::filesystem::path&, std::string_view text);
+// brain. nullopt for any other text. The text may be malformed: parsing it as this kind reports the error.
+std::optional<FileKind> find_kind(const std::filesystem::path&, std::string_view text);
+
+// The same; any other text counts as a scene.
+inline FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
+    return find_kind(path, text).value_or(FileKind::scene);
+}
 
 // The format of a file of other programs by its first bytes, "ZIP", "PDF" or "PNG"; "JSON" for a saved run, too. Empty
 // for any other text.

@@ -65,10 +65,13 @@ Message nearest_of(std::string_view word, std::span<const std::string_view> cand
     if (candidates.size() == 1 || is_abbreviation(word, nearest) ||
         edit_distance(word.substr(0, 2 * longest_shown), nearest) * 2 <= letters)
         return message_of("nearest", in_quotes(nearest));
-    std::string listed;
-    for (std::size_t i = 0; i < std::min(candidates.size(), most_listed); ++i)
-        listed += (i > 0 ? ", " : "") + in_quotes(candidates[i]);
-    return message_of("known", listed + (candidates.size() > most_listed ? " …" : ""));
+    std::vector<std::string_view> listed;  // each once
+    for (std::size_t i = 0; i < candidates.size() && listed.size() <= most_listed; ++i)
+        if (std::find(listed.begin(), listed.end(), candidates[i]) == listed.end()) listed.push_back(candidates[i]);
+    std::string words;
+    for (std::size_t i = 0; i < std::min(listed.size(), most_listed); ++i)
+        words += (i > 0 ? ", " : "") + in_quotes(listed[i]);
+    return message_of("known", words + (listed.size() > most_listed ? " …" : ""));
 }
 
 std::string in_quotes(std::string_view text) {

@@ -423,6 +423,12 @@ TEST(Nearest, CountsAddedRemovedAndReplacedLetters) {
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
 }
 
+TEST(Nearest, ListsAWordOnce) {
+    const std::string text = name_nearest("quite another", std::array<std::string_view, 3>{"left", "right", "left"});
+    EXPECT_NE(text.find("'left'"), std::string::npos) << text;
+    EXPECT_EQ(text.find("'left'"), text.rfind("'left'")) << text;
+}
+
 TEST(Nearest, PrefersAWordThatIsAbbreviated) {
     const std::vector<std::string_view> known{"set", "starts", "seconds", "seed"};
     EXPECT_EQ(nearest_word("secs", known), "seconds");

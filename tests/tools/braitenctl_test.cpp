@@ -2,7 +2,9 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/tools/ctl.h"
@@ -36,11 +38,14 @@ TEST(Braitenctl, NamesExercisesAndStudiesWhereTheyAreWanted) {
     EXPECT_NE(grade.find("no shipped exercise called 'nofile.toml'; known are '01-drive', "), std::string::npos)
         << grade;
     EXPECT_EQ(grade.find("2a-coward"), std::string::npos) << "scenes are no exercises";
-    const Ran study = ctl("check prey-eyes");
-    EXPECT_EQ(study.code, 2);
-    EXPECT_NE(study.out.find("this is a study, and 'check' takes an exercise; run it by 'braitenctl study prey-eyes'"),
-              std::string::npos)
-        << study.out;
+    const std::string scene = std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/2a-coward.toml";
+    for (const auto& [given, kind] : {std::pair<std::string, const char*>{"prey-eyes", "study"}, {scene, "scene"}}) {
+        const Ran other = ctl("check " + given);
+        EXPECT_EQ(other.code, 2);
+        EXPECT_NE(other.out.find(fmt::format("this is a {}, and 'check' takes an exercise; run it by", kind)),
+                  std::string::npos)
+            << other.out;
+    }
     EXPECT_NE(ctl("grade four-numbers x.toml").out.find("this is a lecture, and 'grade' takes an exercise"),
               std::string::npos);
 }
