@@ -393,7 +393,7 @@ TEST(KeptBreedings, TheOldestAreRemoved) {
 }
 
 TEST_F(LabBreeding, AnEmptyBreedingIsNotKept) {
-    for (const std::uint64_t seed : {5, 6, 7}) {
+    for (const std::uint64_t seed : {5u, 6u, 7u}) {
         evolve::Breeding choice = view().base->breeding();
         choice.seed = seed;
         handle(lab, BreedingRequest{.edit = BreedingEdit::choose,
