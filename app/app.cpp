@@ -1,6 +1,7 @@
 #include "app/app.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <utility>
 
@@ -137,7 +138,11 @@ void App::keep_work() {
 }
 
 void App::close() {
-    if (is_told_to_end()) return keep_work();
+    if (is_told_to_end()) {
+        keep_work();
+        // Destructors would wait for background jobs, longer than whoever asked.
+        std::_Exit(exit_code_);
+    }
     save_settings(true);
     autosave_.finish();
 }

@@ -55,7 +55,7 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 }
 
 bool acts_on_terminal(char32_t code) {
-    if (code == '\t' || code == '\n' || code == '\r') return false;
+    if (code == '\t' || code == '\n') return false;
     return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F || code == 0x061C ||
            (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }

@@ -15,7 +15,7 @@ class App;
 namespace braitenlab {
 
 // The text without what a terminal acts upon: control characters other than tab
-// and line ends, and marks that change the direction of writing, are U+FFFD.
+// and line feed, and marks that change the direction of writing, are U+FFFD.
 std::string terminal_text(std::string_view);
 
 // While it exists, terminal_text() applies to all that is written to std::cout

@@ -30,6 +30,7 @@ std::optional<FileKind> find_kind(const std::filesystem::path& path, std::string
 }
 
 std::string_view foreign_format(std::string_view content) {
+    content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
     struct Signature {
         std::string_view bytes, format;
     };
@@ -42,6 +43,13 @@ std::string_view foreign_format(std::string_view content) {
                                            Signature{"\xFF\xD8\xFF", "JPEG"},
                                            Signature{"\x1F\x8B", "gzip"},
                                            Signature{"7z\xBC\xAF", "7z"},
+                                           Signature{"\xFD"
+                                                     "7zXZ",
+                                                     "xz"},
+                                           Signature{"BZh", "bzip2"},
+                                           Signature{"Rar!", "RAR"},
+                                           Signature{"RIFF", "RIFF"},
+                                           Signature{"\xD0\xCF\x11\xE0", "Office"},
                                            Signature{"\x7F"
                                                      "ELF",
                                                      "ELF"},

@@ -93,6 +93,13 @@ Advice of_no_break_space(const KeyLine& line) {
     return std::nullopt;
 }
 
+Advice of_typographic_minus(const KeyLine& line) {
+    const std::string outside = outside_quotes(line.whole);
+    for (const std::string_view minus : {"\u2212", "\u2013", "\u2010", "\u2011"})
+        if (outside.find(minus) != std::string::npos) return message_of("advice_plain_minus", minus);
+    return std::nullopt;
+}
+
 Advice of_typographic_quotes(const KeyLine& line) {
     const std::size_t plain = line.whole.find_first_of("\"'");
     for (const std::string_view quote : {"„", "“", "”", "‚", "‘", "’", "«", "»"})
@@ -178,8 +185,9 @@ Advice of_repetition(std::string_view above, const KeyLine& line) {
     return std::nullopt;
 }
 
-constexpr std::array causes{of_no_break_space, of_typographic_quotes, of_open_quote, of_heading,
-                            of_missing_parts,  of_decimal_comma,      of_unit,       of_bare_word};
+constexpr std::array causes{of_no_break_space, of_typographic_minus, of_typographic_quotes, of_open_quote,
+                            of_heading,        of_missing_parts,     of_decimal_comma,      of_unit,
+                            of_bare_word};
 
 }  // namespace
 

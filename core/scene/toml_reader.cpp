@@ -181,7 +181,11 @@ void TomlTable::done() {
     for (const TomlMember& member : *table_.as_table())
         if (std::find(known_.begin(), known_.end(), member.key) == known_.end()) unknown.push_back(&member);
     std::sort(unknown.begin(), unknown.end(), [](auto* a, auto* b) { return a->key_place < b->key_place; });
-    for (const TomlMember* member : unknown) fail_unknown(*member, {known_.begin(), known_.end()});
+    const std::vector<std::string_view> candidates(known_.begin(), known_.end());
+    for (const TomlMember* member : unknown) {
+        if (file_.is_full()) return;
+        fail_unknown(*member, candidates);
+    }
 }
 
 void TomlTable::fail_unknown(const TomlMember& member, const std::vector<std::string_view>& candidates) {
@@ -196,8 +200,11 @@ bool TomlTable::fail_if_misspelt(std::string_view needed, const std::vector<std:
     const auto is_in = [](const std::vector<std::string_view>& keys, const std::string& key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
+    int looked_at = 0;
+    constexpr int most_looked_at = 1000;  // more unknown keys are no file that a person misspelt
     for (const TomlMember& member : *table_.as_table()) {
         if (is_in(candidates, member.key) || is_in(foreign, member.key)) continue;
+        if (++looked_at > most_looked_at) return false;
         if (nearest_word(member.key, candidates) != needed) continue;
         fail_unknown(member, candidates);
         return true;

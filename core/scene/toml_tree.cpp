@@ -219,8 +219,10 @@ void TomlFile::fail(const std::string& path, const TomlNode* node, Message what)
     add(path, error_of(std::move(what), name, node ? static_cast<int>(node->place.line) : 0));
 }
 
+bool TomlFile::is_full() const { return faults.size() >= most_faults; }
+
 void TomlFile::add(const std::string& path, Error error) {
-    if (faults.size() >= most_faults) return;
+    if (is_full()) return;
     const auto is_here = [&](const TomlFault& fault) { return fault.path == path; };
     if (std::none_of(faults.begin(), faults.end(), is_here)) faults.push_back({path, std::move(error)});
 }
@@ -246,8 +248,10 @@ Error TomlFile::fault_at(const std::string& path, Message what) const {
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     if (text.size() > limits::file_bytes)
         return error_of(message_of("too_large", limits::file_bytes >> 20u), std::move(file_name));
-    if (const std::string_view format = foreign_format(text); !format.empty())
-        return error_of(message_of("other_file", format), std::move(file_name));
+    if (const std::string_view format = foreign_format(text); !format.empty()) {
+        const bool is_run = text.substr(0, 200).find("\"braitenlab_run\"") != text.npos;
+        return error_of(is_run ? message_of("run_as_toml") : message_of("other_file", format), std::move(file_name));
+    }
     if (const int line = line_of_bare_return(text))
         return error_of(message_of("bare_returns"), std::move(file_name), line);
     if (const int line = line_of_too_deep_key(text))

@@ -75,6 +75,8 @@ struct TomlFile {
     void add(const std::string& path, Error);
 
     bool failed() const { return !faults.empty(); }
+    // True if no further error is added: then none needs to be looked for.
+    bool is_full() const;
     // True if there is an error at the path or in what is below it.
     bool failed_at(std::string_view path) const;
     // The error that was found first. Precondition: failed().

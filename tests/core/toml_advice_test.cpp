@@ -36,6 +36,7 @@ TEST(TomlAdvice, SaysWhatToDoAboutAMistakeOfTheLine) {
                             {"x =", "; write a value after x ="},
                             {"x =\u00A03", "; write a plain space in place of the no-break space"},
                             {"x = 3\u202Fm", "; write a plain space in place of the no-break space"},
+                            {"x = \u22123", "; write a plain minus - instead of \u2212"},
                             {"x: 3", "; write a key and its value, like x = 1.5"},
                             {"[arena", "; a bracket ] is missing"},
                             {"[[step]", "; a bracket ] is missing"},

@@ -1,9 +1,13 @@
 #include "core/scene/toml_tree.h"
 
+#include <algorithm>
+#include <ctime>
 #include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
+
+#include "core/lesson/exercise_file.h"
 
 namespace braitenlab::tests::toml_tree_test {
 namespace {
@@ -31,10 +35,32 @@ TEST(TomlTree, NamesTheFormatOfAFileOfAnotherProgram) {
     for (const auto& [bytes, format] : {std::pair{"PK\x03\x04rest", "ZIP"},
                                         {"%PDF-1.7\n", "PDF"},
                                         {"\x89PNG\r\n", "PNG"},
-                                        {"{\"braitenlab_run\": 1}", "JSON"},
-                                        {"<!DOCTYPE html>\n", "HTML"}})
+                                        {"{\"other\": 1}", "JSON"},
+                                        {"\n  <!DOCTYPE html>\n", "HTML"},
+                                        {"\xD0\xCF\x11\xE0", "Office"}})
         EXPECT_EQ(complaint(bytes), std::string("f.toml: this is a file of the format ") + format +
                                         "; give a file of the lab, .toml or .run");
+}
+
+TEST(TomlTree, NamesASavedRunWithTheExtensionOfAScene) {
+    EXPECT_EQ(complaint("{\"braitenlab_run\": 1}"), "f.toml: this is a saved run; end its name with .run");
+}
+
+TEST(TomlTree, LooksForNoErrorThatIsNotKept) {
+    std::string text = "format = 1\n";
+    for (int i = 0; i < 60000; ++i) text += "k" + std::to_string(i) + " = 1\n";
+    text += "[[step]]\n";
+    const auto seconds_of = [](const auto& work) {
+        const std::clock_t began = std::clock();
+        work();
+        return static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+    };
+    double parse = 1e9, all = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        parse = std::min(parse, seconds_of([&] { EXPECT_TRUE(parse_toml(text, "f.toml")); }));
+        all = std::min(all, seconds_of([&] { EXPECT_EQ(errors_of_exercise(text, "f.toml").size(), 200u); }));
+    }
+    EXPECT_LT(all, 5 * parse) << all << " s, the text alone " << parse;
 }
 
 TEST(TomlTree, NamesALineThatEndsWithACarriageReturnAlone) {

@@ -124,10 +124,10 @@ TEST(CtlOutput, HasNothingThatATerminalActsUpon) {
     const Folder folder;
     put_text(folder / "s.toml",
              "format = 1\ntitle = \"a\\u001b[2Jb\\u009bc\\u202Ed "
-             "\u00e4\\tz\"\nstory = \"\\u0007\"\n");
+             "\u00e4\\tz\\rP\"\nstory = \"\\u0007\"\n");
     const Ran shown = ctl("show " + (folder / "s.toml").string());
     EXPECT_EQ(shown.code, 0) << shown.out;
-    EXPECT_NE(shown.out.find("a\uFFFD[2Jb\uFFFDc\uFFFDd \u00e4\tz\n\uFFFD\n"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("a\uFFFD[2Jb\uFFFDc\uFFFDd \u00e4\tz\uFFFDP\n\uFFFD\n"), std::string::npos) << shown.out;
     const Ran refused = ctl("show \"$(printf 'x\\033]0;y.toml')\"");
     EXPECT_EQ(refused.code, 2);
     EXPECT_EQ(refused.out.find('\033'), std::string::npos) << refused.out;
