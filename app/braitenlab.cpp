@@ -65,7 +65,7 @@ Result<Opened> open_asked(const Options& options) {
     if (const auto file = read_file(*path); file && file->kind == FileKind::study) {
         const auto study = insight::parse_study(file->text, path->string());
         if (!study) return study.error();
-        const auto scene = scene_of_study(*study, *path);
+        const auto scene = scene_beside(*path, study->scene);
         if (!scene) return scene.error();
         auto lab = open_lab(*scene, options.seed, options.settings);
         if (!lab) return lab.error();

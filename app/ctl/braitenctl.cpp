@@ -33,6 +33,11 @@ int complain(const Error& error) {
     return exit_code::bad_input;
 }
 
+int complain_of_all(const std::vector<Error>& errors) {
+    for (const Error& each : errors) complain(each);
+    return exit_code::bad_input;
+}
+
 int interrupted() {
     std::cerr << "braitenctl: interrupted; no file has changed\n";
     return exit_code::interrupted;

@@ -339,7 +339,7 @@ int breed(const BreedOptions& options) {
     const auto path = is_folder ? breeding_in(options.file) : find_shipped(options.file, Shipped::breeding);
     if (!path) return complain(path.error());
     const auto base = load_breeding(*path);
-    if (!base) return complain(base.error());
+    if (!base) return complain_of_all(errors_of_breeding(*path));
 
     const bool analyses =
         !options.matrix.empty() || !options.svg.empty() || !options.csv.empty() || !options.report.empty();

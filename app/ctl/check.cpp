@@ -194,12 +194,10 @@ CheckJson soundness_json(const Exercise& exercise, const Soundness& found) {
 }
 
 // Prints every error of an exercise that cannot be read; `error` where the file itself cannot.
-int complain_of_all(const std::filesystem::path& path, const Error& error) {
+int complain_of_exercise(const std::filesystem::path& path, const Error& error) {
     const auto text = read_text(path);
     const std::vector<Error> errors = text ? errors_of_exercise(*text, path) : std::vector<Error>{};
-    if (errors.empty()) return complain(error);
-    for (const Error& each : errors) complain(each);
-    return exit_code::bad_input;
+    return errors.empty() ? complain(error) : complain_of_all(errors);
 }
 
 // Prints whether the exercise is sound. Returns the exit code.
@@ -244,7 +242,7 @@ int check_all(std::uint64_t first_seed, bool as_json) {
     CheckJson json = CheckJson::array();
     for (const auto& path : shipped_exercises()) {
         const auto read = read_with_text(path);
-        if (!read) return complain_of_all(path, read.error());
+        if (!read) return complain_of_exercise(path, read.error());
         result = std::max(result, check_sound(*read, first_seed, as_json ? &json : nullptr));
     }
     if (as_json) std::cout << json.dump(2) << "\n";
@@ -263,7 +261,7 @@ int check(const CheckOptions& options) {
         if (const auto error = other_than_exercise(*path, *text, "check")) return complain(*error);
     }
     const auto read = read_with_text(*path);
-    if (!read) return complain_of_all(*path, read.error());
+    if (!read) return complain_of_exercise(*path, read.error());
     if (options.brain.empty() && !(options.choice.kind.empty() && options.choice.vehicle.empty()))
         return complain({"--kind and --vehicle need --brain FILE, from which the brain is taken"});
     if (!options.brain.empty()) return check_brain(read->exercise, options);

@@ -19,8 +19,7 @@ int check_lecture(const std::filesystem::path& path, bool json) {
     const auto text = read_text(path);
     if (!text) return complain(text.error());
     const std::vector<Error> errors = errors_of_lecture(*text, path, *data / "exercises");
-    for (const Error& error : errors) complain(error);
-    if (!errors.empty()) return exit_code::bad_input;
+    if (!errors.empty()) return complain_of_all(errors);
     const auto lecture = parse_lecture(*text, path, *data / "exercises");
     if (!lecture) return complain(lecture.error());
     const float sum = minutes_of_pages(*lecture);

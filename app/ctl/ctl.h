@@ -26,6 +26,7 @@ inline constexpr int interrupted = 130;  // as a shell counts the end by Ctrl+C
 
 // Prints the error to stderr. Returns exit_code::bad_input.
 int complain(const Error&);
+int complain_of_all(const std::vector<Error>&);
 
 // Prints to stderr that the program was interrupted and that no file has changed. Returns exit_code::interrupted.
 int interrupted();

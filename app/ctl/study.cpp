@@ -155,7 +155,7 @@ int study(const StudyOptions& options) {
     const auto path = find_shipped(options.file, Shipped::study);
     if (!path) return complain(path.error());
     const auto base = load_study(*path);
-    if (!base) return complain(base.error());
+    if (!base) return complain_of_all(errors_of_study(*path));
     const bool prints = options.csv == standard_output;
     if (const auto error = json_beside_csv(options.csv, options.json)) return complain(*error);
     const auto style = style_of(options.table);

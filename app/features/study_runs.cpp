@@ -36,7 +36,7 @@ void take_rows(StudyRuns& study, const StudyTable& table) {
 void take_table(StudyRuns& study) {
     StudyTable table(study.base, table_of_study(study.file).string());
     std::vector<std::filesystem::path> files{study.file};
-    if (const auto scene = scene_of_study(study.base->study(), study.file)) files.push_back(*scene);
+    if (const auto scene = scene_beside(study.file, study.base->study().scene)) files.push_back(*scene);
     table.read(files);
     if (table.rows().empty()) return;
     take_rows(study, table);
@@ -82,7 +82,7 @@ void open_study(StudyRuns& study, const std::string& path_or_name) {
     study.last = ships(*path) ? study.base->study().id : std::filesystem::absolute(*path).string();
     const bool is_built = !study.kept_in.empty() && path->parent_path() == built_in(study);
     if (is_built) {
-        const auto scene = scene_of_study(study.base->study(), *path);
+        const auto scene = scene_beside(*path, study.base->study().scene);
         const auto text = scene ? read_text(*scene) : scene.error();
         if (text) study.scene_text = *text;
     } else if (!ships(*path)) {

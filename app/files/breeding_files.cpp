@@ -14,6 +14,7 @@
 #include "core/messages.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/toml_tree.h"
 
 namespace braitenlab {
 
@@ -50,13 +51,26 @@ Result<std::shared_ptr<const BreedingBase>> load_breeding(const fs::path& path) 
     if (!text) return text.error();
     auto breeding = evolve::parse_breeding(*text, path.string());
     if (!breeding) return breeding.error();
-    std::error_code none;
-    const fs::path beside = path.parent_path() / breeding->scene;
-    const Result<fs::path> scene = fs::is_regular_file(beside, none) ? beside : find_shipped(breeding->scene);
+    const auto scene = scene_beside(path, breeding->scene);
     if (!scene) return scene.error();
     const auto scene_text = read_text(*scene);
     if (!scene_text) return scene_text.error();
     return BreedingBase::create(std::move(*breeding), *scene_text, scene->string());
+}
+
+std::vector<Error> errors_of_breeding(const fs::path& path) {
+    const auto text = read_text(path);
+    if (!text) return {text.error()};
+    auto [breeding, errors] = evolve::read_breeding_fully(*text, path.string());
+    std::erase_if(breeding.breeds, [](const evolve::Breed& each) { return each.kind.empty(); });
+    if (!breeding.scene.empty()) {
+        const auto scene = scene_beside(path, breeding.scene);
+        const auto scene_text = scene ? read_text(*scene) : scene.error();
+        const auto more = scene_text ? BreedingBase::errors(std::move(breeding), *scene_text, scene->string())
+                                     : std::vector<Error>{scene_text.error()};
+        errors.insert(errors.end(), more.begin(), more.end());
+    }
+    return in_order(std::move(errors), path.string());
 }
 
 std::optional<Error> write_breeding_files(const BreedingBase& base, const fs::path& folder) {

@@ -19,6 +19,9 @@ std::vector<evolve::Breeding> shipped_breeding_list();
 // The breeding and its scene: a path relative to the breeding's file, or the name of a shipped scene.
 Result<std::shared_ptr<const evolve::BreedingBase>> load_breeding(const std::filesystem::path&);
 
+// Every independent error of the breeding and of its scene, for a breeding that cannot be loaded.
+std::vector<Error> errors_of_breeding(const std::filesystem::path&);
+
 // The file of the breeding in a folder of results, which also holds scene.toml and state.json.
 std::filesystem::path breeding_in(const std::filesystem::path& folder);
 

@@ -94,6 +94,12 @@ Result<fs::path> find_shipped(const std::string& path_or_name, Shipped wanted) {
     return error_of(message_of(kind->none, path_or_name) + nearest_of(stem, candidates));
 }
 
+Result<fs::path> scene_beside(const fs::path& file, const std::string& scene) {
+    const fs::path beside = file.parent_path() / scene;
+    std::error_code none;
+    return fs::is_regular_file(beside, none) ? beside : find_shipped(scene);
+}
+
 std::vector<fs::path> shipped_exercises() { return shipped_in("guided"); }
 std::vector<fs::path> shipped_scenes() { return shipped_in("scenes"); }
 std::vector<fs::path> shipped_lectures() { return shipped_in("lectures"); }

@@ -27,6 +27,9 @@ enum class Shipped { any, exercise, study, breeding };
 // the nearest shipped name of what is wanted.
 Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Shipped wanted = Shipped::any);
 
+// The scene that a file names: a path relative to the file, or the name of a shipped scene.
+Result<std::filesystem::path> scene_beside(const std::filesystem::path& file, const std::string& scene);
+
 // The shipped exercises, scenes with those of robots, lectures, studies and breedings, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();
 std::vector<std::filesystem::path> shipped_scenes();

@@ -11,6 +11,7 @@
 #include "core/insight/study_table.h"
 #include "core/messages.h"
 #include "core/scene/file_kind.h"
+#include "core/scene/toml_tree.h"
 
 namespace braitenlab {
 
@@ -25,23 +26,33 @@ std::vector<insight::Study> shipped_study_list() {
     return studies;
 }
 
-Result<fs::path> scene_of_study(const insight::Study& study, const fs::path& study_file) {
-    const fs::path beside = study_file.parent_path() / study.scene;
-    std::error_code none;
-    if (fs::is_regular_file(beside, none)) return beside;
-    return find_shipped(study.scene);
-}
-
 Result<std::shared_ptr<const insight::StudyBase>> load_study(const fs::path& path) {
     const auto text = read_text(path);
     if (!text) return text.error();
     auto study = insight::parse_study(*text, path.string());
     if (!study) return study.error();
-    const auto scene = scene_of_study(*study, path);
+    const auto scene = scene_beside(path, study->scene);
     if (!scene) return scene.error();
     const auto scene_text = read_text(*scene);
     if (!scene_text) return scene_text.error();
     return insight::StudyBase::create(std::move(*study), *scene_text, scene->string());
+}
+
+std::vector<Error> errors_of_study(const fs::path& path) {
+    const auto text = read_text(path);
+    if (!text) return {text.error()};
+    auto [study, errors] = insight::read_study_fully(*text, path.string());
+    const bool is_read = errors.empty();  // else the scene's errors are those of what was read
+    if (!study.scene.empty()) {
+        const auto scene = scene_beside(path, study.scene);
+        const auto scene_text = scene ? read_text(*scene) : scene.error();
+        const auto more = scene_text ? insight::errors_in_scene(study, *scene_text, scene->string())
+                                     : std::vector<Error>{scene_text.error()};
+        errors.insert(errors.end(), more.begin(), more.end());
+    }
+    if (is_read && errors.empty())
+        if (const auto base = load_study(path); !base) errors.push_back(base.error());
+    return in_order(std::move(errors), path.string());
 }
 
 StudyTable::StudyTable(std::shared_ptr<const insight::StudyBase> base, const std::string& path)

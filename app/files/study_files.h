@@ -19,11 +19,11 @@ namespace braitenlab {
 // The studies that ship with the program; a broken file is left out.
 std::vector<insight::Study> shipped_study_list();
 
-// The file of its scene.
-Result<std::filesystem::path> scene_of_study(const insight::Study&, const std::filesystem::path& study_file);
-
 // The study and its scene: a path relative to the study's file, or the name of a shipped scene.
 Result<std::shared_ptr<const insight::StudyBase>> load_study(const std::filesystem::path&);
+
+// Every independent error of the study and of its scene, for a study that cannot be loaded.
+std::vector<Error> errors_of_study(const std::filesystem::path&);
 
 // A locked file, which is removed with the lock.
 struct HeldLock {

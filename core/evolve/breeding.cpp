@@ -293,46 +293,62 @@ bool awaits_panel(const BreedingBase& base, const BreedingState& state) {
 
 }  // namespace
 
+// Finds the side of the breed, and tries its genes at both ends of their ranges.
+std::vector<Error> BreedingBase::read_breed(std::size_t index) {
+    const Breed& breed = breeding_.breeds[index];
+    const auto is_kind = [&](Side each) { return kind(each).name == breed.kind; };
+    const auto side = std::find_if(both_sides.begin(), both_sides.end(), is_kind);
+    if (side == both_sides.end()) {
+        const std::string_view known[]{kind(Side::predator).name, kind(Side::prey).name};
+        return {error_of(message_of("breed_without_side", in_quotes(breed.kind)) + nearest_of(breed.kind, known),
+                         breeding_.file, breed.line)};
+    }
+    if (at(breeds_, *side) >= 0)
+        return {error_of(message_of("breed_twice", in_quotes(breed.kind)), breeding_.file, breed.line)};
+    at(breeds_, *side) = static_cast<int>(index);
+    std::vector<Error> errors;
+    for (float Gene::*end : {&Gene::low, &Gene::high}) {
+        Genome genome;
+        for (const Gene& gene : breed.genes) genome.push_back(gene.*end);
+        for (Error& each : read_scene_fully(*file_, "", settings_of(breeding_, breed, genome)).errors)
+            errors.push_back(std::move(each));
+    }
+    return errors;
+}
+
+std::vector<Error> BreedingBase::read(Breeding breeding, std::string_view scene_text, const std::string& scene_file) {
+    breeding_ = std::move(breeding);
+    auto file = parse_toml(scene_text, scene_file);
+    if (!file) return {file.error()};
+    file_ = std::make_shared<const TomlFile>(std::move(*file));
+    ReadScene scene = read_scene_fully(*file_, "", {});
+    if (!scene.errors.empty()) return std::move(scene.errors);
+    scene_ = std::move(scene.scene);
+    const auto world = World::create(scene_, 1);
+    if (!world) return {world.error()};
+    const Snapshot start = snapshot_of(*world);
+    for (const Side side : both_sides)
+        if (auto error = find_kind(start, side, scene_file, at(kinds_, side))) return {*error};
+
+    std::vector<Error> errors;
+    for (std::size_t i = 0; i < breeding_.breeds.size(); ++i)
+        for (Error& each : read_breed(i)) errors.push_back(std::move(each));
+    Breeding same = breeding_;
+    same.generations = Breeding{}.generations, same.title.clear(), same.story.clear(), same.scene.clear();
+    fingerprint_ = maths::fnv(write_scene(scene_), maths::fnv(write_breeding(same)));
+    return errors;
+}
+
 Result<std::shared_ptr<const BreedingBase>> BreedingBase::create(Breeding breeding, std::string_view scene_text,
                                                                  const std::string& scene_file) {
     auto base = std::make_shared<BreedingBase>();
-    auto file = parse_toml(scene_text, scene_file);
-    if (!file) return file.error();
-    base->file_ = std::make_shared<const TomlFile>(std::move(*file));
-    auto scene = read_scene(*base->file_, "", {});
-    if (!scene) return scene.error();
-    base->scene_ = std::move(*scene);
-    const auto world = World::create(base->scene_, 1);
-    if (!world) return world.error();
-    const Snapshot start = snapshot_of(*world);
-    for (const Side side : both_sides)
-        if (auto error = find_kind(start, side, scene_file, at(base->kinds_, side))) return *error;
-
-    for (std::size_t i = 0; i < breeding.breeds.size(); ++i) {
-        const Breed& breed = breeding.breeds[i];
-        const auto is_kind = [&](Side side) { return base->kind(side).name == breed.kind; };
-        const auto side = std::find_if(both_sides.begin(), both_sides.end(), is_kind);
-        if (side == both_sides.end()) {
-            const std::string_view known[]{base->kind(Side::predator).name, base->kind(Side::prey).name};
-            return error_of(message_of("breed_without_side", in_quotes(breed.kind)) + nearest_of(breed.kind, known),
-                            breeding.file, breed.line);
-        }
-        if (at(base->breeds_, *side) >= 0)
-            return error_of(message_of("breed_twice", in_quotes(breed.kind)), breeding.file, breed.line);
-        at(base->breeds_, *side) = static_cast<int>(i);
-        // The numbers of all genes are valid at both ends of their ranges.
-        for (float Gene::*end : {&Gene::low, &Gene::high}) {
-            Genome genome;
-            for (const Gene& gene : breed.genes) genome.push_back(gene.*end);
-            const auto changed = read_scene(*base->file_, "", settings_of(breeding, breed, genome));
-            if (!changed) return changed.error();
-        }
-    }
-    Breeding same = breeding;
-    same.generations = Breeding{}.generations, same.title.clear(), same.story.clear(), same.scene.clear();
-    base->fingerprint_ = maths::fnv(write_scene(base->scene_), maths::fnv(write_breeding(same)));
-    base->breeding_ = std::move(breeding);
+    if (auto errors = base->read(std::move(breeding), scene_text, scene_file); !errors.empty()) return errors.front();
     return std::shared_ptr<const BreedingBase>(std::move(base));
+}
+
+std::vector<Error> BreedingBase::errors(Breeding breeding, std::string_view scene_text, const std::string& scene_file) {
+    const std::string file = breeding.file;
+    return in_order(BreedingBase().read(std::move(breeding), scene_text, scene_file), file);
 }
 
 const Breed* BreedingBase::breed(Side side) const {

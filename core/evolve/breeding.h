@@ -79,6 +79,8 @@ public:
     // gene has a path that the kind does not have. Errors carry file and line.
     static Result<std::shared_ptr<const BreedingBase>> create(Breeding, std::string_view scene_text,
                                                               const std::string& scene_file);
+    // Every independent error for which create() fails.
+    static std::vector<Error> errors(Breeding, std::string_view scene_text, const std::string& scene_file);
 
     const Breeding& breeding() const { return breeding_; }
     const Scene& scene() const { return scene_; }
@@ -93,6 +95,9 @@ public:
     std::uint64_t fingerprint() const { return fingerprint_; }
 
 private:
+    std::vector<Error> read(Breeding, std::string_view scene_text, const std::string& scene_file);
+    std::vector<Error> read_breed(std::size_t index);
+
     Breeding breeding_;
     std::shared_ptr<const TomlFile> file_;  // of the scene
     Scene scene_;

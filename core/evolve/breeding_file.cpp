@@ -67,17 +67,27 @@ namespace evolve {
 
 namespace {
 
+// A misspelt key is an error already.
+void fail_missing(TomlTable& table, std::string_view key, const std::vector<std::string_view>& own, Message what) {
+    if (!table.fail_if_misspelt(key, own, {})) table.fail_missing(key, std::move(what));
+}
+
 void check_genes(TomlTable& table, Breed& breed) {
-    if (breed.kind.empty()) table.fail_missing("kind", message_of("missing_in_breed", "kind"));
+    const std::vector<std::string_view> own{"kind", "gene"};
+    if (breed.kind.empty()) fail_missing(table, "kind", own, message_of("missing_in_breed", "kind"));
     if (const TomlNode* kind = table.content().get("kind")) breed.line = static_cast<int>(kind->place.line);
-    if (breed.genes.empty()) return table.fail_missing("gene", message_of("missing_in_breed", "gene"));
+    if (breed.genes.empty()) return fail_missing(table, "gene", own, message_of("missing_in_breed", "gene"));
     const TomlNode::List& tables = *table.content().get("gene")->as_list();
     for (std::size_t i = 0; i < breed.genes.size(); ++i) {
         Gene& gene = breed.genes[i];
         TomlTable inner(table.file(), tables[i], fmt::format("{}.{}", table.path("gene"), i + 1));
         for (const char* needed : {"name", "paths"})
-            if (!inner.has(needed)) inner.fail_missing(needed, message_of("missing_in_gene", needed));
-        if (gene.low >= gene.high) inner.fail("high", message_of("gene_without_range", in_quotes(gene.name)));
+            if (!inner.has(needed))
+                fail_missing(inner, needed, {"name", "paths", "low", "high", "mutation", "start"},
+                             message_of("missing_in_gene", needed));
+        const Message no_range = message_of("gene_without_range", in_quotes(gene.name));
+        if (gene.low >= gene.high)
+            inner.has("high") ? inner.fail("high", no_range) : inner.fail_missing("high", no_range);
         if (const TomlNode* paths = tables[i].get("paths"); paths && paths->as_list())
             for (const TomlNode& path : *paths->as_list()) gene.lines.push_back(static_cast<int>(path.place.line));
     }
@@ -94,18 +104,26 @@ void read_fitness(TomlTable& top, Breeding& breeding) {
 
 void check_breeding(TomlTable& top, Breeding& breeding) {
     for (const char* needed : {"title", "scene", "breed"})
-        if (!top.has(needed)) top.fail_missing(needed, message_of("missing_in_breeding", needed));
-    if (top.file().failed()) return;
-    if (breeding.parents > breeding.population)
+        if (!top.has(needed)) fail_missing(top, needed, {}, message_of("missing_in_breeding", needed));
+    const auto is_read = [&](const char* key) { return !top.file().failed_at(key); };
+    if (breeding.parents > breeding.population && is_read("population"))
         top.fail("parents", message_of("exceeds", "parents", breeding.parents, "population", breeding.population));
-    if (breeding.elite > breeding.parents)
+    if (breeding.elite > breeding.parents && is_read("parents"))
         top.fail("elite", message_of("exceeds", "elite", breeding.elite, "parents", breeding.parents));
     read_fitness(top, breeding);
-    const TomlNode::List& tables = *top.content().get("breed")->as_list();
     for (std::size_t i = 0; i < breeding.breeds.size(); ++i) {
-        TomlTable table(top.file(), tables[i], fmt::format("breed.{}", i + 1));
+        TomlTable table(top.file(), (*top.content().get("breed")->as_list())[i], fmt::format("breed.{}", i + 1));
         check_genes(table, breeding.breeds[i]);
     }
+}
+
+Breeding read_breeding_file(TomlFile& file) {
+    Breeding breeding;
+    breeding.id = std::filesystem::path(file.name).stem().string();
+    breeding.file = file.name;
+    TomlTable top = read_top(file, breeding);
+    check_breeding(top, breeding);
+    return breeding;
 }
 
 }  // namespace
@@ -113,13 +131,16 @@ void check_breeding(TomlTable& top, Breeding& breeding) {
 Result<Breeding> parse_breeding(std::string_view toml, const std::string& file_name) {
     auto file = parse_toml(toml, file_name);
     if (!file) return file.error();
-    Breeding breeding;
-    breeding.id = std::filesystem::path(file_name).stem().string();
-    breeding.file = file_name;
-    TomlTable top = read_top(*file, breeding);
-    if (!file->failed()) check_breeding(top, breeding);
+    Breeding breeding = read_breeding_file(*file);
     if (file->failed()) return file->error();
     return breeding;
+}
+
+ReadBreeding read_breeding_fully(std::string_view toml, const std::string& file_name) {
+    auto file = parse_toml(toml, file_name);
+    if (!file) return {{}, {file.error()}};
+    Breeding breeding = read_breeding_file(*file);
+    return {std::move(breeding), file->errors()};
 }
 
 std::string write_breeding(const Breeding& breeding) { return write_top(breeding); }

@@ -82,6 +82,20 @@ double number_of(StudyMeasure measure, const Snapshot& end, const Outcome& outco
     return std::numeric_limits<double>::quiet_NaN();
 }
 
+std::vector<Error> errors_in_scene(const Study& study, std::string_view scene_text, const std::string& scene_file) {
+    const auto file = parse_toml(scene_text, scene_file);
+    if (!file) return {file.error()};
+    std::vector<Error> errors = read_scene_fully(*file, "", {}).errors;
+    for (const StudyValue& value : study.values) {  // each alone, so that one does not hide the errors of another
+        Study alone = study;
+        alone.values = {value};
+        for (std::size_t level = 0; level < value.levels.size(); ++level)
+            for (Error& each : read_scene_fully(*file, "", settings_of(alone, level)).errors)
+                errors.push_back(std::move(each));
+    }
+    return in_order(std::move(errors), study.file);
+}
+
 Result<std::shared_ptr<const StudyBase>> StudyBase::create(Study study, std::string_view scene_text,
                                                            const std::string& scene_file) {
     auto base = std::make_shared<StudyBase>();

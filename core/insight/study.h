@@ -16,6 +16,9 @@
 
 namespace braitenlab::insight {
 
+// Every independent error of the scene, and of the study's paths and levels in it.
+std::vector<Error> errors_in_scene(const Study&, std::string_view scene_text, const std::string& scene_file);
+
 // What all runs share. Constant, so that threads share it.
 class StudyBase {
 public:

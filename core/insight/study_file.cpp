@@ -54,22 +54,36 @@ namespace insight {
 
 namespace {
 
+// A list that the study has read, so that its entries are sound.
+const TomlNode::List& list_at(const TomlTable& top, std::string_view key) { return *top.content().get(key)->as_list(); }
+
 void read_measures(TomlTable& top, Study& study) {
-    for (const std::string& word : study.measure_words) {
+    for (std::size_t i = 0; i < study.measure_words.size(); ++i) {
+        const std::string& word = study.measure_words[i];
         const auto measure = find_word(study_measure_table, word);
-        if (!measure)
-            return top.fail("measures", message_of("no_measure", in_quotes(word)) +
-                                            nearest_of(word, words_of(study_measure_table)));
-        study.measures.push_back(*measure);
+        if (measure)
+            study.measures.push_back(*measure);
+        else
+            top.file().fail(
+                fmt::format("measures.{}", i + 1), &list_at(top, "measures")[i],
+                message_of("no_measure", in_quotes(word)) + nearest_of(word, words_of(study_measure_table)));
     }
 }
 
 void note_lines(const TomlTable& top, Study& study) {
-    const TomlNode::List& tables = *top.content().get("value")->as_list();
     for (std::size_t i = 0; i < study.values.size(); ++i)
-        if (const TomlNode* paths = tables[i].get("paths"))
+        if (const TomlNode* paths = list_at(top, "value")[i].get("paths"); paths && paths->as_list())
             for (const TomlNode& path : *paths->as_list())
                 study.values[i].lines.push_back(static_cast<int>(path.place.line));
+}
+
+// A misspelt key is an error already.
+void check_value(TomlTable table, const StudyValue& value) {
+    const auto need = [&](std::string_view key, bool is_empty) {
+        if (is_empty && !table.fail_if_misspelt(key, {"name", "unit", "paths", "levels"}, {}))
+            table.fail_missing(key, message_of("missing_in_value", key));
+    };
+    need("name", value.name.empty()), need("paths", value.paths.empty()), need("levels", value.levels.empty());
 }
 
 // The names of all columns differ.
@@ -78,28 +92,35 @@ void check_names(TomlTable& top, const Study& study) {
     for (const StudyMeasure measure : study.measures)
         if (!names.insert(column_name(row_of(measure))).second)
             top.fail("measures", message_of("column_twice", in_quotes(word(measure))));
-    for (const StudyValue& value : study.values)
-        if (!names.insert(value.name).second) top.fail("value", message_of("column_twice", in_quotes(value.name)));
+    for (std::size_t i = 0; i < study.values.size(); ++i)
+        if (const std::string& name = study.values[i].name; !name.empty() && !names.insert(name).second)
+            top.file().fail(fmt::format("value.{}.name", i + 1), list_at(top, "value")[i].get("name"),
+                            message_of("column_twice", in_quotes(name)));
 }
 
 void check_study(TomlTable& top, Study& study) {
     TomlFile& file = top.file();
     for (const char* needed : {"title", "scene", "measures", "value"})
-        if (!top.has(needed)) file.add(needed, error_of(message_of("missing_in_study", needed), file.name));
-    if (file.failed()) return;
-    const TomlNode::List& tables = *top.content().get("value")->as_list();
-    for (std::size_t i = 0; i < study.values.size(); ++i) {
-        const StudyValue& value = study.values[i];
-        TomlTable table(file, tables[i], fmt::format("value.{}", i + 1));
-        if (value.name.empty()) table.fail_missing("name", message_of("missing_in_value", "name"));
-        if (value.paths.empty()) table.fail_missing("paths", message_of("missing_in_value", "paths"));
-        if (value.levels.empty()) table.fail_missing("levels", message_of("missing_in_value", "levels"));
-    }
-    if (study.measure_words.empty()) top.fail("measures", message_of("missing_in_study", "measures"));
+        if (!top.has(needed) && !top.fail_if_misspelt(needed, {}, {}))
+            file.add(needed, error_of(message_of("missing_in_study", needed), file.name));
+    for (std::size_t i = 0; i < study.values.size(); ++i)
+        check_value({file, list_at(top, "value")[i], fmt::format("value.{}", i + 1)}, study.values[i]);
+    if (top.has("measures") && study.measure_words.empty())
+        top.fail("measures", message_of("missing_in_study", "measures"));
     read_measures(top, study);
     check_names(top, study);
     if (!file.failed() && study.runs() > limits::study_runs)
         top.fail("value", message_of("too_many_runs", study.runs(), limits::study_runs));
+}
+
+Study read_study_file(TomlFile& file) {
+    Study study;
+    study.id = std::filesystem::path(file.name).stem().string();
+    study.file = file.name;
+    TomlTable top = read_top(file, study);
+    check_study(top, study);
+    note_lines(top, study);
+    return study;
 }
 
 }  // namespace
@@ -113,14 +134,16 @@ std::size_t Study::combinations() const {
 Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
     auto file = parse_toml(toml, file_name);
     if (!file) return file.error();
-    Study study;
-    study.id = std::filesystem::path(file_name).stem().string();
-    study.file = file_name;
-    TomlTable top = read_top(*file, study);
-    if (!file->failed()) check_study(top, study);
+    Study study = read_study_file(*file);
     if (file->failed()) return file->error();
-    note_lines(top, study);
     return study;
+}
+
+ReadStudy read_study_fully(std::string_view toml, const std::string& file_name) {
+    auto file = parse_toml(toml, file_name);
+    if (!file) return {{}, {file.error()}};
+    Study study = read_study_file(*file);
+    return {std::move(study), file->errors()};
 }
 
 std::string write_study(const Study& study) { return write_top(study); }

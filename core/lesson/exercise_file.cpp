@@ -177,11 +177,7 @@ std::vector<Error> errors_of_exercise(std::string_view toml, const std::filesyst
     auto file = parse_toml(toml, path.string());
     if (!file) return {file.error()};
     (void)read_exercise_file(*file, path, {});
-    std::vector<Error> errors;
-    for (TomlFault& fault : file->faults) errors.push_back(std::move(fault.error));
-    const auto order = [&](const Error& error) { return std::pair(error.file != path.string(), error.line); };
-    std::stable_sort(errors.begin(), errors.end(), [&](const Error& a, const Error& b) { return order(a) < order(b); });
-    return errors;
+    return file->errors();
 }
 
 Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vector<Setting>& more) {

@@ -257,14 +257,12 @@ std::vector<Error> errors_of_lecture(std::string_view toml, const fs::path& path
     auto file = parse_toml(toml, path.string());
     if (!file) return {file.error()};
     const Lecture lecture = read_lecture_file(*file, path, exercises);
-    std::vector<Error> errors;
-    for (TomlFault& fault : file->faults) errors.push_back(std::move(fault.error));
-    for (std::size_t i = 0; i < lecture.pages.size(); ++i)
-        if (!file->failed_at(fmt::format("page.{}", i + 1)))
-            if (auto error = error_of_page(lecture, lecture.pages[i])) errors.push_back(std::move(*error));
-    const auto order = [&](const Error& error) { return std::pair(error.file != path.string(), error.line); };
-    std::stable_sort(errors.begin(), errors.end(), [&](const Error& a, const Error& b) { return order(a) < order(b); });
-    return errors;
+    for (std::size_t i = 0; i < lecture.pages.size(); ++i) {
+        const std::string page = fmt::format("page.{}", i + 1);
+        if (file->failed_at(page)) continue;
+        if (auto error = error_of_page(lecture, lecture.pages[i])) file->add(page, std::move(*error));
+    }
+    return file->errors();
 }
 
 std::vector<TranslatableText> texts_of(const Lecture& lecture) {

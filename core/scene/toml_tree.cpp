@@ -245,6 +245,22 @@ Error TomlFile::fault_at(const std::string& path, Message what) const {
     return judged.error();
 }
 
+std::vector<Error> TomlFile::errors() const {
+    std::vector<Error> all;
+    for (const TomlFault& fault : faults) all.push_back(fault.error);
+    return in_order(std::move(all), name);
+}
+
+std::vector<Error> in_order(std::vector<Error> errors, std::string_view file) {
+    std::vector<Error> ordered;
+    for (Error& each : errors)
+        if (std::find(ordered.begin(), ordered.end(), each) == ordered.end()) ordered.push_back(std::move(each));
+    const auto place = [file](const Error& error) { return std::pair(error.file != file, error.line); };
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [&](const Error& a, const Error& b) { return place(a) < place(b); });
+    return ordered;
+}
+
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     if (text.size() > limits::file_bytes)
         return error_of(message_of("too_large", limits::file_bytes >> 20u), std::move(file_name));

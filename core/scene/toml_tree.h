@@ -81,11 +81,16 @@ struct TomlFile {
     bool failed_at(std::string_view path) const;
     // The error that was found first. Precondition: failed().
     const Error& error() const { return faults.front().error; }
+    // All errors as in_order() has them.
+    std::vector<Error> errors() const;
 
     // An error at the value with a dotted path ("kind.prey.body.wheel.2.load", list entries from 1), or at the last
     // table on the way to it.
     Error fault_at(const std::string& path, Message what) const;
 };
+
+// Errors of several files as a person mends them: those of `file` by line, then those of the others. Each once.
+std::vector<Error> in_order(std::vector<Error>, std::string_view file);
 
 // Errors: syntax; more than limits::file_bytes; keys of more parts than any format of the lab has; lines that end with
 // a carriage return alone; a file of another format, which is named. The time grows with the size of the text, the

@@ -64,6 +64,23 @@ TEST(CtlBreed, AFolderDependsNeitherOnThreadsNorOnAPause) {
     fs::remove(file);
 }
 
+TEST(CtlBreed, NamesEveryErrorOfABreedingByLine) {
+    const std::string file = scratch("errors-breeding.toml");
+    std::ofstream(file)
+        << "format = 1\ntitel = \"T\"\nscene = \"" << BRAITENLAB_SOURCE
+        << "/exercises/breeding/scenes/chase-arena.toml\"\nparents = 30\nfitness = \"tuch\"\n"
+           "[[breed]]\nkind = \"preyy\"\n[[breed.gene]]\nname = \"g\"\npaths = [\"brain.LL\"]\nlow = 2\n"
+           "[[breed]]\nkind = \"predator\"\n[[breed.gene]]\nnmae = \"g\"\npaths = [\"brain.LX\"]\n";
+    const Ran ran = ctl("breed " + file + " --out " + scratch("errors-breeding"));
+    EXPECT_EQ(ran.code, 2);
+    for (const char* part : {":2: no key 'titel'", ":4: ", ":5: there is no measure 'tuch'",
+                             ":7: ", ":8: ", ":15: no key 'nmae'", ":16: no such value 'kind.predator.brain.LX'"})
+        EXPECT_NE(ran.out.find("errors-breeding.toml" + std::string(part)), std::string::npos) << part << "\n"
+                                                                                               << ran.out;
+    EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 7) << ran.out;
+    fs::remove(file);
+}
+
 TEST(CtlBreed, AFolderGivesItsMatrixItsChampionsAndTheirMatches) {
     const std::string file = small_breeding();
     const Folder folder("breed-asked");

@@ -3,7 +3,9 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +93,31 @@ TEST(CtlStudy, NamesTheNearestStudyAndTheLineOfAnError) {
                            "name = \"m\"\n";
     const std::string single = ctl("study " + file).out;
     EXPECT_NE(single.find("bad-study.toml:5: write [[value]] instead of [value]"), std::string::npos) << single;
+    std::filesystem::remove(file);
+}
+
+TEST(CtlStudy, NamesEveryErrorOfAStudyAndOfItsPathsByLine) {
+    const std::string file = scratch("errors-study.toml");
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nseconds = 0\nmeasures = [\"tuch\",\n"
+                           "\"final\", \"finale\"]\n[[value]]\nname = \"m\"\npaths = [\"arena.gripp\"]\nlevels = [1]\n"
+                           "[[value]]\nnmae = \"n\"\npaths = [\"kind.aggressor.body.mass\"]\nlevels = [5, 5000]\n"
+                           "[[value]]\nname = \"m\"\npaths = [\"arena.grip\"]\n";
+    const Ran ran = ctl("study " + file);
+    EXPECT_EQ(ran.code, 2);
+    std::vector<int> lines;
+    std::istringstream in(ran.out);
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t at = line.find("errors-study.toml:");
+        ASSERT_NE(at, line.npos) << ran.out;
+        lines.push_back(std::stoi(line.substr(at + 18)));
+    }
+    EXPECT_EQ(lines, (std::vector{4, 5, 6, 9, 12, 13, 15, 16})) << ran.out;
+    std::ofstream(file) << "format = 1\ntitel = \"T\"\nscene = \"2b-agressor\"\n";
+    const std::string out = ctl("study " + file).out;
+    EXPECT_NE(out.find("'titel'"), out.npos) << out;
+    EXPECT_EQ(out.find("'title' is missing"), out.npos) << "it is misspelt: " << out;
+    for (const char* words : {"'measures' is missing", "'value' is missing", "2b-aggressor"})
+        EXPECT_NE(out.find(words), out.npos) << words << out;
     std::filesystem::remove(file);
 }
 
