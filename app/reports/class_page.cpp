@@ -140,6 +140,7 @@ struct Page {
         std::string text;
         const auto add = [&](const std::string& more) { text += (text.empty() || more.empty() ? "" : "; ") + more; };
         add(problem_text(row, strings));
+        if (const std::string name = other_name(row); !name.empty()) add(fill(strings("report.other_name"), {name}));
         if (!row.same_as.empty()) add(fill(strings("report.same_as"), {row.same_as}));
         if (row.problem) return text;
         if (row.refusal) add(text_of(*row.refusal, strings));
@@ -161,8 +162,11 @@ struct Page {
         const auto number_cell = [](std::optional<int> value) {
             return html::element("td", value ? std::to_string(*value) : "", "n");
         };
-        std::string out = fmt::format("<tr{}><td class=\"name\"><a href=\"#s{}\">{}</a></td>",
-                                      is_superseded(row) ? " class=\"superseded\"" : "", index, xml_text(row.student));
+        // The names of an anonymous export differ by the number alone.
+        const std::string id = row.submitter.id.empty() ? "" : " " + html::element("span", row.submitter.id, "quiet");
+        std::string out =
+            fmt::format("<tr{}><td class=\"name\"><a href=\"#s{}\">{}</a>{}</td>",
+                        is_superseded(row) ? " class=\"superseded\"" : "", index, xml_text(row.student), id);
         if (!row.grade)  // the reason has the room of all results
             return out + fmt::format("<td class=\"bad\" colspan=\"{}\">", 6 + exercise.steps.size()) +
                    html::with_breaks(remark(row)) + "</td></tr>\n";
@@ -175,7 +179,7 @@ struct Page {
         out += number_cell(h ? std::optional(h->hints) : std::nullopt);
         out += number_cell(h ? std::optional(h->runs) : std::nullopt);
         const bool is_bad = (row.problem && !is_superseded(row)) || row.refusal || !row.same_as.empty() ||
-                            states_another_result(report, row);
+                            !other_name(row).empty() || states_another_result(report, row);
         return out + html::element("td", remark(row), is_bad ? "bad" : "") + "</tr>\n";
     }
 

@@ -12,6 +12,7 @@
 #include "core/lesson/resemblance.h"
 #include "core/lesson/submission.h"
 #include "core/messages.h"
+#include "core/plain_letters.h"
 #include "core/scene/scene_file.h"
 #include "ui/measure_text.h"
 
@@ -80,6 +81,17 @@ std::string failed_step_text(const ClassReport& report, const Grade& grade, cons
     return text;
 }
 
+// True if each word of the name is in the text.
+bool has_words_of(const std::string& text, std::string_view name) {
+    constexpr std::string_view between = " ,.";
+    for (std::size_t at = 0; (at = name.find_first_not_of(between, at)) != name.npos;) {
+        const std::size_t end = std::min(name.find_first_of(between, at), name.size());
+        if (text.find(name.substr(at, end - at)) == text.npos) return false;
+        at = end;
+    }
+    return true;
+}
+
 class CsvLine {
 public:
     explicit CsvLine(std::string& out) : out_(out) {}
@@ -123,7 +135,7 @@ ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const
         row.problem = RowProblem{{}, {}, hand_in.error()};
         return row;
     }
-    row.student = hand_in->student;
+    if (submitter.name.empty()) row.student = hand_in->student;
     row.hand_in = std::move(*hand_in);
     HandIn nameless = *row.hand_in;
     if (!nameless.written.empty()) nameless.student.clear();  // two students do not write in the same second
@@ -138,6 +150,14 @@ ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const
 bool is_same_person(const ClassRow& a, const ClassRow& b) {
     if (!a.submitter.person.empty() || !b.submitter.person.empty()) return a.submitter.person == b.submitter.person;
     return a.submitter.folder == b.submitter.folder && is_same_student(a.student, b.student);
+}
+
+std::string other_name(const ClassRow& row) {
+    if (!row.hand_in || row.submitter.name.empty()) return "";
+    const std::string& named = row.hand_in->student;
+    for (const Umlauts umlauts : {Umlauts::spelled, Umlauts::as_vowels})
+        if (has_words_of(plain_letters(row.submitter.name, umlauts), plain_letters(named, umlauts))) return "";
+    return named;
 }
 
 void mark_same(std::vector<ClassRow>& rows) {
@@ -267,8 +287,9 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
     for (std::size_t step = 1; step <= exercise.steps.size(); ++step) out += fmt::format(",step_{}", step);
     for (int start = 1; start <= exercise.starts; ++start) out += fmt::format(",start_{}", start);
     out +=
-        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,same_as,"
-        "feedback,error\n";
+        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,name_in_"
+        "file,"
+        "same_as,feedback,error\n";
     for (const ClassRow& row : report.rows) {
         CsvLine line(out);
         const auto& grade = row.grade;
@@ -291,6 +312,7 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
         line.text(std::string(row.unchanged   ? strings("report.as_shipped")
                               : row.resembles ? translated(strings, exercise.wrong[*row.resembles].name)
                                               : ""));
+        line.text(other_name(row));
         line.text(row.same_as);
         line.text(row.problem ? "" : feedback(report, row, strings));
         line.text(problem_text(row, strings));

@@ -25,7 +25,7 @@ struct RowProblem {
 // One file of the class.
 struct ClassRow {
     std::string file;         // its name, with folders
-    std::string student;      // of the hand-in; of another file the submitter's name, or the file's without the ending
+    std::string student;      // the submitter's name; without one that in the hand-in, or the file's without the ending
     Submitter submitter{};    // by the names of the file and its folders
     std::string fingerprint;  // the same text for files that differ at most by the student's name
     std::optional<HandIn> hand_in;
@@ -60,6 +60,10 @@ ClassRow row_of_hand_in(const Exercise&, const std::string& file, const Result<s
 // True for rows of one person: the platform's names say so or, where they do not tell, both are in one folder and their
 // students are the same (is_same_student).
 bool is_same_person(const ClassRow&, const ClassRow&);
+
+// The name in the hand-in where it is not the student's: a word of it is not in the platform's name. Else empty.
+// Letters count without accents and in any case; "Anna" and "Anna Müller" are in "Mueller Anna" and in "muelleranna".
+std::string other_name(const ClassRow&);
 
 // Of several hand-ins of one person, the one written last counts, of equal times the last by file name; the others get
 // a problem that names it.

@@ -76,8 +76,7 @@ public:
     const ClassRow* take(const std::string& id, const std::string& name, int same_name) {
         const auto is_it = [&](const ClassRow* row) {
             if (!row->submitter.id.empty() && !id.empty()) return row->submitter.id == id;
-            const std::string key = name_key(name);
-            return same_name == 1 && (name_key(row->student) == key || name_key(row->submitter.name) == key);
+            return same_name == 1 && name_key(row->student) == name_key(name);
         };
         const auto found = std::find_if(rows_.begin(), rows_.end(), is_it);
         if (found == rows_.end()) return nullptr;

@@ -231,7 +231,35 @@ TEST(ClassReport, OneFileOfTwoPeopleIsMarked) {
     const std::string page = class_page(report, speaking("en"), "en");
     EXPECT_NE(line_of(page, "Ben").find("<td class=\"bad\">the same file as a</td>"), page.npos)
         << line_of(page, "Ben");
-    EXPECT_NE(class_csv(report, speaking("en")).find("2026-01-01T10:00:00Z,,a,Passed"), std::string::npos);
+    EXPECT_NE(class_csv(report, speaking("en")).find("2026-01-01T10:00:00Z,,,a,Passed"), std::string::npos);
+}
+
+TEST(ClassReport, ANameInTheFileIsNotedIfItIsNotThePersonsOnThePlatform) {
+    struct Named {
+        const char *platform, *file;
+        bool is_other;
+    };
+    for (const Named& each : {Named{"Müller Anna", "Anna Müller", false},
+                              {"Mueller Anna", "ANNA  Müller", false},
+                              {"Müller Anna", "Muller", false},
+                              {"muelleranna", "Müller, Anna", false},
+                              {"Müller Anna", "Anna", false},
+                              {"Nowak Jan", "Anna Müller", true},
+                              {"Müller Jan", "Anna Müller", true},
+                              {"", "Anna Müller", false}}) {
+        const ClassRow made = row_of_hand_in(*aggressor(), "a.toml", write_hand_in(hand_in(each.file, good)),
+                                             {"f", "7", each.platform, "p"});
+        EXPECT_EQ(other_name(made), each.is_other ? each.file : "") << each.platform << " " << each.file;
+        const std::string person = *each.platform ? each.platform : each.file;
+        EXPECT_EQ(made.student, person);
+        for (const auto& [language, name] : shipped_languages()) {
+            const std::string page = class_page({aggressor(), 1, {made}}, speaking(language), language);
+            const std::string note = fill(speaking(language)("report.other_name"), {each.file});
+            EXPECT_EQ(line_of(page, person).find(note) != page.npos, each.is_other)
+                << language << line_of(page, person);
+            EXPECT_EQ(xml_fault(page), "") << language;
+        }
+    }
 }
 
 TEST(ClassReport, TheSummaryHasQuartilesAndTheStepThatFailedMost) {
@@ -265,7 +293,7 @@ TEST(ClassReport, TheTableIsSafeForSpreadsheets) {
     EXPECT_TRUE(
         csv.substr(second).starts_with("\"'=HYPERLINK(\"\"http://x\"\")\",,,\"'+a,b.toml\",yes,10,10,8,10,10,10,yes,"))
         << csv;
-    EXPECT_NE(csv.find(",yes,2,0,no,,,,,,Passed: 10 of 10 starts.,\n"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",yes,2,0,no,,,,,,,Passed: 10 of 10 starts.,\n"), csv.npos) << csv;
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
 }
 

@@ -107,8 +107,8 @@ void expect_the_moodle_class(const Ran& ran) {
     const std::string first = "Müller Anna_101_assignsubmission_file_",
                       second = "Müller Anna_102_assignsubmission_file_", file = "/05-aggressor.braiten-handin.toml";
     for (const std::string& line :
-         {"\nAnna Müller," + first + ",101," + first + file + ",yes,10,",
-          "\nAnna Müller," + second + ",102," + second + file + ",no,0,",
+         {"\nMüller Anna," + first + ",101," + first + file + ",yes,10,",
+          "\nMüller Anna," + second + ",102," + second + file + ",no,0,",
           std::string("report.pdf: not a hand-in but a PDF\n"),
           std::string("Ode Olu_104_assignsubmission_file_: no hand-in in this folder\n"),
           std::string("Park Soo_105_assignsubmission_file_: no hand-in in this folder\n"),
@@ -138,9 +138,35 @@ TEST(CtlGrade, TakesTheFoldersOfMoodleAndWhatIsAroundThem) {
     fs::create_directories(folder / "outer");
     fs::rename(folder / "class", folder / "outer" / "Sheet 5");
     const Ran ran = grade_in(folder.path, "05-aggressor outer");
-    EXPECT_NE(ran.out.find("\nAnna Müller,Müller Anna_101_assignsubmission_file_,101,Sheet 5/Müller"),
+    EXPECT_NE(ran.out.find("\nMüller Anna,Müller Anna_101_assignsubmission_file_,101,Sheet 5/Müller"),
               std::string::npos)
         << ran.out;
+}
+
+TEST(CtlGrade, WhoHandsInTheFileOfAnotherStandsUnderTheOwnName) {
+    const Folder folder;
+    const std::string file = "/05-aggressor.braiten-handin.toml";
+    for (const auto& [platform, anna, jan] :
+         {std::array{"Moodle", "Müller Anna_101_assignsubmission_file_", "Nowak Jan_102_assignsubmission_file_"},
+          std::array{"ILIAS", "Mueller_Anna_am_101", "Nowak_Jan_jn_102"}}) {
+        for (const std::string person : {anna, jan})
+            put_text(folder / platform / (person + file), handed_in("Anna Müller"));
+        const Ran ran = grade_in(folder.path, "05-aggressor " + std::string(platform) + " --html page.html");
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        const std::string table = grade_in(folder.path, "05-aggressor " + std::string(platform)).out;
+        const auto row_of = [&](const std::string& begin) {
+            const std::size_t at = table.find("\n" + begin);
+            return at == table.npos ? "" : table.substr(at + 1, table.find('\n', at + 1) - at - 1);
+        };
+        const std::string of_jan = row_of("Nowak Jan," + std::string(jan) + ",102,");
+        EXPECT_NE(of_jan.find(",Anna Müller," + std::string(anna) + file + ",Passed"), std::string::npos) << table;
+        const std::string of_anna = row_of(std::string(platform) == "Moodle" ? "Müller Anna," : "Mueller Anna,");
+        EXPECT_NE(of_anna.find(",," + std::string(jan) + file + ",Passed"), std::string::npos) << table;
+        const std::string page = text_of(folder / "page.html");
+        EXPECT_NE(page.find(">Nowak Jan</a> <span class=\"quiet\">102</span>"), std::string::npos) << platform;
+        EXPECT_NE(page.find("the file names Anna Müller; the same file as " + std::string(anna)), std::string::npos)
+            << platform;
+    }
 }
 
 TEST(CtlGrade, TakesAFileInASubfolderBesideOthers) {
@@ -158,8 +184,8 @@ TEST(CtlGrade, TakesFlatNamesOfMoodleAndCopiesOfCanvas) {
     put_text(folder / "c" / "nowakjan_4711_99001_05-aggressor-jan.braiten-handin-1.toml", handed_in("Jan"));
     const Ran ran = grade_in(folder.path, "05-aggressor c");
     EXPECT_EQ(ran.code, 0) << ran.out;
-    EXPECT_NE(ran.out.find("\nK,,7,Lee Kim_7"), std::string::npos) << ran.out;
-    EXPECT_NE(ran.out.find("\nJan,,4711,nowakjan_4711"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("\nLee Kim,,7,Lee Kim_7"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("\nnowakjan,,4711,nowakjan_4711"), std::string::npos) << ran.out;
 }
 
 TEST(CtlGrade, TwoFoldersMayHaveTheSameNames) {
