@@ -40,10 +40,11 @@ bool is_no_stroke(KeyPress press) {
     return printed || (press.key >= key::first_modifier && press.key <= key::last_modifier);
 }
 
-// True if text may follow: the key opens a sheet or a number, or moves the focus to a text field.
+// True if text may follow: the key opens a sheet or a number, moves the focus to a text field, or tells that a search
+// is a path.
 bool may_lead_to_text(KeyPress press) {
     return press.ctrl || press.key == key::enter || press.key == key::tab || press.key == key::up ||
-           press.key == key::down;
+           press.key == key::down || press.key == '/' || press.key == '\\';
 }
 
 // Keys that repeat while held; others, such as play and pause, act once per press.
@@ -59,7 +60,7 @@ bool may_repeat_in_text(KeyPress press) {
 }  // namespace
 
 KeyPress as_typed(KeyPress press, unsigned character) {
-    constexpr std::string_view signs = ".,+-=<>";
+    constexpr std::string_view signs = ".,+-=<>/~";
     // They are answers and sliders: without Shift they are those of their place whatever they type.
     const bool is_used_digit = press.key >= '1' && press.key <= '4' && !press.shift;
     if (character == 0 || character > '~') return press;
@@ -130,7 +131,9 @@ KeysOfAFrame KeyQueue::take_shortcuts() {
     std::optional<KeyPress> led;
     while (has_next()) {
         const Event& event = events_.front();
-        if (led && (event.character != 0 || event.press != *led)) break;
+        const bool is_own =
+            led && event.character == static_cast<unsigned>(led->key);  // of a sign: it is heard already
+        if (led && !is_own && (event.character != 0 || event.press != *led)) break;
         const auto [press, repeats, character, after] = next();
         if (character != 0 || (repeats && !may_repeat(press))) continue;
         frame.presses.push_back(press);

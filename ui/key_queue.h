@@ -25,7 +25,7 @@ struct KeysOfAFrame {
 };
 
 // The press of a key that types this character. Layouts have the digits at one place, shifted or not, and the signs
-// . , + - = < > at different places: a digit is the key of its place or what is typed, a sign is what is typed, and
+// . , + - = < > / ~ at different places: a digit is the key of its place or what is typed, a sign is what is typed, and
 // with Ctrl a sign of the type size only.
 KeyPress as_typed(KeyPress, unsigned character);
 

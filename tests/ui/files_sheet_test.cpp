@@ -337,6 +337,42 @@ TEST_F(FilesSheet, AcceptsATypedPathWithSpacesAndDots) {
     EXPECT_TRUE(desk.actions().empty());
 }
 
+TEST_F(FilesSheet, ASearchThatIsAPathGoesOnInTheFieldOfThePath) {
+    for (const std::string path : {"/home/x/My y.toml", "~/a.toml", "../b.toml", "Sub/ä.toml", "c:\\d.toml"}) {
+        press({'O', true});
+        desk.all.clear();
+        const std::size_t slash = path.find_first_of("/\\");
+        for (const char c : path.substr(0, slash + 1)) {
+            const bool is_letter = c >= 'a' && c <= 'z', is_capital = c >= 'A' && c <= 'Z';
+            press({is_letter ? c - 'a' + 'A' : c, false, is_capital});
+        }
+        EXPECT_EQ(desk.panels.sheets.files.place, FilesPlace::folder) << path;
+        EXPECT_EQ(desk.panels.keyboard.focus, "files.path") << path;
+        EXPECT_TRUE(desk.last<BrowseRequest>()) << "the folder is listed: " << path;
+        type(path.substr(slash + 1).c_str());
+        press({key::enter});
+        EXPECT_EQ(opened(), std::vector{path});
+        EXPECT_TRUE(desk.panels.sheets.files.search.empty()) << path;
+        desk.panels.sheets.files.place = FilesPlace::shipped;
+        press({key::escape});
+        ASSERT_EQ(desk.panels.sheet, Sheet::none) << path;
+    }
+}
+
+TEST_F(FilesSheet, ASearchIgnoresCapitalsAndNamesTheTabOfOtherFiles) {
+    for (const std::string& code : shipped_codes()) {
+        desk.strings = speaking(code);
+        press({'O', true});
+        for (const char c : std::string("COW")) press({c, false, true});
+        EXPECT_TRUE(desk.anchors.find("open.2a-coward")) << code;
+        for (const char c : std::string("ZZ")) press({c});
+        EXPECT_FALSE(desk.anchors.find("open.2a-coward")) << code;
+        const std::string told = fill(desk.strings("files.no_match"), {std::string(desk.strings("files.folder"))});
+        EXPECT_TRUE(desk.says(told)) << code << told;
+        press({key::escape}), press({key::escape});
+    }
+}
+
 TEST_F(FilesSheet, SavesUnderTheSuggestedOrATypedName) {
     press({'S', true});
     EXPECT_EQ(desk.panels.keyboard.focus, "files.path");

@@ -46,6 +46,8 @@ TEST(KeyQueue, ASignIsWhatIsTypedAndADigitIsAtItsPlace) {
                               {{'1'}, '+', {'1'}, "Czech: the digits are shifted"},
                               {{'.', false, true}, '>', {'>'}, "English"},
                               {{'.', false, true}, ':', {'.', false, true}, "German"},
+                              {{'7', false, true}, '/', {'/'}, "German"},
+                              {{'+'}, '~', {'~'}, "German"},
                               {{'A', false, true}, 'A', {'A', false, true}, "any"}}) {
         KeyQueue queue;
         queue.press(each.key);
@@ -205,6 +207,14 @@ TEST_F(TypedQuickly, SavesUnderTheNameTypedBeforeEnterAndPlaysAfterEscape) {
         if (const auto* save = std::get_if<SaveRequest>(&request)) saved.push_back(save->path);
     EXPECT_EQ(saved, std::vector<std::string>{"new one"});
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+}
+
+TEST_F(TypedQuickly, ReachesTheFieldOfThePathThatASlashOpens) {
+    queue.press({'O', true});
+    strike(queue, "../my b.toml");
+    hear(40);
+    EXPECT_EQ(name(), "../my b.toml");
+    EXPECT_TRUE(desk.actions().empty());
 }
 
 TEST_F(TypedQuickly, ReachesTheNumberThatEnterOpens) {

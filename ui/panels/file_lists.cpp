@@ -271,7 +271,7 @@ bool search_by_typing(FilesState& files, KeyPress press) {
     const char typed = static_cast<char>(press.key);
     if (std::exchange(files.search_selected, false)) files.search.clear();
     if (files.search.size() < longest)
-        files.search += typed >= 'A' && typed <= 'Z' ? static_cast<char>(typed - 'A' + 'a') : typed;
+        files.search += typed >= 'A' && typed <= 'Z' && !press.shift ? static_cast<char>(typed - 'A' + 'a') : typed;
     return true;
 }
 
@@ -307,16 +307,18 @@ std::string chapter_title(const Ui& ui, int chapter) {
 // whole width.
 void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     search_row(files, ui);
-    const std::vector<CatalogueEntry> listed = found(view, ui, view.documents.catalogue, files.search),
-                                      lectures = found(view, ui, view.documents.lectures, files.search);
+    const std::string search = plain_letters(files.search, Umlauts::as_vowels);
+    const std::vector<CatalogueEntry> listed = found(view, ui, view.documents.catalogue, search),
+                                      lectures = found(view, ui, view.documents.lectures, search);
     const bool is_new = std::exchange(files.searched, files.search) != files.search;
     if (listed.empty() && lectures.empty()) {
         begin_list(files, ui, "no match", bottom);
-        if (!files.search.empty()) paragraph(ui, ui.strings("files.no_match"), ui.palette.second_text);
+        if (!search.empty())
+            paragraph(ui, fill(ui.strings("files.no_match"), {std::string(ui.strings("files.folder"))}),
+                      ui.palette.second_text);
         return end_list(ui);
     }
-    if (ui.keyboard && is_new && !files.search.empty())
-        focus_best_hit(view, ui, listed, lectures, files.search, *ui.keyboard);
+    if (ui.keyboard && is_new && !search.empty()) focus_best_hit(view, ui, listed, lectures, search, *ui.keyboard);
     constexpr float exercises_share = 0.66f;  // of the width
     const auto exercises = std::count_if(listed.begin(), listed.end(), is_exercise);
     const bool has_others = exercises < std::ssize(listed) || !lectures.empty(), has_both = exercises > 0 && has_others;

@@ -21,7 +21,8 @@ struct FilesState {
     FilesPlace place = FilesPlace::shipped;  // when opening
     std::optional<FileKind> only;            // when opening from a folder; none: every kind
     FileKind kind = FileKind::scene;         // when saving
-    std::string search;                      // typed while what ships is listed: only entries with these words
+    std::string search;                      // typed while what ships is listed: only entries with these words; a path
+                                             // moves to FilesPlace::folder
     std::string searched;                    // `search` in the last frame
     bool search_selected = false;            // the next letter replaces it
     TextField typed;                         // a path, or the name to save under

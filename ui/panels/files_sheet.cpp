@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
@@ -63,6 +64,17 @@ void save_file(const LabView& view, FilesState& files, Ui& ui) {
             SaveRequest{files.typed.text, files.kind, changed_text(files, files.title, translated(ui, scene.title)),
                         create, changed_text(files, files.story, translated(ui, scene.story))});
     }
+}
+
+// A search that is a path: the field of the path goes on with it.
+void take_typed_path(const LabView& view, FilesState& files, Ui& ui) {
+    const bool is_path = files.search.find_first_of("/\\") != std::string::npos;
+    if (files.saving || files.place != FilesPlace::shipped || !view.documents.files || !is_path) return;
+    files.place = FilesPlace::folder;
+    files.typed.text = std::exchange(files.search, {});
+    files.typed.at_end = true;
+    ui.outbox.push_back(BrowseRequest{});
+    if (ui.keyboard) ui.keyboard->focus = "files.path", ui.keyboard->revealed = true;
 }
 
 // The part above the list: the place to open from, or kind and name to save.
@@ -198,6 +210,7 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         files.story.text = view.documents.files->ships ? std::string_view{} : translated(ui, view.now->scene->story);
         ui.outbox.push_back(BrowseRequest{});
     }
+    take_typed_path(view, files, ui);
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
     SheetState& sheet =
         open_sheet(state, ui, Sheet::files, window, ui.strings(files.saving ? "files.save_as" : "files.open"),

@@ -16,10 +16,14 @@ namespace braitenlab::ui {
 
 namespace {
 
-int grow(ImGuiInputTextCallbackData* data) {
-    auto& text = *static_cast<std::string*>(data->UserData);
-    text.resize(static_cast<std::size_t>(data->BufTextLen));
-    data->Buf = text.data();
+int follow_text(ImGuiInputTextCallbackData* data) {
+    auto& field = *static_cast<TextField*>(data->UserData);
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
+        field.text.resize(static_cast<std::size_t>(data->BufTextLen));
+        data->Buf = field.text.data();
+    } else if (std::exchange(field.at_end, false)) {
+        data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+    }
     return 0;
 }
 
@@ -63,8 +67,10 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     // Not while a mouse button is down: the widget under the pointer would lose the press.
     if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) compat::focus_next_field();
     ImGui::PushID(id.data(), id.data() + id.size());
-    ImGui::InputText("##text", field.text.data(), field.text.capacity() + 1,
-                     ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AutoSelectAll, grow, &field.text);
+    ImGui::InputText(
+        "##text", field.text.data(), field.text.capacity() + 1,
+        ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_AutoSelectAll,
+        follow_text, &field);
     ImGui::PopID();
     const TextBox shown{id, box, pad, focused, ImGui::IsItemClicked()};
     settle_focus(ui, field, shown);

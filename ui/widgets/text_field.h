@@ -17,6 +17,7 @@ struct TextField {
     bool ask_enter = false;
     bool ask_leave = false;  // Escape was pressed in a field of several lines
     bool drawn = false;      // in this frame
+    bool at_end = false;     // once it is active, the cursor is behind its text, of which nothing is selected
 };
 
 // Draws a field of several lines at the cursor: it is `rows` lines high, a line that becomes too wide is broken at a
