@@ -142,6 +142,7 @@ void App::frame(float passed) {
     view.program.version = version_text();
     view.program.uploads = is_on_page();
     view.program.touch = window_.is_touched();
+    view.program.finger = window_.finger();
     view.program.has_ffmpeg = can_write(ClipFormat::mp4);
     if (clip_) view.program.clip_progress = clip_->progress();
     if (autosave_.leftover()) view.documents.recovery = &autosave_.leftover()->offer;

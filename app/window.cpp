@@ -376,6 +376,7 @@ ui::KeysOfAFrame Window::take_keys(ui::TextInput text) {
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 
 bool Window::is_touched() const { return false; }
+float Window::finger() const { return 0; }
 float Window::take_twist() { return 0; }
 void Window::want_text(bool) {}
 bool Window::holds(int glfw_key) const {

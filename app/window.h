@@ -66,6 +66,8 @@ public:
 
     // True while the last pointer was a finger; in a browser only.
     bool is_touched() const;
+    // The height that a finger needs, window pixels: 44 pixels of the page. 0 where there is no page.
+    float finger() const;
     // The angle by which two fingers have turned since the last call, rad, counter-clockwise.
     float take_twist();
     // Tells the browser whether characters are typed, for its keyboard on the screen and its input methods.

@@ -271,6 +271,7 @@ struct ProgramView {
     bool uploads = false;                              // in a browser: files of the computer come by upload
     std::string_view version;                          // of the program: "0.1.0"
     bool touch = false;                                // the last pointer was a finger
+    float finger = 0;                                  // height of a row for a finger, window pixels; 0: not known
 };
 
 struct LabView {

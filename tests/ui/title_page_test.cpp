@@ -30,6 +30,36 @@ TEST(TitlePage, ShowsTheNameASentenceAndOneButtonAndNothingElse) {
         }
 }
 
+TEST(TitlePage, ItsButtonIsHighEnoughForAFingerAlsoWhereThePageIsReduced) {
+    constexpr float finger = 44;
+    struct Page {
+        float width, height, density, scale;
+    };
+    // 400 × 800 and 800 × 400 pixels of a telephone with one or two pixels of its display each, and a tablet.
+    for (const Page& page : {Page{640, 1280, 1.6f, 1}, {1280, 2560, 3.2f, 1}, {960, 480, 1.2f, 1}, {1024, 768, 1, 1}})
+        for (const std::string& code : shipped_codes()) {
+            SCOPED_TRACE(code + " " + std::to_string(page.width));
+            Desk desk(page.width, page.height, page.scale, true);
+            desk.strings = speaking(code);
+            desk.view.program.title_page = true;
+            desk.view.program.finger = finger * page.density;
+            desk.frame(2);
+            const Rect button = desk.where("title.begin");
+            EXPECT_GE(button.h, finger * page.density);
+            EXPECT_GE(button.x, 0);
+            EXPECT_LE(button.x + button.w, page.width);
+            for (const ui::Written& each : desk.written) {
+                const bool is_inside = button.contains(each.rect.x, each.rect.y);
+                const bool is_apart = each.rect.y + each.rect.h <= button.y || each.rect.y >= button.y + button.h;
+                EXPECT_TRUE(is_inside || is_apart) << each.words;
+            }
+        }
+    Desk unknown(1024, 768, 1, true);
+    unknown.view.program.title_page = true;
+    unknown.frame(2);
+    EXPECT_GE(unknown.where("title.begin").h, finger) << "before a finger has touched the window";
+}
+
 TEST(TitlePage, BeginsByItsButtonEnterSpaceAndEscape) {
     for (const int key : {key::enter, static_cast<int>(' '), key::escape}) {
         Desk desk;

@@ -8,6 +8,7 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/menu_bar.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -57,8 +58,10 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     for (const std::string& each : lines) widest = std::max(widest, text_width(ui, Face::title, each));
     shade_words(ui, window, x + widest, std::min(window.x + window.w, x + widest + 2.0f * inset));
     const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
+    // For a finger, before one has touched the window: a telephone shows it reduced.
+    const float button = std::max(finger_row, view.program.finger / ui.px(1));
     const float height =
-        name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button) + ui.px(button_height);
+        name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button + button);
     float y = window.y + (window.h - height) / 2;
     put(ui, {x, y}, "Braitenlab", ui.palette.text, Face::display);
     mark(ui, "title.name", {x, y, text_width(ui, Face::display, "Braitenlab"), name});
@@ -69,7 +72,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     }
     ImGui::SetCursorScreenPos({x, y + ui.px(above_button)});
     ButtonLook look{{}, ui.strings("title.begin"), Emphasis::primary};
-    look.min_width = begin_width;
+    look.min_width = std::max(begin_width, 2 * button), look.min_height = button;
     if (push_button(ui, "title.begin", look, ui.strings("title.begin_how"), key_name({key::enter}, ui.strings)))
         ui.outbox.push_back(BeginRequest{});
     put(ui, {x, window.y + window.h - ui.px(32)}, view.program.version, ui.palette.second_text, Face::small);

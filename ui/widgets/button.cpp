@@ -105,7 +105,8 @@ float least_width_for(const Ui& ui, ButtonLook look, std::initializer_list<std::
 }
 
 Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
-    const Item at = item(ui, id, {button_width(ui, look), ui.px(button_height)}, look.enabled);
+    const float height = ui.px(std::max(button_height, look.min_height));
+    const Item at = item(ui, id, {button_width(ui, look), height}, look.enabled);
     const ButtonColours c = colours(ui, look, at);
     fill_box(ui, at.rect, c.fill);
     line_box(ui, at.rect, c.line);

@@ -18,8 +18,8 @@ struct ButtonLook {
     Emphasis emphasis = Emphasis::plain;
     bool on = false;  // a toggle that is on
     bool enabled = true;
-    float min_width = 0;   // layout pixels
-    bool compact = false;  // smaller words and gaps
+    float min_width = 0, min_height = 0;  // layout pixels
+    bool compact = false;                 // smaller words and gaps
 };
 
 inline constexpr float button_height = 32;  // layout pixels
