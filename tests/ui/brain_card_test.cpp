@@ -1,6 +1,8 @@
 // The brain card except its sliders: edits of both sides, its words, and manual driving.
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <set>
 
 #include "brain_on_desk.h"
 #include "core/brain/four_neurons.h"
@@ -38,6 +40,31 @@ TEST(BrainCard, GivesEveryNumberOfASumButTheFirstASign) {
         });
     };
     EXPECT_EQ(count("+0.00"), 2) << "LM and RM";
+}
+
+TEST(BrainCard, ItsPictureStaysWhileTheCauseOfATurnChanges) {
+    for (const std::string& code : shipped_codes())
+        for (const auto& [width, height] : {std::pair{800.0f, 600.0f}, {1024.0f, 768.0f}}) {
+            Desk desk(width, height, 1, true);
+            desk.strings = speaking(code);
+            desk.now = snapshot(0);
+            desk.now.tick = 100;
+            desk.view.mode = Mode::playing;
+            give(desk, make_graph({.LL = -1.5f, .LR = 0.1f, .RL = 1.5f, .RR = 0.2f, .LM = 0.1f, .RM = 0.1f}));
+            std::set<float> pictures, buttons, heights;
+            for (const auto& [left, right, speed] :
+                 {std::array{0.0f, 0.0f, 1.0f}, {0.4f, 0.2f, 1.0f}, {0.2f, 0.9f, 1.0f}, {0.9f, 0.1f, 0.0f}}) {
+                desk.now.sensed = {left, right};
+                desk.now.vehicles[0].speed = speed;
+                desk.frame(3);
+                pictures.insert(desk.where("brain.picture").y);
+                if (height > 600) buttons.insert(desk.where("button.why").y);
+                heights.insert(desk.panels.card(Card::brain).content);
+            }
+            EXPECT_EQ(pictures.size(), 1u) << code << " " << width;
+            EXPECT_LE(buttons.size(), 1u) << code << " " << width;
+            EXPECT_GT(heights.size(), 1u) << "the sentences have several lengths: " << code;
+        }
 }
 
 TEST(BrainCard, EndsTheDragOfASliderWhenItsVehicleIsGone) {

@@ -413,7 +413,7 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
     return is_plain ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
-constexpr float sums_height = 104;  // layout pixels: both equations and a line below them
+constexpr float sums_height = 104, cause_height = 28;  // layout pixels: both equations with the cause; one line of it
 
 // True if less than this height (layout pixels) is left in the column. A card is not scrolled in a lecture.
 bool would_be_cut(const Ui& ui, float height, Rect column) {
@@ -456,15 +456,17 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         dial_sliders(view, state, ui, *vehicle);
         if (has_controls) free_play_row(view, ui);
         gap(ui, spacing::small);
-        if (vehicle->driver != Driver::brain)
-            driver_panel(state, ui, *vehicle);
-        else if (tells && view.settings.revealed.brain && !(view.lecture && would_be_cut(ui, sums_height, column)))
-            equations(view, ui, *vehicle, column, has_controls);
+        const bool shows_sums =
+            vehicle->driver == Driver::brain && tells && !(view.lecture && would_be_cut(ui, sums_height, column));
+        if (vehicle->driver != Driver::brain) driver_panel(state, ui, *vehicle);
+        if (shows_sums) equations(view, ui, *vehicle);
         // The wiring canvas shows the same brain larger.
-        const float height = column.h < ui.px(low_column) ? 90 : 116;
+        const float height = column.h < ui.px(low_column) ? 90 : 116, below = shows_sums ? cause_height : 0;
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
-            !(view.lecture && would_be_cut(ui, brain_picture_height(view, *vehicle, height), column)))
+            !(view.lecture && would_be_cut(ui, brain_picture_height(view, *vehicle, height) + below, column)))
             brain_picture(view, state, ui, *vehicle, height);
+        // Below the picture, because its length changes during a run.
+        if (shows_sums) cause_in_words(view, ui, *vehicle, column, has_controls);
         const bool wanted = std::exchange(state.brain.presets.wanted, false) || buttons[0].pressed;
         ImGui::PopStyleVar();
         presets_menu(view, state, ui, *vehicle, wanted,

@@ -303,6 +303,7 @@ void explanation_row(Ui& ui, const std::string& words, std::span<const Analysis>
     const ImVec2 after = ImGui::GetCursorScreenPos();
     // The buttons are higher than the line beside them.
     ImVec2 corner{at.x + card_width(ui) - width, at.y - (ui.px(small_button_height) - line) / 2};
+    const float bottom_of_buttons = corner.y + ui.px(small_button_height);
     for (const Analysis& each : buttons) {
         ImGui::SetCursorScreenPos(corner);
         const Item shown = small_button(ui, each.look, !has_icons(ui));
@@ -310,7 +311,9 @@ void explanation_row(Ui& ui, const std::string& words, std::span<const Analysis>
         if (shown.pressed) ui.outbox.push_back(each.action);
         corner.x += small_button_width(ui, each.look, !has_icons(ui)) + space;
     }
-    ImGui::SetCursorScreenPos({after.x, std::max(after.y, at.y + ui.px(small_button_height))});
+    // The last row of the card has no space below it.
+    const float bottom_of_words = after.y - ImGui::GetStyle().ItemSpacing.y;
+    ImGui::SetCursorScreenPos({after.x, std::max(bottom_of_words, bottom_of_buttons)});
 }
 
 }  // namespace
@@ -329,8 +332,9 @@ bool is_stuck(const LabView& view, const VehicleView& vehicle) {
     return view.mode == Mode::playing && stands_still(view, vehicle) && wheels_push(vehicle.motor[0], vehicle.motor[1]);
 }
 
-void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect column, bool has_buttons) {
+void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
+    const Cause why = cause(both);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const auto columns = [&](bool factors) { return equation_columns(ui, both, factors, at.x, card_width(ui)); };
     EquationColumns x = columns(!both[0].more_wires);
@@ -340,7 +344,6 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect col
         name_by_wires(both);
         x = columns(false);
     }
-    const Cause why = cause(both);
     const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(spacing::tight);
     const bool stopped = both[0].stopped || both[1].stopped;
     const Cause* shown = stopped || insight::are_alike(both[0].total, both[1].total) ? nullptr : &why;
@@ -351,6 +354,11 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect col
         tooltip(ui, area, ui.strings("sums.how"));
     else if (wants_tooltip(ui, area))
         tooltip(ui, area, std::string(ui.strings("sums.more_wires")) + legend(view, ui, vehicle, both));
+}
+
+void cause_in_words(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect column, bool has_buttons) {
+    const std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
+    const Cause why = cause(both);
     const auto buttons = analyses(view, ui);
     explanation_row(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)),
                     has_buttons ? std::span<const Analysis>(buttons) : std::span<const Analysis>{},

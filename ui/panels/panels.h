@@ -98,9 +98,10 @@ inline bool shows_controls(const LabView& view, const PanelState& state) {
 std::vector<std::string_view> numbered_sliders(const LabView&);
 std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
 std::string words_of(const Offer&);  // of its slider: "LL = RR"
-// The sums of both motors and the cause of a turn, with the buttons of further explanations; `column` is the height
-// that the card has at most.
-void equations(const LabView&, Ui&, const VehicleView&, Rect column, bool has_buttons);
+// The sums of both motors.
+void equations(const LabView&, Ui&, const VehicleView&);
+// The cause of a turn, with the buttons of further explanations; `column` is the height that the card has at most.
+void cause_in_words(const LabView&, Ui&, const VehicleView&, Rect column, bool has_buttons);
 // True if the vehicle does not move. Not known in the first half second.
 bool stands_still(const LabView&, const VehicleView&);
 // The key of the sentence about two wheels that turn alike, at this command; `stuck`: the vehicle does not move.
