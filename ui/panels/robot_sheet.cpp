@@ -19,7 +19,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float robot_height = 440;  // layout pixels, of the body
+// Layout pixels: of the body; what a sheet as high as the window has besides.
+constexpr float robot_height = 440, around_body = 155;
 struct RobotSheet {
     const LabView& view;
     PanelState& panels;
@@ -87,8 +88,12 @@ struct RobotSheet {
                    words("robot.folder_how"));
         paragraph(ui, view.program.uploads ? words("robot.downloads") : view.documents.files->listing.folder,
                   ui.palette.second_text, Face::small);
-        if (state.asked && view.documents.files->refused)
-            paragraph(ui, text_of(*view.documents.files->refused, ui.strings), warning());
+    }
+
+    // Why the files were not written; empty: nothing is wrong.
+    std::string problem() const {
+        const bool is_refused = state.asked && !is_written() && view.documents.files->refused;
+        return is_refused ? text_of(*view.documents.files->refused, ui.strings) : std::string();
     }
 
     void written() const {
@@ -163,12 +168,13 @@ void robot_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     const RobotSheet parts{view, panels, state, ui};
     parts.make_files(*vehicle);
     SheetState& sheet = open_sheet(panels, ui, Sheet::robot, window);
-    const float bottom = ImGui::GetCursorPosY() + std::min(ui.px(robot_height), window.h - ui.px(200));
+    const float bottom =
+        ImGui::GetCursorPosY() + std::min(ui.px(robot_height), window.h - ui.px(around_body)) - sheet.footer;
     if (!parts.is_written()) parts.targets();
     parts.files();
     parts.is_written() ? parts.written() : parts.folder();
     if (!parts.is_written() && ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
-    sheet_buttons(ui, sheet);
+    sheet_buttons(ui, sheet, parts.problem());
     parts.buttons();
     if (!state.begun && ui.keyboard)
         ui.keyboard->focus = "robot.target." + std::string(state.robot->word()), ui.keyboard->revealed = true;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <imgui.h>
 
@@ -29,7 +30,8 @@ float sheet_row(const Ui& ui) { return ui.px(button_height + sheet_pad); }
 
 void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_view heading, float layout_width,
                  Rect window) {
-    const float margin = ui.px(least_margin), around = sheet_heading(ui) + sheet_row(ui) + 2 * ui.px(sheet_pad);
+    const float margin = ui.px(least_margin),
+                around = sheet_heading(ui) + state.footer + sheet_row(ui) + 2 * ui.px(sheet_pad);
     const float w = std::min(ui.px(layout_width), window.w - 2 * margin);
     const float h = std::min(state.content + around, window.h - 2 * margin);
     const Rect r{window.x + std::floor((window.w - w) / 2), window.y + std::floor((window.h - h) / 2), w, h};
@@ -54,7 +56,7 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
     ImGui::BeginGroup();
 }
 
-void sheet_buttons(Ui& ui, SheetState& state) {
+void sheet_buttons(Ui& ui, SheetState& state, std::string_view problem) {
     ImGui::EndGroup();
     shade_edges(ui);
     const float measured = ImGui::GetItemRectSize().y;
@@ -62,7 +64,17 @@ void sheet_buttons(Ui& ui, SheetState& state) {
     ImGui::PopStyleVar();
     ImGui::EndChild();
     const Rect& r = state.rect;
-    ImGui::SetCursorScreenPos({r.x + ui.px(sheet_pad), r.y + r.h - ui.px(sheet_pad + button_height)});
+    const ImVec2 buttons{r.x + ui.px(sheet_pad), r.y + r.h - ui.px(sheet_pad + button_height)};
+    const float width = r.w - 2 * ui.px(sheet_pad), line = line_height(ui, Face::text);
+    const auto lines = problem.empty() ? std::vector<std::string>{} : lines_of_words(ui, problem, Face::text, width);
+    float y = buttons.y - state.footer;
+    for (const std::string& each : lines) {
+        put(ui, {buttons.x, y}, each, legible(ui.palette.warning, ui.palette.panel, ui.palette.text));
+        y += line;
+    }
+    const float height = lines.empty() ? 0 : static_cast<float>(lines.size()) * line + ui.px(spacing::small);
+    state.is_resized |= std::abs(height - std::exchange(state.footer, height)) > 1;
+    ImGui::SetCursorScreenPos(buttons);
 }
 
 bool end_sheet(const SheetState& state) {

@@ -10,7 +10,8 @@ namespace braitenlab::ui {
 
 struct SheetState {
     float content = 0;        // height of its body in the last frame, window pixels; decides its height in the next one
-    bool is_resized = false;  // in the last frame the body had another height than in the one before
+    float footer = 0;         // of what stands between body and buttons, window pixels; likewise
+    bool is_resized = false;  // in the last frame one of these had another height than in the one before
     Rect rect;                // in this frame
     float scroll = 0;         // requested by keys, in pages of its body; carried out in the next frame
 };
@@ -19,8 +20,9 @@ struct SheetState {
 // anchor is `id`. Follow with sheet_buttons() and end_sheet().
 void begin_sheet(Ui&, SheetState&, std::string_view id, std::string_view heading, float layout_width, Rect window);
 
-// Ends the body and begins the row of buttons at the bottom (ImGui::SameLine between them).
-void sheet_buttons(Ui&, SheetState&);
+// Ends the body and begins the row of buttons at the bottom (ImGui::SameLine between them). `problem`: what is wrong,
+// above the buttons, where it does not scroll.
+void sheet_buttons(Ui&, SheetState&, std::string_view problem = {});
 
 // True after a click beside the sheet; the caller then cancels the sheet.
 bool end_sheet(const SheetState&);

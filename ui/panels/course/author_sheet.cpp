@@ -22,7 +22,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float page_height = 600;  // of a page, so that the buttons stay in their place
+// Layout pixels: of a page, so that the buttons stay in their place; what a sheet as high as the window has besides.
+constexpr float page_height = 600, around_page = 155;
 
 struct AuthorSheet : AuthorFields {
     // ── The pages ──
@@ -171,12 +172,11 @@ void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) 
     }
     const AuthorSheet parts{{view, panels, state, ui}};
     SheetState& sheet = open_sheet(panels, ui, Sheet::author, window);
-    const float bottom = ImGui::GetCursorPosY() + std::min(ui.px(page_height), window.h - ui.px(200));
+    const float bottom =
+        ImGui::GetCursorPosY() + std::min(ui.px(page_height), window.h - ui.px(around_page)) - sheet.footer;
     parts.pages();
-    if (const std::string wrong = parts.problem(); !wrong.empty())
-        paragraph(ui, wrong, legible(ui.palette.warning, ui.palette.panel, ui.palette.text));
     if (ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
-    sheet_buttons(ui, sheet);
+    sheet_buttons(ui, sheet, parts.problem());
     parts.buttons();
     if (!state.begun && ui.keyboard) ui.keyboard->focus = "author.title", ui.keyboard->revealed = true;
     state.begun = true;
