@@ -1,6 +1,7 @@
 // The sheet that saves the open scene as an exercise.
 #include "core/lesson/author.h"
 #include "desk.h"
+#include "ui/widgets/drawn_text.h"
 
 namespace braitenlab::tests::author_sheet_test {
 
@@ -274,6 +275,60 @@ TEST_F(AuthorSheet, OpensAgainAsItWasFilledOnceItsSceneIsRestored) {
     desk.key({key::escape});
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.author")) << "once";
+}
+
+TEST(AuthorSheetProblem, IsWholeAboveTheButtonsInEveryWindow) {
+    for (const std::string& code : shipped_codes())
+        for (const auto& [width, height] : {std::pair{800.0f, 600.0f}, {1024.0f, 768.0f}, {1280.0f, 800.0f}}) {
+            SCOPED_TRACE(code + " " + std::to_string(width));
+            Desk desk(width, height, 1, true);
+            FilesView files;
+            desk.strings = speaking(code);
+            desk.now = shipped_scene("2a-coward");
+            desk.view.documents.files = &files;
+            desk.frame(3);
+            desk.choose("file", "save_exercise");
+            desk.frame(3);
+            const Rect before = desk.where("author.save");
+            desk.click("author.save");
+            desk.frame(3);
+            const Rect save = desk.where("author.save");
+            EXPECT_NEAR(save.y, before.y, 1) << "the button stays under the pointer";
+            const auto said = std::find_if(desk.written.begin(), desk.written.end(), [&](const Written& each) {
+                return each.words == desk.strings("author.no_goal");
+            });
+            ASSERT_NE(said, desk.written.end());
+            EXPECT_FALSE(is_cut(*said));
+            EXPECT_TRUE(is_visible(*said));
+            EXPECT_LE(said->rect.y + said->rect.h, save.y);
+            EXPECT_GE(said->rect.y, save.y - 60) << "beside the button";
+        }
+}
+
+TEST_F(AuthorSheet, AnEmptyFieldShowsItsHint) {
+    EXPECT_TRUE(desk.says(desk.strings("author.goal_how")));
+    type("author.goal", "Touch the lamp.");
+    EXPECT_FALSE(desk.says(desk.strings("author.goal_how")));
+    page(4);
+    for (const char* hint : {"author.question_how", "author.option_how", "author.outcome_how"})
+        EXPECT_TRUE(desk.says(desk.strings(hint))) << hint;
+}
+
+TEST_F(AuthorSheet, ANumberSaysWhatItMeansForItsGoal) {
+    fill_in();
+    const auto hint_at = [&](const char* slider) {
+        desk.point(slider);
+        desk.frame(60);
+        std::string all;
+        for (const Written& each : desk.written) all += each.words + "\n";
+        return all;
+    };
+    EXPECT_NE(hint_at("author.value.metres").find(desk.strings("author.value_how.metres")), std::string::npos);
+    desk.click("author.goals");
+    desk.frame(3);
+    desk.click("author.goal.avoids");
+    desk.frame(3);
+    EXPECT_NE(hint_at("author.value.metres").find(desk.strings("author.value_how.avoids_metres")), std::string::npos);
 }
 
 }  // namespace braitenlab::tests::author_sheet_test

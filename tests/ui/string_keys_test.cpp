@@ -128,7 +128,12 @@ std::set<std::string> composed() {
     for (const Goal& each : authored_goals()) {
         Goal goal = each;
         keys.insert("author.goal." + std::string(word_of(goal)));
-        for (const GoalValue& value : values_of(goal)) keys.insert("author.value." + std::string(value.key));
+        for (const GoalValue& value : values_of(goal)) {
+            const std::string key(value.key), how = "author.value_how.",
+                                              own = how + std::string(word_of(goal)) + "_" + key;
+            keys.insert("author.value." + key);
+            if (!value.name) keys.insert(english().all().count(own) ? own : how + key);
+        }
     }
     for (const NeuronKind& kind : neuron_kinds) keys.insert("wiring.kind." + std::string(kind.word));
     for (const RefusalName& refusal : refusals) keys.insert("wiring.refused." + std::string(refusal.word));

@@ -40,12 +40,13 @@ void settle_focus(Ui& ui, TextField& field, const TextBox& shown) {
 
 void finish_text_box(Ui& ui, TextField& field, const TextBox& shown, std::string_view what, std::string_view how) {
     const Rect box = shown.box;
-    if (field.text.empty())
-        put(ui, {box.x + shown.pad.x, box.y + shown.pad.y}, shortened(ui, what, Face::text, box.w - 2 * shown.pad.x),
-            ui.palette.second_text);
+    const std::string visible =
+        field.text.empty() ? shortened(ui, what, Face::text, box.w - 2 * shown.pad.x) : std::string();
+    put(ui, {box.x + shown.pad.x, box.y + shown.pad.y}, visible, ui.palette.second_text);
     line_box(ui, box, shown.focused ? ui.palette.accent : ui.palette.line, Corner::box, shown.focused ? 1.5f : 1.0f);
     mark(ui, shown.id, box);
-    Item item{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};
+    // No tooltip for words that the field shows.
+    Item item{.rect = box, .hovered = ImGui::IsItemHovered() && visible != how, .held = field.active};
     if (ui.shown) {
         item.shown = static_cast<int>(ui.shown->size());
         ui.shown->push_back({std::string(shown.id), false, box, true});

@@ -20,7 +20,7 @@ struct AuthorFields {
     const Scene& scene() const { return *view.now->scene; }
     std::string_view words(std::string_view key) const { return ui.strings(key); }
 
-    // A heading and a text field below it.
+    // A heading and a text field below it, which shows the hint `how` while it is empty.
     void field(std::string_view name, TextField&, std::string_view id, std::string_view how) const;
     // Switches side by side, wrapped at the sheet's edge: `x` is the end of the one before, 0 for the first. True if
     // pressed.
@@ -29,7 +29,8 @@ struct AuthorFields {
     int choice(const std::string& id, const std::vector<std::string>& names, std::string_view chosen,
                std::string_view how) const;
     // A slider; its value after this frame.
-    float number(const std::string& id, std::string_view label, float value, const NumberField&) const;
+    float number(const std::string& id, std::string_view label, std::string_view how, float value,
+                 const NumberField&) const;
 };
 
 void author_steps_page(const AuthorFields&);       // goals, graded runs

@@ -16,7 +16,7 @@ namespace braitenlab::ui {
 
 void AuthorFields::field(std::string_view name, TextField& text, std::string_view id, std::string_view how) const {
     subheading(ui, words(name));
-    text_field(ui, text, id, card_width(ui), {}, words(how));
+    text_field(ui, text, id, card_width(ui), words(how), words(how));
     gap(ui, 8);
 }
 
@@ -41,11 +41,11 @@ int AuthorFields::choice(const std::string& id, const std::vector<std::string>& 
     return found;
 }
 
-float AuthorFields::number(const std::string& id, std::string_view label, float value,
+float AuthorFields::number(const std::string& id, std::string_view label, std::string_view how, float value,
                            const NumberField& number) const {
     SliderLook look = look_of(number);
     look.words = label;
-    look.tooltip = words("author.value_how");
+    look.tooltip = how;
     look.unit = number.unit;
     look.words_width = 176, look.number_width = 76;
     const auto edit = slider(ui, panels.sliders, id, value, card_width(ui), view.wall_seconds, look);
@@ -61,17 +61,23 @@ std::string_view label_of(const AuthorFields& page, const Goal& goal) {
 
 // ── A goal ──
 
-void goal_value(const AuthorFields& page, const std::string& prefix, const GoalValue& value) {
+// What the number means: for this goal, or for each that has it.
+std::string_view meaning_of(const AuthorFields& page, const Goal& goal, const std::string& key) {
+    return page.ui.strings.find("author.value_how." + std::string(word_of(goal)) + "_" + key,
+                                page.words("author.value_how." + key));
+}
+
+void goal_value(const AuthorFields& page, const std::string& prefix, const Goal& goal, const GoalValue& value) {
     const std::string key(value.key), id = prefix + "." + key;
     const std::string_view label = page.words("author.value." + key);
     const std::string unit = value.unit.empty() ? "" : value.unit == "°" ? "°" : " " + std::string(value.unit);
     if (value.number)
-        *value.number = page.number(id, label, *value.number,
+        *value.number = page.number(id, label, meaning_of(page, goal, key), *value.number,
                                     {key.c_str(), unit, value.range, *value.number, *value.number, false});
     if (value.count) {
         const auto count = static_cast<float>(*value.count);
-        *value.count =
-            static_cast<int>(page.number(id, label, count, {key.c_str(), unit, value.range, count, count, true}));
+        *value.count = static_cast<int>(page.number(id, label, meaning_of(page, goal, key), count,
+                                                    {key.c_str(), unit, value.range, count, count, true}));
     }
     if (!value.name) return;
     subheading(page.ui, label);
@@ -81,7 +87,7 @@ void goal_value(const AuthorFields& page, const std::string& prefix, const GoalV
 }
 
 void goal_values(const AuthorFields& page, const std::string& prefix, Goal& goal) {
-    for (const GoalValue& value : values_of(goal)) goal_value(page, prefix, value);
+    for (const GoalValue& value : values_of(goal)) goal_value(page, prefix, goal, value);
 }
 
 // The list of goals; the one pressed, or null.
@@ -147,8 +153,8 @@ void one_step(const AuthorFields& page, const std::vector<Goal>& goals) {
         return;
     }
     goal_values(page, "author.value", step.check.goal);
-    step.check.hold = page.number("author.hold", page.words("author.value.hold"), step.check.hold,
-                                  {"hold", " s", {0, 600}, step.check.hold, 0, false});
+    step.check.hold = page.number("author.hold", page.words("author.value.hold"), page.words("author.value_how.hold"),
+                                  step.check.hold, {"hold", " s", {0, 600}, step.check.hold, 0, false});
     gap(page.ui, 8);
     page.field("author.step_text", state.step_texts[state.step_shown], of_step + ".text", "author.step_text_how");
 }
@@ -169,7 +175,8 @@ void option(const AuthorFields& page, std::size_t i) {
     const float aside = small_button_width(ui, look, true) + ui.px(8);
     ImGui::SameLine(0, ui.px(spacing::small));
     ImGui::SetCursorPosY(y);
-    text_field(ui, state.options[i], id, card_width(ui) - aside, {}, page.words("author.option_how"));
+    const std::string_view how = page.words("author.option_how");
+    text_field(ui, state.options[i], id, card_width(ui) - aside, how, how);
 }
 
 // What the run with the shipped brain must show: nothing, or one goal.
@@ -190,7 +197,7 @@ void shown_goal(const AuthorFields& page) {
         return;
     }
     if (now) goal_values(page, "author.shown", *now);
-    asked.after = page.number("author.after", page.words("author.after"), asked.after,
+    asked.after = page.number("author.after", page.words("author.after"), page.words("author.after_how"), asked.after,
                               {"after", " s", {1, 60}, asked.after, Prediction{}.after, true});
 }
 
@@ -226,13 +233,14 @@ void author_steps_page(const AuthorFields& page) {
     gap(page.ui, 8);
     subheading(page.ui, page.words("author.run"));
     ExerciseDraft& draft = state.draft;
-    draft.seconds = page.number("author.seconds", page.words("author.seconds"), draft.seconds,
-                                {"seconds", " s", {1, 600}, draft.seconds, 20, true});
-    draft.starts =
-        static_cast<int>(page.number("author.starts", page.words("author.starts"), static_cast<float>(draft.starts),
-                                     {"starts", "", {1, 100}, static_cast<float>(draft.starts), 10, true}));
-    draft.heading_spread = page.number("author.spread", page.words("author.spread"), draft.heading_spread,
-                                       {"spread", "°", {0, 180}, draft.heading_spread, 15, false});
+    draft.seconds = page.number("author.seconds", page.words("author.seconds"), page.words("author.seconds_how"),
+                                draft.seconds, {"seconds", " s", {1, 600}, draft.seconds, 20, true});
+    draft.starts = static_cast<int>(page.number("author.starts", page.words("author.starts"),
+                                                page.words("author.starts_how"), static_cast<float>(draft.starts),
+                                                {"starts", "", {1, 100}, static_cast<float>(draft.starts), 10, true}));
+    draft.heading_spread =
+        page.number("author.spread", page.words("author.spread"), page.words("author.spread_how"), draft.heading_spread,
+                    {"spread", "°", {0, 180}, draft.heading_spread, 15, false});
 }
 
 void author_prediction_page(const AuthorFields& page) {
@@ -254,7 +262,8 @@ void author_wrong_page(const AuthorFields& page) {
         const std::string id = "author.wrong." + std::to_string(i + 1), id_of_remove = id + ".remove";
         const SmallButton remove{id_of_remove, icon::remove, page.words("author.remove_wrong")};
         const float y = ImGui::GetCursorPosY(), aside = small_button_width(ui, remove, true) + ui.px(8);
-        text_field(ui, state.wrong_names[i], id, card_width(ui) - aside, {}, page.words("author.wrong_name_how"));
+        const std::string_view how = page.words("author.wrong_name_how");
+        text_field(ui, state.wrong_names[i], id, card_width(ui) - aside, how, how);
         ImGui::SameLine(0, ui.px(spacing::small));
         ImGui::SetCursorPosY(y + ui.px(button_height - small_button_height) / 2);
         const bool pressed = small_push_button(ui, remove, page.words("author.remove_wrong_how"));
