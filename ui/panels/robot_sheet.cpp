@@ -20,7 +20,7 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels: of the body; what a sheet as high as the window has besides.
-constexpr float robot_height = 440, around_body = 155;
+constexpr float robot_height = 440, around_body = 148;
 struct RobotSheet {
     const LabView& view;
     PanelState& panels;

@@ -23,7 +23,7 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels: of a page, so that the buttons stay in their place; what a sheet as high as the window has besides.
-constexpr float page_height = 600, around_page = 155;
+constexpr float page_height = 600, around_page = 148;
 
 struct AuthorSheet : AuthorFields {
     // ── The pages ──
