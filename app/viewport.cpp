@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "app/course/lab_lecture.h"
+#include "app/lab_selection.h"
 #include "render/view/label_space.h"
 #include "ui/lab_view.h"
 
@@ -62,6 +63,24 @@ std::optional<FloorBox> paths_of_change(const Lab& lab) {
     return box;
 }
 
+// In a lecture, beside a question, a card or the diagram: the whole arena with its walls, where the vehicle is not too
+// small in it. It does not depend on the place of the vehicle, so that the camera rests.
+std::optional<FloorBox> arena_beside(const Lab& lab, Rect window, Rect free_area) {
+    constexpr float narrow = 0.6f;  // of the window's width
+    const VehicleView* vehicle = selected_vehicle(lab);
+    const bool is_beside =
+        lab.before_lecture && lab.playback.mode != Mode::wiring && free_area.w < narrow * window.w;
+    if (!is_beside || !vehicle || lab.view.camera.mode != CameraMode::overview) return std::nullopt;
+    const Snapshot& now = shown_snapshot(lab);
+    const Arena& arena = now.scene->arena;
+    const float wall = has_walls(arena.edge) ? wall_of(arena).thickness : 0;
+    const vec2 half{arena.width / 2 + wall, arena.height / 2 + wall};
+    const FloorBox box{half * -1.0f, half};
+    const CameraView seen = look(lab.view.camera, arena, nullptr, window, free_area, &box);
+    const float length = kind_of(now, *vehicle).body.length * pixels_per_metre(seen, {});
+    return length >= least_share * free_area.w ? std::optional(box) : std::nullopt;
+}
+
 // The height from the top of the area to below its cards that hide a vehicle or a bulb, at most half of it; 0: none. A
 // card that has just got a column of its own is beside the area, and hides what the last frame has shown there.
 float height_of_cards(const Snapshot& now, const CameraView& seen, const Rect& area, std::span<const Rect> cards) {
@@ -99,6 +118,8 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
     free_area = clear_of_cards(state, lab, free_area, cards);
     const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
     if (is_home(state, lab)) state.framing.start_over();
+    auto close_up = paths_of_change(lab);
+    if (!close_up) close_up = arena_beside(lab, window, free_area);
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
     state.framed =
@@ -110,7 +131,7 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .other_run = around_b(slots),
                                    .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
                                    .held = held,
-                                   .close_up = paths_of_change(lab)});
+                                   .close_up = close_up});
     const CameraView wanted = look(state.framing.raised(lab.view.camera), now.scene->arena, followed, window, free_area,
                                    &state.framed, ride_scale(now, followed));
     state.age = jumped(state, lab) ? 0 : state.age + seconds;

@@ -89,6 +89,32 @@ TEST_F(SlowOrbit, FramesTheSceneBelowACardThatHidesAVehicle) {
     EXPECT_NEAR(vehicle_at().y, first.y, 1) << "outside a lecture";
 }
 
+TEST_F(SlowOrbit, BesideTheQuestionAndTheDiagramOfALectureTheWholeArenaIsInThePicture) {
+    const Rect window{0, 0, 1024, 768};
+    const auto shows_arena = [&](Rect area) {
+        for (int i = 0; i < 200; ++i) aim(state, lab, window, area, 1.0f / 60);
+        const Arena& arena = lab.document.session.snapshot().scene->arena;
+        bool all = true;
+        for (const float x : {-0.5f, 0.5f})
+            for (const float y : {-0.5f, 0.5f}) {
+                const auto at = project(state.camera_view, {x * arena.width, y * arena.height});
+                all &= at && area.contains(at->x, at->y);
+            }
+        return all;
+    };
+    constexpr Rect diagram{17, 213, 448, 532}, above_values{17, 213, 448, 403}, question{488, 213, 510, 532};
+    for (const char* scene : {"2a-coward", "2b-aggressor"})
+        for (const Rect& area : {diagram, above_values, question}) {
+            SCOPED_TRACE(scene + std::string(" ") + std::to_string(area.w));
+            lab = opened_lab(scene);
+            EXPECT_FALSE(shows_arena(area)) << "outside a lecture the action is larger";
+            begin_lecture(lab);
+            EXPECT_TRUE(shows_arena(area));
+            lab.view.camera.zoom = 2;
+            EXPECT_FALSE(shows_arena(area)) << "the camera of the user";
+        }
+}
+
 TEST_F(SlowOrbit, ACardThatTakesAColumnOfTheSceneDoesNotMoveItDown) {
     const Rect window{0, 0, 1280, 800}, area{16, 72, 1248, 600};
     for (int i = 0; i < 200; ++i) aim(state, lab, window, area, 1.0f / 60);
