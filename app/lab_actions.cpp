@@ -86,10 +86,10 @@ void show_map(Lab& lab) {
         return say(lab, {NoticeKind::failure, "unavailable.scene_only"});
     }
     if (lab.view.map) lab.view.reality = false;
-    const VehicleView* vehicle = selected_vehicle(lab);
-    if (!lab.view.map || (vehicle && can_show_map(lab, *vehicle))) return;
+    const std::string_view why_not = why_no_map(lab);
+    if (!lab.view.map || why_not.empty()) return;
     lab.view.map = false;
-    say(lab, {NoticeKind::failure, vehicle ? "unavailable.map" : "unavailable.no_vehicle"});
+    say(lab, {NoticeKind::failure, std::string(why_not)});
 }
 
 // Ends what Esc is for: the foremost of what covers the scene or takes its place. A lecture ends only after a notice

@@ -173,6 +173,7 @@ struct LectureView {
 
     const LecturePage& current() const { return lecture->pages[static_cast<std::size_t>(page)]; }
     bool shows(PagePart part) const { return braitenlab::shows(current(), part, step); }
+    bool awaits_answer() const { return !current().question.options.empty() && !shows(PagePart::answer); }
 };
 
 // A shipped scene, exercise or lecture in menus and the file browser.
@@ -346,9 +347,23 @@ inline bool can_tell_why(const LabView& view) {
     return vehicle && view.may.why && shows_driving_brain(view, *vehicle);
 }
 
-// True if the map of behaviour may show what other brains of this vehicle would do.
-inline bool can_show_map(const LabView& view, const VehicleView& vehicle) {
-    return view.may.other_brains && shows_driving_brain(view, vehicle);
+// The string key of the reason why the map of behaviour may not show what other brains of this vehicle would do; empty
+// if it may. `vehicle`: null if none is selected. `is_secret`: its kind is. `page`: of the open lecture, or null.
+inline std::string_view why_no_map(const VehicleView* vehicle, const Disclosure& may, bool is_secret,
+                                   const Revealed& revealed, const LectureView* page) {
+    if (!vehicle) return "unavailable.no_vehicle";
+    if (vehicle->driver == Driver::manual) return "unavailable.map_by_hand";
+    if (vehicle->driver != Driver::brain) return "unavailable.map_driver";
+    if (is_secret) return "unavailable.map_secret";
+    if (!may.every_brain) return page ? "unavailable.map_page" : "unavailable.map";
+    if (!revealed.brain) return "unavailable.map_hidden";
+    if (may.other_brains) return "";
+    return page && page->awaits_answer() ? "unavailable.map_question" : "unavailable.before_answer";
+}
+inline std::string_view why_no_map(const LabView& view) {
+    const VehicleView* vehicle = selected_vehicle(view);
+    return why_no_map(vehicle, view.may, vehicle && is_brain_secret(view, vehicle->kind), view.settings.revealed,
+                      view.pages);
 }
 
 // The string key of the reason why the selected vehicle's brain cannot be stored in a slot or replaced by one; empty if

@@ -23,21 +23,28 @@ using insight::MapPlace;
 constexpr std::size_t cells_per_job = 128;
 constexpr std::size_t ticks_per_step = 300;  // about half a millisecond with one vehicle
 
-// The cell of a map as a part of a job.
+// The cell of a map as a part of a job: it is shown before the other parts are complete.
 class CellPiece {
 public:
-    CellPiece(std::shared_ptr<const MapBase> base, MapPlace place) : base_(std::move(base)), place_(place) {}
-    std::optional<MapCell> operator()() {
+    CellPiece(std::shared_ptr<const MapBase> base, std::shared_ptr<NewCells> cells, MapPlace place)
+        : base_(std::move(base)), cells_(std::move(cells)), place_(place) {}
+    std::optional<bool> operator()() {
         if (!run_) run_.emplace(base_, place_, static_cast<int>(runs_.size()));
         if (!run_->advance(ticks_per_step)) return std::nullopt;
         runs_.push_back(run_->outcome());
         run_.reset();
         if (static_cast<int>(runs_.size()) < base_->question().seeds) return std::nullopt;
-        return insight::cell_of(runs_);
+        cells_->add(place_, insight::cell_of(runs_));
+        return true;
+    }
+    float progress() const {
+        return (static_cast<float>(runs_.size()) + (run_ ? run_->progress() : 0)) /
+               static_cast<float>(base_->question().seeds);
     }
 
 private:
     std::shared_ptr<const MapBase> base_;
+    std::shared_ptr<NewCells> cells_;
     MapPlace place_;
     std::vector<insight::Outcome> runs_;
     std::optional<insight::MapRun> run_;
@@ -45,7 +52,7 @@ private:
 
 void forget_map(BehaviourMap& map) {
     map.subject.reset();
-    map.base.reset();
+    map.base.reset(), map.new_cells.reset();
     map.jobs.clear(), map.path.forget();
     map.cells = insight::MapCells();
     map.order.clear();
@@ -130,6 +137,7 @@ void begin_map(BehaviourMap& map, MapSubject subject, const Scene& scene) {
     map.subject = std::move(subject);
     if (!base) return;
     map.base = *base;
+    map.new_cells = std::make_shared<NewCells>();
     map.cells = insight::MapCells(map.base->question().size);
     for (const auto& level : insight::map_levels(map.cells.size))
         map.order.insert(map.order.end(), level.begin(), level.end());
@@ -161,16 +169,17 @@ void follow_subject(BehaviourMap& map, const Workspace& space, const VehicleView
 }
 
 void take_cells(BehaviourMap& map) {
+    if (!map.new_cells) return;
+    for (const auto& [place, cell] : map.new_cells->take()) map.cells.at(place) = cell, ++map.known;
     while (!map.jobs.empty()) {
         const auto done = map.jobs.front().take();
         if (!done) return;
         map.jobs.pop_front();
         if (!*done) return forget_map(map);
-        for (const MapCell& cell : **done) map.cells.at(map.order[map.known++]) = cell;
     }
 }
 
-// The first job is the coarse map alone.
+// The first job is the coarse map alone, before all others.
 void submit_cells(BehaviourMap& map, Jobs& jobs) {
     while (map.base && map.jobs.size() < jobs_at_once && map.begun < map.order.size()) {
         const std::size_t coarse = insight::map_levels(map.cells.size).front().size();
@@ -178,8 +187,11 @@ void submit_cells(BehaviourMap& map, Jobs& jobs) {
         const std::size_t count = std::min(wanted, map.order.size() - map.begun);
         const auto first = map.order.begin() + static_cast<std::ptrdiff_t>(map.begun);
         const std::vector<MapPlace> places(first, first + static_cast<std::ptrdiff_t>(count));
-        map.jobs.push_back(
-            jobs.submit(count, [base = map.base, places](std::size_t part) { return CellPiece(base, places[part]); }));
+        const auto begin = [base = map.base, cells = map.new_cells, places](std::size_t part) {
+            return CellPiece(base, cells, places[part]);
+        };
+        const auto all = [](const std::vector<bool>&) { return true; };
+        map.jobs.push_back(map.begun == 0 ? jobs.submit_first(count, begin, all) : jobs.submit(count, begin, all));
         map.begun += count;
     }
 }
@@ -218,17 +230,38 @@ void set_range(MapChoice& axis, const MapRange& range, const std::vector<AxisVal
     if (std::isfinite(from) && std::isfinite(to) && from != to) axis.from = from, axis.to = to;
 }
 
+// With the runs that are not complete; 1 only once every cell is known.
+float progress_of(const BehaviourMap& map) {
+    if (map.known == map.order.size()) return 1;
+    auto cells = static_cast<float>(map.known);
+    for (const auto& job : map.jobs) {
+        const JobProgress of = job.progress();
+        cells += std::max(0.0f, of.fraction * static_cast<float>(of.parts) - static_cast<float>(of.done));
+    }
+    return std::min(cells / static_cast<float>(map.order.size()), 0.999f);
+}
+
 }  // namespace
 
-bool can_show_map(const Workspace& space, const VehicleView& vehicle) {
-    const Disclosure may = disclosure_of(space);
-    return may.other_brains && shows_driving_brain(space, may, vehicle);
+void NewCells::add(insight::MapPlace place, insight::MapCell cell) {
+    const std::scoped_lock lock(mutex_);
+    cells_.emplace_back(place, cell);
+}
+
+std::vector<std::pair<insight::MapPlace, insight::MapCell>> NewCells::take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(cells_, {});
+}
+
+std::string_view why_no_map(const Workspace& space) {
+    const VehicleView* vehicle = selected_vehicle(space);
+    return why_no_map(vehicle, disclosure_of(space), vehicle && is_secret(space, vehicle->kind), space.view.revealed,
+                      space.pages ? &*space.pages : nullptr);
 }
 
 void update_map(BehaviourMap& map, const Workspace& space, Jobs& jobs) {
-    const VehicleView* vehicle = selected_vehicle(space);
-    if (!space.view.map || !vehicle || space.together || !can_show_map(space, *vehicle)) return forget_map(map);
-    follow_subject(map, space, *vehicle);
+    if (!space.view.map || space.together || !why_no_map(space).empty()) return forget_map(map);
+    follow_subject(map, space, *selected_vehicle(space));
     take_cells(map);
     submit_cells(map, jobs);
     follow_path(map, jobs);
@@ -249,15 +282,13 @@ void choose_map(BehaviourMap& map, const Workspace& space, const MapRequest& wan
 bool is_computing(const BehaviourMap& map) { return !map.jobs.empty() || map.path.is_computing(); }
 
 std::optional<MapView> map_of(const BehaviourMap& map, const Workspace& space) {
-    const VehicleView* vehicle = selected_vehicle(space);
-    if (!space.view.map || !map.base || !vehicle || space.together || !can_show_map(space, *vehicle))
-        return std::nullopt;
+    if (!space.view.map || !map.base || space.together || !why_no_map(space).empty()) return std::nullopt;
     MapView shown{.cells = &map.cells,
                   .x = map.subject->x,
                   .y = map.subject->y,
                   .measure = map.measure,
                   .seeds = map.seeds,
-                  .progress = static_cast<float>(map.known) / static_cast<float>(map.order.size()),
+                  .progress = progress_of(map),
                   .path = map.path.answer()};
     if (map.path.question()) shown.hovered = *map.path.question();
     return shown;

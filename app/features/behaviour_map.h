@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/jobs/asked.h"
@@ -48,6 +51,17 @@ struct MapKey {
     friend bool operator==(const MapKey&, const MapKey&) = default;
 };
 
+// The cells that jobs have computed since the last call of take(). Used by several threads.
+class NewCells {
+public:
+    void add(insight::MapPlace, insight::MapCell);
+    std::vector<std::pair<insight::MapPlace, insight::MapCell>> take();
+
+private:
+    std::mutex mutex_;
+    std::vector<std::pair<insight::MapPlace, insight::MapCell>> cells_;
+};
+
 struct BehaviourMap {
     MapChoice x{"LL=RR", -2, 2}, y{"LR=RL", -2, 2};
     insight::MapMeasure measure = insight::MapMeasure::behaviour;
@@ -59,16 +73,18 @@ struct BehaviourMap {
     std::uint64_t run = 0;                           // Document::run_id of the ranges
     std::shared_ptr<const insight::MapBase> base{};  // null: there is no map
     insight::MapCells cells{};
-    std::vector<insight::MapPlace> order{};                 // of computation
-    std::size_t begun = 0, known = 0;                       // of `order`
-    std::deque<Job<std::vector<insight::MapCell>>> jobs{};  // in the order of the cells
+    std::vector<insight::MapPlace> order{};  // of computation
+    std::size_t begun = 0;                   // of `order`
+    std::size_t known = 0;                   // of the cells
+    std::shared_ptr<NewCells> new_cells{};   // of the jobs; null with `base`
+    std::deque<Job<bool>> jobs{};            // true once their cells are among the new ones
 
     Asked<insight::MapPlace, insight::Path> path{};  // of the hovered cell
 };
 
-// True if the map may show what other brains of this vehicle would do: its brain drives and is shown, and no exercise
-// asks for one of these brains.
-bool can_show_map(const Workspace&, const VehicleView&);
+// The string key of the reason why the map may not show what other brains of the selected vehicle would do; empty if it
+// may: see why_no_map() in ui/lab_view.h.
+std::string_view why_no_map(const Workspace&);
 
 // Call once per turn, after Jobs::deliver. A change of the scene or the choice begins the map anew.
 void update_map(BehaviourMap&, const Workspace&, Jobs&);

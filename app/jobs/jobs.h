@@ -239,6 +239,12 @@ public:
         return submit(parts, std::move(begin), [](auto values) { return values; });
     }
 
+    // The same; its steps come before those of other jobs.
+    template <class Begin, class Reduce>
+    auto submit_first(std::size_t parts, Begin begin, Reduce reduce) {
+        return submit_parts(parts, std::move(begin), std::move(reduce), true);
+    }
+
     // A job of one part, which is this step. The result is the step's.
     template <std::invocable Step>
     auto submit(Step step) {

@@ -23,8 +23,8 @@ Disclosure disclosure_of(const Exercise* exercise, const Known& known) {
     may.why = may.outcome && may.brains;
     may.robots = may.future && may.outcome;
     // An exercise asks for one of the other brains, unless it offers all controls.
-    const bool is_free = !exercise || known.free_play || offers_all(*exercise);
-    may.other_brains = may.future && may.why && is_free;
+    may.every_brain = !exercise || known.free_play || offers_all(*exercise);
+    may.other_brains = may.future && may.why && may.every_brain;
     return may;
 }
 

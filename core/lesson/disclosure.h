@@ -32,6 +32,7 @@ struct Disclosure {
     bool brains = true;            // of kinds that are not secret, see is_secret()
     bool characters = true;        // their names, of these kinds
     bool why = true;               // the cause of a turn, of these kinds
+    bool every_brain = true;       // no exercise asks for one of the vehicle's other brains, or it offers all controls
     bool other_brains = true;      // what other brains of the vehicle would do: the map of behaviour
     bool robots = true;            // what the brain would do on real robots
     friend bool operator==(const Disclosure&, const Disclosure&) = default;

@@ -67,6 +67,25 @@ TEST_F(LabMap, LeavesWorkForTheTimeBetweenTwoFramesUntilAllCellsAreBegun) {
     EXPECT_EQ(known(), 1024u);
 }
 
+TEST_F(LabMap, ShowsEachCellAsItComesAndAShareThatGrowsWithEachStep) {
+    lab = opened_lab("predator-prey");
+    handle(lab, Action::map);
+    update_map(lab.map, lab, jobs);
+    ASSERT_TRUE(shown());
+    float share = shown()->progress;
+    int growing = 0, steps = 0;
+    for (; known() < 2 && steps < 20; ++steps) {
+        jobs.deliver(std::chrono::nanoseconds(0));
+        update_map(lab.map, lab, jobs);
+        EXPECT_GE(shown()->progress, share);
+        growing += shown()->progress > share;
+        share = shown()->progress;
+    }
+    EXPECT_EQ(growing, steps);
+    EXPECT_EQ(known(), 2u) << "of the " << insight::map_levels(32).front().size() << " of the first job";
+    EXPECT_LT(share, 3.0f / 1024);
+}
+
 TEST_F(LabMap, IsTheSameWithThreads) {
     handle(lab, Action::map);
     finish();

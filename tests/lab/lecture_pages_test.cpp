@@ -1,5 +1,6 @@
 // Lecture files in the lab: every shipped page opens and shows its steps; pages begin anew; nothing is asked to be
 // saved.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include "core/maths/angle.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
+#include "ui/panels/actions.h"
 #include "ui/window.h"
 #include "ui/window_keys.h"
 
@@ -540,6 +542,50 @@ TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhyThereIsNone) {
     handle(lab, Action::map);
     EXPECT_EQ(lab.notice.key, "unavailable.scene_only");
     EXPECT_FALSE(lab.view.map);
+}
+
+TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhatIsMissing) {
+    const auto why = [&] {
+        lab.notice = {}, lab.view.map = false;
+        handle(lab, Action::map);
+        EXPECT_EQ(lab.view.map, lab.notice.empty());
+        lab.view.map = false;
+        EXPECT_EQ(ui::why_unavailable(view_of(lab), {}, Action::map), lab.notice.key) << "menu and button say the same";
+        return lab.notice.key;
+    };
+    EXPECT_EQ(why(), "");
+    handle(lab, Action::drive);
+    EXPECT_EQ(why(), "unavailable.map_by_hand");
+    handle(lab, Action::drive);
+    EXPECT_EQ(why(), "");
+    handle(lab, Action::lecture);
+    handle(lab, Action::hide_brain);
+    EXPECT_EQ(why(), "unavailable.map_hidden");
+    handle(lab, Action::hide_brain);
+    EXPECT_EQ(why(), "");
+    open("wheels-to-neurons");
+    show_page(lab, 1);
+    EXPECT_EQ(why(), "unavailable.map_page");
+    open("four-numbers");
+    show_page(lab, 1);
+    EXPECT_EQ(why(), "unavailable.map_hidden") << "the page hides it";
+    lab.view.revealed.brain = true;
+    EXPECT_EQ(why(), "unavailable.map_question");
+    next_page(lab), next_page(lab);
+    ASSERT_TRUE(lab.pages->shows(PagePart::answer));
+    EXPECT_EQ(why(), "");
+    open("drivers");
+    const auto& vehicles = lab.document.session.snapshot().vehicles;
+    const auto scripted = std::find_if(vehicles.begin(), vehicles.end(), [](const VehicleView& each) {
+        return each.driver != Driver::brain && each.driver != Driver::manual;
+    });
+    ASSERT_NE(scripted, vehicles.end());
+    lab.view.selection.vehicle = scripted->id;
+    EXPECT_EQ(why(), "unavailable.map_driver");
+    open("19-mystery");
+    for (const VehicleView& each : lab.document.session.snapshot().vehicles)
+        if (is_secret(lab, each.kind)) lab.view.selection.vehicle = each.id;
+    EXPECT_EQ(why(), "unavailable.map_secret");
 }
 
 TEST_F(LabLecturePages, ABrokenLectureIsRefusedAndTheSceneStays) {

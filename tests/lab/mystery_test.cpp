@@ -29,7 +29,7 @@ TEST_F(LabMystery, NothingShowsAHiddenBrain) {
     EXPECT_TRUE(is_brain_secret(view, vehicle().kind)) << "card, equations, canvas and lesions ask this";
     EXPECT_EQ(hidden_brains(view), std::vector{true}) << "deck";
     EXPECT_TRUE(hides_character(view, vehicle()));
-    EXPECT_FALSE(can_show_map(view, vehicle()));
+    EXPECT_EQ(why_no_map(view), "unavailable.map_secret");
     EXPECT_EQ(why_no_slots(view), "unavailable.why");
     EXPECT_EQ(view.features.mystery.hidden, hidden);
     EXPECT_EQ(write_scene(lab.document.session.edited_scene()).find("brain"), std::string::npos);

@@ -71,6 +71,24 @@ TEST_F(MapCard, SaysThatTheKindOfACoarseCellMayChange) {
     EXPECT_TRUE(desk.says("coarse"));
 }
 
+TEST_F(MapCard, TellsTheShareThatIsComputedUntilAllIs) {
+    for (const std::string& code : shipped_codes())
+        for (const bool in_lecture : {false, true}) {
+            desk.strings = speaking(code);
+            desk.view.lecture = in_lecture;
+            const auto says_share = [&](const MapCells& shown, float progress) {
+                desk.view.features.map->cells = &shown, desk.view.features.map->progress = progress;
+                desk.frame(4);
+                const char* percent = code == "en" ? "12.5%" : "12,5 %";
+                return desk.says(percent);
+            };
+            SCOPED_TRACE(code + (in_lecture ? ", lecture" : ""));
+            EXPECT_TRUE(says_share(MapCells(8), 0.125f)) << "no cell is known";
+            EXPECT_TRUE(says_share(cells, 0.125f)) << "beside the kind of the present brain";
+            EXPECT_FALSE(says_share(cells, 1));
+        }
+}
+
 TEST_F(MapCard, InALectureTheLegendIsBesideTheField) {
     desk.view.lecture = true;
     desk.frame(4);

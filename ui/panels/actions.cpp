@@ -87,11 +87,9 @@ std::string_view no_cause(const LabView& view, const PanelState&) {
 }
 
 std::string_view no_map(const LabView& view, const PanelState&) {
-    const VehicleView* vehicle = selected_vehicle(view);
     if (view.settings.map) return "";
-    if (!vehicle) return "unavailable.no_vehicle";
-    if (view.mode == Mode::wiring) return "unavailable.scene_only";
-    return can_show_map(view, *vehicle) ? "" : "unavailable.map";
+    if (view.mode == Mode::wiring && has_vehicle(view)) return "unavailable.scene_only";
+    return why_no_map(view);
 }
 
 std::string_view no_robots(const LabView& view, const PanelState&) {

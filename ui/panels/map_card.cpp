@@ -80,8 +80,8 @@ void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect c
             draw_map({view, *view.features.map, state.map, state.sliders, ui, subject, values, x, y},
                      column.h - (view.lecture ? 0 : folded_height(ui) + ui.px(12)));  // of the card below
     } else if (open) {
-        paragraph(ui, ui.strings(vehicle ? "unavailable.map" : "unavailable.no_vehicle"), ui.palette.second_text,
-                  Face::small);
+        if (const std::string_view why_not = why_no_map(view); !why_not.empty())
+            paragraph(ui, ui.strings(why_not), ui.palette.second_text, Face::small);
     }
     CardState& card = state.card(Card::map);
     end_card(ui, card);

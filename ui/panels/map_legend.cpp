@@ -120,8 +120,12 @@ void map_words(const MapFrame& frame, float width) {
                 value_words(ui, *frame.y, frame.map.y, insight::value_at(frame.map.y, place.y, frame.size()));
     if (!frame.view.lecture)
         put(ui, at_line, shortened(ui, where, Face::small, width), ui.palette.second_text, Face::small);
+    // The share that is computed: in place of a cell that is not known yet, else where the words leave room for it.
+    const std::string share =
+        frame.map.progress < 1 ? fill(ui.strings("map.computed"), {fixed(ui, 100 * frame.map.progress, 1)}) : "";
+    std::string what = share;
     if (cell) {
-        std::string what = in_words(ui, cell->outcome.behaviour);
+        what = in_words(ui, cell->outcome.behaviour);
         if (frame.map.measure != MapMeasure::behaviour)
             what += ", " + measure_words(ui, frame.map.measure) + ": " +
                     number_words(ui, number_of(cell->outcome, frame.map.measure), frame.map.measure);
@@ -133,8 +137,11 @@ void map_words(const MapFrame& frame, float width) {
                     ")";
         // A coarse cell's middle, which may be of another kind.
         if (!frame.map.cells->at(place)) what = fill(ui.strings("map.coarse"), {what});
-        put(ui, {at_line.x, at_line.y + line}, shortened(ui, what, Face::strong, width), ui.palette.text, Face::strong);
+        const float taken = text_width(ui, Face::strong, what) + text_width(ui, Face::strong, share);
+        if (!share.empty() && taken + ui.px(spacing::medium) <= width)
+            put_right(ui, {at_line.x + width, at_line.y + line}, share, ui.palette.second_text, Face::strong);
     }
+    put(ui, {at_line.x, at_line.y + line}, shortened(ui, what, Face::strong, width), ui.palette.text, Face::strong);
     ImGui::Dummy({1, line + line_height(ui, Face::strong) + ui.px(spacing::tight)});
 }
 

@@ -201,11 +201,7 @@ std::optional<Study> study_of(const StudyDraft& draft, const Ui& ui, const LabVi
     return study;
 }
 
-std::string_view why_no_draft(const LabView& view) {
-    const VehicleView* vehicle = selected_vehicle(view);
-    if (!vehicle) return "unavailable.no_vehicle";
-    return can_show_map(view, *vehicle) ? "" : "unavailable.map";
-}
+std::string_view why_no_draft(const LabView& view) { return why_no_map(view); }
 
 std::optional<Study> study_builder(const LabView& view, StudyDraft& draft, SliderState& sliders, Ui& ui, float width) {
     const VehicleView& vehicle = *selected_vehicle(view);
