@@ -99,6 +99,32 @@ TEST_F(LectureHands, TheTallyHasPercentagesBesideTheBarsAlsoOnceTheAnswerIsKnown
         }
 }
 
+TEST_F(LectureHands, AnAnswerWithoutCountedHandsHasNoBars) {
+    const auto draws_bar = [&] {
+        const Rect bar = desk.where("lecture.share.1");
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int l = 0; l < data.CmdListsCount; ++l)
+            for (const ImDrawVert& v : data.CmdLists[l]->VtxBuffer)
+                if (v.pos.x > bar.x - 2 && v.pos.x < bar.x + bar.w + 2 && v.pos.y > bar.y - 2 &&
+                    v.pos.y < bar.y + bar.h + 2)
+                    return true;
+        return false;
+    };
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        desk.view.program.theme = theme;
+        pages.hands[1] = {0, 0, 0};
+        show(1, 1);
+        EXPECT_TRUE(draws_bar()) << "hands may be raised";
+        show(1, 2);
+        ASSERT_TRUE(pages.shows(PagePart::answer));
+        EXPECT_TRUE(desk.anchors.find("lecture.right"));
+        EXPECT_FALSE(draws_bar()) << "nothing was counted";
+        pages.hands[1] = {1, 0, 0};
+        desk.frame(2);
+        EXPECT_TRUE(draws_bar());
+    }
+}
+
 TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
     show(1, 1);
     const LectureQuestion& asked = pages.current().question;

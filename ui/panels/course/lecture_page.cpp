@@ -57,6 +57,7 @@ void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t o
 }
 
 // The share of all hands as a bar at the cursor with its percentage at the right edge; in the middle of a row so high.
+// Once the answer is known, a count without hands has an empty place.
 void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colour, float row) {
     const auto& hands = page.hands[static_cast<std::size_t>(page.page)];
     int all = 0;
@@ -71,7 +72,8 @@ void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colou
                 line = line_height(ui, Face::strong);
     const Rect bar{at.x, at.y + (row - h) / 2, std::max(1.0f, width - beside), h};
     if (all > 0) put_right(ui, {at.x + width, at.y + (row - line) / 2}, percent(share), ui.palette.text, Face::strong);
-    line_box(ui, bar, ui.palette.second_text.with_alpha(0.5f), Corner::round);  // an empty frame: no hands
+    if (all > 0 || page.awaits_answer())
+        line_box(ui, bar, ui.palette.second_text.with_alpha(0.5f), Corner::round);  // an empty frame: no hands
     if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, Corner::round);
     mark(ui, option_id("lecture.share.", option), bar);
     ImGui::Dummy({width, row});
