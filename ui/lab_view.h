@@ -294,11 +294,15 @@ struct LabView {
     const std::vector<Finding>* findings = nullptr;  // null or empty: none
     bool lecture = false;                            // large type, few controls
     const LectureView* pages = nullptr;              // the open lecture; null: none. With one, `lecture` is true
-    double wall_seconds = 0;                         // for easing and pulsing
+    const LectureView* tally = nullptr;  // of a question that a lecture asks without pages: a page of its own; or null
+    double wall_seconds = 0;             // for easing and pulsing
     FeatureViews features{};
     DocumentsView documents{};
     ProgramView program{};
 };
+
+// The page whose question is asked, if it has one: of the open lecture, or of a tally; null: none.
+inline const LectureView* asked(const LabView& view) { return view.pages ? view.pages : view.tally; }
 
 // Factors on the reach and the drawn size of pins and handles: a finger covers about 40 layout pixels.
 inline float finger_reach(const LabView& view) { return view.program.touch ? 1.75f : 1.0f; }

@@ -136,6 +136,13 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     let_canvas_be_focused(ui, layout.canvas);
 }
 
+// The cards of the left column that are above those of the right one; null: none.
+IsGuest guests_on_right(const WindowLayout& layout) {
+    if (layout.left_on_right) return [](const CardTraits& card) { return card.column == Column::left; };
+    if (layout.exercise_on_right) return [](const CardTraits& card) { return card.card == Card::exercise; };
+    return nullptr;
+}
+
 // The string key of how the tool is used; empty while no tool draws.
 std::string hint_of_tool(const SceneInputState& scene_input, const LabView& view) {
     if (scene_input.path.on) return "hint.draw_path";
@@ -163,9 +170,8 @@ MarkedParts marked_parts(const LabView& view, const PanelState& state, const Ui&
     return parts;
 }
 
-// The parts of a page of a lecture file.
+// The parts of a page of a lecture file, or the tally of a question without one.
 void draw_page(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
-    if (!view.pages) return;
     if (layout.caption.w > 0) lecture_caption(view, ui, layout.caption);
     if (layout.question.w > 0) lecture_question(view, state, ui, layout.question);
     if (layout.notes.h > 0) lecture_notes(view, state, ui, layout.notes);
@@ -207,8 +213,8 @@ std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
 
 OpenCards open_cards(const LabView& view, const PanelState& state) {
     OpenCards open{.charts = state.charts.open};
-    if (view.pages && view.pages->notes)
-        open.notes = state.lecture.notes_height, open.question = state.lecture.question_height;
+    if (asked(view)) open.question = state.lecture.question_height;
+    if (view.pages && view.pages->notes) open.notes = state.lecture.notes_height;
     for (const CardTraits& row : cards()) {
         if (row.column == Column::none || state.cards[static_cast<std::size_t>(row.card)].folded) continue;
         (row.column == Column::left ? open.left : open.right) |= row.shown(view);
@@ -277,8 +283,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     else if (layout.canvas.w > 0)
         draw_watched(view, state, ui, layout);
     draw_column(Column::left, view, state, ui, layout.left);
-    draw_column(Column::right, view, state, ui, layout.right,
-                layout.exercise_on_right ? std::optional(Card::exercise) : std::nullopt);
+    draw_column(Column::right, view, state, ui, layout.right, guests_on_right(layout));
     lesions(view, state, ui);
     try_without_wire(view, state, ui, layout.scene);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);

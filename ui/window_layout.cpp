@@ -18,6 +18,8 @@ constexpr float lecture_bar_height = 56, figures_height = 92, counts_height = 60
                 lecture_inset_aspect = 1.6f;
 constexpr float caption_height = 84, question_share = 0.45f;       // of the width
 constexpr float lecture_canvas_share = 0.52f;                      // at least: its weights are legible
+constexpr float canvas_share_beside_card = 0.5f;                   // at least, in a lecture
+constexpr float question_above_card = 0.55f;                       // of the height, at most
 constexpr float largest_notes = 0.36f;                             // of the height
 constexpr float least_notes = 100;                                 // three lines below the heading
 constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, of the width with a margin
@@ -56,9 +58,11 @@ Rect take_timeline(Rect& middle, float scale) {
 // the right column are over the scene, and an open one has a column of its own.
 void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool card_is_open) {
     const float wide = view.lecture ? 1.5f : 1.9f;  // width by height
-    const float least = view.lecture ? lecture_canvas_share : least_canvas_share;
+    const float least = !view.lecture  ? least_canvas_share
+                        : card_is_open ? canvas_share_beside_card
+                                       : lecture_canvas_share;
     const float share = std::clamp(view.settings.canvas_share, least, largest_canvas_share);
-    if (view.lecture && card_is_open && !view.pages) l.scene.w -= l.right.w + border;
+    if (view.lecture && card_is_open && !asked(view)) l.scene.w -= l.right.w + border;
     if (l.scene.w > wide * l.scene.h) {
         const float canvas = (l.scene.w - border) * share;
         l.scene.w -= canvas + border;
@@ -74,9 +78,10 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
     }
 }
 
-// Whether the question of a page is beside the scene. Once it is answered and the brain is shown, an open card, the
-// diagram or a comparison of two brains takes its place.
+// Whether the question of a page, or one that is asked without a page, is beside the scene. Once it is answered and the
+// brain is shown, an open card, the diagram or a comparison of two brains takes its place.
 bool asks_beside(const LabView& view, OpenCards open) {
+    if (!view.pages) return view.tally && !has_asked_card(view);
     const LectureView& page = *view.pages;
     const bool is_answered = page.shows(PagePart::answer) && view.settings.revealed.brain;
     return page.shows(PagePart::question) && !page.shows(PagePart::exercise) && !has_asked_card(view) &&
@@ -97,24 +102,30 @@ float left_share(const LabView& view, OpenCards open) {
     return open.right ? 1 - right_share(view, open) - least_scene : 1 - beside_map;
 }
 
+bool has_caption(const LabView& view) {
+    const LectureView* page = view.pages;
+    return page && page->shows(PagePart::caption) && !page->current().caption.empty() && !hides_open_title(view);
+}
+
 // The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
-// exercise takes the place of the question, as the sliders do once it is answered. The values below are shown on
-// request only, and so are the notes, which take the place of the values.
+// exercise takes the place of the question, as the sliders do once it is answered; before, an open card is below the
+// question. The values below are shown on request only, and so are the notes, which take the place of the values.
 void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float margin) {
-    const LectureView& page = *view.pages;
     Rect& s = l.scene;
-    const bool has_values = shows_lecture_figures(view) && open.notes <= 0;
+    const bool has_values = shows_lecture_figures(view) && open.notes <= 0 && l.hint_bar.h > 0;
     const bool asks = asks_beside(view, open);
+    const float end = l.window.w - margin;
     float bottom = has_values ? s.y + s.h : l.window.h - margin;
     float top = l.toolbar.y + l.toolbar.h;
-    if (page.shows(PagePart::caption) && !page.current().caption.empty() && !hides_open_title(view)) {
+    if (has_caption(view)) {
         l.caption = {0, top, l.window.w, caption_height * l.scale};
         top += l.caption.h;
     }
     s.y = top + margin;
     if (open.notes > 0) {  // the question keeps the height that its options need; the notes scroll
         const float left = bottom - s.y - (asks ? open.question + margin : 0);
-        const float most = std::min(largest_notes * l.window.h, std::max(left, least_notes * l.scale));
+        const float most =
+            std::min({largest_notes * l.window.h, (bottom - s.y - margin) / 2, std::max(left, least_notes * l.scale)});
         l.notes = {margin, bottom, l.window.w - 2 * margin, std::min(open.notes, most)};
         l.notes.y -= l.notes.h;
         bottom = l.notes.y - margin;
@@ -126,9 +137,23 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
     if (asks) l.left = {};
     const bool has_left = open.left && l.left.w > 0;
     const float from = asks ? l.question.x + l.question.w + margin : has_left ? l.left.x + l.left.w + margin : s.x;
-    if (!open.right) l.right = {};
-    const float until = open.right ? l.right.x - margin : s.x + s.w;
+    if (!open.right && view.pages) l.right = {};
+    if (asks && open.right) {
+        l.question.h = question_above_card * s.h;
+        const float below = std::min(open.question, l.question.h) + margin;
+        l.right = {l.question.x, s.y + below, l.question.w, s.h - below};
+    }
+    const float until = open.right && !asks ? l.right.x - margin : end;
     s.x = from, s.w = std::max(0.25f * l.window.w, until - from);
+}
+
+// In a lecture open cards of both columns are in one, so that the scene keeps half of the width.
+void share_column(WindowLayout& l, float margin) {
+    const float half = (l.window.w - 3 * margin) / 2;
+    l.right = {l.window.w - margin - half, l.left.y, half, l.left.h};
+    l.scene.x = margin, l.scene.w = half;
+    l.left = {};
+    l.left_on_right = true;
 }
 
 }  // namespace
@@ -159,7 +184,9 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         const bool is_large = !watches;
         const bool is_picture = vehicle_of_live_picture(view) != nullptr;
         const float figures = (!is_picture ? counts_height : is_large ? live_height : figures_height) * scale;
-        l.hint_bar = {0, height - figures, width, figures};
+        // A card beside the diagram has the numbers, too: both have the room.
+        l.hint_bar = {0, height, width, 0};
+        if (!watches || !open.right) l.hint_bar.y -= figures, l.hint_bar.h = figures;
     }
     const float margin = c.margin * scale;
     // A page shows its values on request only; below the editor they then need no room.
@@ -194,9 +221,10 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
     if (view.lecture && open.left && l.left.w > 0) l.scene.x = from_left, l.scene.w -= from_left - margin;
-    const bool covers = view.lecture && open.right && !view.pages && view.mode != Mode::wiring;
+    const bool covers = view.lecture && open.right && !asked(view) && view.mode != Mode::wiring;
     if (covers && !watches) l.scene.w -= l.right.w + margin;  // an open card has a column of its own
-    if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
+    if (asked(view) && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
+    if (view.lecture && open.left && open.right && l.left.w > 0 && view.mode != Mode::wiring) share_column(l, margin);
 
     if (view.mode == Mode::wiring) {
         // There is no left column in a narrow window and without an exercise.

@@ -13,11 +13,12 @@ struct WindowLayout {
     Rect charts;                               // the chart card, below the scene, while it is open
     Rect timeline;                             // below canvas or scene
     bool exercise_on_right = false;            // its card has no left column and is above the cards of the right one
+    bool left_on_right = false;                // so are all cards of the left column
     Rect canvas;  // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
     bool card_replaces_diagram = false;  // a card that was asked for has the room of a watched diagram
     Rect border;                         // between canvas and scene while it is watched; can be dragged
     Rect scene;  // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset
-    Rect caption, question, notes;  // of a page of a lecture
+    Rect caption, question, notes;  // of a page of a lecture; the question also without one
     Rect tools;  // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
     float scale = 1;
 };
@@ -36,7 +37,8 @@ struct OpenCards {
 float fitting_scale(float scale, Rect window, bool lecture);
 
 // `scale`: window pixels per layout pixel. The layout fits windows of at least 1024 × 768 layout pixels. In
-// smaller windows the scene is narrower, but at least a quarter of the width.
+// smaller windows the scene is narrower, but at least a quarter of the width. In a lecture open cards leave it half of
+// the width, or of the height where the diagram is shown, too.
 WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, OpenCards = {});
 
 }  // namespace braitenlab::ui

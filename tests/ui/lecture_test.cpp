@@ -266,6 +266,46 @@ TEST(Lecture, CoversTheWatchedDiagramWithNoCard) {
         }
 }
 
+// The scene is the subject: cards scroll or are one below the other.
+TEST(Lecture, OpenCardsLeaveTheSceneHalfOfTheFreeWidthOrBesideADiagramOfTheHeight) {
+    struct Size {
+        float width, height, scale;
+    };
+    const insight::Design stored{};
+    for (const Size size : {Size{800, 600, 1}, {1024, 768, 1.4f}, {1280, 800, 1.4f}, {1920, 1080, 1.75f}})
+        for (const std::string& code : shipped_codes())
+            for (const bool watching : {false, true})
+                for (const Card left : {Card::scene, Card::slots}) {
+                    SCOPED_TRACE(code + " at " + std::to_string(size.width) + (watching ? ", watching" : "") +
+                                 (left == Card::slots ? ", two brains" : ""));
+                    Desk desk(size.width, size.height, size.scale, true);
+                    desk.strings = speaking(code);
+                    desk.now = shipped_scene("2b-aggressor");
+                    desk.view.lecture = true;
+                    desk.view.settings.watching = watching;
+                    desk.frame(3);
+                    if (left == Card::slots)
+                        for (SlotView& slot : desk.view.features.slots.slots) slot = {.design = &stored, .kind = "one"};
+                    for (const Card open : {Card::brain, left}) desk.panels.card(open).folded = false;
+                    desk.frame(6);
+                    const Rect scene = desk.where("viewport"), window = desk.layout.window;
+                    if (watching) {
+                        EXPECT_GE(scene.h, 0.5f * (window.h - desk.layout.toolbar.h) - 60 * size.scale);
+                    } else {
+                        EXPECT_GE(scene.w, 0.47f * window.w);
+                        EXPECT_TRUE(desk.anchors.find(left == Card::slots ? "card.slots" : "card.scene"));
+                        EXPECT_TRUE(desk.anchors.find("slider.LL"));
+                    }
+                    for (const char* card : {"card.brain", "card.scene", "card.slots"}) {
+                        if (!desk.anchors.find(card)) continue;
+                        if (desk.where(card).h > 60 * size.scale) {
+                            EXPECT_FALSE(overlap(scene, desk.where(card))) << card;
+                        }
+                        EXPECT_LE(desk.where(card).y + desk.where(card).h, window.h) << card;
+                    }
+                }
+}
+
 TEST(Lecture, FitsTheDiagramToItsPlaceAlsoAfterASmallMove) {
     Desk desk(1280, 800, 1.4f, true);
     desk.now = shipped_scene("2b-aggressor");

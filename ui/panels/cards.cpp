@@ -40,13 +40,16 @@ struct Stack {
     std::size_t count = 0;
 };
 
-Stack stack_of(Column column, const LabView& view, std::optional<Card> guest) {
+Stack stack_of(Column column, const LabView& view, IsGuest is_guest) {
     Stack stack;
-    if (guest && traits(*guest).shown(view)) stack.rows[stack.count++] = &traits(*guest);
     for (const CardTraits& card : card_traits)
-        if (card.column == column && card.shown(view)) stack.rows[stack.count++] = &card;
+        if ((card.column == column || (is_guest && is_guest(card))) && card.shown(view))
+            stack.rows[stack.count++] = &card;
     return stack;
 }
+
+// In a lecture the guests leave the cards below them their least heights; none of the cards folds.
+bool shares_column(const LabView& view, IsGuest is_guest) { return view.lecture && is_guest; }
 
 float wanted_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect column) {
     return std::min(wanted_height(ui, state.card(card.card)), card.most * column.h);
@@ -61,12 +64,14 @@ float least_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect col
 
 // The heights of the cards. Where the column is too low for all of them, a card gets what those above and the least
 // heights of those below leave.
-std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const Stack& stack, Rect column) {
+std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const Stack& stack, Rect column,
+                                         bool is_shared) {
     std::array<float, card_count> heights{};
     const std::span<float> least(heights.data(), stack.count);
     for (std::size_t i = 0; i < stack.count; ++i) least[i] = least_of(ui, state, *stack.rows[i], column);
     float room = column.h - ui.px(between_cards) * static_cast<float>(stack.count > 0 ? stack.count - 1 : 0);
-    const std::size_t kept = stack.count > 0 && stack.rows[0]->keeps_least ? 1 : 0;  // the first card only
+    const bool keeps_least = stack.count > 0 && stack.rows[0]->keeps_least && !is_shared;
+    const std::size_t kept = keeps_least ? 1 : 0;  // the first card only
     cut_to_fit(least.subspan(kept), folded_height(ui), room - (kept > 0 ? least[0] : 0));
     for (std::size_t i = 0; i < stack.count; ++i) {
         const float below = std::accumulate(least.begin() + static_cast<std::ptrdiff_t>(i) + 1, least.end(), 0.0f);
@@ -157,12 +162,13 @@ void cut_to_fit(std::span<float> heights, float floor, float room) {
     for (float& height : heights) height = std::min(height, std::max(floor, most));
 }
 
-void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, Rect column, std::optional<Card> guest) {
+void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, Rect column, IsGuest is_guest) {
     if (column.w <= 0) return;
     const float space = ui.px(between_cards);
-    const Stack stack = stack_of(which, view, guest);
-    const CardTraits* folded_now = fold_when_cramped(ui, state, stack, column);
-    std::array<float, card_count> heights = heights_of(ui, state, stack, column);
+    const Stack stack = stack_of(which, view, is_guest);
+    const bool is_shared = shares_column(view, is_guest);
+    const CardTraits* folded_now = is_shared ? nullptr : fold_when_cramped(ui, state, stack, column);
+    std::array<float, card_count> heights = heights_of(ui, state, stack, column, is_shared);
     fix_heights(ui, view, state, stack, column, heights);
     Rect rest = column;
     for (std::size_t i = 0; i < stack.count; ++i) {
@@ -171,7 +177,10 @@ void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, R
         Rect place = rest;
         place.h = heights[i];
         const bool was_folded = card.folded;
-        row.draw(view, state, ui, lecture_place(view, ui, row, card.folded, place), rest);
+        Rect room = rest;
+        for (std::size_t below = i + 1; is_shared && below < stack.count; ++below)
+            room.h -= least_of(ui, state, *stack.rows[below], column) + space;
+        row.draw(view, state, ui, lecture_place(view, ui, row, card.folded, place), room);
         state.is_unsettled |= !card.folded && card.is_cut;
         const bool changed = card.folded != was_folded;
         if (changed) card.opened_by_user = was_folded;

@@ -2,7 +2,6 @@
 // derived from this table.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -47,8 +46,9 @@ const CardTraits& traits(Card);
 // Cuts the largest heights to one height, at least `floor`, so that the sum is at most `room`.
 void cut_to_fit(std::span<float> heights, float floor, float room);
 
-// Draws the visible cards of a column, and above them `guest`, a card of the other column that has no room there.
-void draw_column(Column, const LabView&, PanelState&, Ui&, Rect, std::optional<Card> guest = std::nullopt);
+// Draws the visible cards of a column, and above them its guests: cards of the other column that have no room there.
+using IsGuest = bool (*)(const CardTraits&);
+void draw_column(Column, const LabView&, PanelState&, Ui&, Rect, IsGuest = nullptr);
 
 // begin_card() with state, anchor and heading of the table's row; `heading` replaces the row's. Follow with end_card().
 bool open_card(PanelState&, Ui&, Card, Rect place, std::span<HeadingButton> = {}, std::string_view heading = {});

@@ -264,7 +264,7 @@ bool shows_lecture_figures(const LabView& view) {
 }
 
 void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
-    if (!shows_lecture_figures(view)) return;
+    if (bar.h <= 0 || !shows_lecture_figures(view)) return;
     begin_bar(ui, "lecture figures", bar);
     if (const VehicleView* vehicle = vehicle_of_live_picture(view)) {
         live_brain(view, state, ui, *vehicle, bar);
