@@ -374,6 +374,70 @@ TEST_F(LecturePages, ANoticeIsInTheBarAndCoversNothing) {
     EXPECT_EQ(lines, 2);
 }
 
+namespace {
+
+// The words in the bar of a notice, without the space between lines.
+std::string words_of_bar(const Desk& desk) {
+    std::string all;
+    for (const Written& w : desk.written)
+        if (is_inside(w.rect, desk.where("hint.bar"))) all += w.words;
+    std::erase(all, ' ');
+    return all;
+}
+
+}  // namespace
+
+TEST_F(LecturePages, EveryNoticeIsWholeInTheBarInEveryLanguage) {
+    constexpr Size small[]{{1024, 768, 1.4f}, {800, 600, 1}};
+    int notices = 0;
+    for (const Size& size : small)
+        for (const std::string& code : shipped_codes()) {
+            Desk own(size.width, size.height, size.scale, true);
+            own.strings = speaking(code);
+            own.now = snapshot(0);
+            own.view.lecture = own.view.has_moved_camera = true;
+            own.view.pages = &pages;
+            for (const auto& [key, words] : own.strings.all()) {
+                if (!key.starts_with("notice.") && !key.starts_with("unavailable.")) continue;
+                own.view.notice = {NoticeKind::notice, key, "0.25", "4"};
+                own.panels.lecture.pressed = {{KeyPress{'Q', false, true}, own.view.wall_seconds}};
+                own.frame();
+                std::string whole = text_of(own.view.notice, own.strings);
+                std::erase(whole, ' ');
+                EXPECT_EQ(words_of_bar(own), whole) << code << " " << key << " at " << size.width;
+                for (const char* beside : {"lecture.page", "lecture.keys", "lecture.leave", "lecture.home"})
+                    if (own.anchors.find(beside)) {
+                        EXPECT_FALSE(overlap(own.where(beside), own.where("hint.bar"))) << beside << " " << key;
+                    }
+                ++notices;
+            }
+        }
+    EXPECT_GT(notices, 300);
+}
+
+TEST_F(LecturePages, AnOpenCardIsBelowAQuestionThatIsNotAnswered) {
+    for (const Size& size : sizes) {
+        SCOPED_TRACE(size.width);
+        Desk own(size.width, size.height, size.scale, true);
+        own.now = snapshot(0);
+        own.view.lecture = true;
+        own.view.pages = &pages;
+        pages.page = 1;
+        own.frame(3);
+        own.panels.card(Card::brain).folded = false;
+        own.frame(6);
+        const Rect question = own.where("lecture.question"), brain = own.where("card.brain");
+        EXPECT_TRUE(own.anchors.find("lecture.share.1"));
+        EXPECT_GT(brain.h, 0.2f * own.layout.window.h);
+        for (const Rect& card : {question, brain}) {
+            EXPECT_TRUE(is_inside(card, own.layout.window));
+            EXPECT_FALSE(overlap(card, own.where("viewport")));
+        }
+        EXPECT_FALSE(overlap(question, brain));
+        EXPECT_GE(own.where("viewport").w, 0.5f * own.layout.window.w);
+    }
+}
+
 TEST_F(LecturePages, AShortNoticeIsInTheSizeOfTheText) {
     show(2, 2);
     const auto size_of_notice = [&](const std::string& words) {

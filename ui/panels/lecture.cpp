@@ -49,8 +49,9 @@ void draw_figure(Ui& ui, const LectureFigure& f, Rect r) {
     mark(ui, f.anchor, r);
 }
 
-// The keys that were pressed, in the bar up to `right`; returns their left edge.
-float pressed_keys(const LabView& view, PanelState& state, Ui& ui, float right, Rect bar) {
+// The keys that were pressed, in the bar up to `right`, the newest at the right end; not those that would be left of
+// `free_from`. Returns their left edge.
+float pressed_keys(const LabView& view, PanelState& state, Ui& ui, float free_from, float right, Rect bar) {
     auto& keys = state.lecture.pressed;
     std::erase_if(keys, [&](const PressedKey& k) { return view.wall_seconds - k.at > pressed_key_seconds; });
     if (keys.size() > most_pressed_keys)
@@ -61,11 +62,12 @@ float pressed_keys(const LabView& view, PanelState& state, Ui& ui, float right, 
     for (auto k = keys.rbegin(); k != keys.rend(); ++k) {
         const std::string words = key_name(k->press, ui.strings);
         const float width = std::max(h, text_width(ui, Face::title, words) + ui.px(20));
+        if (x - width - space < free_from) break;
         x -= width + space;
         fill_box(ui, {x, y, width, h}, ui.palette.text);
         put_centred(ui, {x + width / 2, y + ui.px(4)}, words, ui.palette.ground, Face::title);
     }
-    mark(ui, "lecture.keys", {x, y, right - space - x, h});
+    if (x < right) mark(ui, "lecture.keys", {x, y, right - space - x, h});
     return x;
 }
 
@@ -149,17 +151,43 @@ std::string title_of_bar(const LabView& view, const Ui& ui) {
     return std::string(translated(ui, view.lesson->exercise->title));
 }
 
-// A notice in place of the title, in at most two lines, so that it covers neither the scene nor the values.
+// How a notice is written into the bar, so that it covers neither the scene nor the values: in two lines, else in as
+// many of the smallest type as the bar has room for.
+struct NoticeType {
+    Face face;
+    std::size_t lines;  // of the notice
+    std::size_t most;   // in the bar
+};
+
+NoticeType type_of_notice(const Ui& ui, std::string_view words, float room, Rect bar) {
+    const float width = room - (has_icons(ui) ? ui.px(22) : 0);
+    for (const Face face : {Face::text, Face::small})
+        if (const std::size_t lines = lines_of_words(ui, words, face, width).size(); lines <= 2)
+            return {face, lines, 2};
+    const auto most = static_cast<std::size_t>(bar.h / line_height(ui, Face::label));
+    return {Face::label, lines_of_words(ui, words, Face::label, width).size(), std::max<std::size_t>(2, most)};
+}
+
+// The part of the room that the notice needs, with the space beside it; 0 without one.
+float width_of_notice(const LabView& view, const Ui& ui, float room, Rect bar) {
+    if (view.notice.empty()) return 0;
+    const std::string words = text_of(view.notice, ui.strings);
+    for (float share = 0.4f; share < 1; share += 0.1f)
+        if (const NoticeType type = type_of_notice(ui, words, share * room, bar); type.lines <= type.most)
+            return share * room + ui.px(12);
+    return room + ui.px(12);
+}
+
+// In place of the title.
 void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
     const Colour colour = colour_of(view.notice.kind, ui.palette);
-    const float text = from + (has_icons(ui) ? ui.px(22) : 0), width = from + room - text;
+    const float text = from + (has_icons(ui) ? ui.px(22) : 0);
     put_icon(ui, {from + ui.px(7), bar.y + bar.h / 2}, sign_of(view.notice.kind), colour);
     const std::string words = text_of(view.notice, ui.strings);
-    const Face face = lines_of_words(ui, words, Face::text, width).size() <= 2 ? Face::text : Face::small;
-    const auto lines = lines_of_words(ui, words, face, width);
-    const float line = line_height(ui, face);
-    const float y = bar.y + (bar.h - (lines.size() == 1 ? 1 : 2) * line) / 2;
-    put_lines(ui, {text, y}, words, colour, face, width, 2);
+    const NoticeType type = type_of_notice(ui, words, room, bar);
+    const auto lines = static_cast<float>(std::min(type.lines, type.most));
+    const float y = bar.y + (bar.h - lines * line_height(ui, type.face)) / 2;
+    put_lines(ui, {text, y}, words, colour, type.face, from + room - text, type.most);
     mark(ui, "hint.bar", {from, bar.y, room, bar.h});
 }
 
@@ -236,14 +264,16 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     const Item end = button(ui, "lecture.leave", leave);
     tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
     if (end.pressed) ui.outbox.push_back(Action::lecture);
-    // The title, between the clock and the button that ends the lecture.
+    // The title or a notice, between the clock and the button that ends the lecture. A notice has the room that it
+    // needs before all buttons and keys.
     const float after_clock = start.right() + ui.px(16 + 96);
-    const float page = view.pages                  ? page_number(view, ui, after_clock, end.rect.x, bar)
-                       : view.documents.left_pages ? back_button(view, ui, after_clock, end.rect.x, bar)
-                                                   : end.rect.x;
     const float from = past_sign(view, ui, after_clock, bar);
-    const float home = home_button(view, ui, from, page, bar);
-    const float right = pressed_keys(view, state, ui, home, bar);
+    const float until = from + width_of_notice(view, ui, end.rect.x - ui.px(12) - from, bar);
+    const float page = view.pages                  ? page_number(view, ui, until, end.rect.x, bar)
+                       : view.documents.left_pages ? back_button(view, ui, until, end.rect.x, bar)
+                                                   : end.rect.x;
+    const float home = home_button(view, ui, until, page, bar);
+    const float right = pressed_keys(view, state, ui, until, home, bar);
     const float room = std::max(0.0f, right - ui.px(12) - from);
     // In a lecture file the number of the page says enough where the title has no room.
     std::string title = title_of_bar(view, ui);
