@@ -35,6 +35,7 @@ void replace_document(Lab& lab, Document next) {
     lab.object_name.clear();
     lab.dragging = false, lab.deselected = Deselected::no;
     lab.steered = {};
+    if (lab.lectures.tally) lab.lectures.tally = empty_tally();
     lab.notice = {};
     lab.findings.clear();
     if (lab.document.lesson) lab.document.lesson->last_hint_at = lab.wall_seconds;
@@ -63,6 +64,14 @@ Camera camera_of(const LecturePage& page) {
 
 }  // namespace
 
+LectureView empty_tally() {
+    constexpr std::size_t options = 4;
+    Lecture lecture;
+    lecture.pages.resize(1);
+    lecture.pages.front().question.options.resize(options);
+    return {.lecture = std::make_shared<const Lecture>(std::move(lecture)), .hands = {std::vector<int>(options)}};
+}
+
 Camera home_camera(const Workspace& space) { return space.pages ? camera_of(space.pages->current()) : Camera{}; }
 
 LabView view_of(const Lab& lab) {
@@ -85,6 +94,7 @@ LabView view_of(const Lab& lab) {
     view.may = disclosure_of(lab);
     if (view.may.solution_run) view.features.ghost = ghost_of(lab);
     view.pages = lab.pages ? &*lab.pages : nullptr;
+    view.tally = lab.lectures.tally ? &*lab.lectures.tally : nullptr;
     if (view.may.future)
         view.features.last_run = last_run_of(lab.last_run, lab),
         view.features.prediction = prediction_of(lab.predictions, lab);

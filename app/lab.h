@@ -32,11 +32,12 @@ struct AuthoredScene;  // app/course/authored_scene.h
 
 // What is kept of lectures (app/course/lab_lecture.h).
 struct LectureMemory {
-    Theme theme = Theme::light;         // of the next lecture: that of the last one since the start
-    std::optional<LectureView> left{};  // the lecture that was left last
-    std::uint64_t left_run = 0;         // Document::run_id when it was left; F9 then goes back to it
-    Slots slots_before{};               // restored when lecture mode ends; each page begins without stored brains
-    double began = 0;                   // wall seconds
+    Theme theme = Theme::light;          // of the next lecture: that of the last one since the start
+    std::optional<LectureView> left{};   // the lecture that was left last
+    std::uint64_t left_run = 0;          // Document::run_id when it was left; F9 then goes back to it
+    Slots slots_before{};                // restored when lecture mode ends; each page begins without stored brains
+    std::optional<LectureView> tally{};  // of a question that is asked without pages; nullopt: hands are not counted
+    double began = 0;                    // wall seconds
     std::string notes_written{};  // the page of notes as written last; empty: none is open. See app/course/notes_page.h
 };
 
@@ -88,6 +89,9 @@ void replace_document(Lab&, Document);
 
 // Starts and takes what the features compute in the background. Call once per turn, after Jobs::deliver.
 void update_features(Lab&, Jobs&);
+
+// A page with a question whose options have no words, without hands.
+LectureView empty_tally();
 
 // The camera that Home restores: that of the lecture's page, else the default.
 Camera home_camera(const Workspace&);

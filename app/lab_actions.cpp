@@ -110,6 +110,8 @@ void cancel(Lab& lab) {
 void ask_first(Lab& lab) {
     if (!lab.before_lecture) return;
     lab.view.revealed = lab.view.revealed.asks_first ? Revealed{} : hidden_until_asked;
+    if (lab.view.revealed.asks_first && !lab.pages && !lab.lectures.tally)
+        say(lab, {NoticeKind::notice, "notice.asks_first"});
 }
 
 // Shows the intensity of the next channel that has one in this scene; after the last, none.
@@ -187,6 +189,7 @@ constexpr LabAction lab_actions[]{
     {Action::hide_character, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.character); }},
     {Action::hide_brain, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.brain); }},
     {Action::ask_first, [](Lab& lab) { ask_first(lab); }},
+    {Action::tally, [](Lab& lab) { switch_tally(lab); }},
     {Action::next_field, [](Lab& lab) { show_next_field(lab); }},
     {Action::why, [](Lab& lab) { ask_why(lab); }},
     {Action::map, [](Lab& lab) { show_map(lab); }},

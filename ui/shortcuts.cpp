@@ -114,7 +114,7 @@ bool hides_a_part(Action action) {
 
 bool has_effect_in_lecture(Action action, bool has_pages) {
     return has_pages || hides_a_part(action) || action == Action::draw_marks || action == Action::clear_marks ||
-           action == Action::blank;
+           action == Action::blank || action == Action::tally;
 }
 
 std::string_view name(KeyPlace place) { return place_names[static_cast<std::size_t>(place)]; }

@@ -24,7 +24,7 @@ void begin_pages(Lab& lab, std::shared_ptr<const Lecture> lecture) {
     std::vector<std::vector<int>> hands;
     for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
     lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
-    lab.lectures.left.reset();
+    lab.lectures.left.reset(), lab.lectures.tally.reset();
     if (lab.notice.key == lecture_left) lab.notice = {};
 }
 
@@ -134,6 +134,7 @@ void end_lecture(Lab& lab) {
         lab.document.saved_edits = lab.document.edits;
         lab.document.saved_tick = lab.document.session.snapshot().tick;
     }
+    lab.lectures.tally.reset();
     lab.lectures.theme = lab.preferences.theme;
     lab.preferences = own_preferences(lab);
     const Selection selection = lab.view.selection;
@@ -215,9 +216,17 @@ void previous_page(Lab& lab) {
     show_page(lab, lab.pages->page - 1, static_cast<int>(page.reveal.size()));
 }
 
+void switch_tally(Lab& lab) {
+    auto& tally = lab.lectures.tally;
+    if (lab.pages) return say(lab, {NoticeKind::notice, "unavailable.tally"});
+    if (!lab.before_lecture) return;
+    tally = tally ? std::nullopt : std::optional(empty_tally());
+}
+
 void count_hands(Lab& lab, const HandsRequest& request) {
-    if (!lab.pages) return;
-    auto& hands = lab.pages->hands[static_cast<std::size_t>(lab.pages->page)];
+    LectureView* page = lab.pages ? &*lab.pages : lab.lectures.tally ? &*lab.lectures.tally : nullptr;
+    if (!page) return;
+    auto& hands = page->hands[static_cast<std::size_t>(page->page)];
     if (request.option < 0 || static_cast<std::size_t>(request.option) >= hands.size()) return;
     hands[static_cast<std::size_t>(request.option)] = std::clamp(request.hands, 0, most_hands);
 }

@@ -49,7 +49,11 @@ void next_page(Lab&);
 // step, goes to the previous page with all of its steps. Its run begins anew; the step `play` does not start it.
 void previous_page(Lab&);
 
-// Sets the number of raised hands, 0 .. 999.
+// Begins or ends the count of hands for a question that is asked about a scene without a page. A page has its own
+// question: then shows a notice. Does nothing outside a lecture. Another scene begins a new count.
+void switch_tally(Lab&);
+
+// Sets the number of raised hands, 0 .. 999, of an option of the page, or of the tally without one.
 void count_hands(Lab&, const HandsRequest&);
 
 }  // namespace braitenlab

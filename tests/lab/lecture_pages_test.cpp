@@ -588,6 +588,35 @@ TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhatIsMissing) {
     EXPECT_EQ(why(), "unavailable.map_secret");
 }
 
+TEST_F(LabLecturePages, ATallyCountsHandsForAQuestionWithoutAPageUntilTheNextScene) {
+    const auto hands = [&] { return view_of(lab).tally ? view_of(lab).tally->hands.front() : std::vector<int>{}; };
+    handle(lab, Action::tally);
+    EXPECT_TRUE(hands().empty()) << "not outside a lecture";
+    handle(lab, Action::lecture);
+    press({'F', false, true});
+    EXPECT_EQ(lab.notice.key, "notice.asks_first");
+    press({'V', false, true});
+    ASSERT_EQ(hands().size(), 4u);
+    handle(lab, HandsRequest{1, 7});
+    handle(lab, HandsRequest{4, 7});
+    EXPECT_EQ(hands(), (std::vector{0, 7, 0, 0}));
+    open("3a-love");
+    EXPECT_EQ(hands(), (std::vector{0, 0, 0, 0})) << "the next question";
+    press({'V', false, true});
+    EXPECT_TRUE(hands().empty());
+    press({'V', false, true});
+    open("four-numbers");
+    EXPECT_TRUE(hands().empty()) << "a page has its own question";
+    press({'V', false, true});
+    EXPECT_EQ(lab.notice.key, "unavailable.tally");
+    EXPECT_TRUE(hands().empty());
+    open("3a-love");
+    press({'V', false, true});
+    EXPECT_EQ(hands().size(), 4u);
+    press({key::f9});
+    EXPECT_TRUE(hands().empty()) << "it ends with the lecture";
+}
+
 TEST_F(LabLecturePages, ABrokenLectureIsRefusedAndTheSceneStays) {
     put_text(folder / "own.toml", "format = 1\ntitle = \"T\"\nminutes = 1\n[[page]]\nscene = \"2a-cowerd\"\n");
     ask(OpenRequest{(folder / "own.toml").string()});

@@ -125,6 +125,39 @@ TEST_F(LectureHands, AnAnswerWithoutCountedHandsHasNoBars) {
     }
 }
 
+TEST_F(LectureHands, AQuestionWithoutAPageHasATallyOfLettersBesideTheScene) {
+    Lecture lecture;
+    lecture.pages.resize(1);
+    lecture.pages[0].question.options.resize(4);
+    LectureView tally{.lecture = std::make_shared<const Lecture>(lecture), .hands = {{0, 0, 0, 0}}};
+    desk.view.pages = nullptr;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("lecture.question"));
+    desk.key({'V', false, true});
+    EXPECT_EQ(desk.actions(), std::vector{Action::tally});
+    for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, std::pair{1280.0f, 800.0f}}) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        desk.view.tally = &tally;
+        tally.hands = {{0, 0, 0, 0}};
+        desk.frame(4);
+        EXPECT_EQ(switched_on(desk.view, desk.panels, Action::tally), true);
+        const Rect card = desk.where("lecture.question");
+        EXPECT_TRUE(is_inside(card, desk.layout.window));
+        EXPECT_FALSE(overlap(card, desk.where("viewport")));
+        EXPECT_GE(desk.where("viewport").w, 0.5f * width);
+        for (const char* letter : {"A", "B", "C", "D"}) EXPECT_TRUE(desk.says(letter));
+        desk.all.clear();
+        desk.click("lecture.more.4");
+        ASSERT_TRUE(desk.last<HandsRequest>());
+        EXPECT_EQ(desk.last<HandsRequest>()->option, 3);
+        EXPECT_EQ(desk.last<HandsRequest>()->hands, 1);
+        tally.hands = {{1, 0, 0, 3}};
+        desk.frame(2);
+        EXPECT_TRUE(desk.says("75%"));
+        desk.rest();
+    }
+}
+
 TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
     show(1, 1);
     const LectureQuestion& asked = pages.current().question;

@@ -138,7 +138,7 @@ void lettered_option(const LectureView& page, Ui& ui, std::size_t option, Colour
 }
 
 void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option, Face face) {
-    const LectureView& page = *view.pages;
+    const LectureView& page = *asked(view);
     lettered_option(page, ui, option, ui.palette.accent, ui.palette.text, face);
     count_row(page, state, ui, option);
     ImGui::SameLine();
@@ -286,7 +286,7 @@ void lecture_caption(const LabView& view, Ui& ui, Rect r) {
 }
 
 void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
-    const LectureView& page = *view.pages;
+    const LectureView& page = *braitenlab::asked(view);
     const LectureQuestion& asked = page.current().question;
     if (state.lecture.hands.size() != asked.options.size()) state.lecture.hands.assign(asked.options.size(), {});
     CardState& card = state.lecture.question;
