@@ -387,7 +387,8 @@ std::string words_of_bar(const Desk& desk) {
 
 }  // namespace
 
-TEST_F(LecturePages, EveryNoticeIsWholeInTheBarInEveryLanguage) {
+TEST(LecturePageType, EveryNoticeIsWholeInTheBarInEveryLanguage) {
+    LectureView pages = opened_lecture("four-numbers");
     constexpr Size small[]{{1024, 768, 1.4f}, {800, 600, 1}};
     int notices = 0;
     for (const Size& size : small)
@@ -415,7 +416,8 @@ TEST_F(LecturePages, EveryNoticeIsWholeInTheBarInEveryLanguage) {
     EXPECT_GT(notices, 300);
 }
 
-TEST_F(LecturePages, AnOpenCardIsBelowAQuestionThatIsNotAnswered) {
+TEST(LecturePageType, AnOpenCardIsBelowAQuestionThatIsNotAnswered) {
+    LectureView pages = opened_lecture("four-numbers");
     for (const Size& size : sizes) {
         SCOPED_TRACE(size.width);
         Desk own(size.width, size.height, size.scale, true);
