@@ -10,11 +10,12 @@
 namespace braitenlab::render {
 
 int Offscreen::largest() {
-    GLint side = 0;
+    GLint texture = 0, buffer = 0;
     std::array<GLint, 2> viewport{};
-    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &side);
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
-    return std::min({side, viewport[0], viewport[1]});
+    return std::min({texture, buffer, viewport[0], viewport[1]});
 }
 
 Offscreen::Offscreen(int width, int height, int samples) : width_(width), height_(height), samples_(samples) {
@@ -22,12 +23,17 @@ Offscreen::Offscreen(int width, int height, int samples) : width_(width), height
     GLint before = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
     glGenFramebuffers(1, &framebuffer_);
-    glGenRenderbuffers(1, &colours_);
     glGenRenderbuffers(1, &depths_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glBindRenderbuffer(GL_RENDERBUFFER, colours_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours_);
+    if (samples == 0) {
+        colours_ = std::make_unique<Texture>(Texture::Kind::picture, width, height);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colours_->id(), 0);
+    } else {
+        glGenRenderbuffers(1, &samples_of_colours_);
+        glBindRenderbuffer(GL_RENDERBUFFER, samples_of_colours_);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_of_colours_);
+    }
     glBindRenderbuffer(GL_RENDERBUFFER, depths_);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths_);
@@ -43,6 +49,7 @@ Offscreen& Offscreen::operator=(Offscreen&& other) noexcept {
     std::swap(height_, other.height_);
     std::swap(samples_, other.samples_);
     std::swap(framebuffer_, other.framebuffer_);
+    std::swap(samples_of_colours_, other.samples_of_colours_);
     std::swap(colours_, other.colours_);
     std::swap(depths_, other.depths_);
     std::swap(bound_before_, other.bound_before_);
@@ -52,7 +59,7 @@ Offscreen& Offscreen::operator=(Offscreen&& other) noexcept {
 
 Offscreen::~Offscreen() {
     glDeleteFramebuffers(1, &framebuffer_);  // 0 is ignored
-    glDeleteRenderbuffers(1, &colours_);
+    glDeleteRenderbuffers(1, &samples_of_colours_);
     glDeleteRenderbuffers(1, &depths_);
 }
 

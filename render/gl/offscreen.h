@@ -1,7 +1,10 @@
 // A framebuffer of any size, for pictures that are larger than the window or must not disturb it.
 #pragma once
 
+#include <memory>
 #include <vector>
+
+#include "render/gl/texture.h"
 
 namespace braitenlab::render {
 
@@ -25,6 +28,8 @@ public:
     void bind();
     void release();
 
+    // Its colours. Precondition: ready, without samples.
+    const Texture& colours() const { return *colours_; }
     // RGB, rows from the top. Precondition: without samples.
     std::vector<unsigned char> pixels() const;
 
@@ -33,7 +38,8 @@ public:
 
 private:
     int width_, height_, samples_;
-    unsigned framebuffer_ = 0, colours_ = 0, depths_ = 0;
+    unsigned framebuffer_ = 0, samples_of_colours_ = 0, depths_ = 0;
+    std::unique_ptr<Texture> colours_;  // null with samples
     int bound_before_ = 0;
     bool ready_ = false;
 };

@@ -67,7 +67,8 @@ std::optional<Error> Programs::load(const std::filesystem::path& folder, SectorP
                           {&letter, "letter", "letter"},
                           {&eyeball, "eyeball", "eyeball"},
                           {&cast, "cast", "cast"},
-                          {&lamplit, "floor", "lamplit"}};
+                          {&lamplit, "floor", "lamplit"},
+                          {&enlarge, "enlarge", "enlarge"}};
     for (const auto& [program, vertex, fragment] : all) {
         auto loaded = Program::load(folder, std::string(vertex) + ".vert", std::string(fragment) + ".frag");
         if (!loaded) return loaded.error();

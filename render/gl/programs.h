@@ -11,7 +11,7 @@ namespace braitenlab::render {
 
 struct Programs {
     Program floor, lamplit, brink, zone, contour, block, skirt, hull, sign, rim, wheel, eye, eyeball, cast, wire,
-        neuron, deck_shade, field, outlined, shade, mark, source, halo, trail, letter;
+        neuron, deck_shade, field, outlined, shade, mark, source, halo, trail, letter, enlarge;
     bool sectors_from_points = false;
 
     // Compiles all programs. After an error the set is incomplete.

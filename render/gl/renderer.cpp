@@ -327,6 +327,15 @@ struct Renderer::Parts {
         if (!coarse) return;
         set_viewport(window);
         upload(frame);
+        enlarge();
+    }
+
+    // Draws the coarse picture over the viewport. SwiftShader takes twice the time for a copy that changes the size.
+    void enlarge() {
+        glDisable(GL_BLEND);
+        glDisable(GL_DEPTH_TEST);
+        resampling.coarse().bind();
+        draw(with.enlarge, floors);
     }
 
     void draw_letters() {

@@ -15,15 +15,14 @@ Resampling::Resampling() {
 }
 
 bool Resampling::begin_smooth(const Rect& window) {
-    from_ = to_ = window;
+    window_ = window;
     return most_samples_ > 1 &&
            begin(static_cast<int>(window.x + window.w), static_cast<int>(window.y + window.h), most_samples_);
 }
 
 bool Resampling::begin_coarse(const Rect& window, float share) {
-    to_ = window;
-    from_ = {0, 0, std::max(1.0f, std::round(window.w * share)), std::max(1.0f, std::round(window.h * share))};
-    if (!begin(static_cast<int>(from_.w), static_cast<int>(from_.h), 0)) return false;
+    const auto side = [share](float pixels) { return std::max(1, static_cast<int>(std::lround(pixels * share))); };
+    if (!begin(side(window.w), side(window.h), 0)) return false;
     glViewport(0, 0, target_->width(), target_->height());
     return true;
 }
@@ -44,15 +43,13 @@ void Resampling::end() {
     if (!active_) return;
     active_ = false;
     target_->release();
-    const auto left = [](const Rect& r) { return static_cast<GLint>(r.x); };
-    const auto low = [](const Rect& r) { return static_cast<GLint>(r.y); };
-    const auto right = [](const Rect& r) { return static_cast<GLint>(r.x + r.w); };
-    const auto high = [](const Rect& r) { return static_cast<GLint>(r.y + r.h); };
+    if (target_->samples() == 0) return;
+    const auto left = static_cast<GLint>(window_.x), low = static_cast<GLint>(window_.y);
+    const auto right = static_cast<GLint>(window_.x + window_.w), high = static_cast<GLint>(window_.y + window_.h);
     GLint bound = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target_->framebuffer());
-    glBlitFramebuffer(left(from_), low(from_), right(from_), high(from_), left(to_), low(to_), right(to_), high(to_),
-                      GL_COLOR_BUFFER_BIT, from_ == to_ ? GL_NEAREST : GL_LINEAR);
+    glBlitFramebuffer(left, low, right, high, left, low, right, high, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 

@@ -19,9 +19,11 @@ public:
     // Draw calls until end() draw a picture of `share` times the width and height of `window`, at 0, 0, with a viewport
     // of its size. False, and nothing changes, where the bound framebuffer has samples or there is no memory.
     bool begin_coarse(const Rect& window, float share);
-    // Copies the picture into the framebuffer that was bound at the beginning, enlarged to `window`, and binds it. Does
-    // nothing if no beginning was successful.
+    // Binds the framebuffer that was bound at the beginning, and copies the smooth picture into it. Does nothing if no
+    // beginning was successful.
     void end();
+    // The picture after begin_coarse() and end(), to be enlarged.
+    const Texture& coarse() const { return target_->colours(); }
 
     // Samples per pixel of the window; 0: no multisampling.
     int samples_of_window() const { return samples_of_window_; }
@@ -31,7 +33,7 @@ private:
 
     std::optional<Offscreen> target_;  // kept from frame to frame
     int most_samples_ = 0, samples_of_window_ = 0;
-    Rect from_, to_;  // copied by end(), px
+    Rect window_;  // px
     bool active_ = false;
 };
 

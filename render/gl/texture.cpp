@@ -8,7 +8,7 @@
 namespace braitenlab::render {
 
 Texture::Texture(Kind kind, int width, int height) : kind_(kind) {
-    const GLint filter = kind == Kind::numbers || kind == Kind::smooth ? GL_LINEAR : GL_NEAREST;
+    const GLint filter = kind == Kind::bytes ? GL_NEAREST : GL_LINEAR;
     glGenTextures(1, &id_);
     bind();
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, kind == Kind::smooth ? GL_LINEAR_MIPMAP_LINEAR : filter);

@@ -10,7 +10,7 @@ public:
     enum class Kind {
         bytes,    // one channel of 0..1 in 8 bits
         numbers,  // one channel of half floats, interpolated linearly
-        picture,  // colours; a render target, in the format of the window where the driver has it
+        picture,  // colours, interpolated linearly; a render target, in the window's format where the driver has it
         smooth,   // colours; a render target, interpolated between its smaller copies
     };
 

@@ -440,5 +440,28 @@ TEST_F(RoundedTest, HalfTheResolutionKeepsColoursAndPlaces) {
     EXPECT_EQ(stage.complaints(), "");
 }
 
+TEST_F(RoundedTest, HalfTheResolutionIsEnlargedInItsPartOfTheFramebuffer) {
+    renderer->draw(now, picture);
+    const auto before = stage.pixels();
+    const Rect part{160, 120, 320, 240};
+    picture.camera_view = look(picture.settings.camera, Arena{}, nullptr, part, part);
+    picture.resolution = 0.5f;
+    renderer->draw(now, picture);
+    const auto after = stage.pixels();
+    int changed_outside = 0, between = 0;
+    for (int y = 0; y < window_height; ++y)
+        for (int x = 0; x < window_width; ++x) {
+            const auto i = static_cast<std::size_t>((y * window_width + x) * 3);
+            const bool inside = x >= 160 && x < 480 && y >= 120 && y < 360;
+            if (!inside)
+                changed_outside += before[i] != after[i];
+            else if (x % 2 == 0)
+                between += after[i] != after[i + 3];  // of one pixel of the coarse picture
+        }
+    EXPECT_EQ(changed_outside, 0);
+    EXPECT_GT(between, 300) << "interpolated";
+    EXPECT_EQ(stage.complaints(), "");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::look_test
