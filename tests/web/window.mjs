@@ -9,6 +9,8 @@ import { root } from "./page.mjs";
 
 export const pause = (seconds) => new Promise((done) => setTimeout(done, 1000 * seconds));
 
+const windowId = '"$(xdotool search --onlyvisible --name Braitenlab | tail -n 1)"';
+
 class DesktopWindow {
     constructor(run, folder) {
         this.run = run;
@@ -61,10 +63,15 @@ class DesktopWindow {
         return this.command(`xdotool key ${name}`);
     }
 
+    async click(anchor) {
+        const [x, y, w, h] = (await this.anchors())[anchor];
+        await this.command(`xdotool mousemove --window ${windowId} ${Math.round(x + w / 2)} ${Math.round(y + h / 2)} click 1`);
+    }
+
     // A PNG picture of the window.
     async picture() {
         const file = path.join(this.folder, "window.png");
-        await this.command(`import -window "$(xdotool search --onlyvisible --name Braitenlab | tail -n 1)" ${file}`);
+        await this.command(`import -window ${windowId} ${file}`);
         return readFile(file);
     }
 }
