@@ -322,6 +322,8 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"short_texts", "'{}' should be a list of short texts"},
     {"key_of_other", "the {} '{}' has no '{}'; remove it"},
     {"key_of_own", "the {} '{}' needs '{}'; add it"},
+    {"foreign_folder", "the folder holds other files than those of an export; give a new folder"},
+    {"foreign_folder_window", "; export once more to write into it"},
     {"files_exist", "these files exist already: {}; export once more to replace them"},
     {"no_such_sensor", "the brain reads the sensor {}, which the vehicle does not have; add it or cut its wires"},
     {"no_part", "the sensor {} senses {}, for which the robot has no part; cut its wires"},
@@ -349,6 +351,13 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"circuit_threshold", "the wire from {} to {} has a threshold, which this circuit cannot hold; set it to 0"},
     {"circuit_wire_curve",
      "the wire from {} to {} has the curve {}, which this circuit cannot hold; take a linear one"},
+    {"circuit_stands",
+     "the wheel of {} never turns: its command is {} at most, and an L298 turns it from {} on, a TB6612 from {} on; "
+     "raise "
+     "its bias or its weights, or take a driver with an analog input"},
+    {"circuit_may_stand",
+     "the wheel of {} may never turn: its command is {} at most, and an L298 turns it for certain from {} on, a TB6612 "
+     "from {} on; raise its bias or its weights, or take a driver with an analog input"},
     {"circuit_weak", "the wire from {} to {} is too weak for a resistor; set it to 0 or to {}"},
 });
 

@@ -65,8 +65,13 @@ int export_to_robot(const ExportOptions& options) {
         error.file = options.file;
         return complain(error);
     }
-    if (const auto error = export_folder_fault(options.folder); error && !options.force) return complain(*error);
+    if (auto error = export_folder_fault(options.folder); error && !options.force) {
+        error->what += ", or --force to write into it";
+        return complain(*error);
+    }
     if (const auto error = write_export(options.folder, *files)) return complain(*error);
+    for (const Error& warning : robots::export_warnings(*brain, **robot))
+        std::cerr << "braitenctl: warning: " << warning.text() << "\n";
     for (const robots::ExportedFile& file : *files)
         std::cout << (std::filesystem::path(options.folder) / file.name).string() << "\n";
     return exit_code::done;

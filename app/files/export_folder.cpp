@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/files/safe_file.h"
+#include "core/messages.h"
 #include "core/scene/folder_entries.h"
 
 namespace braitenlab {
@@ -52,8 +53,7 @@ std::optional<Error> export_folder_fault(const fs::path& folder) {
         has_export |= entry.is_regular_file(none) && is_exported(entry.path());
     });
     if (is_empty || has_export) return std::nullopt;
-    return Error{"the folder holds other files than those of an export; give a new folder, or --force to write into it",
-                 folder.string()};
+    return error_of(message_of("foreign_folder"), folder.string());
 }
 
 std::optional<Error> write_export(const fs::path& folder, const std::vector<robots::ExportedFile>& files) {

@@ -183,6 +183,8 @@ struct FileCommands {
             if (fs::exists(into / file.name, none)) existing += (existing.empty() ? "" : ", ") + file.name;
         if (!wanted.replace && !existing.empty())
             return fail(error_of(message_of("files_exist", existing), into.string()));
+        if (auto fault = export_folder_fault(into); fault && !wanted.replace)
+            return fail(error_of(message_of("foreign_folder") + message_of("foreign_folder_window"), into.string()));
         if (const auto error = write_export(into, *wanted.files)) return fail(*error);
         view.exported_to = into.string();
         say(lab, {NoticeKind::done, "notice.exported", into.string()});

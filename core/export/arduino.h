@@ -1,4 +1,4 @@
-// What the sketch, the README and the wiring picture of the Arduino export share: pins and parts.
+// What the sketch, the README and the wiring picture of the Arduino export share: pins and costs.
 #pragma once
 
 #include <array>
@@ -45,21 +45,6 @@ inline constexpr int lowest_rate = 10;
 
 // Of these sensors in this order, so that a sketch does not use the calibration of another brain's sensors.
 unsigned calibration_mark(const Plan&);
-
-// The part that senses a channel, and what is done for its two calibration values.
-struct SensorPart {
-    Channel channel;
-    std::string_view part;  // empty: there is none
-    std::string_view zero;  // what the reading 0 is
-    std::string_view one;   // what the reading 1 is
-};
-const SensorPart& part_of(const Input&);  // a sensor of unknown channel is an eye
-
-// The error if a sensor has no part, or the board has fewer analog inputs than the brain has sensors.
-std::optional<Error> sensor_fault(const Plan&, std::string_view board, int analog_inputs);
-
-// What a table of sensors adds to a sensor of unknown channel; empty for the others.
-std::string_view doubt_about(const Input&);
 
 // "A0"
 std::string pin_of_input(std::size_t input);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/export/arduino.h"
+#include "core/export/sensor_parts.h"
 
 namespace braitenlab::robots::arduino {
 
@@ -74,7 +75,7 @@ Cost cost_of(const Plan& plan) {
     Cost sum = base;
     for (const Input& input : plan.inputs) {
         add(sum, of_sensor);
-        const SensorPart& part = part_of(input);
+        const SensorPart part = part_of(input, Board::uno);
         sum.bytes += static_cast<int>(part.zero.size() + part.one.size()) + 2;  // the texts of its calibration
     }
     Terms terms(sum);

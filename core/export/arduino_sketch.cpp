@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/export/arduino.h"
+#include "core/export/sensor_parts.h"
 #include "core/export/text.h"
 #include "core/export/texts.h"
 #include "core/maths/fnv.h"
@@ -49,8 +50,9 @@ std::string sketch(const Plan& plan) {
         names +=
             fmt::format("{}\"{}\"", i > 0 ? ", " : "", plan.inputs[i].id.substr(std::string_view("sensor_").size()));
         read += fmt::format("  brain.{} = eye({});\n", plan.inputs[i].id, i);
-        const SensorPart& part = part_of(plan.inputs[i]);
-        calibrate += fmt::format("  calibrateEye({}, F(\"{}\"), F(\"{}\"));\n", i, part.zero, part.one);
+        const SensorPart part = part_of(plan.inputs[i], Board::uno);
+        calibrate +=
+            fmt::format("      case {0}: calibrateEye({0}, F(\"{1}\"), F(\"{2}\")); break;\n", i, part.zero, part.one);
     }
     // A brain without sensors has no code for eyes.
     const auto with_eyes = [&](std::string_view part) {
@@ -68,6 +70,7 @@ std::string sketch(const Plan& plan) {
                    {"EYE_FUNCTIONS", with_eyes(texts::braitenberg_eyes_ino)},
                    {"EYE_CALIBRATION", with_eyes(texts::braitenberg_eye_calibration_ino)},
                    {"CALL_EYES", calibrate},
+                   {"STEPS", std::to_string(plan.inputs.size() + 3)},
                    {"SMALLEST", number(smallest_command)},
                    {"READ", read}});
 }

@@ -7,6 +7,7 @@
 #include "core/export/arduino.h"
 #include "core/export/micropython.h"
 #include "core/export/opamp.h"
+#include "core/export/sensor_parts.h"
 #include "core/export/thymio.h"
 #include "core/export/thymio3.h"
 #include "core/messages.h"
@@ -36,7 +37,7 @@ Refusal check_sensors(const Plan& plan, const std::vector<Sensor>& sensors) {
 
 Refusal check_arduino(const Plan& plan, int robot_rate) {
     const std::string_view board = "Arduino Uno";
-    if (auto fault = arduino::sensor_fault(plan, board, arduino::analog_inputs)) return fault;
+    if (auto fault = pin_fault(plan, board, arduino::analog_inputs)) return fault;
     if (plan.hidden() > static_cast<std::size_t>(arduino::most_neurons))
         return error_of(message_of("program_neurons", plan.hidden(), board, arduino::most_neurons));
     const arduino::Cost cost = arduino::cost_of(plan);
@@ -108,6 +109,12 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
             return opamp_files(*plan);
     }
     return refused("unknown target");
+}
+
+std::vector<Error> export_warnings(const BrainToExport& given, const Robot& robot) {
+    if (robot.target != Target::opamp) return {};
+    const auto plan = make_plan(given, static_cast<float>(robot.rate_hz));
+    return plan ? opamp::warnings(*plan) : std::vector<Error>{};
 }
 
 }  // namespace braitenlab::robots

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/export/arduino.h"
+#include "core/export/sensor_parts.h"
 #include "core/export/text.h"
 #include "core/export/texts.h"
 #include "core/messages.h"
@@ -92,7 +93,7 @@ std::string learning(const Plan& plan) {
 }  // namespace
 
 std::optional<Error> refusal(const Plan& plan) {
-    if (auto fault = arduino::sensor_fault(plan, "micro:bit", analog_inputs)) return fault;
+    if (auto fault = pin_fault(plan, "micro:bit", analog_inputs)) return fault;
     const std::size_t bytes = brain_py(plan).size();
     if (bytes > static_cast<std::size_t>(largest_brain)) return too_large(plan, bytes, "micro:bit", largest_brain);
     return std::nullopt;
@@ -170,9 +171,9 @@ std::string main_py(const Plan& plan) {
 std::string readme(const Plan& plan) {
     std::string sensors;
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-        const arduino::SensorPart& shown = arduino::part_of(plan.inputs[i]);
-        sensors += fmt::format("| {} | P{} | {}; 0: {}, 1: {}{} |\n", comment_text(plan.inputs[i].name), i,
-                               part_of(plan.inputs[i]), shown.zero, shown.one, arduino::doubt_about(plan.inputs[i]));
+        const SensorPart part = part_of(plan.inputs[i], Board::microbit);
+        sensors += fmt::format("| {} | P{} | {} | 0: {}, 1: {}{} |\n", table_cell(plan.inputs[i].name), i,
+                               joining_text(part), part.zero, part.one, doubt_about(plan.inputs[i]));
     }
     return filled(
         texts::micropython_readme_md,

@@ -14,9 +14,6 @@ namespace braitenlab::robots::micropython {
 inline constexpr int analog_inputs = 3;     // P0 to P2; other analog pins drive the display
 inline constexpr int largest_brain = 2500;  // bytes of brain.py; tests run one of this size on 16 KB of memory
 
-// The part that senses a channel with the 3 V of the board; a part that needs 5 V says so. Precondition: there is one.
-std::string part_of(const Input&);
-
 // The first part that the robot cannot hold, with its name: a sensor without a part or without a pin, a brain too
 // large.
 std::optional<Error> refusal(const Plan&);

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/export/sensor_parts.h"
 #include "core/export/text.h"
 #include "core/export/texts.h"
-#include "core/export/wiring_svg.h"
 #include "core/maths/fnv.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
@@ -94,8 +94,30 @@ std::string subcircuit_name(const std::string& title, const std::string& content
 std::string node_text(const std::string& node) {
     if (node == "0") return "ground";
     if (node == "v5") return "5 V";
+    if (node == "v9") return "9 V";
     return node;
 }
+
+constexpr std::size_t first_sensor_pin = 3;  // of J2, after 5 V and ground
+
+// What a driver whose input is high from these volts on does with commands of this range.
+std::string_view verdict_on(const Range& commands, double high_volts) {
+    if (static_cast<double>(commands.high) <= command_at(low_volts)) return "never turns";
+    return static_cast<double>(commands.high) < command_at(high_volts) ? "may never turn" : "turns";
+}
+
+constexpr std::string_view enough_of_a_block =
+    "A block battery of 9 V gives that for a test; six alkaline AA cells in series, also 9 V,\nlast longer.";
+constexpr std::string_view too_much_for_a_block =
+    "That is more than a block battery of 9 V gives (about 100 mA for minutes):\ntake six alkaline AA cells in series, "
+    "and screw the regulator to a heat sink.";
+
+constexpr std::string_view motor_rows =
+    "2,motor,TT motor 1:48 with a wheel of 65 mm,the outputs of the driver,,\n"
+    "2,capacitor,100 nF,at the terminals of each motor,,\n"
+    "1,chassis,for two TT motors with a castor,,,\n"
+    "1,holder with four alkaline AA cells and a switch,for the motors; with an L298N six cells,VM or 12V,,\n"
+    "1,set of jumper wires,,,,\n";
 
 }  // namespace
 
@@ -129,9 +151,7 @@ std::vector<Resistor> summer(const Plan& plan, const PlanUnit& motor, const std:
 
 std::optional<Error> refusal(const Plan& plan) {
     if (plan.hidden() > 0) return error_of(message_of("circuit_neuron", in_quotes(plan.units[0].name)));
-    for (const Input& input : plan.inputs)
-        if (input.channel == Channel::random)
-            return error_of(message_of("no_part", in_quotes(input.name), word(*input.channel)));
+    if (auto fault = part_fault(plan)) return fault;
     for (const PlanUnit& motor : plan.units) {
         const std::string name = in_quotes(motor.name);
         if (motor.curve.response != Response::linear)
@@ -176,6 +196,36 @@ double largest_reading_of_dark(const Plan& plan) {
     return most;
 }
 
+Range commands_of(const PlanUnit& motor) {
+    Range commands{motor.bias, motor.bias};
+    for (const PlanTap& tap : motor.taps) (tap.weight < 0 ? commands.low : commands.high) += tap.weight;
+    return commands;
+}
+
+std::vector<Error> warnings(const Plan& plan) {
+    const auto text = [](double value) { return fmt::format("{:.2f}", value); };
+    const auto rounded_up = [&](double value) { return text(std::ceil(100 * value) / 100); };
+    std::vector<Error> found;
+    for (const auto& [side, motor] : motors_of(plan)) {
+        const double most = static_cast<double>(commands_of(*motor).high);
+        if (most >= command_at(l298_high_volts)) continue;
+        const std::string name = in_quotes(motor->name), l298 = rounded_up(command_at(l298_high_volts)),
+                          tb6612 = rounded_up(command_at(tb6612_high_volts));
+        found.push_back(error_of(most <= command_at(low_volts)
+                                     ? message_of("circuit_stands", name, text(most), l298, tb6612)
+                                     : message_of("circuit_may_stand", name, text(most), l298, tb6612)));
+    }
+    return found;
+}
+
+double milliamperes_at_9_volts(const Plan& plan) {
+    // At most: 3 mA of an LM324 and 8 mA of an L7805 (data sheets of Texas Instruments), 2.2 mA of a TB6612 at 5 V
+    // (data sheet of Toshiba), 3.5 mA of each motor's resistors at 7.5 V.
+    double sum = 3 * static_cast<double>(circuit_of(plan).chips()) + 8 + 2.2 + 2 * 3.5 + 5e3 / load_ohms;
+    for (const Input& input : plan.inputs) sum += part_of(input, Board::circuit).milliamperes + 5e3 / pull_down_ohms;
+    return sum;
+}
+
 // The amplifier has one pole: 1 MHz of gain times bandwidth (1 mS / (2 π 160 pF)) and a slew rate of 0.4 V/µs (64 µA
 // into 160 pF), both of an LM324. Its output without a limit would not converge in a transient where it leaves a rail.
 // The gain, 10^6, is ten times that of an LM324, so that a command is off by its resistors only.
@@ -188,6 +238,8 @@ std::string netlist(const Plan& plan, bool exact) {
         for (std::size_t part = 0; part < (exact ? 1 : r.e24.size()); ++part)
             parts += fmt::format("{} {} {} {:.7g}\n", r.names[part], r.from, r.to, exact ? r.exact : r.e24[part]);
     const std::string name = subcircuit_name(plan.title, pins + parts);
+    for (const TwoPole& diode : circuit.diodes)
+        parts += fmt::format("{} {} {} {}_diode\n", diode.name, diode.from, diode.to, name);
     for (std::size_t i = 0; i < circuit.used_amplifiers; ++i) {
         const Amplifier& amplifier = circuit.amplifiers[i];
         parts += fmt::format("X{} {} {} {} {}_opamp\n", amplifier.name(), amplifier.plus.node, amplifier.minus.node,
@@ -201,51 +253,70 @@ std::string netlist(const Plan& plan, bool exact) {
 }
 
 std::string readme(const Plan& plan) {
-    std::string rows, sensors;
+    std::string rows, sensors, wheels;
     const Circuit circuit = circuit_of(plan);
     for (const Resistor& r : circuit.resistors)
         rows += fmt::format("| {} | {} | {} | {} | {} |\n", names_text(r), node_text(r.from), node_text(r.to),
                             ohms_text(r.exact), e24_text(r));
-    for (const Input& input : plan.inputs)
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+        const SensorPart part = part_of(plan.inputs[i], Board::circuit);
         sensors +=
-            fmt::format("- `{}`: 0 V to 5 V, through a buffer (output connected to the inverting input) to `{}`\n",
-                        input.id, buffered(input));
+            fmt::format("| {} | `{}`, pin {} of J2 | {}{} | {} |\n", table_cell(plan.inputs[i].name), plan.inputs[i].id,
+                        i + first_sensor_pin, joining_text(part), doubt_about(plan.inputs[i]), part.uncalibrated);
+    }
+    for (const auto& [side, motor] : motors_of(plan)) {
+        const Range commands = commands_of(*motor);
+        wheels += fmt::format("| {} ({}) | {:.2f} to {:.2f} | {} | {} |\n", side, table_cell(motor->name),
+                              static_cast<double>(commands.low), static_cast<double>(commands.high),
+                              verdict_on(commands, tb6612_high_volts), verdict_on(commands, l298_high_volts));
+    }
+    std::string warned;
+    for (const Error& warning : warnings(plan)) warned += fmt::format("**Warning: {}.**\n", warning.what);
+    const double load = milliamperes_at_9_volts(plan);
     const std::size_t count = wiring_sheets(plan).size();
-    const std::string sheets =
-        "| `wiring.svg` | the schematic with the E24 values, to be printed on A4 |\n" +
-        (count == 1 ? "" : fmt::format("| `wiring-2.svg` to `wiring-{}.svg` | its other sheets |\n", count));
-    return filled(texts::opamp_readme_md, {{"TITLE", comment_text(plan.title)},
-                                           {"CHIPS", std::to_string(circuit.chips())},
-                                           {"SHEETS", sheets},
-                                           {"SENSORS", sensors},
-                                           {"ROWS", rows},
-                                           {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))},
-                                           {"RAISED", fmt::format("{:.3f}", largest_reading_of_dark(plan))}});
+    std::string sheets = "| `wiring.svg` | the schematic with the E24 values, to be printed on A4 |\n";
+    for (std::size_t sheet = 2; sheet <= count; ++sheet)
+        sheets += fmt::format("| `wiring-{}.svg` | its sheet {} |\n", sheet, sheet);
+    return filled(texts::opamp_readme_md,
+                  {{"TITLE", comment_text(plan.title)},
+                   {"CHIPS", std::to_string(circuit.chips())},
+                   {"SHEETS", sheets},
+                   {"SENSORS", sensors},
+                   {"WHEELS", wheels},
+                   {"WARNINGS", warned.empty() ? "" : warned + "\n"},
+                   {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
+                   {"SUPPLY", std::string(load > block_milliamperes ? too_much_for_a_block : enough_of_a_block)},
+                   {"ROWS", rows},
+                   {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))},
+                   {"RAISED", fmt::format("{:.3f}", largest_reading_of_dark(plan))}});
 }
 
 std::string parts_csv(const Plan& plan) {
-    std::string text = "part,value,from,to,name\n";
+    std::string text = "number,part,value,from,to,name\n";
     const Circuit circuit = circuit_of(plan);
     for (const Resistor& r : circuit.resistors)
         for (std::size_t part = 0; part < r.e24.size(); ++part)
-            text += fmt::format("resistor 1 %,{},{},{},{}\n", ohms_text(r.e24[part]), node_text(r.from),
+            text += fmt::format("1,resistor 1 %,{},{},{},{}\n", ohms_text(r.e24[part]), node_text(r.from),
                                 node_text(r.to), r.names[part]);
+    for (const TwoPole& c : circuit.capacitors)
+        text += fmt::format("1,capacitor,{},{},{},{}\n", c.value, node_text(c.from), node_text(c.to), c.name);
+    for (const TwoPole& d : circuit.diodes)
+        text += fmt::format("1,diode,{},{},{},{}\n", d.value, node_text(d.from), node_text(d.to), d.name);
     for (std::size_t chip = 0; chip < circuit.chips(); ++chip)
-        text += fmt::format("operational amplifier,LM324,9 V,ground,{0}\ncapacitor,100 nF,pin {1} of {0},ground,C{2}\n",
-                            chip_name(chip), lm324_supply_pin, chip + 3);
-    text += fmt::format("regulator,5 V,9 V,v5,{}\ncapacitor,330 nF,9 V,ground,C1\ncapacitor,100 nF,5 V,ground,C2\n",
-                        regulator_name);
+        text += fmt::format("1,operational amplifier,LM324,9 V,ground,{}\n", chip_name(chip));
+    text += fmt::format("{},socket DIP-14,for each LM324,,,\n", circuit.chips());
+    text += fmt::format("1,regulator,{},9 V,5 V,{}\n", regulator_value, regulator_name);
     for (const Connector& connector : circuit.connectors)
-        text += fmt::format("connector,{} pins,{},,{}\n", connector.nodes.size(), connector.value, connector.name);
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-        const SensorWiring sensor = sensor_wiring(plan.inputs[i]);
-        const std::string part = sensor.part.empty() ? "sensor of 0 V to 5 V" : sensor.part;
-        const std::size_t pin = i + 3;  // after 5 V and ground
-        text += fmt::format("\"{}\",,5 V,J2 pin {},\n", part, pin);
-        if (!sensor.resistor.empty())
-            text += fmt::format("resistor of this sensor,{},J2 pin {},ground,\n", sensor.resistor, pin);
-    }
-    return text;
+        text += fmt::format("1,connector,{} pins,{},,{}\n", connector.nodes.size(), connector.value, connector.name);
+    const double load = milliamperes_at_9_volts(plan);
+    const bool turns_tb6612 = std::all_of(plan.units.begin(), plan.units.end(), [](const PlanUnit& motor) {
+        return static_cast<double>(commands_of(motor).high) >= command_at(tb6612_high_volts);
+    });
+    text += fmt::format("1,motor driver,{},J3,,\n", turns_tb6612 ? "TB6612 board or L298N board" : "L298N board");
+    return text +
+           fmt::format("1,{},9 V,J1,,\n", load > block_milliamperes ? "holder with six alkaline AA cells and a switch"
+                                                                    : "block battery with clip and switch") +
+           std::string(motor_rows) + sensor_rows(plan, Board::circuit, ",,,");
 }
 
 }  // namespace braitenlab::robots::opamp

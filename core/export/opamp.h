@@ -18,14 +18,27 @@ namespace braitenlab::robots::opamp {
 inline constexpr double feedback_ohms = 100e3;
 
 // An LM324 sinks 12 µA at least near 0 V (data sheet of Texas Instruments, IOL at VO = 200 mV), less than resistors
-// from other outputs bring. These resistors take the rest: one from each buffer to ground, and at each motor a divider
-// from the output of up to 8.2 V (7.5 V at 9 V, more with a fresh battery) to the input of the driver, which takes 6 V
-// (TB6612) or 7 V (L298) at most. 5 V, the command 1, become 3.6 V, above the 3.5 V at which a TB6612 at 5 V reads
-// high.
-inline constexpr double pull_down_ohms = 1e3, limit_ohms = 390;
+// from other outputs bring. Resistors to ground take the rest: one from each buffer, and those of each motor.
+inline constexpr double pull_down_ohms = 1e3;
+
+// From each motor's output of up to 8.2 V (7.5 V at 9 V, more with a fresh battery) a resistor to a diode, which holds
+// that point at 0.7 V above 5 V, and from there a divider to the input of the driver. The command 1, 5 V, becomes 3.6
+// V, and no output more than 5.1 V.
+inline constexpr double limit_ohms = 510, divider_ohms = 270, driver_pull_down_ohms = 2e3;
+inline constexpr double share_of_driver = driver_pull_down_ohms / (limit_ohms + divider_ohms + driver_pull_down_ohms);
+// From 5 V to ground: takes what the two diodes bring (2.5 mA each at 8.2 V), which a regulator does not sink.
+inline constexpr double load_ohms = 1e3;
+
+// The inputs of the motor drivers with 5 V at their logic. TB6612 (data sheet of Toshiba): low to 0.3 VCC, high from
+// 0.7 VCC to VCC + 0.2 V. L298 (data sheet of ST): low to 1.5 V, high from 2.3 V.
+inline constexpr double low_volts = 1.5, tb6612_high_volts = 3.5, l298_high_volts = 2.3, largest_driver_volts = 5.2;
+constexpr double command_at(double driver_volts) { return driver_volts / (5 * share_of_driver); }
+
+// A block battery of 9 V gives more than this for a short time only.
+inline constexpr double block_milliamperes = 100;
 
 struct Resistor {
-    std::string from, to;  // nodes of the netlist: "buffered_SL", "left_minus", "left_driver", "v5", "0" (ground)
+    std::string from, to;  // nodes of the netlist: "buffered_SL", "left_minus", "left_limit", "v5", "0" (ground)
     double exact = 0;      // ohms
     // Ohms, of the series E24: the nearest value, or two values in parallel where that one would change a command by
     // more than 0.4 %.
@@ -39,8 +52,8 @@ std::vector<Resistor> summer(const Plan&, const PlanUnit& motor, const std::stri
 // The nearest value of the series E24 (IEC 60063), by ratio.
 double nearest_e24(double ohms);
 
-// The first part that the circuit cannot hold, with its name: neurons, thresholds, curves, memories, learning wires,
-// weights for which there is no resistor.
+// The first part that the circuit cannot hold, with its name: sensors without a part, neurons, thresholds, curves,
+// memories, learning wires, weights for which there is no resistor.
 std::optional<Error> refusal(const Plan&);
 
 // Largest error of a command, as a share of 1, that the E24 values cause for readings 0..1; resistors without
@@ -50,6 +63,15 @@ double e24_error(const Plan&);
 // What a sensor's reading 0 counts as at most with an amplifier that sinks nothing: its inputs are at 5 V at most, and
 // each resistor of weight w brings up to 5 V·|w|/Rf into the buffer's resistor to ground.
 double largest_reading_of_dark(const Plan&);
+
+// The commands of a motor for readings of 0 to 1.
+Range commands_of(const PlanUnit& motor);
+
+// Wheels that no command turns for certain, with both drivers.
+std::vector<Error> warnings(const Plan&);
+
+// Largest current from 9 V with a TB6612 at 5 V; that of 5 V is a part of it.
+double milliamperes_at_9_volts(const Plan&);
 
 struct PinOfNode {
     std::string node;
@@ -69,10 +91,18 @@ struct Connector {
     std::vector<std::string> nodes;  // of its pins, from pin 1
 };
 
+// A capacitor, or a diode from its anode to its cathode.
+struct TwoPole {
+    std::string name, value;  // "C1", "330 nF"; "D1", "1N4148"
+    std::string from, to;     // nodes
+};
+
 // The E24 circuit with the names of its parts. Every file of the export is written from it.
 struct Circuit {
-    // Of the summers, the left motor's first, then of the buffers and of the inputs of the motor driver.
+    // Of the summers, the left motor's first, then of the buffers, of the inputs of the motor driver and of 5 V.
     std::vector<Resistor> resistors;
+    std::vector<TwoPole> capacitors;  // C1 and C2 of the regulator, then one of each LM324
+    std::vector<TwoPole> diodes;      // of the left and of the right motor
     // A buffer for each sensor, the left summer, the right one, then those that are left over: 0 V at their output, so
     // that they do not oscillate.
     std::vector<Amplifier> amplifiers;
@@ -84,11 +114,11 @@ Circuit circuit_of(const Plan&);
 
 std::string chip_name(std::size_t chip);
 inline constexpr int lm324_supply_pin = 4, lm324_ground_pin = 11;
-// An L7805.
-inline constexpr std::string_view regulator_name = "U99";
+inline constexpr std::string_view regulator_name = "U99", regulator_value = "L7805";
 inline constexpr int regulator_in_pin = 1, regulator_ground_pin = 2, regulator_out_pin = 3;
 
 std::string buffered(const Input&);                 // node of the sensor's buffer: "buffered_SL"
+std::string limited(const std::string& side);       // node of the diode: "left_limit"
 std::string driver_input(const std::string& side);  // node of the motor driver's input: "left_driver"
 std::string ohms_text(double ohms);                 // "120 kΩ"
 

@@ -33,6 +33,8 @@ void add_resistor(Circuit& circuit, int& number, Resistor r) {
 
 std::string buffered(const Input& input) { return "buffered_" + input.id.substr(std::string_view("sensor_").size()); }
 
+std::string limited(const std::string& side) { return side + "_limit"; }
+
 std::string driver_input(const std::string& side) { return side + "_driver"; }
 
 std::string ohms_text(double ohms) {
@@ -64,14 +66,20 @@ Circuit circuit_of(const Plan& plan) {
     for (const Input& input : plan.inputs)
         add_resistor(circuit, number, {buffered(input), "0", pull_down_ohms, {pull_down_ohms}});
     for (const char* side : {"left", "right"}) {
-        add_resistor(circuit, number, {side, driver_input(side), limit_ohms, {limit_ohms}});
-        add_resistor(circuit, number, {driver_input(side), "0", pull_down_ohms, {pull_down_ohms}});
+        add_resistor(circuit, number, {side, limited(side), limit_ohms, {limit_ohms}});
+        add_resistor(circuit, number, {limited(side), driver_input(side), divider_ohms, {divider_ohms}});
+        add_resistor(circuit, number, {driver_input(side), "0", driver_pull_down_ohms, {driver_pull_down_ohms}});
+        circuit.diodes.push_back({fmt::format("D{}", circuit.diodes.size() + 1), "1N4148", limited(side), "v5"});
     }
+    add_resistor(circuit, number, {"v5", "0", load_ohms, {load_ohms}});
     circuit.used_amplifiers = circuit.amplifiers.size();
     for (int unused = 1; circuit.amplifiers.size() % std::size(pins_of_lm324) != 0; ++unused) {
         const std::string node = fmt::format("unused_{}", unused);
         add_amplifier(circuit, "0", node, node);
     }
+    circuit.capacitors = {{"C1", "330 nF", "v9", "0"}, {"C2", "100 nF", "v5", "0"}};
+    for (std::size_t chip = 0; chip < circuit.chips(); ++chip)
+        circuit.capacitors.push_back({fmt::format("C{}", chip + 3), "100 nF", "v9", "0"});
     circuit.connectors = {{"J1", "9V", {"v9", "0"}},
                           {"J2", "sensors", sensors},
                           {"J3", "motors", {driver_input("left"), driver_input("right"), "0"}}};

@@ -24,7 +24,7 @@ std::string net_of(const std::string& node) {
     return node == "v5" ? "+5V" : node;
 }
 
-class Board {
+class KicadBoard {
 public:
     void part(const std::string& ref, std::string_view value, std::string_view footprint) {
         components_ +=
@@ -36,6 +36,14 @@ public:
         part(ref, kicad_value(ohms), resistor_footprint);
         join(net_of(r.from), ref, 1);
         join(net_of(r.to), ref, 2);
+    }
+
+    // `first`, `second`: nodes of the pins 1 and 2.
+    void two_pole(const TwoPole& pole, std::string_view footprint, const std::string& first,
+                  const std::string& second) {
+        part(pole.name, pole.value, footprint);
+        join(net_of(first), pole.name, 1);
+        join(net_of(second), pole.name, 2);
     }
 
     void amplifier(const Amplifier& amplifier) {
@@ -86,14 +94,18 @@ std::string plain(std::string text) {
 }  // namespace
 
 std::string kicad_netlist(const Plan& plan) {
-    Board board;
+    KicadBoard board;
     const Circuit circuit = circuit_of(plan);
     for (const Resistor& r : circuit.resistors)
         for (std::size_t part = 0; part < r.e24.size(); ++part) board.resistor(r.names[part], r, r.e24[part]);
     for (const Amplifier& amplifier : circuit.amplifiers) board.amplifier(amplifier);
     for (const Connector& connector : circuit.connectors) board.connector(connector);
+    for (const TwoPole& capacitor : circuit.capacitors)
+        board.two_pole(capacitor, "Capacitor_THT:C_Disc_D5.0mm_W2.5mm_P5.00mm", capacitor.from, capacitor.to);
+    for (const TwoPole& diode : circuit.diodes)  // pin 1 is the cathode
+        board.two_pole(diode, "Diode_THT:D_DO-35_SOD27_P7.62mm_Horizontal", diode.to, diode.from);
     const std::string regulator(regulator_name);
-    board.part(regulator, "L7805", "Package_TO_SOT_THT:TO-220-3_Vertical");
+    board.part(regulator, regulator_value, "Package_TO_SOT_THT:TO-220-3_Vertical");
     board.join("+9V", regulator, regulator_in_pin);
     board.join("GND", regulator, regulator_ground_pin);
     board.join("+5V", regulator, regulator_out_pin);

@@ -12,7 +12,7 @@
 
 #include "core/export/opamp.h"
 #include "core/export/opamp_symbols.h"
-#include "core/export/wiring_svg.h"
+#include "core/export/sensor_parts.h"
 
 namespace braitenlab::robots::opamp {
 
@@ -33,13 +33,13 @@ struct Part {
 struct Summer {
     std::string side;
     std::vector<Part> minus, plus;
-    std::string feedback{}, limit{}, pull_down{};  // labels
-    const Amplifier* amplifier = nullptr;          // null: continued
-    bool goes_on = false;                          // on the next sheet
+    std::string feedback{}, limit{}, divider{}, pull_down{}, diode{};  // labels
+    const Amplifier* amplifier = nullptr;                              // null: continued
+    bool goes_on = false;                                              // on the next sheet
 
     // From the first row to the row below the last one.
     int rows_above() const { return std::max(static_cast<int>(minus.size()), amplifier ? 2 : 0); }
-    int rows() const { return rows_above() + std::max(static_cast<int>(plus.size()), amplifier ? 3 : 0); }
+    int rows() const { return rows_above() + std::max(static_cast<int>(plus.size()), amplifier ? 5 : 0); }
 };
 
 // The vertical wire of a buffer's output.
@@ -67,8 +67,10 @@ Summer summer_of(const Circuit& circuit, const std::string& side) {
     for (const Resistor& r : circuit.resistors)
         for (std::size_t i = 0; i < r.e24.size(); ++i) {
             const std::string label = r.names[i] + " " + ohms_text(r.e24[i]);
-            if (r.to == driver_input(side))
+            if (r.to == limited(side))
                 summer.limit = label;
+            else if (r.to == driver_input(side))
+                summer.divider = label;
             else if (r.from == driver_input(side))
                 summer.pull_down = label;
             else if (r.from == side)
@@ -78,6 +80,8 @@ Summer summer_of(const Circuit& circuit, const std::string& side) {
             else if (r.to == side + "_plus")
                 summer.plus.push_back({label, r.from});
         }
+    for (const TwoPole& diode : circuit.diodes)
+        if (diode.from == limited(side)) summer.diode = diode.name + " " + diode.value;
     for (const Amplifier& amplifier : circuit.amplifiers)
         if (amplifier.out.node == side) summer.amplifier = &amplifier;
     return summer;
@@ -86,14 +90,19 @@ Summer summer_of(const Circuit& circuit, const std::string& side) {
 // ---- The left column ----
 
 void draw_sensor(Sheet& sheet, int x, int y, const Input& input) {
-    const SensorWiring sensor = sensor_wiring(input);
+    const SensorPart sensor = part_of(input, Board::circuit);
     const int part_x = x + 40;
+    std::string text(sensor.part);
+    if (!sensor.capacitor.empty()) text += fmt::format("; {} at its supply", sensor.capacitor);
+    if (!sensor.supply_terminal.empty()) text += fmt::format("; {} at {}", sensor.supply_terminal, sensor.supply);
     sheet.name(x + 52, y - 45, "start", input.name, 250);
-    sheet.text(x + 52, y - 31, "start", sensor.part.empty() ? "0 V to 5 V" : sensor.part, 280);
-    // What senses the battery has another supply than 5 V.
-    if (sensor.part.empty() || input.channel == Channel::energy) return;
-    sheet.supply(part_x, y - 40, "5 V");
-    if (sensor.resistor.empty()) {
+    sheet.text(x + 52, y - 31, "start", text, 280);
+    // The battery has another supply than 5 V.
+    if (sensor.joining == Joining::battery)
+        sheet.text(part_x - 8, y - 43, "end", "+"), sheet.wire(part_x, y - 40, "v-4");
+    else
+        sheet.supply(part_x, y - 40, std::string(sensor.supply));
+    if (sensor.joining == Joining::module) {
         sheet.wire(part_x, y - 40, "v24");
         sheet.box(part_x - 24, y - 16, 48, 32);
         sheet.text(part_x, y + 4, "middle", "module");
@@ -102,12 +111,13 @@ void draw_sensor(Sheet& sheet, int x, int y, const Input& input) {
     } else {
         const bool photocell = sensor.part.starts_with("photo");
         photocell ? sheet.photocell_down(part_x, y - 40) : sheet.resistor_down(part_x, y - 40);
+        if (!sensor.in_series.empty()) sheet.text(part_x + 12, y - 18, "start", std::string(sensor.in_series));
         sheet.wire(part_x, y - 12, "v24");
         sheet.dot(part_x, y);
         sheet.wire(part_x, y, "h34");
         sheet.resistor_down(part_x, y + 12);
         sheet.wire(part_x, y + 40, "v3");
-        sheet.text(part_x + 12, y + 30, "start", sensor.resistor);
+        sheet.text(part_x + 12, y + 30, "start", std::string(sensor.to_ground));
     }
     sheet.ground(part_x, y + 43);
 }
@@ -203,8 +213,17 @@ void draw_output(Sheet& sheet, int y0, int y, const Circuit& circuit, const Summ
     sheet.dot(out, y);
     sheet.name(out + 9, y + 4, "start", summer.side, 52);
     draw_resistor_below(sheet, out, y, summer.limit);
-    const int driver_y = y + 48;
-    sheet.wire(out, y + 40, fmt::format("V{}", driver_y));
+    const int limit_y = y + 48, driver_y = limit_y + 48, cathode = out - 90, supply = out - 109;
+    sheet.wire(out, y + 40, fmt::format("V{}", limit_y));
+    sheet.dot(out, limit_y);
+    sheet.net(cathode + Sheet::diode_length + 6, limit_y, 66, limited(summer.side));
+    sheet.wire(out, limit_y, fmt::format("H{}", cathode + Sheet::diode_length));
+    sheet.diode(cathode, limit_y);
+    sheet.text(cathode + Sheet::diode_length / 2, limit_y + 18, "middle", summer.diode, 74);
+    sheet.wire(cathode, limit_y, fmt::format("H{}", supply));
+    sheet.supply(supply, limit_y, "5 V");
+    draw_resistor_below(sheet, out, limit_y, summer.divider);
+    sheet.wire(out, limit_y + 40, fmt::format("V{}", driver_y));
     sheet.dot(out, driver_y);
     sheet.wire(out, driver_y, "h11");
     sheet.terminal(out + 14, driver_y);
@@ -241,7 +260,7 @@ void draw_summer(Sheet& sheet, int y0, const Circuit& circuit, const Summer& sum
 
 // ---- The supply ----
 
-constexpr int chips_x = 466, chip_pitch = 60, chips_in_row = 5, chip_row = 100, unused_height = 3 * row;
+constexpr int chips_x = 460, chip_pitch = 104, chips_in_row = 3, chip_row = 100, unused_height = 3 * row;
 
 int supply_height(const Circuit& circuit) {
     const int chip_rows = static_cast<int>((circuit.chips() - 1) / chips_in_row) + 1;
@@ -249,8 +268,18 @@ int supply_height(const Circuit& circuit) {
            (circuit.amplifiers.size() > circuit.used_amplifiers ? unused_height : 0);
 }
 
+// A capacitor in an upright wire from `y` to `end`; its label is two lines where it has less room than 60.
+void draw_capacitor(Sheet& sheet, int x, int y, int end, const TwoPole& capacitor, int room) {
+    const int plate = (y + end - Sheet::capacitor_drop) / 2;
+    sheet.wire(x, y, fmt::format("V{}", plate));
+    sheet.capacitor_down(x, plate);
+    sheet.wire(x, plate + Sheet::capacitor_drop, fmt::format("V{}", end));
+    sheet.text(x + 11, plate + 2, "start", capacitor.name, room);
+    sheet.text(x + 11, plate + 13, "start", capacitor.value, room);
+}
+
 void draw_regulator(Sheet& sheet, int y, const Circuit& circuit) {
-    const int x = Sheet::margin + 10, low = y + 55, box = 216, box_width = 60;
+    const int x = Sheet::margin + 10, low = y + 55, box = 216, box_width = 60, capacitors[] = {130, 366}, end = 394;
     sheet.terminal(x, y);
     sheet.text(x, y - 9, "start", pin_text(circuit, "v9") + ", battery +", 130);
     sheet.wire(x + 3, y, fmt::format("H{}", box));
@@ -258,45 +287,55 @@ void draw_regulator(Sheet& sheet, int y, const Circuit& circuit) {
     sheet.supply(186, y, "9 V");
     sheet.box(box, y - 20, box_width, 40);
     sheet.text(box + box_width / 2, y - 3, "middle", std::string(regulator_name));
-    sheet.text(box + box_width / 2, y + 10, "middle", "L7805");
+    sheet.text(box + box_width / 2, y + 10, "middle", std::string(regulator_value));
     sheet.text(box - 4, y - 4, "end", std::to_string(regulator_in_pin));
     sheet.text(box + box_width + 4, y - 4, "start", std::to_string(regulator_out_pin));
     sheet.text(box + box_width / 2 + 5, y + 31, "start", std::to_string(regulator_ground_pin));
     sheet.wire(box + box_width / 2, y + 20, "v14");
     sheet.ground(box + box_width / 2, y + 34);
-    sheet.wire(box + box_width, y, "H337");
-    sheet.dot(316, y);
-    sheet.supply(316, y, "5 V");
-    sheet.terminal(340, y);
-    sheet.text(350, y + 4, "start", pin_text(circuit, "v5"), 100);
-    std::string grounds;
-    for (const Connector& connector : circuit.connectors)
-        if (connector.name != "J1") grounds += (grounds.empty() ? "" : ", ") + ground_pin_of(connector);
+    sheet.wire(box + box_width, y, fmt::format("H{}", end - 3));
+    sheet.dot(290, y);
+    draw_resistor_below(sheet, 290, y, pull_down_of(circuit, "v5"));
+    sheet.ground(290, y + 40);
+    sheet.dot(324, y);
+    sheet.supply(324, y, "5 V");
+    sheet.terminal(end, y);
+    sheet.text(end + 10, y + 4, "start", pin_text(circuit, "v5"), 60);
+    for (std::size_t i = 0; i < 2; ++i) {
+        sheet.dot(capacitors[i], y);
+        sheet.dot(capacitors[i], low);
+        draw_capacitor(sheet, capacitors[i], y, low, circuit.capacitors[i], 44);
+    }
     sheet.terminal(x, low);
-    sheet.text(x, low - 9, "start", ground_pin_of(circuit.connectors[0]) + ", battery −", 130);
+    sheet.text(x, low - 9, "start", ground_pin_of(circuit.connectors[0]) + ", battery −", 86);
     sheet.wire(x + 3, low, "H186");
     sheet.ground(186, low);
-    sheet.wire(316, low, "H337");
-    sheet.ground(316, low);
-    sheet.terminal(340, low);
-    sheet.text(350, low + 4, "start", grounds, 112);
+    sheet.wire(324, low, fmt::format("H{}", end - 3));
+    sheet.ground(324, low);
+    sheet.terminal(end, low);
+    for (std::size_t i = 1; i < circuit.connectors.size(); ++i)
+        sheet.text(end + 10, low - 8 + 12 * static_cast<int>(i), "start", ground_pin_of(circuit.connectors[i]), 60);
 }
 
 void draw_supply(Sheet& sheet, int y, const Circuit& circuit) {
     sheet.name(Sheet::margin, y + 8, "start", "Supply");
     draw_regulator(sheet, y + 60, circuit);
     for (std::size_t chip = 0; chip < circuit.chips(); ++chip) {
-        const int x = chips_x + chip_pitch * static_cast<int>(chip % chips_in_row),
+        const int x = chips_x + chip_pitch * static_cast<int>(chip % chips_in_row), capacitor_x = x + 58,
                   yc = y + 60 + chip_row * static_cast<int>(chip / chips_in_row);
         sheet.box(x, yc - 18, 44, 36);
         sheet.text(x + 22, yc - 3, "middle", chip_name(chip));
         sheet.text(x + 22, yc + 10, "middle", "LM324", 40);
         sheet.wire(x + 22, yc - 18, "v-8");
         sheet.supply(x + 22, yc - 26, "9 V");
-        sheet.text(x + 27, yc - 21, "start", std::to_string(lm324_supply_pin));
+        sheet.dot(x + 22, yc - 26);
+        sheet.text(x + 17, yc - 21, "end", std::to_string(lm324_supply_pin));
+        sheet.wire(x + 22, yc - 26, fmt::format("H{}", capacitor_x));
+        draw_capacitor(sheet, capacitor_x, yc - 26, yc + 30, circuit.capacitors[chip + 2], 34);
+        sheet.wire(x + 22, yc + 30, fmt::format("H{}", capacitor_x));
         sheet.wire(x + 22, yc + 18, "v12");
         sheet.ground(x + 22, yc + 30);
-        sheet.text(x + 27, yc + 29, "start", std::to_string(lm324_ground_pin));
+        sheet.text(x + 17, yc + 29, "end", std::to_string(lm324_ground_pin));
     }
     const int unused_y = y + supply_height(circuit) - 60;
     for (std::size_t i = circuit.used_amplifiers; i < circuit.amplifiers.size(); ++i) {
@@ -316,7 +355,8 @@ void draw_frame(Sheet& sheet, const Plan& plan, std::size_t number, std::size_t 
     if (count > 1) sheet.name(right, 40, "end", fmt::format("sheet {} of {}", number, count));
     constexpr std::array notes = {
         "Lines that cross without a dot are not connected. Wires with the same name are connected.",
-        "Resistors: 1 %, names as in README.md. J1: battery. J2: sensors. J3: inputs of the motor driver, not motors.",
+        "Names are those of README.md; resistors: 1 %. J1: battery. J2: sensors. J3: inputs of the motor driver, not "
+        "motors.",
         "5 V stand for the command 1. Amplifiers give 0 V to 7.5 V; a negative command gives 0 V. J3 has 0.72 of it.",
     };
     for (std::size_t i = 0; i < notes.size(); ++i)
@@ -373,12 +413,15 @@ struct Block {
 
 // The summer in parts of at most this many rows.
 std::vector<Summer> parts_of(const Summer& whole) {
-    constexpr std::size_t most_rows = 26;
+    constexpr std::size_t most_rows = 24;
     std::vector<Summer> parts;
     std::size_t minus = 0, plus = 0;
     while (parts.empty() || minus < whole.minus.size() || plus < whole.plus.size()) {
         Summer part{whole.side, {}, {}};
-        if (parts.empty()) part = {whole.side, {}, {}, whole.feedback, whole.limit, whole.pull_down, whole.amplifier};
+        if (parts.empty()) {
+            part = whole;
+            part.minus.clear(), part.plus.clear();
+        }
         while (minus < whole.minus.size() && part.minus.size() < most_rows) part.minus.push_back(whole.minus[minus++]);
         while (plus < whole.plus.size() && part.rows() < static_cast<int>(most_rows))
             part.plus.push_back(whole.plus[plus++]);

@@ -81,6 +81,10 @@ void Sheet::photocell_down(int x, int y) {
     for (const int below : {4, 12}) wire(x - 24, y + below, "l13 6m-5 -4.5l5 4.5l-6.5 0.5");  // light
 }
 
+void Sheet::capacitor_down(int x, int y) { wire(x, y, "m-8 0h16m-16 6h16"); }
+
+void Sheet::diode(int x, int y) { wire(x, y, "l12 -6v12l-12 -6m0 -6v12"); }
+
 void Sheet::box(int x, int y, int box_width, int box_height) {
     drawn_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", x, y, box_width, box_height);
 }

@@ -26,12 +26,15 @@ public:
     void resistor(int x, int y);                          // from x to x + resistor_length
     void resistor_down(int x, int y);                     // from y to y + resistor_drop
     void photocell_down(int x, int y);
+    void capacitor_down(int x, int y);  // from y to y + capacitor_drop
+    void diode(int x, int y);           // from its cathode at x to its anode at x + diode_length
     void box(int x, int y, int box_width, int box_height);
     // Tip at x + amplifier_width, y. Its inputs are at x − 12 and y ∓ amplifier_input: the inverting one is above the
     // other, or below with `minus_below`. Has its name and the numbers of its pins.
     void amplifier(int x, int y, const Amplifier&, bool minus_below);
 
-    static constexpr int resistor_length = 44, resistor_drop = 28, amplifier_width = 52, amplifier_input = 15;
+    static constexpr int resistor_length = 44, resistor_drop = 28, capacitor_drop = 6, diode_length = 12,
+                         amplifier_width = 52, amplifier_input = 15;
 
     // The whole sheet.
     std::string svg() const;

@@ -4,14 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "core/export/arduino.h"
+#include "core/utf8.h"
 #include "core/xml_text.h"
 
 namespace braitenlab::robots {
 
 namespace {
 
-constexpr int row_height = 34, sensor_height = 62, board_x = 330, board_width = 200, driver_x = 650, driver_width = 150,
+constexpr int row_height = 34, sensor_height = 84, board_x = 330, board_width = 200, driver_x = 650, driver_width = 150,
               top = 90;
 constexpr std::string_view small = " class=\"small\"";
 
@@ -21,26 +21,46 @@ std::string box(int x, int y, int width, int height, const std::string& title) {
            svg_label(x + width / 2, y - 10, "middle", title, " class=\"title\"");
 }
 
-// A divider: the supply, the sensor, the input, and a resistor to ground where the part has one. A module: its three
-// pins.
+// A label that is narrowed to `room` where it would be wider.
+std::string fitted(int x, int y, const std::string& text, int room, bool is_bold) {
+    const double character = is_bold ? 8.5 : 6;
+    const auto count = std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); });
+    std::string style = is_bold ? " class=\"title\"" : std::string(small);
+    if (character * static_cast<double>(count) > room)
+        style += fmt::format(" textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\"", room);
+    return svg_label(x, y, "start", text, style);
+}
+
+// A resistor in a wire of level y, or at the end of a branch to ground.
+std::string resistor(int x, int y, std::string_view ohms, int label_y) {
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"36\" height=\"12\" class=\"part\"/>\n", x, y - 6) +
+           svg_label(x + 18, label_y, "middle", std::string(ohms), small);
+}
+
+// From the left: the supply, the part, a resistor to the input, and below a resistor to ground, where the part has
+// them.
 std::string sensor_row(const Plan& plan, const Wiring& wiring, std::size_t i) {
-    const int y = top + 40 + static_cast<int>(i) * sensor_height;
-    const SensorWiring sensor =
-        wiring.part_of ? sensor_wiring(wiring.part_of(plan.inputs[i])) : sensor_wiring(plan.inputs[i]);
-    const bool divider = !sensor.resistor.empty();
-    std::string text =
-        svg_label(20, y + 5, "start", plan.inputs[i].name, " class=\"title\"") +
-        svg_label(100, y - 14, "start", sensor.part, " class=\"small\"") +
-        fmt::format("<rect x=\"100\" y=\"{}\" width=\"56\" height=\"20\" class=\"part\"/>\n", y - 10) +
-        svg_label(94, y + 4, "end", std::string(wiring.volts) + (divider ? "" : ", GND"), " class=\"small\"") +
-        fmt::format("<path d=\"M156 {}H{}\" stroke=\"#0072b2\"/>\n", y, board_x) +
-        svg_label(board_x + 8, y + 5, "start", wiring.inputs[i]);
-    if (!divider) return text;
+    const int y = top + 60 + static_cast<int>(i) * sensor_height, part_x = 98, room = board_x - 30;
+    const SensorPart part = part_of(plan.inputs[i], wiring.kind);
+    const bool is_module = part.joining == Joining::module, is_battery = part.joining == Joining::battery;
+    std::string text = fitted(20, y - 34, plan.inputs[i].name, room, true) +
+                       fitted(20, y - 20, std::string(part.part), room, false) +
+                       svg_label(part_x - 4, is_module ? y - 2 : y + 4, "end", std::string(part.supply), small) +
+                       fmt::format("<path d=\"M{} {}H{}\" stroke=\"#0072b2\"/>\n", part_x, y, board_x) +
+                       svg_label(board_x + 8, y + 5, "start", wiring.inputs[i]);
+    if (is_module) text += svg_label(part_x - 4, y + 10, "end", "GND", small);
+    if (!is_battery)
+        text += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"48\" height=\"20\" class=\"part\"/>\n", part_x, y - 10);
+    if (!part.supply_terminal.empty())
+        text += svg_label(part_x + 5, y + 4, "start", std::string(part.supply_terminal), small) +
+                svg_label(part_x + 43, y + 4, "end", std::string(part.input_terminal), small);
+    if (!part.capacitor.empty())
+        text += svg_label(part_x, y + 24, "start", fmt::format("{}: {} to GND", part.capacitor, part.supply), small);
+    if (!part.in_series.empty()) text += resistor(160, y, part.in_series, y + 18);
+    if (part.to_ground.empty()) return text;
     return text +
-           fmt::format("<circle cx=\"200\" cy=\"{0}\" r=\"3.5\"/><path d=\"M200 {0}v16H214\" stroke=\"#555\"/>\n", y) +
-           fmt::format("<rect x=\"214\" y=\"{}\" width=\"36\" height=\"12\" class=\"part\"/>\n", y + 10) +
-           svg_label(256, y + 20, "start", "GND", " class=\"small\"") +
-           svg_label(232, y + 35, "middle", sensor.resistor, " class=\"small\"");
+           fmt::format("<circle cx=\"214\" cy=\"{0}\" r=\"3.5\"/><path d=\"M214 {0}v16H228\" stroke=\"#555\"/>\n", y) +
+           resistor(228, y + 16, part.to_ground, y + 35) + svg_label(268, y + 20, "start", "GND", small);
 }
 
 std::string motor(int y, const char* name, std::string_view outputs) {
@@ -73,17 +93,6 @@ std::string svg_label(int x, int y, std::string_view anchor, const std::string& 
     return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style, xml_text(text));
 }
 
-SensorWiring sensor_wiring(const Input& input) { return sensor_wiring(std::string(arduino::part_of(input).part)); }
-
-SensorWiring sensor_wiring(const std::string& part) {
-    constexpr std::string_view between = " V, ", to_ground = " to ground";
-    const std::size_t comma = part.find(between), to = part.rfind(" to ", comma);
-    if (comma == std::string::npos || to == std::string::npos || !part.ends_with(to_ground))
-        return {part.substr(0, part.find_first_of(",(")), ""};
-    const std::string resistor = part.substr(comma + between.size());
-    return {part.substr(0, to), resistor.substr(0, resistor.size() - to_ground.size())};
-}
-
 std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
     const int height = std::max(static_cast<int>(plan.inputs.size()) * sensor_height,
                                 (static_cast<int>(wiring.pins.size()) + 1) * row_height) +
@@ -95,7 +104,7 @@ std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
         ".part{{fill:#f4f1ea;stroke:#444}} path{{fill:none;stroke-width:2}}</style>\n"
         "<rect width=\"980\" height=\"{0}\" fill=\"#fff\"/>\n",
         bottom + 130);
-    text += svg_label(20, 34, "start", "Wiring: " + plan.title, " class=\"title\"");
+    text += fitted(20, 34, "Wiring: " + plan.title, 940, true);
     text += box(board_x, top, board_width, height, std::string(wiring.board));
     text += box(driver_x, top, driver_width, height, std::string(wiring.driver));
     if (!plan.inputs.empty()) text += svg_label(20, top - 10, "start", "Sensors", " class=\"title\"");
@@ -115,8 +124,8 @@ std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
                 fmt::format("<path d=\"M{} {}h20\" stroke=\"#555\"/>\n", board_x + board_width, button_y) +
                 svg_label(board_x + board_width + 26, button_y + 5, "start", "button to GND", " class=\"small\"");
     text += motor(top + 70, "left motor", wiring.left_outputs) + motor(top + 210, "right motor", wiring.right_outputs);
-    return text + supply(wiring, bottom) + svg_label(40, bottom + 92, "start", std::string(wiring.notes[0]), small) +
-           svg_label(40, bottom + 110, "start", std::string(wiring.notes[1]), small) + "</svg>\n";
+    return text + supply(wiring, bottom) + fitted(40, bottom + 92, std::string(wiring.notes[0]), 920, false) +
+           fitted(40, bottom + 110, std::string(wiring.notes[1]), 920, false) + "</svg>\n";
 }
 
 }  // namespace braitenlab::robots

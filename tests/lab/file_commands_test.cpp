@@ -157,6 +157,21 @@ TEST_F(FileCommands, WritesTheFilesOfAnExportIntoANewFolder) {
     EXPECT_FALSE(fs::exists(folder / "nowhere"));
 }
 
+TEST_F(FileCommands, AsksBeforeItExportsIntoAFolderOfOtherFiles) {
+    const auto exported = std::make_shared<const std::vector<robots::ExportedFile>>(
+        std::vector<robots::ExportedFile>{{"README.md", "Exported from Braitenlab."}});
+    fs::create_directories(folder / "photos");
+    put_text(folder / "photos/cat.txt", "mine");
+    ask(WriteFilesRequest{"photos", exported});
+    ASSERT_TRUE(files.refused);
+    EXPECT_EQ(files.refused->phrases[0].id, "foreign_folder");
+    EXPECT_FALSE(fs::exists(folder / "photos/README.md"));
+    ask(WriteFilesRequest{"photos", exported, true});
+    EXPECT_FALSE(files.refused);
+    EXPECT_TRUE(fs::exists(folder / "photos/README.md"));
+    EXPECT_EQ(text_of(folder / "photos/cat.txt"), "mine");
+}
+
 TEST_F(FileCommands, ExportsTheProgressOfStudentsBesideTheReports) {
     lab.students.all.front().exercises["06-love"].hints = 2;
     ask(StudentRequest{StudentEdit::save});

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/brain/four_neurons.h"
+#include "core/export/sensor_parts.h"
 #include "core/scene/enums.h"
 #include "tests/robots/exported.h"
 #include "tests/robots/simulators.h"
@@ -64,7 +65,7 @@ TEST(Arduino, SaysForEachChannelWhatIsShownForTheReadings0And1) {
                 if (file.name.ends_with(ending)) return file.text;
             return std::string();
         };
-        const robots::arduino::SensorPart& part = robots::arduino::part_of({"SL", "sensor_SL", row.value});
+        const robots::SensorPart part = robots::part_of({"SL", "sensor_SL", row.value}, robots::Board::uno);
         EXPECT_NE(text(".ino").find(fmt::format("calibrateEye(0, F(\"{}\"), F(\"{}\"));", part.zero, part.one)),
                   std::string::npos)
             << row.word;
@@ -76,8 +77,8 @@ TEST(Arduino, SaysThatASensorOfABrainAloneIsTakenForAnEye) {
     const robots::Input alone{"ears", "sensor_ears"}, known{"SL", "sensor_SL", Channel::light};
     const auto files = exported({"", make_graph({.LL = 1, .RR = 1}), {}});
     ASSERT_TRUE(files);
-    EXPECT_EQ(robots::arduino::doubt_about(known), "");
-    EXPECT_NE((*files)[2].text.find(std::string(robots::arduino::doubt_about(alone)) + " |"), std::string::npos);
+    EXPECT_EQ(robots::doubt_about(known), "");
+    EXPECT_NE((*files)[2].text.find(std::string(robots::doubt_about(alone)) + " |"), std::string::npos);
 }
 
 TEST(Arduino, StandsForThreeSecondsAsItsReadmeSays) {
@@ -302,7 +303,7 @@ TEST(ArduinoInSimavr, KeepsWhatTheFirstStartCalibrates) {
     ASSERT_TRUE(files && simulator.compile(*files));
     const std::string eyes =
         "adc 0 40\npress\nwait 400\nadc 0 800\npress\nwait 400\n"  // SL
-        "adc 1 55\npress\nwait 400\nadc 1 60\npress\nwait 400\n"   // SR: too close, again
+        "adc 1 55\npress\nwait 400\nadc 1 60\npress\nwait 2400\n"  // SR: too close, again
         "adc 1 55\npress\nwait 400\nadc 1 900\npress\nwait 400\n";
     const std::string motors = "press\nwait 1800\npress\nwait 200\npress\nwait 3000\npress\nwait 200\n";
     // Turned left once, then straight.
@@ -319,6 +320,56 @@ TEST(ArduinoInSimavr, KeepsWhatTheFirstStartCalibrates) {
     EXPECT_NEAR(byte_at(ran.out, 11), 50, 4);
     EXPECT_EQ(byte_at(ran.out, 12), 255);
     EXPECT_EQ(byte_at(ran.out, 13), 250);  // turned left: the right motor was faster
+}
+
+TEST(ArduinoInSimavr, WaitsForTheReleaseOfTheButtonThatIsHeldDuringReset) {
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const auto files = exported({"2a-coward", find_preset("2a-coward")->brain, {}});
+    ASSERT_TRUE(files && simulator.compile(*files));
+    const auto plan = robots::make_plan({"2a-coward", find_preset("2a-coward")->brain, {}}, 50);
+    const std::string own = eeprom({}, 2, robots::arduino::calibration_mark(*plan)) + "\n";
+    const std::string eye =
+        "adc 0 700\nwait 1000\nup\nwait 400\nadc 0 40\npress\nwait 400\nadc 0 800\npress\nwait 400\n";
+    const Ran ran = simulator.run(2, own + eye, "held");
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    EXPECT_EQ(word_at(ran.out, 2), 40);
+    EXPECT_EQ(word_at(ran.out, 6), 800);
+    EXPECT_EQ(byte_at(ran.out, 14), 1) << "steps that are done";
+}
+
+TEST(ArduinoInSimavr, KeepsEachStepOfTheCalibrationAndGoesOnWithTheNextOne) {
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const auto files = exported({"2a-coward", find_preset("2a-coward")->brain, {}});
+    ASSERT_TRUE(files && simulator.compile(*files));
+    std::string kept = "-";
+    for (int eye = 0; eye < 2; ++eye) {
+        const Ran ran = simulator.run(
+            2, fmt::format("{0}\nadc {1} {2}\npress\nwait 400\nadc {1} 900\npress\nwait 400\n", kept, eye, 30 + eye),
+            "calibrate");
+        ASSERT_EQ(ran.code, 0) << ran.out;
+        EXPECT_EQ(byte_at(ran.out, 14), eye + 1);
+        kept = ran.out.substr(0, ran.out.find('\n'));
+    }
+    EXPECT_EQ(word_at(kept, 2), 30);
+    EXPECT_EQ(word_at(kept, 4), 31);
+}
+
+TEST(ArduinoInSimavr, GivesUpASensorThatReadsTheSameThreeTimes) {
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const auto files = exported({"2a-coward", find_preset("2a-coward")->brain, {}});
+    ASSERT_TRUE(files && simulator.compile(*files));
+    const std::string same = "adc 0 55\npress\nwait 400\nadc 0 60\npress\nwait 2600\n",
+                      different = "adc 0 55\npress\nwait 400\nadc 0 900\npress\nwait 2600\n";
+    for (const int tries : {2, 3}) {
+        std::string steps = "-\n";
+        for (int i = 0; i < tries; ++i) steps += same;
+        const Ran ran = simulator.run(2, steps + different, "calibrate");
+        ASSERT_EQ(ran.code, 0) << ran.out;
+        EXPECT_EQ(byte_at(ran.out, 14), tries == 2 ? 1 : 0xff) << "steps that are done";
+    }
 }
 
 TEST(ArduinoInSimavr, HoldsBrainsUpToTheirLimitsAtTheRateOfTheReadme) {

@@ -90,6 +90,15 @@ TEST(CtlExport, WritesIntoAFolderOfOtherFilesOnlyByForce) {
     EXPECT_EQ(ctl("export 2a-coward --to c --out " + folder.path.string()).code, 0) << "an earlier export is replaced";
 }
 
+TEST(CtlExport, WarnsOfAWheelThatACircuitNeverTurns) {
+    const Folder folder;
+    const Ran ran = ctl("export 3a-love --to opamp --out " + (folder / "c").string());
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_NE(ran.out.find("braitenctl: warning: the wheel of 'ML' may never turn: its command is 0.50 at most"),
+              std::string::npos)
+        << ran.out;
+}
+
 TEST(CtlExport, RemovesWhatAnEarlierExportWroteAndThisOneDoesNot) {
     const Folder folder;
     const std::string out = " --out " + folder.path.string();

@@ -1,6 +1,7 @@
 // The schematic of a circuit: its parts and connections, read from the drawing, are those of the netlists, and nothing
 // lies on something else.
 #include <cmath>
+#include <map>
 #include <memory>
 #include <regex>
 #include <set>
@@ -137,6 +138,10 @@ std::string name_of_sensor(int i, bool is_long) {
     return is_long ? fmt::format("{:_<38}{:02}", "SENSOR & <name>", i) : fmt::format("S{}", i);
 }
 
+constexpr Channel channels_with_parts[] = {Channel::light, Channel::red,   Channel::green,    Channel::blue,
+                                           Channel::heat,  Channel::smell, Channel::obstacle, Channel::touch,
+                                           Channel::floor, Channel::energy};
+
 // A weight for which there is a resistor.
 float strength(maths::Random& random) {
     const float size = random.uniform(0.03f, 2);
@@ -148,7 +153,8 @@ BrainToExport brain_of(int sensors, maths::Random& random, bool long_names, floa
     int id = 0;
     for (int i = 0; i < sensors; ++i) {
         made.brain.nodes.push_back({.id = id++, .kind = NodeKind::sensor, .name = name_of_sensor(i, long_names)});
-        made.sensors.push_back({.name = name_of_sensor(i, long_names), .channel = static_cast<Channel>(i % 15)});
+        made.sensors.push_back(
+            {.name = name_of_sensor(i, long_names), .channel = channels_with_parts[static_cast<std::size_t>(i) % 10]});
     }
     for (const char* motor : {"ML", "MR"})
         made.brain.nodes.push_back(
@@ -234,7 +240,91 @@ TEST(OpampSheets, NameTheResistorsAsTheReadmeAndTheListOfParts) {
             for (const Words& w : sheet->picture.words)
                 if (std::regex_match(w.text, label)) labels.insert(w.text);
         EXPECT_EQ(labels, listed(text_of(circuit.files, "README.md"), '|', 1, 5)) << circuit.brain.title;
-        EXPECT_EQ(labels, listed(text_of(circuit.files, "parts.csv"), ',', 4, 1)) << circuit.brain.title;
+        EXPECT_EQ(labels, listed(text_of(circuit.files, "parts.csv"), ',', 5, 2)) << circuit.brain.title;
+    });
+}
+
+// "C1 330 nF v9 0" of each capacitor, "D1 1N4148 left_limit v5" of each diode.
+std::multiset<std::string> drawn_two_poles(const Circuit& circuit) {
+    std::multiset<std::string> all;
+    for (const auto& sheet : circuit.sheets) {
+        const auto text_at = [&](Point p) -> std::string {
+            for (const Words& w : sheet->picture.words)
+                if (is_same(w.at, p)) return w.text;
+            return "";
+        };
+        for (const Point& c : sheet->picture.capacitors)
+            all.insert(fmt::format("{} {} {} {}", text_at({c.x + 11, c.y + 2}), text_at({c.x + 11, c.y + 13}),
+                                   sheet->nets.at(c), sheet->nets.at({c.x, c.y + 6})));
+        for (const Point& d : sheet->picture.diodes)
+            all.insert(fmt::format("{} {} {}", text_at({d.x + 6, d.y + 18}), sheet->nets.at({d.x + 12, d.y}),
+                                   sheet->nets.at(d)));
+    }
+    return all;
+}
+
+std::multiset<std::string> listed_two_poles(const std::string& parts) {
+    const std::regex row(R"re(1,(?:capacitor|diode),([^,]+),([^,]+),([^,]+),([CD]\d+))re");
+    const auto node = [](const std::string& name) -> std::string {
+        return name == "ground" ? "0" : name == "5 V" ? "v5" : name == "9 V" ? "v9" : name;
+    };
+    std::multiset<std::string> all;
+    for (std::sregex_iterator r(parts.begin(), parts.end(), row), end; r != end; ++r)
+        all.insert(fmt::format("{} {} {} {}", (*r)[4].str(), (*r)[1].str(), node((*r)[2]), node((*r)[3])));
+    return all;
+}
+
+// Pin 1 of a diode is its cathode.
+std::multiset<std::string> kicad_two_poles(const std::string& netlist) {
+    std::map<std::string, std::string> values, nets[2];
+    const std::regex part(R"re(\(ref "([CD]\d+)"\) \(value "([^"]+)"\))re"), net(R"re(\(net .*\(name "([^"]+)"\))re"),
+        pin(R"re(\(node \(ref "([CD]\d+)"\) \(pin "([12])"\)\))re");
+    const std::map<std::string, std::string> nodes{{"GND", "0"}, {"+5V", "v5"}, {"+9V", "v9"}};
+    std::istringstream lines(netlist);
+    std::string present;
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);) {
+        if (std::regex_search(line, found, part)) values[found[1]] = found[2];
+        if (std::regex_search(line, found, net))
+            present = nodes.contains(found[1]) ? nodes.at(found[1]) : std::string(found[1]);
+        if (std::regex_search(line, found, pin)) nets[found[2] == "1" ? 0 : 1][found[1]] = present;
+    }
+    std::multiset<std::string> all;
+    for (const auto& [name, value] : values) {
+        const bool is_diode = name[0] == 'D';
+        all.insert(fmt::format("{} {} {} {}", name, value, nets[is_diode ? 1 : 0][name], nets[is_diode ? 0 : 1][name]));
+    }
+    return all;
+}
+
+TEST(OpampSheets, HaveTheCapacitorsAndDiodesOfTheListOfPartsAndOfTheBoard) {
+    each_circuit([](const Circuit& circuit) {
+        const auto listed = listed_two_poles(text_of(circuit.files, "parts.csv"));
+        EXPECT_GE(listed.size(), 5u) << circuit.brain.title;
+        EXPECT_EQ(drawn_two_poles(circuit), listed) << circuit.brain.title;
+        EXPECT_EQ(kicad_two_poles(text_of(circuit.files, "brain.net")), listed) << circuit.brain.title;
+    });
+}
+
+TEST(OpampSheets, NameTheRegulatorAsTheListOfParts) {
+    each_circuit([](const Circuit& circuit) {
+        const std::string name(opamp::regulator_name), value(opamp::regulator_value);
+        std::set<std::string> words;
+        for (const auto& sheet : circuit.sheets)
+            for (const Words& w : sheet->picture.words) words.insert(w.text);
+        EXPECT_TRUE(words.contains(name) && words.contains(value)) << circuit.brain.title;
+        EXPECT_NE(text_of(circuit.files, "parts.csv").find(fmt::format("1,regulator,{},9 V,5 V,{}\n", value, name)),
+                  std::string::npos);
+    });
+}
+
+// A sheet is named in the README once, and each other file, too.
+TEST(OpampSheets, AreNamedInTheReadmeAsTheOtherFiles) {
+    each_circuit([](const Circuit& circuit) {
+        for (const auto& file : circuit.files)
+            EXPECT_EQ(text_of(circuit.files, "README.md").find(fmt::format("| `{}` |", file.name)) != std::string::npos,
+                      file.name != "README.md")
+                << circuit.brain.title << " " << file.name;
     });
 }
 

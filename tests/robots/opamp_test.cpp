@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/brain/four_neurons.h"
+#include "core/export/sensor_parts.h"
 #include "core/maths/random.h"
 #include "tests/robots/exported.h"
 
@@ -137,6 +138,68 @@ TEST(Opamp, ConnectsEveryPinOfAnLm324InKicadOnce) {
             EXPECT_EQ(text.find(node, first + 1), std::string::npos) << brain.title << " " << node;
         }
     });
+}
+
+TEST(Opamp, WarnsOfAWheelWhoseCommandsDoNotReachTheDriversThreshold) {
+    const auto warnings = [](const BrainGraph& brain) {
+        std::vector<std::string> ids;
+        for (const Error& warning : robots::export_warnings({"", brain, {}}, *robots::find_robot("lm324")))
+            ids.push_back(std::string(warning.phrases[0].id) + " " + warning.phrases[0].values[0]);
+        return ids;
+    };
+    using Ids = std::vector<std::string>;
+    EXPECT_EQ(warnings(make_graph({.LL = 1, .RR = 1})), Ids{});
+    EXPECT_EQ(warnings(make_graph({.LL = 0.7f, .RR = 0.5f})), Ids{"circuit_may_stand 'MR'"});
+    EXPECT_EQ(warnings(make_graph({.LL = -1, .RR = 1, .LM = 0.4f})), Ids{"circuit_stands 'ML'"});
+    EXPECT_EQ(warnings(find_preset("3a-love")->brain), (Ids{"circuit_may_stand 'ML'", "circuit_may_stand 'MR'"}));
+    for (const robots::Robot& robot : robots::robots())
+        if (robot.target != Target::opamp)
+            EXPECT_TRUE(robots::export_warnings({"", make_graph({.LL = 0.1f}), {}}, robot).empty()) << robot.name;
+}
+
+TEST(Opamp, SaysForEachWheelWhatTheDriversDo) {
+    const auto files = exported({"", make_graph({.LL = 0.3f, .RR = 0.8f, .RM = -0.1f}), {}});
+    ASSERT_TRUE(files);
+    const std::string& readme = text_of(*files, "README.md");
+    EXPECT_NE(readme.find("| left (ML) | 0.00 to 0.30 | never turns | never turns |"), std::string::npos) << readme;
+    EXPECT_NE(readme.find("| right (MR) | -0.10 to 0.70 | may never turn | turns |"), std::string::npos) << readme;
+    EXPECT_NE(readme.find("**Warning: the wheel of 'ML' never turns"), std::string::npos) << readme;
+    EXPECT_NE(text_of(*files, "parts.csv").find(",L298N board,"), std::string::npos) << "a TB6612 does not turn it";
+    EXPECT_NE(text_of(*exported({"", make_graph({.LL = 1, .RR = 1}), {}}), "parts.csv").find(",TB6612 board or L298N"),
+              std::string::npos);
+    // The numbers in the text.
+    EXPECT_TRUE(opamp::command_at(opamp::low_volts) > 0.41 && opamp::command_at(opamp::low_volts) < 0.42);
+    EXPECT_TRUE(opamp::command_at(opamp::tb6612_high_volts) > 0.97 &&
+                opamp::command_at(opamp::tb6612_high_volts) < 0.98);
+    EXPECT_TRUE(opamp::command_at(opamp::l298_high_volts) > 0.63 && opamp::command_at(opamp::l298_high_volts) < 0.64);
+}
+
+TEST(Opamp, TakesALargerSupplyForSensorsThatNeedMoreThanABlockBatteryGives) {
+    for (const auto& [channel, is_block] : {std::pair{Channel::light, true}, std::pair{Channel::smell, false}}) {
+        const BrainToExport brain{"",
+                                  make_graph({.LL = 1, .RR = 1}),
+                                  {{.name = "SL", .channel = channel}, {.name = "SR", .channel = channel}}};
+        const auto files = exported(brain);
+        ASSERT_TRUE(files);
+        const double load = opamp::milliamperes_at_9_volts(*robots::make_plan(brain, 60));
+        EXPECT_EQ(load < opamp::block_milliamperes, is_block) << load;
+        EXPECT_NE(text_of(*files, "README.md").find(fmt::format("take up to {:.0f} mA", std::ceil(load))),
+                  std::string::npos);
+        EXPECT_EQ(text_of(*files, "parts.csv").find("1,block battery") != std::string::npos, is_block);
+        EXPECT_EQ(text_of(*files, "parts.csv").find("1,holder with six") != std::string::npos, !is_block);
+    }
+}
+
+TEST(Opamp, SaysForEachChannelWhatItsSensorReadsWithoutACalibration) {
+    for (const auto& row : channel_table) {
+        const robots::SensorPart part = robots::part_of({"SL", "sensor_SL", row.value}, robots::Board::circuit);
+        if (part.part.empty()) continue;
+        const auto files = exported({"", make_graph({.LL = 1}), {{.name = "SL", .channel = row.value}}});
+        ASSERT_TRUE(files) << row.word;
+        EXPECT_FALSE(part.uncalibrated.empty()) << row.word;
+        EXPECT_NE(text_of(*files, "README.md").find(fmt::format("| {} |\n", part.uncalibrated)), std::string::npos)
+            << row.word;
+    }
 }
 
 // ---- In ngspice ----
@@ -411,7 +474,7 @@ TEST(OpampInNgspice, KeepsTheDriversInputsBetweenLowAndTheirLimitWithTheWeakestA
                                    : command >= 1 ? 3.5
                                                   : 3.6 * command - slack,
                              high = command <= 0   ? 0.1
-                                    : command >= 1 ? 6
+                                    : command >= 1 ? opamp::largest_driver_volts
                                                    : 3.6 * command + slack;
                 EXPECT_GE(seen[bits], low) << brain.title << " " << bits;
                 EXPECT_LE(seen[bits], high) << brain.title << " " << bits;

@@ -45,7 +45,7 @@ struct Words {
 
 struct Picture {
     std::vector<Segment> wires, bars;  // bars: of symbols, connected to nothing else
-    std::vector<Point> dots, terminals, grounds, supplies, triangles;
+    std::vector<Point> dots, terminals, grounds, supplies, triangles, capacitors, diodes;
     std::vector<Box> boxes;
     std::vector<Words> words;
 };
@@ -73,6 +73,11 @@ inline void read_path(Picture& picture, const std::string& path) {
     const auto lines = lines_of(path);
     const auto holds = [&](const char* part) { return path.find(part) != std::string::npos; };
     if (holds("z")) return picture.triangles.push_back(lines[0].a);
+    std::istringstream begin(path.substr(1));
+    Point start;
+    begin >> start.x >> start.y;
+    if (holds("m-8 0h16m-16 6h16")) picture.capacitors.push_back(start);
+    if (holds("l12 -6v12l-12 -6")) picture.diodes.push_back(start);
     if (holds("l")) return;
     const bool ground = holds("v4m-7"), supply = holds("v-6m-7");
     if (ground) picture.grounds.push_back(lines[0].a);

@@ -84,7 +84,7 @@ inline std::string eeprom(const Calibrated& c, std::size_t inputs, unsigned mark
     for (std::size_t i = 0; i < inputs; ++i) bytes += word16(c.bright);
     for (const int value : {c.minimum[0], c.minimum[1], c.fastest[0], c.fastest[1]})
         bytes += fmt::format("{:02x}", value);
-    return bytes;
+    return bytes + fmt::format("{:02x}", inputs + 3);  // steps that are done: all
 }
 
 class VirtualMachine {

@@ -6,8 +6,8 @@
  * Presses the button, which starts the sketch. Writes to the file RESULTS per step the PWM of the left and of the right wheel, −255 to 255. A step begins with the conversion of A0;
  * without inputs there is one step after 0.2 s.
  *
- * With a fourth argument "calibrate", instead: the steps are "press" or "wait MILLISECONDS" or "adc CHANNEL COUNT".
- * Writes the bytes of the EEPROM at the end.
+ * With a fourth argument "calibrate", instead: the steps are "press", "up", "wait MILLISECONDS" or "adc CHANNEL COUNT".
+ * Writes the bytes of the EEPROM at the end. With "held": the button is pressed from the start to the step "up".
  *
  * With a fourth argument "wait": writes the wheels 40 times, each 0.1 s, without a press of the button.
  *
@@ -110,6 +110,8 @@ static int calibrate(void) {
             set_adc(a, b);
         } else if (sscanf(line, "wait %d", &a) == 1) {
             if (!run_for(a / 1000.0)) return 1;
+        } else if (strncmp(line, "up", 2) == 0) {
+            press(0);
         } else {
             press(1);
             if (!run_for(0.06)) return 1;
@@ -147,6 +149,11 @@ int main(int argc, char **argv) {
         avr_ioctl(avr, AVR_IOCTL_EEPROM_SET, &desc);
     }
     if (argc > 4 && strcmp(argv[4], "calibrate") == 0) return calibrate();
+    if (argc > 4 && strcmp(argv[4], "held") == 0) {
+        if (!run_for(0.005)) return 1; /* until the pull-up is on; the sketch reads the button after 10 ms */
+        press(1);
+        return calibrate();
+    }
     if (argc > 4 && strcmp(argv[4], "wait") == 0) {
         for (int i = 0; i < 40; ++i) {
             if (!run_for(0.1)) return 1;
