@@ -52,6 +52,17 @@ TEST_F(RobotSheet, RequestsTheFilesForTheChosenRobot) {
     }
 }
 
+TEST_F(RobotSheet, SaysInTheTitleThatTheFileHasAnotherBrain) {
+    const Scene file = *desk.now.scene;
+    desk.view.file = &file;
+    const auto title = [&] { return brain_to_export(desk.view, desk.now.vehicles[0]).title; };
+    EXPECT_FALSE(title().ends_with(", changed")) << title();
+    give_threshold();
+    EXPECT_TRUE(title().ends_with(", changed")) << title();
+    desk.view.file = nullptr;
+    EXPECT_FALSE(title().ends_with(", changed")) << "the file is unknown";
+}
+
 TEST_F(RobotSheet, NamesThePartThatTheTargetCannotHold) {
     desk.key({key::escape});
     give_threshold();

@@ -1,5 +1,6 @@
 // The sheet that exports the selected vehicle's brain to a robot: which one, files or the reason against them, folder.
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -32,14 +33,16 @@ struct RobotSheet {
         return words(std::string(stem) + std::string(state.robot->word()));
     }
     bool is_written() const { return state.asked && view.documents.files->done > state.done; }
-    Colour warning() const { return legible(ui.palette.warning, ui.palette.panel, ui.palette.text); }
+    Colour warning_colour() const { return legible(ui.palette.warning, ui.palette.panel, ui.palette.text); }
 
     void make_files(const VehicleView& vehicle) const {
         const auto& brain = brain_of(*view.now, vehicle);
         if (state.made && state.brain == brain && state.robot_of_made == state.robot) return;
         state.brain = brain, state.robot_of_made = state.robot;
+        const robots::BrainToExport exported = brain_to_export(view, vehicle);
         state.made = std::make_shared<const Result<std::vector<robots::ExportedFile>>>(
-            robots::export_brain(brain_to_export(view, vehicle), state.robot->target, *state.robot));
+            robots::export_brain(exported, state.robot->target, *state.robot));
+        state.warnings = *state.made ? robots::export_warnings(exported, *state.robot) : std::vector<Error>{};
     }
 
     void choice(const robots::Robot& robot) const {
@@ -72,13 +75,14 @@ struct RobotSheet {
 
     void files() const {
         subheading(ui, words("robot.files"));
-        if (!*state.made) return paragraph(ui, text_of(state.made->error(), ui.strings), warning());
+        if (!*state.made) return paragraph(ui, text_of(state.made->error(), ui.strings), warning_colour());
         const bool written = is_written();
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::hair)});
         for (const robots::ExportedFile& file : **state.made)
             file_row(file.name, written ? icon::check : icon::file,
                      written ? ui.palette.accent : ui.palette.second_text);
         ImGui::PopStyleVar();
+        for (const Error& warning : state.warnings) paragraph(ui, text_of(warning, ui.strings), warning_colour());
     }
 
     void folder() const {
@@ -86,8 +90,11 @@ struct RobotSheet {
         subheading(ui, words("robot.folder"));
         text_field(ui, state.folder, "robot.folder", card_width(ui), suggested_folder(view, *state.robot),
                    words("robot.folder_how"));
-        paragraph(ui, view.program.uploads ? words("robot.downloads") : view.documents.files->listing.folder,
-                  ui.palette.second_text, Face::small);
+        const bool is_path =
+            std::filesystem::path(state.folder.text).is_absolute() || state.folder.text.starts_with('~');
+        if (view.program.uploads || !is_path)
+            paragraph(ui, view.program.uploads ? words("robot.downloads") : view.documents.files->listing.folder,
+                      ui.palette.second_text, Face::small);
     }
 
     // Why the files were not written; empty: nothing is wrong.
@@ -138,6 +145,15 @@ struct RobotSheet {
     }
 };
 
+// True if the file has this brain, of a kind or of a vehicle, or if the file is unknown.
+bool is_in_file(const LabView& view, const BrainGraph& brain) {
+    if (!view.file) return true;
+    const auto is_same = [&](const auto& owner) { return owner.brain == brain; };
+    return std::any_of(view.file->kinds.begin(), view.file->kinds.end(), is_same) ||
+           std::any_of(view.file->starts.begin(), view.file->starts.end(), is_same) ||
+           std::any_of(view.file->members.begin(), view.file->members.end(), is_same);
+}
+
 }  // namespace
 
 void begin_robot(RobotState& state) {
@@ -149,7 +165,9 @@ void begin_robot(RobotState& state) {
 
 robots::BrainToExport brain_to_export(const LabView& view, const VehicleView& vehicle) {
     const Kind& kind = kind_of(*view.now, vehicle);
-    return {view.now->scene->title + ", " + kind.name, *brain_of(*view.now, vehicle), kind.sensors};
+    const BrainGraph& brain = *brain_of(*view.now, vehicle);
+    const std::string changed = is_in_file(view, brain) ? "" : ", changed";
+    return {view.now->scene->title + ", " + kind.name + changed, brain, kind.sensors};
 }
 
 std::string suggested_folder(const LabView& view, const robots::Robot& robot) {

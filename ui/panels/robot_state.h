@@ -17,6 +17,7 @@ struct RobotState {
     TextField folder;                                              // empty: suggested_folder()
     // Of the brain and the robot; null until the sheet is drawn.
     std::shared_ptr<const Result<std::vector<robots::ExportedFile>>> made;
+    std::vector<Error> warnings;                   // of `made`
     bool begun = false;                            // drawn at least once since it was opened
     bool asked = false;                            // a request is in progress, or was refused
     int done = 0;                                  // FilesView::done at the request; larger: it is written
@@ -28,7 +29,8 @@ struct RobotState {
 // Prepares the sheet for the selected vehicle.
 void begin_robot(RobotState&);
 
-// The brain of the selected vehicle with its sensors. Precondition: the vehicle is in the snapshot.
+// The brain of the selected vehicle with its sensors; its title says "changed" where the file has no such brain.
+// Precondition: the vehicle is in the snapshot.
 robots::BrainToExport brain_to_export(const LabView&, const VehicleView&);
 
 // "2a-coward-arduino": the folder taken without a name.
