@@ -68,8 +68,7 @@ std::optional<FloorBox> paths_of_change(const Lab& lab) {
 std::optional<FloorBox> arena_beside(const Lab& lab, Rect window, Rect free_area) {
     constexpr float narrow = 0.6f;  // of the window's width
     const VehicleView* vehicle = selected_vehicle(lab);
-    const bool is_beside =
-        lab.before_lecture && lab.playback.mode != Mode::wiring && free_area.w < narrow * window.w;
+    const bool is_beside = lab.before_lecture && lab.playback.mode != Mode::wiring && free_area.w < narrow * window.w;
     if (!is_beside || !vehicle || lab.view.camera.mode != CameraMode::overview) return std::nullopt;
     const Snapshot& now = shown_snapshot(lab);
     const Arena& arena = now.scene->arena;

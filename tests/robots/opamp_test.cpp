@@ -153,8 +153,9 @@ TEST(Opamp, WarnsOfAWheelWhoseCommandsDoNotReachTheDriversThreshold) {
     EXPECT_EQ(warnings(make_graph({.LL = -1, .RR = 1, .LM = 0.4f})), Ids{"circuit_stands 'ML'"});
     EXPECT_EQ(warnings(find_preset("3a-love")->brain), (Ids{"circuit_may_stand 'ML'", "circuit_may_stand 'MR'"}));
     for (const robots::Robot& robot : robots::robots())
-        if (robot.target != Target::opamp)
+        if (robot.target != Target::opamp) {
             EXPECT_TRUE(robots::export_warnings({"", make_graph({.LL = 0.1f}), {}}, robot).empty()) << robot.name;
+        }
 }
 
 TEST(Opamp, SaysForEachWheelWhatTheDriversDo) {

@@ -44,8 +44,9 @@ TEST(SensorParts, AreInTheDrawingTheListAndTheReadmeWithTheirResistors) {
         EXPECT_EQ(xml_fault("<!DOCTYPE svg>\n" + drawing), "") << which;
         EXPECT_NE(file_of(files, "README.md").find("| " + robots::joining_text(part)), std::string::npos) << which;
         EXPECT_NE(drawing.find(part.part), std::string::npos) << which;
-        if (part.joining != robots::Joining::battery)
+        if (part.joining != robots::Joining::battery) {
             EXPECT_NE(list.find(fmt::format("1,\"{}\",\"for sensor SL\"", part.part)), std::string::npos) << which;
+        }
         for (const std::string_view ohms : {part.in_series, part.to_ground}) {
             if (ohms.empty()) continue;
             EXPECT_NE(drawing.find(fmt::format(">{}<", ohms)), std::string::npos) << which << " " << ohms;
