@@ -47,6 +47,23 @@ constexpr bool is_utf8(std::string_view text) {
     return true;
 }
 
+// A control character other than tab and the ends of lines.
+constexpr bool is_control(char32_t code) {
+    return code != '\t' && code != '\n' && code != '\r' && (code < 0x20 || (code >= 0x7F && code < 0xA0));
+}
+
+// The text with U+FFFD for each byte that is no UTF-8 and each character with is_unwanted(char32_t).
+template <class Unwanted>
+std::string utf8_without(std::string_view text, const Unwanted& is_unwanted) {
+    std::string kept;
+    while (!text.empty()) {
+        const CodePoint first = first_code_point(text);
+        kept += !first.is_valid || is_unwanted(first.code) ? std::string_view("\uFFFD") : text.substr(0, first.size);
+        text.remove_prefix(first.size);
+    }
+    return kept;
+}
+
 // True for all bytes of a character but its first.
 constexpr bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
 

@@ -96,8 +96,7 @@ class CsvLine {
 public:
     explicit CsvLine(std::string& out) : out_(out) {}
     void text(const std::string& cell) {
-        const std::string safe = io::spreadsheet_text(cell);
-        io::add_csv_cell(out_, std::string_view(safe));
+        io::add_csv_cell(out_, std::string_view(cell));
         out_ += ',';
     }
     void number(std::optional<int> cell) {

@@ -102,7 +102,7 @@ struct Writer {
         return row.refusal || starts == 0 ? 0 : points * row.grade->count / starts;
     }
 
-    std::string told(const ClassRow& row) const { return io::spreadsheet_text(feedback(report, row, strings)); }
+    std::string told(const ClassRow& row) const { return io::table_text(feedback(report, row, strings)); }
 
     Error wrong_columns(const std::string& wanted) const {
         return {"this is not the list that the platform exports: " + wanted, options.list_name};
@@ -244,7 +244,7 @@ struct Writer {
                 continue;
             }
             Cells cells(header.size());
-            cells[1] = row->submitter.id, cells[3] = io::spreadsheet_text(row->submitter.name);
+            cells[1] = row->submitter.id, cells[3] = io::table_text(row->submitter.name);
             fill_status(cells, *row);
             add(cells, ',');
             ++book.marked;
@@ -254,7 +254,7 @@ struct Writer {
     void plain() {
         add({"student", "id", "folder", "mark", "points", "passed", "feedback"}, ',');
         for (const ClassRow* row : people.rows()) {
-            add({io::spreadsheet_text(row->student), row->submitter.id, io::spreadsheet_text(row->submitter.folder),
+            add({io::table_text(row->student), row->submitter.id, io::table_text(row->submitter.folder),
                  mark_text(mark(*row)), mark_text(points), row->passed ? "yes" : "no", told(*row)},
                 ',');
             ++book.marked;

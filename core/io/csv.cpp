@@ -66,7 +66,7 @@ void add_csv_cell(std::string& line, const CsvValue& value) {
                      },
                      [&](std::int64_t number) { fmt::format_to(std::back_inserter(line), "{}", number); },
                      [&](std::string_view text) {
-                         const std::string inert = spreadsheet_text(text);
+                         const std::string inert = table_text(text);
                          if (inert.find_first_of(",;\"\n\r\t") == std::string::npos)
                              line += inert;
                          else
@@ -78,6 +78,8 @@ void add_csv_cell(std::string& line, const CsvValue& value) {
 std::string spreadsheet_text(std::string_view text) {
     return (!is_plain_number(text) && begins_as_formula(text) ? "'" : "") + std::string(text);
 }
+
+std::string table_text(std::string_view text) { return utf8_without(spreadsheet_text(text), is_control); }
 
 std::string real_text(double number, int digits) {
     if (!std::isfinite(number)) return "";

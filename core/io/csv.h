@@ -13,8 +13,8 @@
 
 namespace braitenlab::io {
 
-// The value of a cell: a number (five decimals; NaN: an empty cell), a whole number, or a text, which is made inert by
-// spreadsheet_text() and put in quotes where it contains a separator. The text is not copied.
+// The value of a cell: a number (five decimals; NaN: an empty cell), a whole number, or a text, of which
+// table_text() is written, in quotes where it contains a separator. The text is not copied.
 using CsvValue = std::variant<double, std::int64_t, std::string_view>;
 
 // Appends the text of a cell, without a separator.
@@ -22,8 +22,12 @@ void add_csv_cell(std::string& line, const CsvValue&);
 
 // The text so that no spreadsheet takes it as a formula: an apostrophe precedes a text that begins with one of = + - @,
 // also in full width or after blanks, or with a control character. A number is returned as it is, and so is a text that
-// this function has returned. See OWASP, "CSV Injection". add_csv_cell() applies it to each text of a table.
+// this function has returned. See OWASP, "CSV Injection".
 std::string spreadsheet_text(std::string_view);
+
+// The text as tables have it: spreadsheet_text(), and U+FFFD for what is no UTF-8 and for control characters other than
+// tab and the ends of lines. Names of files and texts of strangers have both. add_csv_cell() applies it to each text.
+std::string table_text(std::string_view);
 
 // Text of a real number with at most so many digits. It has a point or an exponent, so that a program that guesses the
 // type of a column by its first lines does not take it for a whole number: DuckDB reads 0, 0.1, 0.2 as whole numbers if

@@ -62,6 +62,12 @@ TEST(Csv, LeavesNumbersAndHarmlessTextsAsTheyAre) {
         EXPECT_EQ(io::spreadsheet_text(text), text);
 }
 
+TEST(Csv, ATextOfACellIsUtf8WithoutControlCharacters) {
+    EXPECT_EQ(cell(std::string_view("a\xFF\x1B[2Jb\u009Bc\u00E4\u200F")), "a\uFFFD\uFFFD[2Jb\uFFFDc\u00E4\u200F");
+    EXPECT_EQ(cell(std::string_view("\x1B=1")), "'\uFFFD=1");
+    EXPECT_EQ(cell(std::string_view("a\tb\r\nc")), "\"a\tb\r\nc\"");
+}
+
 TEST(Csv, ATextWithASemicolonIsInQuotes) {
     EXPECT_EQ(cell(std::string_view("LR; RL")), "\"LR; RL\"") << "a semicolon separates cells in other styles";
 }
