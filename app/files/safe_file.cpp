@@ -31,11 +31,30 @@ Error not_saved(const fs::path& path, int reason) {
 // The number of the C library for an error of the file system, which may have the system's own number.
 int errno_of(const std::error_code& problem) { return problem.default_error_condition().value(); }
 
-// The target of a link, so that the link itself is not replaced.
-fs::path behind_links(const fs::path& path) {
+// True in the folders of devices and of the system's own state. /dev/shm is a folder for files of any program.
+bool is_of_system(const fs::path& absolute) {
+    std::vector<std::string> parts;
+    for (const fs::path& part : absolute.parent_path()) parts.push_back(part.string());
+    if (parts.size() < 2 || (parts[1] == "dev" && parts.size() > 2 && parts[2] == "shm")) return false;
+    return parts[0] == "/" && (parts[1] == "dev" || parts[1] == "proc" || parts[1] == "sys");
+}
+
+std::optional<Error> fault_of(const fs::path& wanted, const fs::path& target) {
+    std::error_code none;
+    if (target.empty()) return not_saved(wanted, ELOOP);
+    if (fs::is_directory(target, none)) return not_saved(wanted, EISDIR);
+    if (is_of_system(target) || (fs::exists(target, none) && !fs::is_regular_file(target, none)))
+        return error_of(message_of("special_file"), wanted.string());
+    return std::nullopt;
+}
+
+// Makes the folder that a file is written to.
+std::optional<Error> make_folder_of(const fs::path& file) {
+    if (auto fault = replacement_fault(file)) return fault;
     std::error_code problem;
-    const fs::path target = fs::weakly_canonical(path, problem);
-    return problem ? path : target;
+    fs::create_directories(behind_links(file).parent_path(), problem);
+    if (problem) return not_saved(file, errno_of(problem));
+    return std::nullopt;
 }
 
 // The folders above a path that do not exist, the highest last.
@@ -50,9 +69,7 @@ std::optional<Error> commit_all(const std::vector<NewFile>& files) {
     std::vector<FileWriter> writers;
     writers.reserve(files.size());
     for (const NewFile& file : files) {
-        std::error_code problem;
-        fs::create_directories(behind_links(file.path).parent_path(), problem);
-        if (problem) return not_saved(file.path, errno_of(problem));
+        if (auto error = make_folder_of(file.path)) return error;
         writers.emplace_back(file.path).write(file.text);
         if (auto error = writers.back().complete()) return error;
     }
@@ -63,16 +80,25 @@ std::optional<Error> commit_all(const std::vector<NewFile>& files) {
 
 }  // namespace
 
+fs::path behind_links(const fs::path& path) {
+    constexpr int most_links = 40;
+    std::error_code problem;
+    fs::path target = fs::absolute(path, problem);
+    for (int links = 0; links < most_links; ++links) {
+        if (fs::exists(target, problem) || !fs::is_symlink(fs::symlink_status(target, problem))) {
+            const fs::path whole = fs::weakly_canonical(target, problem);
+            return problem ? target : whole;
+        }
+        target = target.parent_path() / fs::read_symlink(target, problem);
+    }
+    return {};
+}
+
+std::optional<Error> replacement_fault(const fs::path& path) { return fault_of(path, behind_links(path)); }
+
 FileWriter::FileWriter(const fs::path& path, bool flush) : wanted_(path), path_(behind_links(path)), flush_(flush) {
-    std::error_code none;
-    if (fs::is_directory(path_, none)) {
-        fail(EISDIR);
-        return;
-    }
-    if (fs::exists(path_, none) && !fs::is_regular_file(path_, none)) {
-        error_ = error_of(message_of("special_file"), wanted_.string());
-        return;
-    }
+    error_ = fault_of(wanted_, path_);
+    if (error_) return;
     beside_ = path_.parent_path() / fmt::format(".{}.{}.new", path_.filename().string(), process_number());
     file_.reset(open_for_writing(beside_));
     if (!file_) fail(errno);
@@ -125,7 +151,7 @@ std::optional<Error> FileWriter::commit() {
 std::optional<Error> write_all(const std::vector<NewFile>& files) {
     std::vector<fs::path> made;
     for (const NewFile& file : files)
-        for (const fs::path& folder : missing_folders(file.path.parent_path())) made.push_back(folder);
+        for (const fs::path& folder : missing_folders(behind_links(file.path).parent_path())) made.push_back(folder);
     auto error = commit_all(files);
     std::error_code none;
     for (const fs::path& folder : made)
@@ -134,10 +160,7 @@ std::optional<Error> write_all(const std::vector<NewFile>& files) {
 }
 
 std::optional<Error> write_whole(const fs::path& path, std::string_view text) {
-    const fs::path folder = behind_links(path).parent_path();
-    std::error_code problem;
-    if (!folder.empty()) fs::create_directories(folder, problem);
-    if (problem) return not_saved(path, errno_of(problem));
+    if (auto error = make_folder_of(path)) return error;
     FileWriter writer(path);
     writer.write(text);
     return writer.commit();

@@ -12,6 +12,14 @@
 
 namespace braitenlab {
 
+// The file that is written at this path: the target of its links, also one that does not exist, so that no link is
+// replaced. Empty for links in a circle.
+std::filesystem::path behind_links(const std::filesystem::path&);
+
+// Why FileWriter does not write at this path, whatever its content: there is a folder, a pipe or a device, the file
+// would be in /dev, /proc or /sys, or links lead in a circle.
+std::optional<Error> replacement_fault(const std::filesystem::path&);
+
 // Writes a file in pieces: beside it first, then renamed over it by commit(). Without commit(), or if anything fails,
 // the old file stays as it was. A link is followed, and the file keeps its permissions. The folder must exist.
 class FileWriter {
@@ -30,7 +38,8 @@ public:
     // Writes everything to the temporary file, which commit() only renames then. Fails as commit() does.
     std::optional<Error> complete();
 
-    // Fails with the first error of all calls: no permission, no room on the disk, no such folder, not a regular file.
+    // Fails with the first error of all calls: no permission, no room on the disk, no such folder,
+    // replacement_fault().
     std::optional<Error> commit();
 
 private:

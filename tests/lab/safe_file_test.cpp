@@ -88,6 +88,45 @@ TEST(SafeFile, FollowsALinkAndKeepsPermissions) {
     EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST(SafeFile, FollowsLinksToAFileThatDoesNotExist) {
+    const Folder folder;
+    const auto link = folder / "link.csv", second = folder / "second.csv";
+    std::error_code refused;
+    fs::create_symlink("new/file.csv", link, refused);  // relative to the link
+    if (refused) GTEST_SKIP() << "this system allows no links";
+    fs::create_symlink(link, second);
+    EXPECT_FALSE(write_whole(second, "one"));
+    EXPECT_TRUE(fs::is_symlink(link) && fs::is_symlink(second));
+    EXPECT_EQ(text_of(folder / "new" / "file.csv"), "one");
+}
+
+TEST(SafeFile, RefusesLinksInACircle) {
+    const Folder folder;
+    const auto link = folder / "a.csv", back = folder / "b.csv";
+    std::error_code refused;
+    fs::create_symlink(back, link, refused);
+    if (refused) GTEST_SKIP() << "this system allows no links";
+    fs::create_symlink(link, back);
+    EXPECT_TRUE(write_whole(link, "text"));
+    EXPECT_TRUE(FileWriter(back).problem());
+    EXPECT_EQ(names_in(folder.path), (std::set<std::string>{"a.csv", "b.csv"}));
+    EXPECT_TRUE(fs::is_symlink(link) && fs::is_symlink(back));
+}
+
+TEST(SafeFile, RefusesTheFoldersOfTheSystem) {
+    if (fs::path::preferred_separator == '\\') GTEST_SKIP() << "Windows has no such folders";
+    const Folder folder;
+    for (const char* file : {"/dev/x.csv", "/dev/fd/x.csv", "/proc/x.csv", "/sys/x.csv", "/tmp/../dev/x.csv"}) {
+        SCOPED_TRACE(file);
+        EXPECT_TRUE(replacement_fault(file));  // asked only: no test writes there
+        fs::remove(folder / "link.csv");
+        fs::create_symlink(file, folder / "link.csv");
+        EXPECT_TRUE(replacement_fault(folder / "link.csv"));
+    }
+    EXPECT_FALSE(replacement_fault("/dev/shm/x.csv"));
+    EXPECT_FALSE(replacement_fault(folder / "dev" / "x.csv"));
+}
+
 TEST(SafeFile, RefusesAFolderAndAPlaceBelowAFile) {
     const Folder folder;
     ASSERT_FALSE(write_whole(folder / "file", "text"));
