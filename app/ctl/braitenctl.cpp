@@ -385,7 +385,7 @@ int command_line(int argc, char** argv) {
     }
     const auto given =
         std::find_if(commands.begin(), commands.end(), [](const auto& each) { return each.app->parsed(); });
-    if (const auto error = output_over_input(*given->app)) return complain(*error);
+    if (const auto error = output_fault(*given->app)) return complain(*error);
     return given->run();
 }
 

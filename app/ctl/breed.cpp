@@ -167,8 +167,10 @@ int breed_into(const BreedOptions& options, const Base& base, const fs::path& fo
     const bool has_state = holds_breeding(folder);
     if (has_state && !options.goes_on)
         return complain({"holds a breeding; add --continue to go on with it, or give another folder", folder.string()});
-    if (!has_state)
+    if (!has_state) {
+        if (const auto error = other_breeding_fault(*base, folder)) return complain(*error);
         if (const auto error = write_breeding_files(*base, folder)) return complain(*error);
+    }
     const fs::path lock = folder / "state.json.lock";
     auto held = lock_file(lock);
     if (!held) return complain({"another breeding writes into this folder; wait for its end", folder.string()});
@@ -241,15 +243,14 @@ int write_report(const BreedOptions& options, const Base& base, const BreedingSt
     const auto matrix = [&](MatrixKind kind) {
         return matrix_drawing(*base, *tournament, kind, options.labels, strings);
     };
-    const std::pair<const char*, std::string> files[]{
-        {"breeding.json", breeding_json(*base, state, *tournament)},
-        {"scores.svg", curves_drawing(*base, state, options.labels, strings)},
-        {"ciao.svg", matrix(MatrixKind::ciao)},
-        {"master.svg", matrix(MatrixKind::master)}};
-    for (const auto& [name, text] : files)
-        if (const auto error = write_whole(folder / name, text)) return complain(*error);
-    const std::string table = breeding_table(*base, state, &*tournament);
-    if (const auto error = write_table((folder / "breeding.csv").string(), style, table)) return complain(*error);
+    const std::array<std::string, breeding_report_files.size()> texts{
+        breeding_json(*base, state, *tournament), curves_drawing(*base, state, options.labels, strings),
+        matrix(MatrixKind::ciao), matrix(MatrixKind::master),
+        std::string(style.has_byte_order_mark ? io::byte_order_mark : "") +
+            io::in_style(breeding_table(*base, state, &*tournament), style)};
+    std::vector<NewFile> files;
+    for (std::size_t i = 0; i < texts.size(); ++i) files.push_back({folder / breeding_report_files[i], texts[i]});
+    if (const auto error = write_all(files)) return complain(*error);
     std::cout << summary_text(*base, state) << matrix_text(*tournament);
     return exit_code::done;
 }

@@ -1,6 +1,7 @@
 // The subcommands of braitenctl. Each prints its result and returns the exit code.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -146,6 +147,9 @@ struct BreedOptions {
     std::string champion;  // predator:GENERATION or prey:GENERATION; empty: none
     std::string match;     // PREDATOR:PREY, two generations; empty: none
 };
+// The files of `report`.
+inline constexpr std::array breeding_report_files{"breeding.json", "scores.svg", "ciao.svg", "master.svg",
+                                                  "breeding.csv"};
 // Breeds predators and prey into a folder, which holds the state after each generation. Or prints the matrix of a
 // folder, or writes or draws it or the scores, or all of this, or the brain of a champion, or the scene of a match.
 int breed(const BreedOptions&);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <streambuf>
 #include <string_view>
@@ -10,8 +11,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/ctl/class_files.h"
 #include "app/ctl/ctl.h"
+#include "app/files/breeding_files.h"
 #include "app/files/data.h"
+#include "app/files/safe_file.h"
+#include "core/io/run_file.h"
+#include "core/lesson/hand_in.h"
+#include "core/scene/file_kind.h"
+#include "core/scene/schema.h"
+#include "core/scene/toml_tree.h"
 #include "core/utf8.h"
 
 namespace braitenlab {
@@ -20,58 +29,139 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The options of all commands whose values are files.
-constexpr std::array<std::string_view, 9> written_files{"--csv",  "--html", "--out",     "--paths", "--png",
-                                                        "--save", "--svg",  "--vectors", "--wiring"};
-constexpr std::array<std::string_view, 6> tables_and_drawings{"--csv", "--html", "--paths",
-                                                              "--png", "--svg",  "--wiring"};
-constexpr std::array<std::string_view, 4> read_files{"--a", "--b", "--brain", "--compare"};
+// What an option writes decides what it may replace.
+enum class Written { table, page, run, scene };
 
-bool is_one_of(const CLI::Option& option, const auto& names) {
-    return std::any_of(names.begin(), names.end(),
-                       [&](std::string_view name) { return option.check_lname(std::string(name.substr(2))); });
+struct Output {
+    std::string option;
+    fs::path path;
+    Written what;
+    bool may_be_device;
+};
+
+struct OutputOption {
+    std::string_view name;
+    Written what;
+};
+constexpr std::array output_options{OutputOption{"--csv", Written::table},   OutputOption{"--html", Written::page},
+                                    OutputOption{"--marks", Written::table}, OutputOption{"--paths", Written::page},
+                                    OutputOption{"--png", Written::page},    OutputOption{"--save", Written::run},
+                                    OutputOption{"--svg", Written::page},    OutputOption{"--vectors", Written::table},
+                                    OutputOption{"--wiring", Written::page}, OutputOption{"--out", Written::scene}};
+constexpr std::array<std::string_view, 5> read_files{"--a", "--b", "--brain", "--compare", "--list"};
+
+// Standard output by a name of the file system, where it has one.
+constexpr const char* standard_output_file = "/dev/stdout";
+
+bool is_named(const CLI::Option& option, std::string_view name) {
+    return option.check_lname(std::string(name.substr(2)));
+}
+
+bool is_given(const CLI::App& command, const char* option) {
+    const CLI::Option* found = command.get_option_no_throw(option);
+    return found && found->count() > 0;
+}
+
+// The files that this command writes, but for those of an export and of a breeding, whose folders are looked at when
+// they are written.
+std::vector<Output> outputs_of(const CLI::App& command) {
+    std::vector<Output> outputs;
+    const bool is_study = command.get_name() == "study";
+    const bool has_folder =
+        command.get_name() == "export" ||
+        (command.get_name() == "breed" && !is_given(command, "--champion") && !is_given(command, "--match"));
+    for (const CLI::Option* option : command.get_options())
+        for (const OutputOption& each : output_options) {
+            if (!is_named(*option, each.name) || (each.what == Written::scene && has_folder)) continue;
+            for (const std::string& value : option->results()) {
+                // The marks are written as a whole, and a study writes beside its table first.
+                const bool may_be_device = each.what == Written::table && each.name != "--marks" && !is_study;
+                outputs.push_back({option->get_name(), value, each.what, may_be_device});
+                if (is_study && each.what == Written::table && value != standard_output)
+                    outputs.push_back({option->get_name(), value + ".part", each.what, false});
+            }
+        }
+    if (is_given(command, "--report"))
+        for (const char* name : breeding_report_files)
+            outputs.push_back(
+                {"--report", fs::path(command.get_option("--report")->as<std::string>()) / name, Written::page, false});
+    return outputs;
+}
+
+// The files that a study, a breeding, an exercise or a lecture names.
+void add_named_files(const fs::path& file, std::vector<fs::path>& files) {
+    const auto text = read_text(file);
+    if (!text || find_kind(file, *text).value_or(FileKind::run) == FileKind::run) return;
+    const auto toml = parse_toml(*text, file.string());
+    if (!toml) return;
+    const auto add = [&](const TomlNode& table) {
+        for (const char* key : {"scene", "exercise"})
+            if (const TomlNode* named = table.get(key); named && named->as_text())
+                files.push_back(file.parent_path() / *named->as_text());
+    };
+    add(toml->root);
+    const TomlNode* pages = toml->root.get("page");
+    if (!pages || !pages->as_list()) return;
+    for (const TomlNode& page : *pages->as_list()) add(page);
 }
 
 std::vector<fs::path> files_read(const CLI::App& command) {
     std::vector<fs::path> files;
+    const auto add = [&](const std::string& value) {
+        std::error_code none;
+        const bool is_folder = fs::is_directory(value, none);
+        if (const auto file = is_folder ? Result<fs::path>(breeding_in(value)) : find_shipped(value)) {
+            files.push_back(*file);
+            add_named_files(*file, files);
+        }
+        if (is_folder) files.push_back(state_in(value));
+        if (!is_folder || command.get_name() != "grade") return;
+        if (const auto of_class = class_files({value}))
+            for (const ClassFile& file : of_class->files) files.push_back(file.path);
+    };
     for (const CLI::Option* option : command.get_options())
-        if (option->get_positional() || is_one_of(*option, read_files))
-            for (const std::string& value : option->results())
-                if (const auto file = find_shipped(value)) files.push_back(*file);
+        if (option->get_positional() || std::any_of(read_files.begin(), read_files.end(),
+                                                    [&](std::string_view name) { return is_named(*option, name); }))
+            for (const std::string& value : option->results()) add(value);
     return files;
 }
 
-// A file of the lab, or a class's archive: also one that the command reads from a folder, or that a file names.
-bool is_work(const fs::path& file) {
+// True if replacing the file would lose a scene or another file of the lab, a run or an archive, whatever its name is.
+// A run replaces a run, a scene or a brain replaces a scene or a brain.
+bool loses_work(const fs::path& file, Written what) {
     std::error_code none;
-    const fs::path kind = file.extension();
-    return fs::is_regular_file(file, none) && (kind == ".toml" || kind == ".run" || kind == ".zip");
+    if (!fs::is_regular_file(file, none) || fs::file_size(file, none) == 0) return false;
+    std::string text(limits::file_bytes, '\0');  // no file of the lab is larger, but for runs and states of breedings
+    std::ifstream in(file, std::ios::binary);
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    const std::string_view format = foreign_format(text);
+    const fs::path ending = file.extension();
+    if (format == "ZIP" || ending == ".zip") return true;
+    if (format == "JSON") return what != Written::run || ending != io::run_ending;
+    if (format.empty()) {
+        if (holds_hand_in(file.filename().string(), text)) return true;
+        const auto kind = find_kind(fs::path(), text);
+        const bool is_scene = kind == FileKind::scene || kind == FileKind::brain;
+        if (kind) return !(is_scene && what == Written::scene);
+    }
+    return ending == ".toml" || ending == io::run_ending;
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
     std::error_code none;
     if (fs::exists(a, none)) return fs::is_regular_file(a, none) && fs::equivalent(a, b, none);
-    return fs::weakly_canonical(fs::absolute(a, none), none) == fs::weakly_canonical(fs::absolute(b, none), none);
+    return behind_links(a) == behind_links(b);
 }
 
 bool acts_on_terminal(char32_t code) {
-    if (code == '\t' || code == '\n') return false;
-    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F || code == 0x061C ||
+    return code == '\r' || is_control(code) || code == 0x200E || code == 0x200F || code == 0x061C ||
            (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
 }  // namespace
 
-std::string terminal_text(std::string_view text) {
-    std::string inert;
-    while (!text.empty()) {
-        const CodePoint first = first_code_point(text);
-        inert +=
-            !first.is_valid || acts_on_terminal(first.code) ? std::string_view("\uFFFD") : text.substr(0, first.size);
-        text.remove_prefix(first.size);
-    }
-    return inert;
-}
+std::string terminal_text(std::string_view text) { return utf8_without(text, acts_on_terminal); }
 
 // A buffer without memory of its own: a text of one call is passed on at once.
 struct InertOutput::Filter : std::streambuf {
@@ -99,23 +189,33 @@ private:
 InertOutput::InertOutput() : out_(std::make_unique<Filter>(std::cout)), errors_(std::make_unique<Filter>(std::cerr)) {}
 InertOutput::~InertOutput() = default;
 
-std::optional<Error> output_over_input(const CLI::App& command) {
+std::optional<Error> output_fault(const CLI::App& command) {
     const std::vector<fs::path> read = files_read(command);
-    std::vector<fs::path> written;
-    for (const CLI::Option* option : command.get_options()) {
-        if (!is_one_of(*option, written_files)) continue;
-        for (const std::string& value : option->results()) {
-            if (value == "-") continue;
-            const auto is_it = [&](const fs::path& other) { return is_same_file(value, other); };
-            if (std::any_of(read.begin(), read.end(), is_it))
-                return Error{option->get_name() + " names a file that this command reads; give another one", value};
-            if (std::any_of(written.begin(), written.end(), is_it))
-                return Error{option->get_name() + " names a file that another option writes; give another one", value};
-            if (is_one_of(*option, tables_and_drawings) && is_work(value))
-                return Error{option->get_name() + " would write over a scene, a run or an archive; give another one",
-                             value};
-            written.emplace_back(value);
+    const auto is_in = [](const fs::path& path, const std::vector<fs::path>& files) {
+        return std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return is_same_file(path, file); });
+    };
+    std::vector<fs::path> written{standard_output_file};
+    if (is_in(standard_output_file, read))
+        return Error{"standard output goes to a file that this command reads; send it to another one"};
+    for (const Output& output : outputs_of(command)) {
+        const auto refused = [&](const std::string& why) { return Error{output.option + why, output.path.string()}; };
+        const bool is_standard_output = output.path == standard_output;
+        if (is_standard_output && output.what != Written::table)
+            return refused(" writes no standard output; give the name of a file");
+        if (is_in(output.path, read)) return refused(" names a file that this command reads; give another one");
+        if (is_in(output.path, written)) return refused(" names a file that another option writes; give another one");
+        if (!is_standard_output) {
+            const fs::path target = behind_links(output.path);
+            const bool is_own_json = output.option == "--report" && output.path.extension() == ".json";
+            if (loses_work(target, output.what) && !is_own_json)
+                return refused(" would write over a scene, another file of the lab, or an archive; give another one");
+            std::error_code none;
+            const bool is_device =
+                fs::exists(target, none) && !fs::is_regular_file(target, none) && !fs::is_directory(target, none);
+            if (auto fault = replacement_fault(output.path); fault && !(output.may_be_device && is_device))
+                return fault;
         }
+        written.push_back(output.path);
     }
     return std::nullopt;
 }
@@ -124,7 +224,7 @@ int end_with(int code) {
     std::cout.flush();
     if (std::cout) return code;
     const int failed = complain({"standard output could not be written; check that it has room"});
-    return code == exit_code::done ? failed : code;
+    return code == exit_code::interrupted ? code : failed;
 }
 
 }  // namespace braitenlab

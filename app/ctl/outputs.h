@@ -32,14 +32,16 @@ private:
     std::unique_ptr<Filter> out_, errors_;
 };
 
-// The error when a file that the command writes is one that it reads or writes
-// already, also by another name of the same file, and when a table or drawing
-// would replace a scene, a run or an archive. Call it after the arguments have
-// been read.
-std::optional<Error> output_over_input(const CLI::App& command);
+// The error when an output of the command, standard output included, is a file
+// that it reads, also one that a file names or a folder holds, or an output
+// that it has already, also by another name of the same file; when it would
+// replace a file of the lab or an archive, except a run by --save and a scene or
+// a brain by --out; and when it cannot be replaced at all, as a device. Call it
+// after the arguments have been read, before anything is written.
+std::optional<Error> output_fault(const CLI::App& command);
 
 // Writes what standard output still holds. Returns the exit code of the
-// command; exit_code::bad_input in place of exit_code::done, with a message,
+// command; exit_code::bad_input, with a message, unless it was interrupted,
 // when not all of its output could be written.
 int end_with(int code);
 

@@ -37,6 +37,7 @@ std::optional<Error> check_options(const RunOptions& options, const Sweep& sweep
     if (options.csv == standard_output && (options.json || options.hash))
         return Error{"leaves no room for --json and --hash on standard output; leave them out, or give --csv a file",
                      "--csv -"};
+    if (auto error = ending_fault("--save", options.save, io::run_ending)) return error;
     if (!sweep.is_sweep) return std::nullopt;
     const std::string given = "--set and --seed";
     if (options.csv.empty())

@@ -1,6 +1,7 @@
 #include "app/files/breeding_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -26,7 +27,17 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 64U << 20U;  // of a state; about 1 kB a generation
 
-fs::path state_in(const fs::path& folder) { return folder / "state.json"; }
+struct TextOfFile {
+    fs::path path;
+    std::string text;
+};
+
+std::array<TextOfFile, 2> breeding_texts(const BreedingBase& base, const fs::path& folder) {
+    Breeding breeding = base.breeding();
+    breeding.scene = "scene.toml";
+    return {TextOfFile{folder / breeding.scene, write_scene(base.scene())},
+            TextOfFile{breeding_in(folder), evolve::write_breeding(breeding)}};
+}
 
 }  // namespace
 
@@ -40,6 +51,8 @@ std::vector<Breeding> shipped_breeding_list() {
 }
 
 fs::path breeding_in(const fs::path& folder) { return folder / "breeding.toml"; }
+
+fs::path state_in(const fs::path& folder) { return folder / "state.json"; }
 
 bool holds_breeding(const fs::path& folder) {
     std::error_code none;
@@ -73,11 +86,22 @@ std::vector<Error> errors_of_breeding(const fs::path& path) {
     return in_order(std::move(errors), path.string());
 }
 
+std::optional<Error> other_breeding_fault(const BreedingBase& base, const fs::path& folder) {
+    for (const TextOfFile& each : breeding_texts(base, folder)) {
+        std::error_code none;
+        if (!fs::exists(each.path, none)) continue;
+        const auto text = read_text(each.path);
+        if (!text || *text != each.text)
+            return Error{"the breeding would write over this file; give another folder", each.path.string()};
+    }
+    return std::nullopt;
+}
+
 std::optional<Error> write_breeding_files(const BreedingBase& base, const fs::path& folder) {
-    Breeding breeding = base.breeding();
-    breeding.scene = "scene.toml";
-    if (auto error = write_whole(folder / breeding.scene, write_scene(base.scene()))) return error;
-    return write_whole(breeding_in(folder), evolve::write_breeding(breeding));
+    std::vector<NewFile> files;
+    const auto texts = breeding_texts(base, folder);
+    for (const TextOfFile& each : texts) files.push_back({each.path, each.text});
+    return write_all(files);
 }
 
 std::optional<Error> write_breeding_state(const BreedingBase& base, const evolve::BreedingState& state,

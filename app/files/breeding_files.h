@@ -25,8 +25,14 @@ std::vector<Error> errors_of_breeding(const std::filesystem::path&);
 // The file of the breeding in a folder of results, which also holds scene.toml and state.json.
 std::filesystem::path breeding_in(const std::filesystem::path& folder);
 
+// The file of its state there.
+std::filesystem::path state_in(const std::filesystem::path& folder);
+
 // True if the folder holds the state of a breeding.
 bool holds_breeding(const std::filesystem::path& folder);
+
+// The error if the folder has another breeding.toml or scene.toml than write_breeding_files() writes.
+std::optional<Error> other_breeding_fault(const evolve::BreedingBase&, const std::filesystem::path& folder);
 
 // Writes breeding and scene into the folder, which is made if it does not exist.
 std::optional<Error> write_breeding_files(const evolve::BreedingBase&, const std::filesystem::path& folder);

@@ -1,9 +1,11 @@
 // The outputs of every command of braitenctl: exit code 0 means written, and no input is overwritten.
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/scene/scene_file.h"
+#include "core/utf8.h"
 #include "tests/folder.h"
 #include "tests/tools/ctl.h"
 
@@ -41,9 +43,11 @@ std::vector<std::string> calls_that_print(const Folder& folder) {
             "robustness 2a-coward --robots 1 --seconds 1 --csv -",
             "check 04-coward",
             "check 04-coward --json",
+            "check 04-coward --brain 2b-aggressor",
             "grade 04-coward 2a-coward",
             "show 2a-coward",
             "hashes --seconds 0",
+            "hashes --seconds 0 --compare " BRAITENLAB_SOURCE "/tests/golden/hashes.json",
             "export 2a-coward --to c --out " + out + " --force",
             "think 2a-coward --ticks 2 --vectors -",
             "breed " + bred + " --generations 1 --continue",
@@ -68,7 +72,7 @@ TEST(CtlOutput, ThatCannotBeWrittenIsAFailureOfEveryCommand) {
         const Ran whole = ctl(call), full = ctl(call + " > /dev/full");
         EXPECT_LT(whole.code, 2) << whole.out;
         EXPECT_FALSE(whole.out.empty());
-        EXPECT_EQ(full.code, whole.code == 0 ? 2 : whole.code) << full.out;
+        EXPECT_EQ(full.code, 2) << full.out;
         EXPECT_NE(full.out.find("braitenctl: standard output could not be written"), std::string::npos) << full.out;
     }
 }
@@ -105,10 +109,121 @@ TEST(CtlOutput, OverAFileOfAClassOrOfAStudyIsRefused) {
     const std::string scene = (folder / "ana.toml").string(), marks = (folder / "marks.csv").string();
     fs::copy_file(fs::path(BRAITENLAB_SOURCE) / "exercises/scenes/2a-coward.toml", scene);
     const std::string text = text_of(scene), grade = "grade 04-coward " + folder.path.string();
-    expect_refused(grade + " --csv " + scene, "would write over a scene");
+    expect_refused(grade + " --csv " + scene, "names a file that this command reads");
     EXPECT_EQ(text_of(scene), text);
     EXPECT_NE(ctl(grade + " --csv " + marks).code, 2);
     EXPECT_NE(ctl(grade + " --csv " + marks).code, 2) << "a table of before is replaced";
+}
+
+// Expects that each call is refused, with these words where they are given, and that every file of the folder stays.
+struct Refusals {
+    fs::path folder;
+    std::map<std::string, std::string> texts() const {
+        std::map<std::string, std::string> all;
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            all[entry.path().string()] = entry.is_regular_file() ? text_of(entry.path()) : "";
+        return all;
+    }
+    void expect(const std::vector<std::string>& calls, const std::string& words) const {
+        const auto before = texts();
+        for (const std::string& call : calls) {
+            const Ran ran = shell("cd " + folder.string() + " && " BRAITENLAB_BINARY "/braitenctl " + call);
+            EXPECT_EQ(ran.code, 2) << call << "\n" << ran.out;
+            EXPECT_NE(ran.out.find(words), std::string::npos) << call << "\n" << ran.out;
+            EXPECT_TRUE(texts() == before) << call;
+        }
+    }
+};
+
+TEST(CtlOutput, OverAFileOfABreedingIsRefused) {
+    const Folder folder;
+    ASSERT_EQ(ctl("breed flee --generations 1 --out " + (folder / "ch").string()).code, 0);
+    fs::create_symlink("ch/state.json", folder / "link.csv");
+    const Refusals refusals{folder.path};
+    std::vector<std::string> calls{"breed ch --csv link.csv"};
+    for (const std::string file : {"ch/state.json", "ch/scene.toml", "ch/breeding.toml"})
+        for (const char* output : {"--csv ", "--match 0:0 --out ", "--champion prey:0 --out "})
+            calls.push_back("breed ch " + (output + file));
+    refusals.expect(calls, "names a file that this command reads");
+    refusals.expect({"run 2a-coward --seconds 1 --csv ch/state.json"}, "would write over");
+    put_text(folder / "mine" / "scene.toml", "format = 1\n");
+    refusals.expect({"breed flee --out mine"}, "the breeding would write over this file");
+    EXPECT_EQ(
+        ctl("breed " + (folder / "ch").string() + " --champion prey:0 --out " + (folder / "b.toml").string()).code, 0);
+    EXPECT_EQ(ctl("breed " + (folder / "ch").string() + " --match 0:0 --out " + (folder / "b.toml").string()).code, 0)
+        << "a scene replaces a brain";
+}
+
+TEST(CtlOutput, OverAFileThatAFileNamesIsRefused) {
+    const Folder folder;
+    const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises";
+    put_text(folder / "bare.txt", "format = 1\n");  // a scene by the study alone
+    put_text(folder / "bare.toml", "format = 1\nscene = \"bare.txt\"\n[[value]]\n");
+    put_text(folder / "guided" / "e.toml", text_of(shipped / "guided" / "05-aggressor.toml"));
+    put_text(folder / "scenes" / "2a-coward.toml", text_of(shipped / "scenes" / "2a-coward.toml"));
+    put_text(folder / "scenes" / "2b-aggressor.toml", text_of(shipped / "scenes" / "2b-aggressor.toml"));
+    put_text(folder / "class" / "anna.txt", "an answer in words\n");
+    fs::create_symlink("bare.txt", folder / "link.csv");
+    fs::create_symlink("class/anna.txt", folder / "an.csv");
+    fs::create_symlink("scenes/2b-aggressor.toml", folder / "scene.csv");
+    put_text(folder / "list.csv", "a,b\n");
+    const std::string grade = "grade guided/e.toml class ";
+    Refusals{folder.path}.expect(
+        {"study bare.toml --csv bare.txt", "study bare.toml --csv link.csv",
+         "robustness guided/e.toml --robots 1 --csv scene.csv", grade + "--csv an.csv", grade + "--html an.csv",
+         grade + "--gradebook csv --marks an.csv", grade + "--html scene.csv",
+         grade + "--gradebook csv --list list.csv --marks list.csv",
+         "run scenes/2a-coward.toml --csv - >> scenes/2a-coward.toml"},
+        "a file that this command reads");
+}
+
+TEST(CtlOutput, OverAFileOfTheLabIsRefusedWhateverItsName) {
+    const Folder folder;
+    const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises";
+    std::vector<std::string> works{"scene.txt", "exercise.txt", "study.txt", "lecture.txt", "breeding.txt",
+                                   "brain.txt", "run.txt",      "zip.txt",   "hand-in.txt"};
+    put_text(folder / "scene.txt", text_of(shipped / "scenes" / "2a-coward.toml"));
+    put_text(folder / "exercise.txt", text_of(shipped / "guided" / "05-aggressor.toml"));
+    put_text(folder / "study.txt", text_of(study_in(folder)));
+    put_text(folder / "lecture.txt", text_of(shipped / "lectures" / "four-numbers.toml"));
+    put_text(folder / "breeding.txt", text_of(shipped / "breeding" / "flee.toml"));
+    put_text(folder / "brain.txt", "[brain]\nLL = 1\n");
+    put_text(folder / "hand-in.txt", "format = 1\n[submission.brain]\nLL = 1\n");
+    put_text(folder / "zip.txt", "PK\x03\x04");
+    ASSERT_EQ(ctl("run 2a-coward --seconds 1 --save " + (folder / "a.run").string()).code, 0);
+    put_text(folder / "run.txt", text_of(folder / "a.run"));
+    std::vector<std::string> calls{"run 2a-coward --seconds 1 --csv a.run", "map 2a-coward --png a.run.png"};
+    fs::create_symlink("scene.txt", folder / "a.run.png");
+    fs::create_symlink("scene.txt", folder / "b.run");
+    calls.push_back("run 2a-coward --seconds 1 --save b.run");
+    const std::string link = shell(BRAITENLAB_BINARY "/braitenctl link 2a-coward").out;
+    const std::string link_to = "link '" + link.substr(0, link.find('\n')) + "' --out ";
+    for (const std::string& work : works) {
+        calls.push_back("run 2a-coward --seconds 1 --csv " + work);
+        if (work != "scene.txt" && work != "brain.txt") calls.push_back(link_to + work);
+    }
+    const Refusals refusals{folder.path};
+    refusals.expect(calls, "would write over a scene");
+    refusals.expect({"run 2a-coward --seconds 1 --save b.toml"}, "end its name with it");
+    for (const std::string& call : {link_to + "scene.txt", std::string("run 2a-coward --seconds 1 --save a.run")}) {
+        const Ran again = shell("cd " + folder.path.string() + " && " BRAITENLAB_BINARY "/braitenctl " + call);
+        EXPECT_EQ(again.code, 0) << call << again.out;
+    }
+}
+
+TEST(CtlOutput, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
+    const Folder folder;
+    study_in(folder);
+    fs::create_symlink("pipe", folder / "p.run");
+    const std::string grade = "grade 04-coward 2a-coward ", long_run = "run 2a-coward --seconds 1000000 ";
+    const Refusals refusals{folder.path};
+    refusals.expect({grade + "--html -", "study s.toml --svg -"}, "give the name of a file");
+    fs::create_directory(folder / "d.run");
+    refusals.expect({long_run + "--save d.run", long_run + "--csv d.run"}, "could not be saved");
+    if (fs::exists("/dev/full")) refusals.expect({"study s.toml --csv /dev/full"}, "is not a regular file");
+    ASSERT_EQ(shell("mkfifo " + (folder / "pipe").string()).code, 0);
+    EXPECT_NE(ctl(long_run + "--save " + (folder / "p.run").string()).out.find("is not a regular file"),
+              std::string::npos);
 }
 
 TEST(CtlOutput, OfTwoKindsInOneFileIsRefused) {
@@ -118,6 +233,29 @@ TEST(CtlOutput, OfTwoKindsInOneFileIsRefused) {
     expect_refused("picture 2a-coward --wiring " + both + " --paths " + both, why);
     expect_refused("picture 2a-coward --wiring " + both + " --paths " + beside, why);
     EXPECT_FALSE(fs::exists(both));
+    fs::create_symlink("none.csv", folder / "m.csv");
+    const std::string grade = "grade 04-coward 2a-coward --gradebook csv ";
+    Refusals{folder.path}.expect({grade + "--csv a.csv --marks a.csv", grade + "--html a.html --marks a.html",
+                                  grade + "--csv m.csv --marks none.csv", grade + "--csv - --marks -"},
+                                 why);
+}
+
+TEST(CtlOutput, ATableIsUtf8WithoutControlCharactersWhateverTheNamesOfFiles) {
+    const Folder folder;
+    std::error_code refused;
+    fs::create_directories(folder / "class");
+    const fs::path scene = fs::path(BRAITENLAB_SOURCE) / "exercises/scenes/2a-coward.toml";
+    fs::copy_file(scene, folder / "class" / "bad\xFF\x1B[2J.toml", refused);
+    if (refused) GTEST_SKIP() << "this system allows no such names";
+    const std::string csv = (folder / "a.csv").string(), marks = (folder / "m.csv").string();
+    const std::string grade = "grade 04-coward " + (folder / "class").string() + " --csv " + csv;
+    ASSERT_LT(ctl(grade + " --gradebook csv --marks " + marks).code, 2);
+    for (const std::string& file : {csv, marks}) {
+        const std::string text = text_of(file);
+        EXPECT_NE(text.find("bad\uFFFD\uFFFD[2J"), std::string::npos) << text;
+        EXPECT_TRUE(is_utf8(text));
+        EXPECT_EQ(text.find('\033'), std::string::npos) << text;
+    }
 }
 
 TEST(CtlOutput, HasNothingThatATerminalActsUpon) {
