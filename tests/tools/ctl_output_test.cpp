@@ -154,6 +154,16 @@ TEST(CtlOutput, OverAFileOfABreedingIsRefused) {
         << "a scene replaces a brain";
 }
 
+TEST(CtlOutput, OfSeveralFilesIsWholeOrNoneOnAFullDisk) {
+    const Folder folder;
+    ASSERT_EQ(ctl("breed flee --generations 1 --out " + (folder / "ch").string()).code, 0);
+    const std::string report = (folder / "report").string();
+    const Ran full = shell("trap '' XFSZ; ulimit -f 3; " BRAITENLAB_BINARY "/braitenctl breed " +
+                           (folder / "ch").string() + " --report " + report);
+    EXPECT_NE(full.out.find("make room"), std::string::npos) << full.out;
+    EXPECT_FALSE(fs::exists(report)) << "on a full disk no file of the report is left";
+}
+
 TEST(CtlOutput, OverAFileThatAFileNamesIsRefused) {
     const Folder folder;
     const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises";
