@@ -328,7 +328,7 @@ void add_insight(Json& state, const Lab& lab) {
 std::string anchors_json(const ui::Anchors& anchors) {
     Json all = Json::object();
     for (const auto& [id, r] : anchors.all()) all[id] = {r.x, r.y, r.w, r.h};
-    return all.dump(1) + "\n";
+    return io::json_text(all, 1) + "\n";
 }
 
 std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
@@ -392,7 +392,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
                         {"exercises", lab.students.student().exercises.size()}};
     add_scene_input(state, lab, scene_input, frame);
     add_insight(state, lab);
-    return state.dump(1) + "\n";
+    return io::json_text(state, 1) + "\n";
 }
 
 std::optional<Error> ReportFile::write(std::string text) {

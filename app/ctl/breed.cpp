@@ -56,12 +56,11 @@ Part part_of_trials(const Base& base, std::vector<Trial> trials) {
 }
 
 std::string text_of_trials(const BreedingBase& base, const BreedingState& state, const TrialList& list) {
-    return "breed\n" + nlohmann::json{{"breeding", write_breeding(base.breeding())},
-                                      {"scene", write_scene(base.scene())},
-                                      {"state", write_state(base, state)},
-                                      {"tournament", list.is_tournament},
-                                      {"generations", list.generations}}
-                           .dump();
+    return "breed\n" + io::json_text(nlohmann::json{{"breeding", write_breeding(base.breeding())},
+                                                    {"scene", write_scene(base.scene())},
+                                                    {"state", write_state(base, state)},
+                                                    {"tournament", list.is_tournament},
+                                                    {"generations", list.generations}});
 }
 
 // The numbers of the trials in their order; empty when there are none, or the user has interrupted the program.
@@ -160,7 +159,7 @@ std::string summary_json(const BreedingBase& base, const Bred& bred, double seco
         json["panel"][name] = last.panel < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(last.panel);
     }
     json["trials"] = bred.trials, json["seconds"] = seconds;
-    return json.dump() + "\n";
+    return io::json_text(json) + "\n";
 }
 
 int breed_into(const BreedOptions& options, const Base& base, const fs::path& folder) {

@@ -225,7 +225,7 @@ int check_brain(const SharedExercise& exercise, const CheckOptions& options) {
         json["outside_offers"] = outside_offers(*exercise, submission);
         json["too_many_changes"] = changes_too_many(*exercise, submission);
         json.update(grade_json(*exercise, grade));
-        std::cout << json.dump(2) << "\n";
+        std::cout << io::json_text(json, 2) << "\n";
     } else {
         if (!found->owner.empty()) std::cout << fmt::format("brain of {} in {}\n", found->owner, options.brain);
         std::cout << fmt::format("{}: {} of {} starts pass, {} needed: {}\n", exercise->id, grade.count,
@@ -245,7 +245,7 @@ int check_all(std::uint64_t first_seed, bool as_json) {
         if (!read) return complain_of_exercise(path, read.error());
         result = std::max(result, check_sound(*read, first_seed, as_json ? &json : nullptr));
     }
-    if (as_json) std::cout << json.dump(2) << "\n";
+    if (as_json) std::cout << io::json_text(json, 2) << "\n";
     return result;
 }
 
@@ -267,7 +267,7 @@ int check(const CheckOptions& options) {
     if (!options.brain.empty()) return check_brain(read->exercise, options);
     CheckJson json;
     const int result = check_sound(*read, options.seed, options.json ? &json : nullptr);
-    if (options.json && !json.empty()) std::cout << json[0].dump(2) << "\n";
+    if (options.json && !json.empty()) std::cout << io::json_text(json[0], 2) << "\n";
     return result;
 }
 

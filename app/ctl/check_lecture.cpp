@@ -25,12 +25,12 @@ int check_lecture(const std::filesystem::path& path, bool json) {
     const float sum = minutes_of_pages(*lecture);
     const bool fits = std::fabs(sum - lecture->minutes) <= tolerated * lecture->minutes;
     if (json)
-        std::cout << nlohmann::ordered_json{{"lecture", lecture->id},
-                                            {"pages", lecture->pages.size()},
-                                            {"minutes", lecture->minutes},
-                                            {"minutes_of_pages", sum},
-                                            {"sound", fits}}
-                         .dump(2)
+        std::cout << io::json_text(nlohmann::ordered_json{{"lecture", lecture->id},
+                                                          {"pages", lecture->pages.size()},
+                                                          {"minutes", lecture->minutes},
+                                                          {"minutes_of_pages", sum},
+                                                          {"sound", fits}},
+                                   2)
                   << "\n";
     else
         std::cout << fmt::format("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,

@@ -67,7 +67,7 @@ std::string compare_json(const CompareOptions& options, const BothRuns& both) {
                                                    {"b", rounded_json(both.run_of_b.numbers[index])},
                                                    {"difference", rounded_json(differs.value_or(NAN))}};
     }
-    return json.dump() + "\n";
+    return io::json_text(json) + "\n";
 }
 
 std::string compare_text(const BothRuns& both) {

@@ -89,17 +89,16 @@ MapCell cell_of_numbers(const Numbers& numbers) {
 
 // What decides the runs of a map.
 std::string text_of_level(const MapOptions& options, std::size_t level) {
-    return "map\n" + nlohmann::json{{"file", options.file},
-                                    {"x", options.x},
-                                    {"y", options.y},
-                                    {"vehicle", options.vehicle},
-                                    {"size", options.size},
-                                    {"seeds", options.seeds},
-                                    {"seed", options.seed},
-                                    {"seconds", options.seconds},
-                                    {"settings", options.settings},
-                                    {"level", level}}
-                         .dump();
+    return "map\n" + io::json_text(nlohmann::json{{"file", options.file},
+                                                  {"x", options.x},
+                                                  {"y", options.y},
+                                                  {"vehicle", options.vehicle},
+                                                  {"size", options.size},
+                                                  {"seeds", options.seeds},
+                                                  {"seed", options.seed},
+                                                  {"seconds", options.seconds},
+                                                  {"settings", options.settings},
+                                                  {"level", level}});
 }
 
 // Incomplete when the user has interrupted the program.
@@ -143,7 +142,7 @@ std::string json_text(const insight::MapQuestion& question, const MapCells& cell
     }
     json["cells"] = std::move(rows);
     if (question.seeds > 1) json["agree"] = std::move(agree);
-    return json.dump() + "\n";
+    return io::json_text(json) + "\n";
 }
 
 std::string table_text(const insight::MapQuestion& question, const MapCells& cells) {

@@ -73,7 +73,7 @@ std::string mystery_json(const MysteryScore& score) {
                                   {"random_gap_m", rounded_json(start.random_gap)},
                                   {"still_gap_m", rounded_json(start.still_gap)}});
     }
-    return json.dump() + "\n";
+    return io::json_text(json) + "\n";
 }
 
 }  // namespace

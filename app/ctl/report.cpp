@@ -81,7 +81,7 @@ std::string report_json(const Snapshot& now, std::uint64_t hash) {
                         {"contacts", now.events.contacts}}},
                       {"sources", sources_json(now)},
                       {"vehicles", vehicles_json(now)}};
-    return report.dump(2) + "\n";
+    return io::json_text(report, 2) + "\n";
 }
 
 std::string report_text(const Snapshot& now, std::uint64_t hash) {

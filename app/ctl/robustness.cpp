@@ -85,7 +85,7 @@ std::string json_text(const Tried& tried, const insight::Robots& robots, const R
     json["ideal"] = robot_json(report.ideal);
     json["each"] = nlohmann::ordered_json::array();
     for (const RobotResult& robot : report.robots) json["each"].push_back(robot_json(robot));
-    return json.dump(2) + "\n";
+    return io::json_text(json, 2) + "\n";
 }
 
 std::string table_text(const RobotsReport& report) {

@@ -133,7 +133,7 @@ std::string summary_json(const Study& study, const std::vector<StudyRow>& rows) 
                 {"median", number_or_null(summary.paired)}, {"above", summary.more}, {"below", summary.less}};
             list.push_back(std::move(row));
         }
-    return json.dump(2) + "\n";
+    return io::json_text(json, 2) + "\n";
 }
 
 }  // namespace

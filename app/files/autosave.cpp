@@ -63,7 +63,7 @@ Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_na
             keys.exercise =
                 Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run"),
                                 exercise.value("outcome_known", false),
-                                exercise.contains("referee") ? exercise.at("referee").dump() : std::string()};
+                                exercise.contains("referee") ? io::json_text(exercise.at("referee")) : std::string()};
         return keys;
     } catch (const nlohmann::json::exception& problem) {
         return error_of(message_of("not_an_autosave") + Message(fmt::format(": {}", problem.what())), file_name);
@@ -159,7 +159,7 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
                             {"hints_shown", draft.exercise->hints_shown}};
     if (draft.exercise && !draft.exercise->referee.empty())
         keys["exercise"]["referee"] = nlohmann::json::parse(draft.exercise->referee);
-    return json.dump() + "\n";
+    return io::json_text(json) + "\n";
 }
 
 Result<Autosaved> open_autosave(std::string_view text, std::string file_name) {

@@ -117,7 +117,7 @@ std::string breeding_json(const BreedingBase& base, const BreedingState& state, 
         if (base.breed(side))
             json[std::string(word(side))] = side_json(complete_ones(base, state, side), tournament, side);
     json["tournament"] = tournament_json(tournament);
-    return json.dump(1) + "\n";
+    return io::json_text(json, 1) + "\n";
 }
 
 }  // namespace braitenlab

@@ -52,7 +52,7 @@ std::string write_state(const BreedingBase& base, const BreedingState& state) {
                     {"breeding", fmt::format("{:016x}", base.fingerprint())},
                     {"panel", state.panel},
                     {"main", state.main}};
-    return json.dump() + "\n";
+    return io::json_text(json) + "\n";
 }
 
 Result<BreedingState> read_state(const BreedingBase& base, std::string_view text, const std::string& file_name) {

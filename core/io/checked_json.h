@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -26,6 +27,12 @@ std::optional<T> whole_number(const auto& json) {
     const double number = json.template get_ref<const double&>();
     const bool is_in_range = number >= static_cast<double>(Limits::min()) && number < std::ldexp(1, Limits::digits);
     return is_in_range && !(number > std::floor(number)) ? std::optional(static_cast<T>(number)) : std::nullopt;
+}
+
+// The JSON as text, in lines with the given indent; −1: one line. Names of files may be no UTF-8; the library would
+// throw.
+std::string json_text(const auto& json, int indent = -1) {
+    return json.dump(indent, ' ', false, std::decay_t<decltype(json)>::error_handler_t::replace);
 }
 
 }  // namespace braitenlab::io

@@ -68,7 +68,7 @@ bool hides_a_brain(const SavedRun& run) {
 Result<SavedRun> from(const Json& json, const std::string& file) {
     if (!json.is_object() || !json.contains("braitenlab_run")) return refused(message_of("run_other_file"), file);
     if (json.at("braitenlab_run") != version)
-        return refused(message_of("run_version", json.at("braitenlab_run").dump(), version), file);
+        return refused(message_of("run_version", json_text(json.at("braitenlab_run")), version), file);
     SavedRun run;
     json.at("opened").get_to(run.opened);
     if (const auto error = check_scene(run.opened)) return refused(message_of(*error), file);
@@ -90,8 +90,8 @@ std::string write_run(const SavedRun& run, Seals seals) {
                     {"keyframe", state_json(*run.checkpoint.keyframe)},
                     {"commands", run.checkpoint.commands},
                     {"tick", run.checkpoint.tick}};
-    if (seals == Seals::hidden_kinds && !hides_a_brain(run)) return json.dump() + "\n";
-    return Json{{"braitenlab_run", version}, {"sealed", seal_text(json.dump())}}.dump() + "\n";
+    if (seals == Seals::hidden_kinds && !hides_a_brain(run)) return json_text(json) + "\n";
+    return json_text(Json{{"braitenlab_run", version}, {"sealed", seal_text(json_text(json))}}) + "\n";
 }
 
 void hide_brains(Scene& scene, const std::vector<std::string>& kinds) {

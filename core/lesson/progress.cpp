@@ -147,7 +147,7 @@ bool is_free_name(const StudentBook& book, std::string_view name) {
 std::string write_progress(const StudentProgress& student) {
     Json json{{"format", progress_format}, {"student", student.name}, {"exercises", Json::object()}};
     for (const auto& [id, progress] : student.exercises) json["exercises"][id] = exercise_progress_json(progress);
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return io::json_text(json, 1) + "\n";
 }
 
 Result<StudentProgress> read_progress(std::string_view text, std::string file) {

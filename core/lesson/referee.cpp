@@ -313,7 +313,7 @@ std::string write_referee_state(const RefereeState& state) {
         Json& judged = json["steps"].emplace_back(state_json(step.check));
         judged["done"] = step.done;
     }
-    return json.dump();
+    return io::json_text(json);
 }
 
 std::optional<RefereeState> read_referee_state(std::string_view text, const Exercise& exercise) {

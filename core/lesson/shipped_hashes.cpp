@@ -80,7 +80,7 @@ Result<Hashes> read_hashes(const fs::path& file) {
     }
 }
 
-std::string write_hashes(const Hashes& hashes) { return io::Json(hashes).dump(2) + "\n"; }
+std::string write_hashes(const Hashes& hashes) { return io::json_text(io::Json(hashes), 2) + "\n"; }
 
 std::vector<std::string> differences(const Hashes& computed, const Hashes& expected) {
     std::vector<std::string> lines;

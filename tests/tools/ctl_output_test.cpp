@@ -268,6 +268,21 @@ TEST(CtlOutput, ATableIsUtf8WithoutControlCharactersWhateverTheNamesOfFiles) {
     }
 }
 
+TEST(CtlOutput, InJsonIsUtf8WhateverAFileIsCalled) {
+    const Folder folder;
+    const fs::path exercise = fs::path(BRAITENLAB_SOURCE) / "exercises" / "guided" / "05-aggressor.toml";
+    const fs::path named = folder / "guided" / "ex\xff.toml";
+    fs::create_directories(named.parent_path());
+    std::error_code refused;  // some systems have no such names
+    fs::copy_file(exercise, named, refused);
+    if (refused) GTEST_SKIP() << refused.message();
+    fs::copy(exercise.parent_path().parent_path() / "scenes", folder / "scenes");
+    const std::string brain = (exercise.parent_path().parent_path() / "scenes" / "2b-aggressor.toml").string();
+    const Ran ran = ctl("check '" + named.string() + "' --brain " + brain + " --json");
+    EXPECT_LE(ran.code, 1) << ran.out;
+    EXPECT_NE(ran.out.find("\"exercise\": \"ex\uFFFD\""), std::string::npos) << ran.out;
+}
+
 TEST(CtlOutput, HasNothingThatATerminalActsUpon) {
     const Folder folder;
     put_text(folder / "s.toml",
