@@ -21,6 +21,22 @@ inline bool begin_child(const char* id, ImVec2 size, ImGuiWindowFlags flags = 0)
 #endif
 }
 
+// The end of a window, a child, a group, a popup or a tooltip reaches to the cursor, wherever it was set, as in 1.86.
+// From 1.92 on Dear ImGui ends the program where the last thing in it is such a place and no item.
+inline void reach_to_cursor() {
+#if IMGUI_VERSION_NUM >= 19200
+    ImGuiWindowTempData& places = ImGui::GetCurrentWindow()->DC;
+    places.CursorMaxPos.x = std::max(places.CursorMaxPos.x, places.CursorPos.x);
+    places.CursorMaxPos.y = std::max(places.CursorMaxPos.y, places.CursorPos.y);
+    places.IsSetPos = false;
+#endif
+}
+inline void end_window() { reach_to_cursor(), ImGui::End(); }
+inline void end_child() { reach_to_cursor(), ImGui::EndChild(); }
+inline void end_group() { reach_to_cursor(), ImGui::EndGroup(); }
+inline void end_popup() { reach_to_cursor(), ImGui::EndPopup(); }
+inline void end_tooltip() { reach_to_cursor(), ImGui::EndTooltip(); }
+
 // Gives the keyboard to the next text field. In 1.90.1 a field of a child window gets it only if that has the focus.
 inline void focus_next_field() {
 #if IMGUI_VERSION_NUM >= 19010 && IMGUI_VERSION_NUM < 19020

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "ui/double_click.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
@@ -130,7 +131,7 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
              Corner::bar);
     if (border.focused) move_border_by_keys(view, *ui.keyboard, is_below, ui.outbox);
     if (border.held) ui.outbox.push_back(CanvasShareRequest{share_at_pointer(layout)});
-    ImGui::End();
+    compat::end_window();
     wiring::draw_canvas(view, state.canvas, ui, layout.canvas);
     draw_probes(view, state, ui, layout.canvas);
     let_canvas_be_focused(ui, layout.canvas);

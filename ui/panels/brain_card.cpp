@@ -12,6 +12,7 @@
 
 #include "core/scene/enums.h"
 #include "core/scene/sensor_edits.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/offered.h"
@@ -362,7 +363,7 @@ void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float wi
     if (small_push_button(ui, back, ui.strings("tooltip.drive_back")))
         ui.outbox.push_back(
             EditRequest{ChooseDriver{vehicle.id, Driver::brain}, gestures::panels + ++state.sliders.gesture});
-    ImGui::EndGroup();
+    compat::end_group();
 }
 
 // In an exercise that offers some controls: a button that shows all of them, or only the offered ones again.

@@ -156,7 +156,7 @@ void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bott
 void end_list(const Ui& ui) {
     shade_edges(ui);
     ImGui::PopStyleVar();
-    ImGui::EndChild();
+    compat::end_child();
 }
 
 bool is_exercise(const CatalogueEntry& entry) { return entry.number > 0; }

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/map_parts.h"
 #include "ui/panels/panels.h"
@@ -319,7 +320,7 @@ void blank_window(const LabView& view, PanelState& state, Ui& ui, Rect window) {
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) state.lecture.blank = false;
     mark(ui, "lecture.blank", window);
-    ImGui::End();
+    compat::end_window();
     ImGui::GetForegroundDrawList()->AddRectFilled({window.x, window.y}, {window.x + window.w, window.y + window.h},
                                                   IM_COL32_BLACK);
 }

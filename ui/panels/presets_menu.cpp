@@ -6,6 +6,7 @@
 
 #include "core/brain/presets.h"
 #include "core/scene/sensor_edits.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sensor_changes.h"
 #include "ui/strings.h"
@@ -109,7 +110,7 @@ void ask_for_sensors(const LabView& view, PanelState& state, Ui& ui, const Vehic
         chosen("preset.back", "own_brain.back", Emphasis::quiet);
     }
     ImGui::Dummy({1, ui.px(spacing::tight)});
-    ImGui::EndGroup();
+    compat::end_group();
 }
 
 // A preset defines two sensors. Names the other sensors of the vehicle, which keep their wires.
@@ -170,7 +171,7 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
             own_brains(state, ui);
         }
         state.brain.presets.height = ImGui::GetWindowHeight();
-        ImGui::EndPopup();
+        compat::end_popup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
         ui.keyboard->focus = "button.presets";
     }

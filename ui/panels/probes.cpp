@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/panels/chart_data.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
@@ -96,7 +97,7 @@ void draw_probes(const LabView& view, const PanelState& state, const Ui& ui, Rec
         ui.anchors.record("probe." + name, place);
     }
     ImGui::PopClipRect();
-    ImGui::End();
+    compat::end_window();
 }
 
 }  // namespace braitenlab::ui

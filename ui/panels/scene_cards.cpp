@@ -10,6 +10,7 @@
 #include "core/maths/angle.h"
 #include "core/maths/degrees.h"
 #include "core/scene/enums.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/chart_data.h"
 #include "ui/panels/course/exercise_names.h"
@@ -231,7 +232,7 @@ void goal_row(const PanelState& state, Ui& ui, const PopulationGoal& goal) {
     if (best > 0)
         paragraph(ui, fill(ui.strings("scene.goal_best"), {fixed(ui, best, 0)}), ui.palette.second_text, Face::small);
     ImGui::Unindent(left);
-    ImGui::EndGroup();
+    compat::end_group();
     const float height = ImGui::GetItemRectSize().y;
     check_mark(ui, {start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2}, ui.px(8), done,
                eased(ui, "scene.goal", done ? 1.0f : 0.0f, 0.2f));

@@ -9,6 +9,7 @@
 #include "core/brain/presets.h"
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/polygon_tool.h"
@@ -276,7 +277,7 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
             ui.keyboard->focus = menu.rows.front();
         menu.by_key = false;
         if (!menu.open) ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
+        compat::end_popup();
     } else {
         menu.open = false;  // closed by a click beside it
     }

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -76,7 +77,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     if (push_button(ui, "title.begin", look, ui.strings("title.begin_how"), key_name({key::enter}, ui.strings)))
         ui.outbox.push_back(BeginRequest{});
     put(ui, {x, window.y + window.h - ui.px(32)}, view.program.version, ui.palette.second_text, Face::small);
-    ImGui::End();
+    compat::end_window();
 }
 
 }  // namespace braitenlab::ui

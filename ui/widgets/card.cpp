@@ -79,10 +79,10 @@ void begin_part(const Ui& ui, const char* name, ImVec2 size, ImGuiWindowFlags fl
 
 // Returns its height.
 float end_part() {
-    ImGui::EndGroup();
+    compat::end_group();
     const float height = ImGui::GetItemRectSize().y;
     ImGui::PopStyleVar();
-    ImGui::EndChild();
+    compat::end_child();
     return height;
 }
 
@@ -168,14 +168,14 @@ void begin_footer(Ui& ui, CardState& state, Rect r) {
 }
 
 void end_footer(const Ui& ui, CardState& state) {
-    ImGui::EndGroup();
+    compat::end_group();
     ImGui::PopStyleVar();
     measure(state, state.footer, ImGui::GetItemRectSize().y + ui.px(above_footer));
 }
 
 void end_card(const Ui& ui, CardState& state) {
     end_body(ui, state);
-    ImGui::End();
+    compat::end_window();
 }
 
 void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, Corner corner) {
@@ -185,7 +185,7 @@ void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, Corner corne
     if (!covers_cards) card_ground(ui, r, corner);
 }
 
-void end_bar() { ImGui::End(); }
+void end_bar() { compat::end_window(); }
 
 void begin_overlay(const Ui& ui, const char* name, Rect r, Colour border) {
     constexpr ImGuiWindowFlags only_drawn =
@@ -200,7 +200,7 @@ void begin_overlay(const Ui& ui, const char* name, Rect r, Colour border) {
 }
 
 void end_overlay() {
-    ImGui::End();
+    compat::end_window();
     ImGui::PopStyleVar();
 }
 

@@ -212,7 +212,7 @@ void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view 
     ImGui::BeginTooltip();
     paragraph(ui, words, ui.palette.text, Face::small, width);
     if (!shortcut.empty()) paragraph(ui, shortcut, ui.palette.second_text, Face::small, width);
-    ImGui::EndTooltip();
+    compat::end_tooltip();
     ImGui::PopStyleVar(2);
 }
 

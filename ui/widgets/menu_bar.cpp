@@ -188,7 +188,7 @@ int menu_panel(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles, s
     const float inner = panel.w - 2 * pad;
     compat::begin_child(("rows of " + state.open).c_str(), {inner, panel.h - 2 * pad}, ImGuiWindowFlags_NoNav);
     const int chosen = draw_entries(ui, entries, inner - scrollbar, height, opens);
-    ImGui::EndChild();
+    compat::end_child();
     follow_pointer(ui, state, titles);
     if (chosen >= 0 && !entries[static_cast<std::size_t>(chosen)].stays_open) state.open.clear();
     end_bar();

@@ -57,12 +57,12 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
 }
 
 void sheet_buttons(Ui& ui, SheetState& state, std::string_view problem) {
-    ImGui::EndGroup();
+    compat::end_group();
     shade_edges(ui);
     const float measured = ImGui::GetItemRectSize().y;
     state.is_resized = std::abs(measured - std::exchange(state.content, measured)) > 1;
     ImGui::PopStyleVar();
-    ImGui::EndChild();
+    compat::end_child();
     const Rect& r = state.rect;
     const ImVec2 buttons{r.x + ui.px(sheet_pad), r.y + r.h - ui.px(sheet_pad + button_height)};
     const float width = r.w - 2 * ui.px(sheet_pad), line = line_height(ui, Face::text);

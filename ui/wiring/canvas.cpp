@@ -152,7 +152,7 @@ void set_cursor(const CanvasState& state) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
 }
 
-// A window of Dear ImGui over all others. End it with ImGui::End().
+// A window of Dear ImGui over all others. End it with compat::end_window().
 void begin_cover() {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
@@ -165,7 +165,7 @@ void begin_cover() {
 bool cover_window() {
     begin_cover();
     const bool hovers = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    ImGui::End();
+    compat::end_window();
     return hovers;
 }
 
@@ -178,7 +178,7 @@ void draw_menu_on_cover(const Pen& canvas, CanvasMenu& menu) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     draw_menu({list, canvas.ui, canvas.view}, menu, {0, 0, window.x, window.y});
     list.PopClipRect();
-    ImGui::End();
+    compat::end_window();
 }
 
 // `why`: key of the reason why there is no brain to show.
@@ -293,7 +293,7 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
         state.menu = {};
         state.actions.clear();
     }
-    ImGui::End();
+    compat::end_window();
 }
 
 }  // namespace braitenlab::wiring

@@ -185,7 +185,7 @@ NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
 
 NumberSheet::~NumberSheet() {
     if (sliders_ == 0) ImGui::Dummy({1, 1});
-    ImGui::EndGroup();
+    compat::end_group();
 }
 
 void NumberSheet::plot(const Curve& curve, float input) {
@@ -210,7 +210,7 @@ void NumberSheet::choose_curve(Curve& curve, const SheetHead& head) {
     }
     lesion_button(in_, head.lesioned, head.lesion_words);
     ImGui::PopStyleVar();
-    ImGui::EndGroup();
+    compat::end_group();
     ImGui::SameLine(0, ui.px(column_space));
 }
 

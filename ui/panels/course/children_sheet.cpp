@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "core/lesson/selection.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/course/path_picture.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
@@ -119,7 +120,7 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
         tooltip(ui, at, ui.strings(may_choose ? "selection.child_how" : "selection.no_more"), may_choose ? number : "");
         if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{static_cast<int>(i)});
     }
-    ImGui::EndGroup();
+    compat::end_group();
     ImGui::PopStyleVar();
     if (!ui.keyboard) return;
     const int digit = taken_digit(*ui.keyboard, selection.children.size());
@@ -137,7 +138,7 @@ void parent_picture(const LessonView& lesson, Ui& ui, ImVec2 size) {
     if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{-1});
     if (shows_other_starts(*lesson.exercise, selection))
         paragraph(ui, ui.strings("selection.dots"), ui.palette.second_text, Face::small, size.x);
-    ImGui::EndGroup();
+    compat::end_group();
 }
 
 // Watch, back, Close.

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/measure_text.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
@@ -117,7 +118,7 @@ void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& u
         paragraph(ui, ui.strings("exercise.lost"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     ImGui::PopStyleVar();
     ImGui::Unindent(left);
-    ImGui::EndGroup();
+    compat::end_group();
     const float height = ImGui::GetItemRectSize().y;
     mark(ui, id, {start.x, start.y, card_width(ui), height});
     const WholeLines whole(start.y, line_height(ui, Face::text));

@@ -202,7 +202,7 @@ void term_card(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
     ImGui::BeginGroup();
     paragraph(ui, ui.strings(term_key(*term, "name")), ui.palette.text, Face::title, width - 2 * pad);
     draw_entry(view, ui, *term, width - 2 * pad);
-    ImGui::EndGroup();
+    compat::end_group();
     ImGui::PopStyleVar();
     mark(ui, "card.term", place);
     end_bar();

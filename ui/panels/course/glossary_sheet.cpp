@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
@@ -44,7 +45,7 @@ void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window
     ImGui::BeginGroup();
     const bool by_key = ui.keyboard && ui.keyboard->shown;
     for (const GlossaryTerm& term : terms()) term_row(ui, state, term, by_key);
-    ImGui::EndGroup();
+    compat::end_group();
     ImGui::SameLine();
     ImGui::SetCursorPosY(std::max(top, ImGui::GetScrollY()));  // in view while the list scrolls
     ImGui::BeginGroup();
@@ -54,7 +55,7 @@ void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window
     paragraph(ui, ui.strings("glossary." + state.shown + ".name"), ui.palette.text, Face::title, width);
     draw_entry(view, ui, shown, width);
     ImGui::PopStyleVar();
-    ImGui::EndGroup();
+    compat::end_group();
     ImGui::PopStyleVar();
     sheet_buttons(ui, sheet);
     const bool closed = close_button(ui, "glossary.close");

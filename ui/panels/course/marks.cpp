@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/item.h"
@@ -87,7 +88,7 @@ void follow_pen(const Paper& paper, Marks& marks, const Ui& ui) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse);
     const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    ImGui::End();
+    compat::end_window();
     if (over && ImGui::IsMouseClicked(0)) marks.pressed = true, marks.lines.emplace_back();
     marks.pressed &= io.MouseDown[0];
     if (marks.pressed) add_point(paper, marks, ui, io.MousePos);
