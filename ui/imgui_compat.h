@@ -167,6 +167,17 @@ inline void use_freetype(ImFontAtlas& atlas) {
 #endif
 }
 
+// For an atlas that belongs to no context, before the first frame of each context that uses it: from 1.92 on Dear ImGui
+// asks for it.
+inline void announce_atlas(ImFontAtlas& atlas) {
+#if IMGUI_VERSION_NUM >= 19200
+    static int frame = 0;  // one that it has not seen
+    ImFontAtlasUpdateNewFrame(&atlas, ++frame, false);
+#else
+    (void)atlas;
+#endif
+}
+
 // A rasterised character: rows of `pitch` bytes; `left` and `top` from the pen on the baseline, y down.
 struct GlyphPicture {
     unsigned character = 0;

@@ -18,6 +18,7 @@
 #include "core/world/world.h"
 #include "tests/languages.h"
 #include "tests/ui/found.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
 #include "ui/widgets/theme.h"
@@ -131,6 +132,7 @@ public:
         unsigned char* pixels = nullptr;
         int w = 0, h = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &w, &h);
+        if (fonts) compat::announce_atlas(*io.Fonts);
         ui::apply_theme(Theme::dark, scale);
         view.now = &now;
         view.settings.selection.vehicle = 0;

@@ -248,7 +248,7 @@ TEST(LabWindow, TakesTheSamePictureTwice) {
         return file.string();
     };
     const std::string a = shoot("a.png"), b = shoot("b.png");
-    EXPECT_EQ(shell(fmt::format("compare -metric AE {} {} null:", a, b)).out, "0") << "pixels that differ";
+    EXPECT_EQ(std::stoi(shell(fmt::format("compare -metric AE {} {} null:", a, b)).out), 0) << "pixels that differ";
     EXPECT_GT(std::stoi(shell(fmt::format("identify -format '%k' {}", a)).out), 200) << "colours in the picture";
 }
 
