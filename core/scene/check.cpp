@@ -139,13 +139,13 @@ std::optional<Fault> triangle_fault(const std::vector<Sensor>& sensors, const st
 // The points of a table, and that other responses have none. `path`: of the owner of the sensors.
 std::optional<Fault> points_fault(const std::vector<Sensor>& sensors, const std::string& path) {
     for (const Sensor& s : sensors) {
-        const std::string of_sensor = path + ".sensor." + s.name;
+        const std::string at = path + ".sensor." + s.name;
         const bool is_table = s.response == SensorResponse::table;
-        if (is_table && s.points.size() < 2) return Fault{of_sensor + ".response", message_of("few_points")};
-        if (!is_table && !s.points.empty()) return Fault{of_sensor + ".point.1", message_of("points_of_table")};
+        if (is_table && s.points.size() < 2) return Fault{at + ".response", message_of("few_points")};
+        if (!is_table && !s.points.empty()) return Fault{at + ".point.1", message_of("points_of_table")};
         for (std::size_t i = 1; i < s.points.size(); ++i)
             if (!(s.points[i].distance > s.points[i - 1].distance))
-                return Fault{fmt::format("{}.point.{}.distance", of_sensor, i + 1),
+                return Fault{fmt::format("{}.point.{}.distance", at, i + 1),
                              message_of("point_order", i + 1, s.points[i].distance, s.points[i - 1].distance)};
     }
     return std::nullopt;

@@ -173,7 +173,7 @@ NoticeType type_of_notice(const Ui& ui, std::string_view words, float room, Rect
 float width_of_notice(const LabView& view, const Ui& ui, float room, Rect bar) {
     if (view.notice.empty()) return 0;
     const std::string words = text_of(view.notice, ui.strings);
-    for (const std::size_t most : {2, 3})  // lines: rather the whole room than a third one
+    for (const std::size_t most : {2u, 3u})  // lines: rather the whole room than a third one
         for (float share = 0.4f; share <= 1; share += 0.1f)
             if (const NoticeType type = type_of_notice(ui, words, share * room, bar);
                 type.lines <= std::min(most, type.most))
