@@ -26,6 +26,7 @@ inline bool begin_child(const char* id, ImVec2 size, ImGuiWindowFlags flags = 0)
 inline void reach_to_cursor() {
 #if IMGUI_VERSION_NUM >= 19200
     ImGuiWindowTempData& places = ImGui::GetCurrentWindow()->DC;
+    if (!places.IsSetPos) return;  // the cursor is below an item and the space after it
     places.CursorMaxPos.x = std::max(places.CursorMaxPos.x, places.CursorPos.x);
     places.CursorMaxPos.y = std::max(places.CursorMaxPos.y, places.CursorPos.y);
     places.IsSetPos = false;
