@@ -140,7 +140,8 @@ void App::keep_work() {
 void App::close() {
     if (is_told_to_end()) {
         keep_work();
-        // Destructors would wait for background jobs, longer than whoever asked.
+        clip_.reset();  // removes its incomplete file
+        // Other destructors would wait for background jobs, longer than whoever asked.
         std::_Exit(exit_code_);
     }
     save_settings(true);
