@@ -84,7 +84,8 @@ std::string lab_record_name(const std::string& exercise, const std::string& stud
 std::string write_hand_in(HandIn hand_in) {
     hand_in.student = utf8_cut(std::move(hand_in.student), limits::student_length);
     hand_in.notes = utf8_cut(std::move(hand_in.notes), limits::notes_length);
-    return write_top(hand_in);
+    // The file needs the table, also of a brain without nodes.
+    return write_top(hand_in) + (hand_in.submission.brain.nodes.empty() ? "\n[submission.brain]\n" : "");
 }
 
 Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name) {

@@ -59,6 +59,8 @@ std::string write_scene(const Scene& scene) {
     return write_top(plain) + (sealed.empty() ? "" : "\n[sealed]\n" + sealed);
 }
 
-std::string write_brain(const BrainGraph& graph) { return write_top(BrainFile{graph}); }
+std::string write_brain(const BrainGraph& graph) {
+    return write_top(BrainFile{graph}) + (graph.nodes.empty() ? "\n[brain]\n" : "");  // the file needs the table
+}
 
 }  // namespace braitenlab

@@ -55,6 +55,12 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 TEST(HandIn, IsReadAsItWasWritten) { expect_round_trip(sample(), "sample"); }
 
 // The submissions of the course: wires, curves, neurons, thresholds, sensors, learning wires.
+TEST(HandIn, HoldsABrainWithoutNodes) {
+    HandIn empty = sample();
+    empty.submission = {};
+    expect_round_trip(empty, "a hand-in without a node");
+}
+
 TEST(HandIn, HoldsEverySubmissionOfTheCourse) {
     int submissions = 0, with_sensors = 0, with_curves = 0, with_neurons = 0;
     for (const auto& entry : fs::directory_iterator(fs::path(BRAITENLAB_SOURCE) / "exercises" / "guided")) {

@@ -581,6 +581,12 @@ TEST(SceneFile, VehiclesAreInTheOrderOfTheirKeyAndElseOfTheFile) {
         expect_in("'order'", complaint("format = 1\n" + std::string(other) + "\norder = 1\n"));
 }
 
+TEST(SceneFile, ABrainWithoutNodesIsReadAgain) {
+    const auto again = parse_brain(write_brain({}), "brain.toml");
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(*again, BrainGraph{});
+}
+
 TEST(SceneFile, MinusZeroGivesTheRunOfZero) {
     const auto hash = [](const std::string& zero) {
         const Scene scene = read("format = 1\n[kind.k]\n[kind.k.sensor.S]\nx = " + zero + "\nangle = " + zero +
