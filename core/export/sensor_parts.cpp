@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/export/text.h"
+#include "core/io/csv.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
@@ -128,7 +129,8 @@ SensorPart at_3_volts(SensorPart part) {
             part.part = "infrared distance sensor GP2Y0A60SZ, module for 3 V (10 cm to 150 cm)";
             break;
         case Channel::smell:
-            part.supply = "5 V of its own", part.in_series = "10 kΩ", part.to_ground = "15 kΩ";
+            part.supply = "5 V of its own", part.has_own_supply = true;
+            part.in_series = "10 kΩ", part.to_ground = "15 kΩ";
             part.note =
                 "its heater takes 150 mA at 5 V, which the micro:bit does not give, and 5 minutes; the two resistors "
                 "keep the pin at 3 V";
@@ -144,9 +146,9 @@ SensorPart at_3_volts(SensorPart part) {
 }
 
 std::string csv_cell(std::string_view text) {
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
+    std::string cell;
+    io::add_quoted(cell, text);
+    return cell;
 }
 
 }  // namespace
@@ -191,8 +193,7 @@ std::string sensor_rows(const Plan& plan, Board board, std::string_view row_end)
             add("resistor " + std::string(part.to_ground), "from the input to ground, of", input);
         if (!part.capacitor.empty())
             add("capacitor " + std::string(part.capacitor), "between supply and ground of", input);
-        if (part.joining == Joining::module && part.supply.find("own") != std::string_view::npos)
-            add("supply of 5 V, 200 mA", "grounds connected, for", input);
+        if (part.has_own_supply) add("supply of 5 V, 200 mA", "grounds connected, for", input);
     }
     std::string text;
     for (const Row& row : rows) {

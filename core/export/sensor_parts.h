@@ -30,6 +30,7 @@ struct SensorPart {
     std::string_view supply_terminal{}, input_terminal{};  // of a divider whose part has two different terminals
     std::string_view capacitor{};                          // from the part's supply to ground; empty: none
     double milliamperes = 0;                               // at most, from its supply
+    bool has_own_supply = false;                           // of 5 V, which the board does not give
     std::string_view zero, one;                            // what is shown for the readings 0 and 1
     std::string_view note{};                               // of its place and its use; empty: none
     std::string_view uncalibrated{};                       // what it reads as its voltage by 5 V

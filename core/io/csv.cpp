@@ -11,8 +11,6 @@
 
 namespace braitenlab::io {
 
-namespace {
-
 void add_quoted(std::string& line, std::string_view text) {
     line += '"';
     for (const char c : text) {
@@ -21,6 +19,8 @@ void add_quoted(std::string& line, std::string_view text) {
     }
     line += '"';
 }
+
+namespace {
 
 // A sign, digits and at most one point and one exponent: -0.25, +1e-3.
 bool is_plain_number(std::string_view text) {

@@ -20,6 +20,9 @@ using CsvValue = std::variant<double, std::int64_t, std::string_view>;
 // Appends the text of a cell, without a separator.
 void add_csv_cell(std::string& line, const CsvValue&);
 
+// Appends the text in quotes, as it is.
+void add_quoted(std::string& line, std::string_view text);
+
 // The text so that no spreadsheet takes it as a formula: an apostrophe precedes a text that begins with one of = + - @,
 // also in full width or after blanks, or with a control character. A number is returned as it is, and so is a text that
 // this function has returned. See OWASP, "CSV Injection".
