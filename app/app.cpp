@@ -141,7 +141,7 @@ void App::close() {
     if (is_told_to_end()) {
         keep_work();
         clip_.reset();  // removes its incomplete file
-        // Other destructors would wait for background jobs, longer than whoever asked.
+        // The other destructors wait for background jobs, which can take seconds.
         std::_Exit(exit_code_);
     }
     save_settings(true);

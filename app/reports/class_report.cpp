@@ -286,9 +286,8 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
     for (std::size_t step = 1; step <= exercise.steps.size(); ++step) out += fmt::format(",step_{}", step);
     for (int start = 1; start <= exercise.starts; ++start) out += fmt::format(",start_{}", start);
     out +=
-        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,name_in_"
-        "file,"
-        "same_as,feedback,error\n";
+        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,"
+        "name_in_file,same_as,feedback,error\n";
     for (const ClassRow& row : report.rows) {
         CsvLine line(out);
         const auto& grade = row.grade;
