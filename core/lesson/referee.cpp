@@ -138,27 +138,29 @@ bool is_given_brain(const BrainGraph& brain, const BrainGraph& given) {
     return brain == given || same_wiring(brain, given);
 }
 
-// True if a kind and all its vehicles have the brain, the sensors and the body of the exercise's file.
-bool has_given_parts(const Snapshot& now, std::size_t kind, const Kind& given) {
-    if (kind >= std::min(now.kind_brains.size(), now.scene->kinds.size())) return false;  // the kind was removed
-    if (now.scene->kinds[kind].body != given.body || now.scene->kinds[kind].sensors != given.sensors) return false;
-    if (!is_given_brain(*now.kind_brains[kind], given.brain)) return false;
-    return std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
-        if (static_cast<std::size_t>(v.kind) != kind) return true;
-        const auto row = static_cast<std::size_t>(v.brain);
-        const bool is_of_kind = row >= now.brains.size() || now.brains[row] == now.kind_brains[kind];
-        return (is_of_kind || is_given_brain(*now.brains[row], given.brain)) &&
-               kind_of(now, v).sensors == given.sensors;
-    });
-}
-
-bool has_every_given_part(const Snapshot& now, const Scene& given) {
-    for (std::size_t k = 0; k < given.kinds.size(); ++k)
-        if (!has_given_parts(now, k, given.kinds[k])) return false;
-    return true;
+// True if the vehicle has the brain and the sensors of its kind or, edited since, equal ones.
+bool has_given_parts(const Snapshot& now, const VehicleView& vehicle, const Kind& given) {
+    const auto row = static_cast<std::size_t>(vehicle.brain), kind = static_cast<std::size_t>(vehicle.kind);
+    const bool is_of_kind = row >= now.brains.size() || now.brains[row] == now.kind_brains[kind];
+    return (is_of_kind || is_given_brain(*now.brains[row], given.brain)) &&
+           (vehicle.design < 0 || kind_of(now, vehicle).sensors == given.sensors);
 }
 
 }  // namespace
+
+Referee::Comparison::Comparison(const Exercise& exercise, const Snapshot& now)
+    : scene(now.scene), brains(now.kind_brains) {
+    const Scene& given = exercise.scene;
+    subject = subject_kind(given);
+    is_given = is_as_given(exercise, *scene);
+    has_every_part = brains.size() >= given.kinds.size() && scene->kinds.size() >= given.kinds.size();
+    for (std::size_t k = 0; k < std::min(given.kinds.size(), brains.size()); ++k) {
+        const bool has_brain = is_given_brain(*brains[k], given.kinds[k].brain);
+        if (static_cast<int>(k) != subject) is_given = is_given && has_brain;
+        has_every_part = has_every_part && has_brain && scene->kinds[k].body == given.kinds[k].body &&
+                         scene->kinds[k].sensors == given.kinds[k].sensors;
+    }
+}
 
 Referee::Referee(const Exercise& exercise) : exercise_(std::make_shared<const Exercise>(exercise)) {
     for (const Step& step : exercise.steps) state_.steps.push_back({initial_state(step.check)});
@@ -190,9 +192,9 @@ void Referee::watch(const Snapshot& now) {
     if (now.tick > 0 && (!is_given || state_.by_hand)) state_.disturbed = true;  // before, it can be put right
     state_.by_hand = state_.disturbed || !is_given;
     if (state_.by_hand) return;
-    std::vector<bool> done(state_.steps.size());  // of its size at once: this runs at every tick
-    for (std::size_t i = 0; i < done.size(); ++i) done[i] = state_.steps[i].done;
-    const CheckedTick tick{now, subjects, reference_at(now), done};
+    done_.resize(state_.steps.size());
+    for (std::size_t i = 0; i < done_.size(); ++i) done_[i] = state_.steps[i].done;
+    const CheckedTick tick{now, subjects, reference_at(now), done_};
     const bool is_over = now.seconds > static_cast<double>(exercise_->seconds);
     for (std::size_t i = 0; i < state_.steps.size(); ++i) {
         RefereeState::Judged& step = state_.steps[i];
@@ -215,32 +217,38 @@ void Referee::watch(const Snapshot& after, const Command& command) {
     note_changes(after);
 }
 
+const Referee::Comparison& Referee::compared(const Snapshot& now) {
+    if (comparison_.scene != now.scene || comparison_.brains != now.kind_brains) comparison_ = {*exercise_, now};
+    return comparison_;
+}
+
 void Referee::note_changes(const Snapshot& now) {
-    if (!state_.was_changed) state_.changed = !has_every_given_part(now, exercise_->scene);
+    if (state_.was_changed) return;
+    const std::vector<Kind>& given = exercise_->scene.kinds;
+    const auto has_given_values = [&](const VehicleView& vehicle) {
+        const auto kind = static_cast<std::size_t>(vehicle.kind);
+        return kind >= given.size() || has_given_parts(now, vehicle, given[kind]);
+    };
+    state_.changed =
+        !compared(now).has_every_part || !std::all_of(now.vehicles.begin(), now.vehicles.end(), has_given_values);
 }
 
 // The scene, the brains and sensors of other kinds, and who drives. After the first tick, commands for single vehicles
 // are detected by is_help().
 bool Referee::is_undisturbed(const Snapshot& now) {
     const Scene& given = exercise_->scene;
-    if (compared_ != now.scene) {
-        compared_ = now.scene;
-        as_given_ = is_as_given(*exercise_, *now.scene);
-    }
-    if (!as_given_) return false;
-    const int subject = subject_kind(given);
-    for (std::size_t k = 0; k < std::min(given.kinds.size(), now.kind_brains.size()); ++k)
-        if (static_cast<int>(k) != subject && !is_given_brain(*now.kind_brains[k], given.kinds[k].brain)) return false;
+    const Comparison& comparison = compared(now);
+    if (!comparison.is_given) return false;
     for (const VehicleView& vehicle : now.vehicles)
-        if (subject >= 0 && vehicle.kind != subject && !has_given_sensors(given, now, vehicle)) return false;
+        if (comparison.subject >= 0 && vehicle.kind != comparison.subject && !has_given_sensors(given, now, vehicle))
+            return false;
     for (std::size_t i = 0; i < std::min(given.starts.size(), state_.subjects.size()); ++i) {
         const VehicleView* vehicle = find_vehicle(now, state_.subjects[i]);
-        const int kind = find_kind(given, given.starts[i].kind);
-        if (!vehicle || kind < 0) continue;
-        const Driver kind_driver = given.kinds[static_cast<std::size_t>(kind)].driver;
-        if (vehicle->driver != given.starts[i].driver.value_or(kind_driver)) return false;
+        if (!vehicle || static_cast<std::size_t>(vehicle->kind) >= given.kinds.size()) continue;
+        const Driver of_kind = given.kinds[static_cast<std::size_t>(vehicle->kind)].driver;
+        if (vehicle->driver != given.starts[i].driver.value_or(of_kind)) return false;
     }
-    return now.tick > 0 || (now.generation == 1 && vehicles_are_as_given(given, now, subject));
+    return now.tick > 0 || (now.generation == 1 && vehicles_are_as_given(given, now, comparison.subject));
 }
 
 std::vector<Verdict> Referee::verdicts() const {

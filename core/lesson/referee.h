@@ -69,7 +69,20 @@ public:
     void restore(RefereeState state) { state_ = std::move(state); }
 
 private:
+    // What of the run's scene is as in the exercise. It is compared again once the scene or a brain is another one.
+    struct Comparison {
+        Comparison() = default;
+        Comparison(const Exercise&, const Snapshot&);
+
+        std::shared_ptr<const Scene> scene{};
+        std::vector<std::shared_ptr<const BrainGraph>> brains{};  // Snapshot::kind_brains
+        int subject = -1;                                         // see subject_kind()
+        bool is_given = false;        // see is_as_given(); other kinds than the subject have their brains
+        bool has_every_part = false;  // each kind has its brain, sensors and body
+    };
+
     void begin(const Snapshot&);
+    const Comparison& compared(const Snapshot&);
     bool is_undisturbed(const Snapshot&);
     void note_changes(const Snapshot&);
 
@@ -78,8 +91,8 @@ private:
     std::shared_ptr<const Exercise> exercise_;
     std::shared_ptr<Reference> reference_;  // null until a step needs it
     RefereeState state_;
-    std::shared_ptr<const Scene> compared_;  // with the exercise's scene, last
-    bool as_given_ = true;                   // the result
+    Comparison comparison_;
+    std::vector<bool> done_;  // of the steps; kept between ticks for its memory
 };
 
 // The state as JSON, and back. nullopt when the text is no state of a referee of this exercise.
