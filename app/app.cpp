@@ -113,10 +113,10 @@ bool App::turn() {
         if (const auto error = write_clip(options_)) exit_code_ = complain(*error);
         return false;
     }
-    if (lab_.window.screenshot) take_screenshot();
+    if (lab_.window.screenshot && frame_.is_drawn) take_screenshot();
     follow_take_away();
     facts_.frame_ms = seconds_since(turn_began) * 1000;
-    if (!repeatable() && !frame_.held_back) window_.show();
+    if (!repeatable() && frame_.is_drawn) window_.show();
     if (!frame_.held_back) write_reports();  // they describe what is shown
     follow_notes_page(lab_, words_.strings, words_.language, folders_.state);
     save_settings(false);

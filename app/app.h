@@ -115,15 +115,19 @@ private:
     void follow_shaders();
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
-    void draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout&);  // by kind
+    // Returns false if the last picture stays. `hidden_brains`: by kind.
+    bool draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout&);
+    // True if the last picture has the same widgets and is still in the window. Call once per frame.
+    bool may_stay();
     // The lab whose scene is shown: behind the title page another one.
     const Lab& shown_lab() const { return title_ ? *title_ : lab_; }
     // Makes one picture of the file browser while it is open.
     void make_pictures();
     // Leaves the title page.
     void begin();
-    // Draws with the level of quality that was asked for, or the measured one; measures some frames.
-    void draw_measured(Picture);
+    // Draws with the level of quality that was asked for, or the measured one; measures some frames. Returns false if
+    // the last picture stays.
+    bool draw_measured(Picture);
     Quality quality() const;
     float resolution() const;
     // What the scene shows, without a camera view.
@@ -171,9 +175,11 @@ private:
         Outbox outbox;
         Snapshot shown;  // interpolated between the last two ticks
         bool got_input = false;
-        bool held_back = false;       // it was not shown, because a card or a sheet had the wrong height
-        bool makes_pictures = false;  // of the gallery
-        float magnified = 1;          // factor on the scale, while the window is drawn at another size
+        bool held_back = false;                  // it was not shown, because a card or a sheet had the wrong height
+        bool is_drawn = false;                   // it was neither held back nor equal to the last picture
+        std::optional<std::uint64_t> widgets{};  // hash of those in the last picture; nullopt: not compared
+        bool makes_pictures = false;             // of the gallery
+        float magnified = 1;                     // factor on the scale, while the window is drawn at another size
         bool reported_label_font = false;
     };
 

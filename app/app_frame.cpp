@@ -19,6 +19,7 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/prompts.h"
+#include "ui/widgets/drawn.h"
 #include "ui/window_keys.h"
 
 namespace braitenlab {
@@ -192,13 +193,16 @@ void App::frame(float passed) {
     window_.bind();
     // The heights of cards and sheets are those of the frame before. Where they do not fit, the last frame stays.
     frame_.held_back = panels_.is_unsettled && !frame_.held_back && !options_.only_draws() && !lab_.window.screenshot;
+    frame_.held_back ? ImGui::EndFrame() : ImGui::Render();
+    frame_.is_drawn = !frame_.held_back;
     if (frame_.held_back || !draws_scene())
         renderer_.remember(shown_snapshot(shown_lab()));
     else
-        draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view), layout);
+        frame_.is_drawn = draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view), layout);
     const ImGuiIO& io = ImGui::GetIO();
     frame_.got_input = has_input(keys, io) || held;
     ++facts_.frames;
+    facts_.pictures += frame_.is_drawn;
     facts_.pointer = ImGui::IsMousePosValid() ? maths::vec2{io.MousePos.x, io.MousePos.y} : maths::vec2{-1, -1};
     facts_.pressed = io.MouseDown[0] ? 1 : io.MouseDown[2] ? 2 : io.MouseDown[1] ? 3 : 0;
     facts_.focus = panels_.keyboard.focus;
@@ -207,7 +211,7 @@ void App::frame(float passed) {
     facts_.probes.assign(panels_.canvas.probes.begin(), panels_.canvas.probes.end());
     facts_.strips = panels_.charts.strips;
     window_.bind();
-    frame_.held_back ? ImGui::EndFrame() : window_.end_frame();
+    if (frame_.is_drawn) window_.draw_widgets();
     note_press(lab_.predictions, lab_, io.MouseDown[0], gesture_by_keys(panels_, lab_.wall_seconds));
     lab_.predictions.what_if = panels_.brain.what_if;
     lab_.map.hovered = panels_.map.hovered;
@@ -290,9 +294,17 @@ std::vector<Rect> App::covered_parts(const ui::WindowLayout& layout) const {
     return parts;
 }
 
-void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& layout) {
+bool App::may_stay() {
+    const bool is_lost = window_.take_loss_of_picture(), is_redirected = window_.is_redirected();
+    const auto widgets = moves() || is_redirected ? std::nullopt : ui::hash_of_drawn(*ImGui::GetDrawData());
+    const auto before = std::exchange(frame_.widgets, widgets);
+    return widgets && widgets == before && !is_lost && !options_.only_draws() && !lab_.window.screenshot;
+}
+
+bool App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& layout) {
     const Lab& lab = shown_lab();
     Picture picture = scene_picture(std::move(hidden_brains));
+    picture.may_stay = may_stay();
     picture.camera_view = viewport_.camera_view;
     picture.camera_view.window = window_.area();
     if (!title_) {
@@ -305,12 +317,13 @@ void App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     frame_.shown = shown_snapshot(lab);
     if (!repeatable()) render::stand_between(frame_.shown, lab.playback.previous, between_ticks(lab));
-    draw_measured(std::move(picture));
+    const bool is_drawn = draw_measured(std::move(picture));
     facts_.draw_calls = renderer_.draw_calls();
     facts_.camera_view = viewport_.camera_view;
     facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
     facts_.graphics_watched = window_.watches_graphics();
     facts_.graphics_errors = window_.graphics_errors();
+    return is_drawn;
 }
 
 Quality App::quality() const { return lab_.preferences.quality.value_or(quality_.choice.level()); }
@@ -319,15 +332,16 @@ float App::resolution() const {
     return lab_.preferences.quality || window_.is_redirected() ? 1 : quality_.choice.resolution();
 }
 
-void App::draw_measured(Picture picture) {
+bool App::draw_measured(Picture picture) {
     if (quality_.of != shown_lab().document.name) quality_.choice.start_over(), quality_.of = shown_lab().document.name;
     const bool due = !lab_.preferences.quality && quality_.choice.measures(facts_.frames, renderer_.reused());
     picture.copied_at_rest = !repeatable() && !due;
     if (due) renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();
-    renderer_.draw(frame_.shown, picture);
+    const bool is_drawn = renderer_.draw(frame_.shown, picture);
     if (due) renderer_.finish(), quality_.choice.add(seconds_since(began));
     facts_.quality = picture.quality, facts_.resolution = renderer_.resolution();
+    return is_drawn;
 }
 
 }  // namespace braitenlab

@@ -382,7 +382,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["graphics_watched"] = frame.graphics_watched;
     state["graphics_errors"] = frame.graphics_errors;
     state["frame_ms"] = frame.frame_ms;
-    state["frames"] = frame.frames;
+    state["frames"] = frame.frames, state["pictures"] = frame.pictures;
     state["pointer"] = {static_cast<int>(frame.pointer.x), static_cast<int>(frame.pointer.y)};
     state["pressed"] = frame.pressed;
     state["exercise"] = exercise_json(lab);

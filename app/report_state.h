@@ -32,7 +32,8 @@ struct FrameFacts {
     CameraView camera_view;   // camera view of the frame
     bool hand = false;        // the mouse cursor is a hand: a drag would move an object
     double frame_ms = 0;      // duration of a frame, without waiting for the display
-    int frames = 0;           // drawn so far
+    int frames = 0;           // so far
+    int pictures = 0;         // drawn so far: a frame that is equal to the last picture is not
     maths::vec2 pointer;      // as the frame saw it, window pixels; (-1, -1): outside
     int pressed = 0;          // mouse button held: 1 left, 2 middle, 3 right; 0: none
 };
@@ -40,12 +41,12 @@ struct FrameFacts {
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
 // generation, camera, language, focus, menu, typed, probes [names], strips [names], overlays {…}, draw_calls,
-// quality, resolution, text {smallest_px, clipped}, graphics_watched, graphics_errors, frame_ms, frames, pointer [x,
-// y], pressed, exercise, student {name, students, passed, exercises}, breeding {generation, running, cell [predator,
-// prey], panel {predator, prey}}, thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles,
-// sources, obstacles}. The last three are lists of at most 64; `at` is the position in the window in pixels, or null
-// behind the camera. `probes` (of the diagram) and `strips` (on the chart's tab "Chosen") may have names that the
-// selected vehicle lacks.
+// quality, resolution, text {smallest_px, clipped}, graphics_watched, graphics_errors, frame_ms, frames, pictures,
+// pointer [x, y], pressed, exercise, student {name, students, passed, exercises}, breeding {generation, running, cell
+// [predator, prey], panel {predator, prey}}, thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners,
+// vehicles, sources, obstacles}. The last three are lists of at most 64; `at` is the position in the window in pixels,
+// or null behind the camera. `probes` (of the diagram) and `strips` (on the chart's tab "Chosen") may have names that
+// the selected vehicle lacks.
 std::string state_json(const Lab&, const ui::SceneInputState&, const FrameFacts&);
 
 // A file that is replaced as a whole when its text changes, so that a reader always gets a complete file. The first

@@ -98,7 +98,8 @@ struct Window::Native {
     std::optional<Canvas> canvas;  // drawn into in place of the window
     bool imgui = false;
     bool watches_graphics = false;
-    bool num_lock = false;  // at the last key
+    bool num_lock = false;      // at the last key
+    bool picture_lost = false;  // see take_loss_of_picture()
     int graphics_errors = 0;
 
     Native() = default;
@@ -147,6 +148,7 @@ struct Window::Native {
             // A drag that ended outside: the pointer has left the window during it.
             if (!queue.any_down() && !glfwGetWindowAttrib(w, GLFW_HOVERED)) queue.leave();
         });
+        glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).picture_lost = true; });
         // The window moves under a pointer at rest: the pointer's position in it changes without an event.
         glfwSetWindowPosCallback(window, [](GLFWwindow* w, int, int) {
             double x = 0, y = 0;
@@ -404,10 +406,9 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ui::hand_over_double_click(mouse, io);
 }
 
-void Window::end_frame() {
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
+void Window::draw_widgets() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+
+bool Window::take_loss_of_picture() { return std::exchange(native_->picture_lost, false); }
 
 void Window::show() { glfwSwapBuffers(native_->window); }
 

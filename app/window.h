@@ -78,9 +78,11 @@ public:
 
     // Begins Dear ImGui's frame with these keys. Precondition: the font atlas is filled.
     void begin_frame(const ui::KeysOfAFrame&);
-    void end_frame();     // draws Dear ImGui's lists over the scene
+    void draw_widgets();  // draws Dear ImGui's lists over the scene
     void show();          // swaps the buffers
     void upload_fonts();  // call after the font atlas has been filled again
+    // True if the system has lost the picture since the last call, for example because the window was covered.
+    bool take_loss_of_picture();
 
     void toggle_full_screen();
 

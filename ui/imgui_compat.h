@@ -80,6 +80,16 @@ inline bool has_glyph(ImFont* font, ImWchar glyph) {
 #endif
 }
 
+// From 1.92 on characters are added to the atlas when they are drawn first.
+inline bool changes_textures([[maybe_unused]] const ImDrawData& drawn) {
+#if IMGUI_VERSION_NUM >= 19200
+    if (drawn.Textures)
+        for (const ImTextureData* texture : *drawn.Textures)
+            if (texture->Status != ImTextureStatus_OK) return true;
+#endif
+    return false;
+}
+
 // The texture of a number of the graphics library.
 inline ImTextureID texture(std::uint64_t id) {
 #if IMGUI_VERSION_NUM >= 19140

@@ -381,10 +381,9 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ui::hand_over_double_click(mouse, io);
 }
 
-void Window::end_frame() {
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
+void Window::draw_widgets() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+
+bool Window::take_loss_of_picture() { return false; }  // the browser keeps it
 
 void Window::show() {}  // the browser shows the canvas after the turn
 

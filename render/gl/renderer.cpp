@@ -65,6 +65,12 @@ void set_viewport(const Rect& window) {
                static_cast<GLsizei>(window.h));
 }
 
+template <class Instance>
+std::uint64_t hash_of(const std::vector<Instance>& instances) {
+    return std::hash<std::string_view>()(
+        {reinterpret_cast<const char*>(instances.data()), instances.size() * sizeof(Instance)});
+}
+
 struct ContourInstance {
     maths::vec4 place;   // half the arena's size; samples along x and y
     maths::vec4 colour;  // w: side of the texture, samples
@@ -145,9 +151,10 @@ struct Renderer::Parts {
     std::vector<FloorInstance> floor_size{1};
     bool walled = true;  // has_walls()
     int calls = 0;
-    double seconds = -1;   // of the last snapshot
-    float resolution = 1;  // of the last picture
-    bool reused = false;   // the last picture was one of `whole`
+    double seconds = -1;         // of the last snapshot
+    float resolution = 1;        // of the last picture
+    bool reused = false;         // the last picture was one of `whole`
+    std::uint64_t lettered = 0;  // hash of the last picture's labels
 
     Parts() {
         glGenBuffers(1, &frame_buffer);
@@ -171,9 +178,7 @@ struct Renderer::Parts {
         std::uint64_t hash = 0;
         const auto upload = [&](Instances& to, const auto& instances) {
             to.upload(instances);
-            if (!hashed) return;
-            const std::size_t bytes = instances.size() * sizeof(instances[0]);
-            hash = 31 * hash + std::hash<std::string_view>()({reinterpret_cast<const char*>(instances.data()), bytes});
+            if (hashed) hash = 31 * hash + hash_of(instances);
         };
         // Beyond this distance the ground has faded into the sky.
         const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
@@ -338,6 +343,26 @@ struct Renderer::Parts {
         draw(with.enlarge, floors);
     }
 
+    // The state in which everything is drawn.
+    void begin_picture(const Picture& picture) {
+        const Rect& window = picture.camera_view.window;
+        set_viewport(window);
+        glDisable(GL_SCISSOR_TEST);
+        glDepthMask(GL_TRUE);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        const Colour sky = palette(picture.theme).sky;
+        glClearColor(sky.r, sky.g, sky.b, 1);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LEQUAL);
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+        glFrontFace(GL_CCW);
+        glDisable(GL_BLEND);
+        glBlendEquation(GL_FUNC_ADD);
+        // Premultiplied colours: alpha 0 adds light, alpha 1 covers.
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    }
+
     void draw_letters() {
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
@@ -374,7 +399,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::remember(const Snapshot& now) { parts_->trails.record(now); }
 
-void Renderer::draw(const Snapshot& now, const Picture& picture) {
+bool Renderer::draw(const Snapshot& now, const Picture& picture) {
     Parts& p = *parts_;
     p.calls = 0;
     remember(now);
@@ -382,23 +407,6 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.walled = !now.scene || has_walls(now.scene->arena.edge);
     p.prepare_contours(now, picture);
     p.prepare_letters(picture);
-
-    const Rect& window = picture.camera_view.window;
-    set_viewport(window);
-    glDisable(GL_SCISSOR_TEST);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const Colour sky = palette(picture.theme).sky;
-    glClearColor(sky.r, sky.g, sky.b, 1);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-    glFrontFace(GL_CCW);
-    glDisable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    // Premultiplied colours: alpha 0 adds light, alpha 1 covers.
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
     const FrameBlock frame = frame_block(now, picture, p.list);
     // Graphics hardware, whose windows have several samples, needs no copy.
@@ -409,6 +417,9 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     const auto content = may_rest ? p.whole.look(frame, instances) : StoredPicture::Content::moves;
     p.resolution = content == StoredPicture::Content::moves ? picture.resolution : 1;
     p.reused = content == StoredPicture::Content::kept;
+    const std::uint64_t labels = hash_of(p.type), labels_before = std::exchange(p.lettered, labels);
+    if (p.reused && picture.may_stay && labels == labels_before) return false;
+    p.begin_picture(picture);
     if (p.reused) {
         glClear(GL_DEPTH_BUFFER_BIT);  // as copy() demands
         p.whole.copy();
@@ -424,6 +435,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glUseProgram(0);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
+    return true;
 }
 
 void Renderer::draw_still(const Snapshot& now, const Picture& picture) {

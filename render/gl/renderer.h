@@ -40,8 +40,8 @@ public:
     void remember(const Snapshot&);
 
     // Clears the framebuffer and draws the snapshot. The number of draw calls does not depend on the number of
-    // vehicles.
-    void draw(const Snapshot&, const Picture&);
+    // vehicles. Returns false without drawing if the last picture stays; see Picture::may_stay.
+    bool draw(const Snapshot&, const Picture&);
 
     // As draw(), without paths; the paths recorded so far stay.
     void draw_still(const Snapshot&, const Picture&);

@@ -26,6 +26,9 @@ struct Picture {
     // While nothing moves, the scene is drawn once with all pixels and then copied, where a window has one sample per
     // pixel, as those of software renderers have.
     bool copied_at_rest = false;
+    // The window shows the last picture, and everything over the scene is as in it: if the scene rests, too, nothing is
+    // drawn.
+    bool may_stay = false;
     ViewSettings settings;  // its camera is not used: `camera_view` has been made from it
     VehicleId hovered = no_vehicle;
     VehicleId driver = no_vehicle;    // the vehicle that carries the camera: its sensor fields are always drawn

@@ -178,6 +178,11 @@ public:
         return {static_cast<int>(r[0] + r[2] / 2), static_cast<int>(r[1] + r[3] / 2)};
     }
 
+    // After it the system has lost the picture in the window.
+    void hide_and_show() const {
+        xdotool(fmt::format("windowunmap --sync {0} windowmap --sync {0} windowfocus --sync {0}", window_));
+    }
+
     void key(const std::string& name) const { xdotool("key --delay 30 " + name); }
     // Doubles or halves the speed of the simulated time by keys until it has this value.
     void set_speed(double wanted) const {

@@ -28,6 +28,30 @@ TEST(ViewWindow, CyclesFieldsByKeyAndSwitchesOverlaysInTheMenu) {
     EXPECT_EQ(lab.state()["graphics_errors"], 0);
 }
 
+TEST(ViewWindow, KeepsItsPictureWhileNothingChanges) {
+    LabWindow lab({"2b-aggressor", "--size", "800x600"});
+    lab.move({5, 300});
+    lab.key("space");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"] > 0; }));
+    lab.key("space");  // from now on no hint asks to play, and nothing pulses
+    const auto number = [&](const char* what) { return lab.state()[what].get<int>(); };
+    const auto rests = [&] {
+        const int pictures = number("pictures"), frames = number("frames");
+        return wait_for([&] { return number("frames") >= frames + 5; }) && number("pictures") == pictures;
+    };
+    EXPECT_TRUE(wait_for(rests));
+    const auto on_screen = [] { return shell("import -window root rgb:- | md5sum").out; };
+    const std::string before = on_screen();
+    lab.hide_and_show();
+    EXPECT_TRUE(wait_for([&] { return on_screen() == before; })) << "a window that was covered is empty";
+    EXPECT_TRUE(wait_for(rests));
+    lab.key("i");
+    EXPECT_TRUE(wait_for([&] { return on_screen() != before; })) << "the field is not shown";
+    EXPECT_TRUE(wait_for(rests));
+    lab.key("i");
+    EXPECT_TRUE(wait_for([&] { return on_screen() == before; }));
+}
+
 TEST(MenuWindow, OpensByF10AndByAltAloneAndIsUsedByKeys) {
     LabWindow lab({"2a-coward", "--size", "1024x768"});
     const auto open = [&](const char* menu) { return wait_for([&] { return lab.state()["menu"] == menu; }); };
