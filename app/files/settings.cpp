@@ -24,116 +24,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A file being read, and the first value of the wrong type in it. `what`: the message of the type.
-struct SettingsReader {
-    TomlFile file;
-    std::optional<Error> error{};
-
-    void read(const char* key, std::string& value, MessageId<0> what) {
-        take(key, value, what, [](const TomlNode& node) { return optional_of(node.as_text()); });
-    }
-    void read(const char* key, bool& value, MessageId<0> what) {
-        take(key, value, what, [](const TomlNode& node) { return optional_of(node.as_flag()); });
-    }
-    void read(const char* key, int& value, MessageId<0> what) {
-        take(key, value, what, [](const TomlNode& node) {
-            const std::int64_t* whole = node.as_whole();
-            return optional_of(whole && std::in_range<int>(*whole) ? whole : nullptr);
-        });
-    }
-    void read(const char* key, float& value, MessageId<0> what) {
-        take(key, value, what, [](const TomlNode& node) { return node.as_number(); });
-    }
-    // The texts of a list; other elements are left out. nullopt without a list.
-    std::optional<std::vector<std::string>> texts(const char* key) const {
-        const TomlNode* node = file.root.get(key);
-        const TomlNode::List* list = node ? node->as_list() : nullptr;
-        if (!list) return std::nullopt;
-        std::vector<std::string> found;
-        for (const TomlNode& element : *list)
-            if (const std::string* text = element.as_text()) found.push_back(*text);
-        return found;
-    }
-
-private:
-    template <class T>
-    static std::optional<T> optional_of(const T* value) {
-        return value ? std::optional<T>(*value) : std::nullopt;
-    }
-    template <class T, class Convert>
-    void take(const char* key, T& value, MessageId<0> what, const Convert& convert) {
-        const TomlNode* node = file.root.get(key);
-        if (!node) return;
-        if (const auto found = convert(*node))
-            value = static_cast<T>(*found);
-        else if (!error)
-            error = error_of(message_of("type_wanted", key) + message_of(what), file.name,
-                             static_cast<int>(node->place.line));
-    }
-};
-
-Result<SettingsReader> read_settings_table(std::string_view text, std::string file_name) {
-    auto file = parse_toml(text, std::move(file_name));
-    if (!file) return file.error();
-    return SettingsReader{std::move(*file)};
+template <class T>
+std::optional<T> optional_of(const T* value) {
+    return value ? std::optional<T>(*value) : std::nullopt;
 }
 
-// The lines of a file, one a key.
-struct SettingsText {
-    std::string lines;
-
-    explicit SettingsText(const char* about) : lines(fmt::format("# {}\nformat = 1\n", about)) {}
-
-    void add(const char* key, bool value) { line(key, value ? "true" : "false"); }
-    void add(const char* key, int value) { line(key, fmt::format("{}", value)); }
-    void add(const char* key, float value) { line(key, toml_text::number(value)); }
-    void add(const char* key, std::string_view value) { line(key, text_value(value)); }
-    void add(const char* key, const std::vector<std::string>& values) {
-        std::string list;
-        for (const std::string& value : values) list += (list.empty() ? "" : ", ") + text_value(value);
-        line(key, "[" + list + "]");
-    }
-    void line(const char* key, const std::string& value) { lines += fmt::format("{} = {}\n", key, value); }
-
-    // A file that is no UTF-8 could not be read again: a name that is none is left out.
-    static std::string text_value(std::string_view value) { return toml_text::quote(is_utf8(value) ? value : ""); }
-};
-
-}  // namespace
-
-Result<Preferences> parse_preferences(std::string_view toml, std::string file_name, const Preferences& otherwise) {
-    auto reader = read_settings_table(toml, std::move(file_name));
-    if (!reader) return reader.error();
-    Preferences p = otherwise;
-    std::string theme(word(p.theme));
-    reader->read("theme", theme, "text_in_quotes");
-    reader->read("language", p.language, "text_in_quotes");
-    reader->read("type_size", p.type_size, "a_number");
-    reader->read("reduce_motion", p.reduce_motion, "true_or_false");
-    std::string quality;
-    reader->read("quality", quality, "text_in_quotes");
-    reader->read("link_base", p.link_base, "text_in_quotes");
-    if (reader->error) return *reader->error;
-    p.theme = theme == word(Theme::light) ? Theme::light : Theme::dark;
-    for (std::size_t i = 0; i < quality_words.size(); ++i)
-        if (quality == quality_words[i]) p.quality = static_cast<Quality>(i);
-    if (quality == "auto") p.quality.reset();
-    p.type_size = p.type_size > least_type_size ? std::min(p.type_size, largest_type_size) : least_type_size;
-    return p;
+std::optional<int> whole_of(const TomlNode& node) {
+    const std::int64_t* whole = node.as_whole();
+    return whole && std::in_range<int>(*whole) ? std::optional(static_cast<int>(*whole)) : std::nullopt;
 }
-
-std::string write_preferences(const Preferences& p) {
-    SettingsText text("Preferences of Braitenlab.");
-    text.add("theme", word(p.theme));
-    text.add("language", p.language);
-    text.add("type_size", p.type_size);
-    text.add("reduce_motion", p.reduce_motion);
-    text.add("quality", p.quality ? word(*p.quality) : "auto");
-    if (!p.link_base.empty()) text.add("link_base", p.link_base);
-    return text.lines;
-}
-
-namespace {
 
 std::optional<RecentFile> recent_file(const TomlNode& node) {
     const auto text = [&](const char* key) {
@@ -145,107 +44,207 @@ std::optional<RecentFile> recent_file(const TomlNode& node) {
     return RecentFile{*path, title ? *title : std::string()};
 }
 
-// Reads or writes the values of a stored view that are true or false: visit(key, value).
-template <class View, class Visit>
-void visit_flags(View& view, const Visit& visit) {
-    visit_kept_flags(view.settings, visit);
-    visit("knows_sliders", view.followed.slider);
-    visit("knows_lamps", view.followed.lamp);
-    visit("knows_wiring", view.followed.wiring);
-    visit("knows_timeline", view.followed.timeline);
-    visit("breeds_weights", view.may_change.weights);
-    visit("breeds_biases", view.may_change.biases);
-    visit("breeds_thresholds", view.may_change.thresholds);
-    visit("breeds_eyes", view.may_change.eyes);
-}
+// Reads the values of a file. A missing value stays as it is, and so does one whose word is unknown; a value beyond its
+// range is the nearest one in it. `error`: the first value of the wrong type.
+struct SettingsReader {
+    const TomlFile& file;
+    std::optional<Error> error{};
 
-void read_view(SettingsReader& reader, StoredView& view) {
-    visit_flags(view, [&](const char* key, bool& value) { reader.read(key, value, "true_or_false"); });
-    reader.read("diagram_share", view.settings.canvas_share, "a_number");
-    reader.read("speed", view.time_scale, "a_number");
-    int& prediction = view.settings.overlays.prediction;
-    reader.read("prediction", prediction, "a_whole_number");
-    prediction = std::clamp(prediction, 0, longest_prediction);
-    std::string camera(camera_mode_words[static_cast<std::size_t>(view.settings.camera.mode)]);
-    reader.read("camera", camera, "text_in_quotes");
-    for (std::size_t i = 0; i < camera_mode_words.size(); ++i)
-        if (camera_mode_words[i] == camera) view.settings.camera.mode = static_cast<CameraMode>(i);
-    TrailValue& trails = view.settings.overlays.trail_colour.value;
-    std::string trail_colour(word(trails));
-    reader.read("trail_colour", trail_colour, "text_in_quotes");
-    for (const TrailValue value : {TrailValue::wheels, TrailValue::speed})  // a reading depends on the scene
-        if (word(value) == trail_colour) trails = value;
-    const auto clamped = [](float value, float low, float high, float otherwise) {
-        return value >= low && value <= high ? value : std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
-    };
-    view.settings.canvas_share =
-        clamped(view.settings.canvas_share, least_canvas_share, largest_canvas_share, ViewSettings{}.canvas_share);
-    view.time_scale = clamped(view.time_scale, least_time_scale, largest_time_scale, 1);
-    if (auto strips = reader.texts("strips")) {
-        view.strips = std::move(*strips);
-        view.strips.resize(std::min(view.strips.size(), ui::most_strips));
+    void flag(const char* key, bool& value) {
+        take(
+            key, "true_or_false", [&](const TomlNode& node) { return optional_of(node.as_flag()); }, value);
     }
-    view.folded = reader.texts("folded");
+    void whole(const char* key, int& value) { take(key, "a_whole_number", whole_of, value); }
+    void number(const char* key, float& value, float least, float largest) {
+        float read = value;
+        take(
+            key, "a_number", [](const TomlNode& node) { return node.as_number(); }, read);
+        if (!std::isnan(read)) value = std::clamp(read, least, largest);
+    }
+    void text(const char* key, std::string& value) {
+        take(
+            key, "text_in_quotes", [](const TomlNode& node) { return optional_of(node.as_text()); }, value);
+    }
+    template <std::size_t n, class Enum>
+    void word(const char* key, const std::array<std::string_view, n>& words, Enum& value) {
+        std::string read;
+        text(key, read);
+        for (std::size_t i = 0; i < n; ++i)
+            if (words[i] == read) value = static_cast<Enum>(i);
+    }
+    template <std::size_t n, class Enum>
+    void word(const char* key, const std::array<std::string_view, n>& words, std::optional<Enum>& value) {
+        std::string read;
+        text(key, read);
+        if (read == automatic) value.reset();
+        for (std::size_t i = 0; i < n; ++i)
+            if (words[i] == read) value = static_cast<Enum>(i);
+    }
+    void texts(const char* key, std::optional<std::vector<std::string>>& values) {
+        elements(key, values.emplace(), [](const TomlNode& node) { return optional_of(node.as_text()); });
+        if (!file.root.contains(key)) values.reset();
+    }
+    void texts(const char* key, std::vector<std::string>& values) {
+        elements(key, values, [](const TomlNode& node) { return optional_of(node.as_text()); });
+    }
+    void files(const char* key, std::vector<RecentFile>& values) { elements(key, values, recent_file); }
+
+    static constexpr std::string_view automatic = "auto";
+
+private:
+    template <class T, class Convert>
+    void take(const char* key, MessageId<0> wanted, const Convert& convert, T& value) {
+        const TomlNode* node = file.root.get(key);
+        if (!node) return;
+        if (const auto found = convert(*node))
+            value = static_cast<T>(*found);
+        else if (!error)
+            error = error_of(message_of("type_wanted", key) + message_of(wanted), file.name,
+                             static_cast<int>(node->place.line));
+    }
+    // Those of a list that can be read.
+    template <class T, class Convert>
+    void elements(const char* key, std::vector<T>& values, const Convert& convert) {
+        const TomlNode* node = file.root.get(key);
+        const TomlNode::List* list = node ? node->as_list() : nullptr;
+        if (!list) return;
+        for (const TomlNode& element : *list)
+            if (auto value = convert(element)) values.push_back(std::move(*value));
+    }
+};
+
+// Writes the values, one a line. Empty texts and lists are left out.
+struct SettingsWriter {
+    std::string lines;
+
+    explicit SettingsWriter(const char* about) : lines(fmt::format("# {}\nformat = 1\n", about)) {}
+
+    void flag(const char* key, bool value) { line(key, value ? "true" : "false"); }
+    void whole(const char* key, int value) { line(key, fmt::format("{}", value)); }
+    void number(const char* key, float value, float, float) { line(key, toml_text::number(value)); }
+    void text(const char* key, std::string_view value) {
+        if (!value.empty()) line(key, quoted(value));
+    }
+    template <std::size_t n, class Enum>
+    void word(const char* key, const std::array<std::string_view, n>& words, Enum value) {
+        text(key, words[static_cast<std::size_t>(value)]);
+    }
+    template <std::size_t n, class Enum>
+    void word(const char* key, const std::array<std::string_view, n>& words, std::optional<Enum> value) {
+        text(key, value ? words[static_cast<std::size_t>(*value)] : SettingsReader::automatic);
+    }
+    void texts(const char* key, const std::optional<std::vector<std::string>>& values) {
+        if (values) list(key, *values, quoted);
+    }
+    void texts(const char* key, const std::vector<std::string>& values) {
+        if (!values.empty()) list(key, values, quoted);
+    }
+    void files(const char* key, const std::vector<RecentFile>& values) {
+        list(key, values, [](const RecentFile& file) {
+            return fmt::format("{{ path = {}, title = {} }}", quoted(file.path), quoted(file.title));
+        });
+    }
+
+private:
+    void line(const char* key, const std::string& value) { lines += fmt::format("{} = {}\n", key, value); }
+    template <class Values, class Text>
+    void list(const char* key, const Values& values, const Text& text) {
+        std::string all;
+        for (const auto& value : values) all += (all.empty() ? "" : ", ") + text(value);
+        line(key, "[" + all + "]");
+    }
+    // A file that is no UTF-8 could not be read again: a name that is none is left out.
+    static std::string quoted(std::string_view value) { return toml_text::quote(is_utf8(value) ? value : ""); }
+};
+
+// The values of each file, for reading and for writing.
+template <class Visitor, class P>
+void visit_preferences(Visitor& file, P& p) {
+    file.word("theme", theme_words, p.theme);
+    file.text("language", p.language);
+    file.number("type_size", p.type_size, least_type_size, largest_type_size);
+    file.flag("reduce_motion", p.reduce_motion);
+    file.word("quality", quality_words, p.quality);
+    file.text("link_base", p.link_base);
 }
 
-void read_place(SettingsReader& reader, std::optional<WindowPlace>& place) {
-    constexpr int farthest = 100000;
-    WindowPlace read;
-    reader.read("x", read.x, "a_whole_number");
-    reader.read("y", read.y, "a_whole_number");
-    if (!reader.file.root.contains("x") || !reader.file.root.contains("y")) return;
-    if (std::abs(read.x) < farthest && std::abs(read.y) < farthest) place = read;
+template <class Visitor, class View>
+void visit_view(Visitor& file, View& view) {
+    file.word("camera", camera_mode_words, view.settings.camera.mode);
+    file.number("diagram_share", view.settings.canvas_share, least_canvas_share, largest_canvas_share);
+    file.number("speed", view.time_scale, least_time_scale, largest_time_scale);
+    file.whole("prediction", view.settings.overlays.prediction);
+    file.word("trail_colour", trail_value_words, view.settings.overlays.trail_colour.value);
+    visit_kept_flags(view.settings, [&](const char* key, auto& value) { file.flag(key, value); });
+    file.flag("knows_sliders", view.followed.slider);
+    file.flag("knows_lamps", view.followed.lamp);
+    file.flag("knows_wiring", view.followed.wiring);
+    file.flag("knows_timeline", view.followed.timeline);
+    file.flag("breeds_weights", view.may_change.weights);
+    file.flag("breeds_biases", view.may_change.biases);
+    file.flag("breeds_thresholds", view.may_change.thresholds);
+    file.flag("breeds_eyes", view.may_change.eyes);
+    file.texts("strips", view.strips);
+    file.texts("folded", view.folded);
+}
+
+template <class Visitor, class State, class Place>
+void visit_state(Visitor& file, State& r, Place& place) {
+    file.whole("width", r.width);
+    file.whole("height", r.height);
+    file.text("last_opened", r.last_opened);
+    file.text("folder", r.folder);
+    file.files("recent", r.recent);
+    file.text("student", r.student);
+    file.text("study", r.study);
+    file.text("breeding", r.breeding);
+    visit_view(file, r.view);
+    if (place) file.whole("x", place->x), file.whole("y", place->y);
 }
 
 }  // namespace
 
+Result<Preferences> parse_preferences(std::string_view toml, std::string file_name, const Preferences& otherwise) {
+    const auto file = parse_toml(toml, std::move(file_name));
+    if (!file) return file.error();
+    SettingsReader reader{*file};
+    Preferences p = otherwise;
+    visit_preferences(reader, p);
+    if (reader.error) return *reader.error;
+    return p;
+}
+
+std::string write_preferences(const Preferences& p) {
+    SettingsWriter writer("Preferences of Braitenlab.");
+    visit_preferences(writer, p);
+    return writer.lines;
+}
+
 Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
-    auto reader = read_settings_table(toml, std::move(file_name));
-    if (!reader) return reader.error();
+    const auto file = parse_toml(toml, std::move(file_name));
+    if (!file) return file.error();
+    SettingsReader reader{*file};
     StoredState r;
-    reader->read("width", r.width, "a_whole_number");
-    reader->read("height", r.height, "a_whole_number");
-    reader->read("last_opened", r.last_opened, "text_in_quotes");
-    reader->read("folder", r.folder, "text_in_quotes");
-    reader->read("student", r.student, "text_in_quotes");
-    reader->read("study", r.study, "text_in_quotes");
-    reader->read("breeding", r.breeding, "text_in_quotes");
-    read_view(*reader, r.view);
-    read_place(*reader, r.place);
-    if (reader->error) return *reader->error;
-    const TomlNode* recent = reader->file.root.get("recent");
-    if (recent && recent->as_list())
-        for (const TomlNode& node : *recent->as_list())
-            if (const auto file = recent_file(node); file && r.recent.size() < most_recent) r.recent.push_back(*file);
-    constexpr int largest = 16384;  // as for --size
+    std::optional<WindowPlace> place;
+    if (file->root.contains("x") && file->root.contains("y")) place.emplace();
+    visit_state(reader, r, place);
+    if (reader.error) return *reader.error;
+    constexpr int largest = 16384, farthest = 100000;  // the first as for --size
     if (r.width < 640 || r.height < 480 || r.width > largest || r.height > largest) r.width = r.height = 0;
+    if (place && std::abs(place->x) < farthest && std::abs(place->y) < farthest) r.place = place;
+    Overlays& overlays = r.view.settings.overlays;
+    overlays.prediction = std::clamp(overlays.prediction, 0, longest_prediction);
+    TrailValue& trails = overlays.trail_colour.value;
+    if (trails == TrailValue::reading) trails = Overlays{}.trail_colour.value;  // a reading depends on the scene
+    r.view.strips.resize(std::min(r.view.strips.size(), ui::most_strips));
+    r.recent.resize(std::min(r.recent.size(), most_recent));
     return r;
 }
 
 std::string write_state(const StoredState& r) {
-    SettingsText text("Stored by Braitenlab.");
-    text.add("width", r.width);
-    text.add("height", r.height);
-    text.add("last_opened", r.last_opened);
-    text.add("folder", r.folder);
-    std::string recent;
-    for (const RecentFile& file : r.recent)
-        recent += fmt::format("{}{{ path = {}, title = {} }}", recent.empty() ? "" : ", ",
-                              SettingsText::text_value(file.path), SettingsText::text_value(file.title));
-    text.line("recent", "[" + recent + "]");
-    text.add("camera", camera_mode_words[static_cast<std::size_t>(r.view.settings.camera.mode)]);
-    text.add("diagram_share", r.view.settings.canvas_share);
-    text.add("speed", r.view.time_scale);
-    text.add("prediction", r.view.settings.overlays.prediction);
-    text.add("trail_colour", word(r.view.settings.overlays.trail_colour.value));
-    visit_flags(r.view, [&](const char* key, bool value) { text.add(key, value); });
-    if (!r.student.empty()) text.add("student", r.student);
-    if (!r.study.empty()) text.add("study", r.study);
-    if (!r.breeding.empty()) text.add("breeding", r.breeding);
-    if (r.place) text.add("x", r.place->x), text.add("y", r.place->y);
-    if (!r.view.strips.empty()) text.add("strips", r.view.strips);
-    if (r.view.folded) text.add("folded", *r.view.folded);
-    return text.lines;
+    SettingsWriter writer("Stored by Braitenlab.");
+    visit_state(writer, r, r.place);
+    return writer.lines;
 }
 
 void add_recent(StoredState& r, const fs::path& file, std::string title) {
