@@ -309,8 +309,7 @@ bool App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     picture.camera_view.window = window_.area();
     if (!title_) {
         picture.covered = covered_parts(layout);
-        const auto& labels = panels_.scene_input.labels.labels();
-        picture.covered.insert(picture.covered.end(), labels.begin(), labels.end());
+        picture.written = panels_.scene_input.labels.labels();
     }
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.resolution = resolution();

@@ -60,6 +60,14 @@ bool need_outlines(const std::vector<FieldInstance>& fields) {
                        [](const FieldInstance& field) { return field.line.x > 0 || field.line.y < 0; });
 }
 
+void clear_depth_to(float depth) {
+#ifdef BRAITENLAB_OPENGL_ES
+    glClearDepthf(depth);
+#else
+    glClearDepth(static_cast<double>(depth));
+#endif
+}
+
 void set_viewport(const Rect& window) {
     glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
                static_cast<GLsizei>(window.h));
@@ -312,6 +320,25 @@ struct Renderer::Parts {
         glDepthMask(GL_TRUE);
     }
 
+    // Nothing passes the depth test below opaque cards. On a software renderer, they cover nearly half of the pixels of
+    // a small window. `share`: pixels drawn per pixel of the window, in width and in height.
+    void leave_out_covered(const Picture& picture, float share) {
+        const Rect& window = picture.camera_view.window;
+        const float inside = 5 * picture.pixel_scale;  // round corners are not opaque
+        glEnable(GL_SCISSOR_TEST);
+        clear_depth_to(0);
+        for (const Rect& r : picture.covered) {
+            const auto pixel = [share](float at) { return static_cast<GLint>(std::lround(at * share)); };
+            const GLint left = pixel(r.x + inside), right = pixel(r.x + r.w - inside);
+            const GLint low = pixel(window.h - r.y - r.h + inside), high = pixel(window.h - r.y - inside);
+            if (left >= right || low >= high) continue;
+            glScissor(left, low, right - left, high - low);
+            glClear(GL_DEPTH_BUFFER_BIT);
+        }
+        clear_depth_to(1);
+        glDisable(GL_SCISSOR_TEST);
+    }
+
     // Draws everything but the labels, with `resolution` of the picture's pixels. Afterwards the frame block is that of
     // all pixels.
     void draw_scene(const FrameBlock& frame, const Picture& picture) {
@@ -325,6 +352,7 @@ struct Renderer::Parts {
         glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         // The copy comes before all draw calls: a software renderer waits for those before it.
         if (in_backdrop) backdrop.copy();
+        leave_out_covered(picture, coarse ? resolution : 1);
         draw_solids(picture.quality);
         if (!in_backdrop) draw_ground_below();
         draw_flat();
@@ -413,7 +441,7 @@ bool Renderer::draw(const Snapshot& now, const Picture& picture) {
     const bool has_single_samples = p.resampling.samples_of_window() == 0;
     const bool may_rest = picture.copied_at_rest && has_single_samples && p.seconds == now.seconds;
     p.seconds = now.seconds;
-    const std::uint64_t instances = p.upload_list(frame, may_rest);
+    const std::uint64_t instances = p.upload_list(frame, may_rest) + hash_of(picture.covered);
     const auto content = may_rest ? p.whole.look(frame, instances) : StoredPicture::Content::moves;
     p.resolution = content == StoredPicture::Content::moves ? picture.resolution : 1;
     p.reused = content == StoredPicture::Content::kept;

@@ -1,6 +1,8 @@
 #include "render/gl/stored_picture.h"
 
+#include <cmath>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -202,6 +204,57 @@ TEST_F(StoredPictureTest, KeepsTheGroundWhileTimePassesAndLampsMove) {
     now.seconds += 1, now.vehicles[0].x += 1;
     list.lamps.push_back({{1, 1, 0, 1}, {1, 1, 1, 4}});
     EXPECT_EQ(stored.look(ground_of(frame_block(now, picture, list))), StoredPicture::Content::rests);
+}
+
+TEST_F(StoredPictureTest, LeavesOutWhatIsBelowCards) {
+    // The picture in the stage beside another one, but for the rows of a card.
+    const auto same_outside = [&](const Rect& card, const Pixels& other) {
+        const auto upper = [&](Pixels all) {
+            all.resize(static_cast<std::size_t>(card.y) * window_width * 3);
+            return all;
+        };
+        return alike(upper(stage.pixels()), upper(other));
+    };
+    const Snapshot now = arena_with(Boundary::wall);
+    picture.settings.sensors = false;
+    picture.copied_at_rest = true;
+    const maths::vec2 vehicle = *project(picture.camera_view, {now.vehicles[0].x, now.vehicles[0].y}, 0.3f);
+    for (const auto& [quality, resolution] :
+         {std::pair{Quality::medium, 1.0f}, {Quality::low, 0.5f}, {Quality::high, 1.0f}}) {
+        picture.quality = quality, picture.resolution = resolution;
+        picture.covered.clear();
+        drawn_afresh(now);
+        const float shown = brightness(patch(vehicle));
+        const Pixels whole = stage.pixels();
+        picture.covered = {{vehicle.x - 60, vehicle.y - 60, 120, 120}};
+        for (int frame = 0; frame < 4; ++frame) {
+            renderer->draw(now, picture);
+            EXPECT_GT(std::fabs(brightness(patch(vehicle)) - shown), 0.05f) << "frame " << frame;
+            const bool is_coarser = renderer->resolution() != resolution;
+            EXPECT_TRUE(is_coarser || same_outside(picture.covered.front(), whole)) << "frame " << frame;
+        }
+        picture.covered.clear();
+        EXPECT_TRUE(alike(drawn(now), drawn_afresh(now))) << "the card has gone";
+    }
+}
+
+TEST_F(StoredPictureTest, StaysOnlyWhileTheSceneRests) {
+    Snapshot now = arena_with(Boundary::wall);
+    picture.copied_at_rest = picture.may_stay = true;
+    const auto stays = [&] {
+        for (int frame = 0; frame < 20; ++frame)
+            if (!renderer->draw(now, picture)) return true;
+        return false;
+    };
+    EXPECT_TRUE(stays());
+    EXPECT_FALSE(renderer->draw(now, picture));
+    now.vehicles[0].x += 0.1f;
+    EXPECT_TRUE(renderer->draw(now, picture)) << "a vehicle is elsewhere";
+    EXPECT_TRUE(stays());
+    picture.covered = {{0, 0, 50, 50}};
+    EXPECT_TRUE(renderer->draw(now, picture)) << "a card has come";
+    picture.may_stay = false;
+    EXPECT_FALSE(stays()) << "something over the scene has changed";
 }
 
 }  // namespace

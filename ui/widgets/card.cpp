@@ -130,7 +130,7 @@ void card_ground(const Ui& ui, Rect r, Corner corner) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRectFullScreen();
     shadow_box(ui, draw, r, corner, {3, 2, 0.10f});
-    fill_box(ui, r, ui.palette.panel.with_alpha(0.97f), corner);
+    fill_box(ui, r, ui.palette.panel, corner);
     line_box(ui, r, ui.palette.line, corner);
     draw.PopClipRect();
 }

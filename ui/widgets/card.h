@@ -50,7 +50,7 @@ void end_head(const Ui&, CardState&, Rect card);
 void begin_footer(Ui&, CardState&, Rect card);
 void end_footer(const Ui&, CardState&);
 
-// The background of a card: panel colour at 92 %, border and shadow.
+// The background of a card: opaque, with border and shadow.
 void card_ground(const Ui&, Rect, Corner = Corner::box);
 
 // A window without heading and padding, for bars. With `covers_cards` it comes to the front in each frame.
