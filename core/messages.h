@@ -324,6 +324,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"key_of_own", "the {} '{}' needs '{}'; add it"},
     {"foreign_folder", "the folder holds other files than those of an export; give a new folder"},
     {"foreign_folder_window", "; export once more to write into it"},
+    {"export_to_link", "is a link to another file or folder; remove it, or export to another folder"},
     {"files_exist", "these files exist already: {}; export once more to replace them"},
     {"no_such_sensor", "the brain reads the sensor {}, which the vehicle does not have; add it or cut its wires"},
     {"no_part", "the sensor {} senses {}, for which the robot has no part; cut its wires"},

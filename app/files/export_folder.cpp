@@ -43,6 +43,17 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
+// The error if one of these files, or the folder of a sketch, is a link: writing would change what it leads to.
+std::optional<Error> link_fault(const fs::path& folder, const std::vector<robots::ExportedFile>& files) {
+    std::vector<fs::path> paths{folder / "braitenberg"};
+    for (const robots::ExportedFile& file : files) paths.push_back(folder / file.name);
+    std::error_code none;
+    for (const fs::path& path : paths)
+        if (fs::is_symlink(fs::symlink_status(path, none)))
+            return error_of(message_of("export_to_link"), path.string());
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Error> export_folder_fault(const fs::path& folder) {
@@ -57,6 +68,7 @@ std::optional<Error> export_folder_fault(const fs::path& folder) {
 }
 
 std::optional<Error> write_export(const fs::path& folder, const std::vector<robots::ExportedFile>& files) {
+    if (auto fault = link_fault(folder, files)) return fault;
     std::vector<std::string> earlier;
     if (is_exported(folder / "README.md")) earlier = names_in(folder);
     std::vector<NewFile> written;

@@ -13,7 +13,8 @@ namespace braitenlab {
 // The error if the folder holds files, and none of them is of an earlier export.
 std::optional<Error> export_folder_fault(const std::filesystem::path& folder);
 
-// Writes the files, or none of them; creates the folder. Where it holds an earlier export, removes those of its files
+// Writes the files, or none of them; creates the folder. Fails if one of them, or the folder of a sketch, is a link:
+// a folder may be a link, but its export stays in it. Where it holds an earlier export, removes those of its files
 // that this one does not have, such as the second sheet of a larger circuit. A text of the user stays, whatever its
 // name; lists of parts, nets and drawings are known by their names alone.
 std::optional<Error> write_export(const std::filesystem::path& folder, const std::vector<robots::ExportedFile>&);

@@ -126,6 +126,30 @@ TEST(CtlExport, KeepsTheFilesOfAFolderThatHoldsNoExport) {
     EXPECT_EQ(files_in(folder.path), (std::set<std::string>{"README.md", "brain.h", "brain.py"}));
 }
 
+TEST(CtlExport, RefusesLinksInItsFolderAndTheirTargetsStay) {
+    for (const std::string link : {"README.md", "braitenberg", "braitenberg/brain.h"}) {
+        const Folder folder, elsewhere;
+        const fs::path own = folder / link;
+        std::map<fs::path, std::string> mine{{elsewhere / "mine.txt", "mine"}};
+        if (link == "braitenberg") mine[elsewhere / "brain.h"] = "exported from Braitenlab, and kept";
+        for (const auto& [file, text] : mine) put_text(file, text);
+        put_text(folder / "README.md", "Exported from Braitenlab.");
+        fs::remove(own);
+        fs::create_directories(own.parent_path());
+        fs::create_symlink(link == "braitenberg" ? elsewhere.path : elsewhere / "mine.txt", own);
+        const auto before = files_in(folder.path);
+        for (const char* target : {"arduino", "c"}) {
+            if (link == "braitenberg/brain.h" && std::string(target) == "c") continue;  // C has no such file
+            const Ran ran =
+                ctl(std::string("export 3a-love --force --to ") + target + " --out " + folder.path.string());
+            EXPECT_EQ(ran.code, 2) << link << ran.out;
+            EXPECT_NE(ran.out.find(own.string() + ": is a link"), std::string::npos) << ran.out;
+            EXPECT_EQ(files_in(folder.path), before);
+        }
+        for (const auto& [file, text] : mine) EXPECT_EQ(text_of(file), text) << link;
+    }
+}
+
 TEST(CtlExport, RefusesABrainThatReadsASensorWhichTheVehicleLacks) {
     const Folder folder;
     const std::string scene = (folder / "typing-error.toml").string();
