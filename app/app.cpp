@@ -23,6 +23,7 @@
 #include "app/platform/platform.h"
 #include "app/playback.h"
 #include "app/remembered.h"
+#include "app/terminal.h"
 #include "app/title.h"
 #include "render/view/trails.h"
 
@@ -39,7 +40,7 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 }
 
 int complain(const Error& error) {
-    std::cerr << "braitenlab: " << error.text() << "\n";
+    std::cerr << "braitenlab: " << one_line(error.text()) << "\n";
     return 2;
 }
 

@@ -13,6 +13,7 @@
 #include "app/platform/memory.h"
 #include "app/platform/page.h"
 #include "app/platform/platform.h"
+#include "app/terminal.h"
 #include "core/insight/study_file.h"
 #include "core/io/link.h"
 #include "core/messages.h"
@@ -168,6 +169,7 @@ int open_and_run(Options options) {
 int main(int argc, char** argv) {
     braitenlab::keep_freed_memory();
     braitenlab::use_utf8(argc, argv);
+    const braitenlab::InertOutput inert;
     const auto line = braitenlab::read_command_line(argc, argv);
     return line.exit_code ? *line.exit_code : braitenlab::open_and_run(line.options);
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/files/data.h"
+#include "app/terminal.h"
 #include "core/scene/enums.h"
 #include "core/scene/settings.h"
 #include "core/sensing/intensity.h"
@@ -53,6 +54,7 @@ CommandLine read_command_line(int argc, char** argv) {
     CommandLine line;
     Options& o = line.options;
     CLI::App app{"Braitenlab: a lab for Braitenberg vehicles.\nDrag a weight and see character change."};
+    app.failure_message([](const CLI::App*, const CLI::Error& error) { return usage_fault(error.what()); });
     app.allow_windows_style_options(false);  // "/" begins a path, on every system
     app.set_version_flag("--version", fmt::format("braitenlab {}", version_text()));
     app.add_option("FILE", o.file,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
-#include <cstdio>
+#include <iostream>
 #include <optional>
 #include <utility>
 
@@ -235,7 +235,7 @@ bool count_errors(int& count) {
         [](GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text, const void* counter) {
             if (source != GL_DEBUG_SOURCE_API || type != GL_DEBUG_TYPE_ERROR) return;
             ++*static_cast<int*>(const_cast<void*>(counter));
-            std::fprintf(stderr, "braitenlab: the graphics driver says: %s\n", text);
+            std::cerr << "braitenlab: the graphics driver says: " << text << "\n";
         },
         &count);
     return true;

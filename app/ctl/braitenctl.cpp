@@ -20,6 +20,7 @@
 #include "app/platform/memory.h"
 #include "app/platform/platform.h"
 #include "app/reports/gradebook.h"
+#include "app/terminal.h"
 #include "core/evolve/breeding_file.h"
 #include "core/export/export.h"
 #include "core/insight/behaviour.h"
@@ -29,7 +30,7 @@
 namespace braitenlab {
 
 int complain(const Error& error) {
-    std::cerr << "braitenctl: " << error.text() << "\n";
+    std::cerr << "braitenctl: " << one_line(error.text()) << "\n";
     return exit_code::bad_input;
 }
 
@@ -371,6 +372,7 @@ std::vector<Subcommand> subcommands(CLI::App& app) {
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
     app.allow_windows_style_options(false);  // "/" begins a path, on every system
+    app.failure_message([](const CLI::App*, const CLI::Error& error) { return usage_fault(error.what()); });
     app.require_subcommand(1);
     app.set_version_flag("--version", fmt::format("braitenctl {}", version_text()));
     const std::vector<Subcommand> commands = subcommands(app);

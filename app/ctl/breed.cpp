@@ -18,6 +18,7 @@
 #include "app/platform/platform.h"
 #include "app/reports/breeding_drawing.h"
 #include "app/reports/breeding_table.h"
+#include "app/terminal.h"
 #include "core/evolve/breeding.h"
 #include "core/evolve/breeding_json.h"
 #include "core/evolve/tournament.h"
@@ -182,8 +183,8 @@ int breed_into(const BreedOptions& options, const Base& base, const fs::path& fo
     const auto bred = breed_on(base, std::move(*state), generations, options.threads, folder);
     if (!bred) return complain(bred.error());
     if (!bred->is_complete) {
-        std::cerr << fmt::format("braitenctl: interrupted after {} generations; --continue goes on with {}\n",
-                                 complete_generations(*base, bred->state), folder.string());
+        std::cerr << format_lines("braitenctl: interrupted after {} generations; --continue goes on with {}\n",
+                                  complete_generations(*base, bred->state), folder.string());
         return exit_code::interrupted;
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;

@@ -10,6 +10,7 @@
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
 #include "app/files/data.h"
+#include "app/terminal.h"
 #include "core/io/checked_json.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/warnings.h"
@@ -25,23 +26,23 @@ using CheckJson = nlohmann::ordered_json;
 // ── One grade, as text and as JSON ──────────────────────────────────────────────────────────────────────────────────
 
 std::string value_text(float value, std::string_view unit) {
-    return fmt::format("{:.2f}{}{}", value, unit.empty() ? "" : " ", unit);
+    return format_lines("{:.2f}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
 std::string measure_text(const Measure& measure) {
     const std::string value = std::isfinite(measure.value) ? value_text(measure.value, measure.unit) : "nothing";
     if (measure.needed_most)
-        return fmt::format("{} measured, {:.2f} to {} needed", value, measure.needed,
-                           value_text(*measure.needed_most, measure.unit));
-    return fmt::format("{} measured, at {} {} needed", value, measure.at_most ? "most" : "least",
-                       value_text(measure.needed, measure.unit));
+        return format_lines("{} measured, {:.2f} to {} needed", value, measure.needed,
+                            value_text(*measure.needed_most, measure.unit));
+    return format_lines("{} measured, at {} {} needed", value, measure.at_most ? "most" : "least",
+                        value_text(measure.needed, measure.unit));
 }
 
 // The step that made the start fail, and how far it is from being done.
 std::string failure_text(const Exercise& exercise, const StartResult& start) {
     const std::size_t failed = failed_step(start);
     if (failed >= start.verdicts.size()) return "the brain or the sensors are not valid";
-    std::string text = fmt::format("step {} \"{}\"", failed + 1, exercise.steps[failed].text);
+    std::string text = format_lines("step {} \"{}\"", failed + 1, exercise.steps[failed].text);
     for (const Measure& measure : start.verdicts[failed].measures) text += "; " + measure_text(measure);
     return text;
 }
@@ -49,7 +50,7 @@ std::string failure_text(const Exercise& exercise, const StartResult& start) {
 std::string failures_text(const Exercise& exercise, const Grade& grade) {
     std::string text;
     for (const StartResult& start : grade.starts)
-        if (!start.passed) text += fmt::format("  start {} fails {}\n", start.seed, failure_text(exercise, start));
+        if (!start.passed) text += format_lines("  start {} fails {}\n", start.seed, failure_text(exercise, start));
     return text;
 }
 
@@ -155,22 +156,23 @@ std::string warning_text(Error warning) {
 }
 
 std::string soundness_text(const Exercise& exercise, const Soundness& found) {
-    std::string text = fmt::format(
+    std::string text = format_lines(
         "{}: as shipped {} of {} starts pass (none should), with its solution {} (all should): {}\n", exercise.id,
         found.shipped.count, exercise.starts, found.solution.count, found.sound ? "good" : "wrong");
     // First: a lamp outside the arena is the cause of what fails below.
-    for (const Error& warning : found.warnings) text += fmt::format("  {}\n", warning_text(warning));
+    for (const Error& warning : found.warnings) text += format_lines("  {}\n", warning_text(warning));
     for (const StartResult& start : found.shipped.starts)
-        if (start.passed) text += fmt::format("  start {} passes as shipped\n", start.seed);
+        if (start.passed) text += format_lines("  start {} passes as shipped\n", start.seed);
     text += failures_text(exercise, found.solution);
     for (std::size_t i = 0; i < found.wrong.size(); ++i)
-        text += fmt::format("  wrong answer \"{}\": {} of {} starts pass (fewer than {} should){}\n",
-                            exercise.wrong[i].name, found.wrong[i].count, exercise.starts, exercise.needed,
-                            found.wrong[i].good ? ": it passes; change it, or the steps" : "");
+        text += format_lines("  wrong answer \"{}\": {} of {} starts pass (fewer than {} should){}\n",
+                             exercise.wrong[i].name, found.wrong[i].count, exercise.starts, exercise.needed,
+                             found.wrong[i].good ? ": it passes; change it, or the steps" : "");
     for (const std::string& control : found.solution_outside)
-        text += fmt::format("  the solution changes '{}', which the exercise does not offer\n", control);
-    if (found.too_many_changes) text += fmt::format("  the solution changes more than {} controls\n", exercise.changes);
-    if (found.prediction_fault) text += fmt::format("  {}\n", found.prediction_fault->text());
+        text += format_lines("  the solution changes '{}', which the exercise does not offer\n", control);
+    if (found.too_many_changes)
+        text += format_lines("  the solution changes more than {} controls\n", exercise.changes);
+    if (found.prediction_fault) text += format_lines("  {}\n", found.prediction_fault->text());
     return text;
 }
 
@@ -227,10 +229,10 @@ int check_brain(const SharedExercise& exercise, const CheckOptions& options) {
         json.update(grade_json(*exercise, grade));
         std::cout << io::json_text(json, 2) << "\n";
     } else {
-        if (!found->owner.empty()) std::cout << fmt::format("brain of {} in {}\n", found->owner, options.brain);
-        std::cout << fmt::format("{}: {} of {} starts pass, {} needed: {}\n", exercise->id, grade.count,
-                                 grade.starts.size(), exercise->needed, grade.good ? "passed" : "not passed");
-        if (!fault.empty()) std::cout << fmt::format("  {}\n", fault);
+        if (!found->owner.empty()) std::cout << format_lines("brain of {} in {}\n", found->owner, options.brain);
+        std::cout << format_lines("{}: {} of {} starts pass, {} needed: {}\n", exercise->id, grade.count,
+                                  grade.starts.size(), exercise->needed, grade.good ? "passed" : "not passed");
+        if (!fault.empty()) std::cout << format_lines("  {}\n", fault);
         std::cout << failures_text(*exercise, grade);
     }
     return grade.good ? exit_code::done : exit_code::failed;

@@ -6,6 +6,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "app/terminal.h"
 #include "core/io/checked_json.h"
 #include "core/lesson/lecture.h"
 #include "core/scene/file_kind.h"
@@ -33,8 +34,8 @@ int check_lecture(const std::filesystem::path& path, bool json) {
                                    2)
                   << "\n";
     else
-        std::cout << fmt::format("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,
-                                 lecture->pages.size(), sum, lecture->minutes, fits ? "good" : "wrong");
+        std::cout << format_lines("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,
+                                  lecture->pages.size(), sum, lecture->minutes, fits ? "good" : "wrong");
     return fits ? exit_code::done : exit_code::failed;
 }
 

@@ -12,6 +12,7 @@
 #include "app/ctl/ctl.h"
 #include "app/ctl/table_file.h"
 #include "app/files/export_folder.h"
+#include "app/terminal.h"
 #include "core/brain/presets.h"
 #include "core/export/vectors.h"
 #include "core/lesson/hand_in.h"
@@ -71,9 +72,9 @@ int export_to_robot(const ExportOptions& options) {
     }
     if (const auto error = write_export(options.folder, *files)) return complain(*error);
     for (const Error& warning : robots::export_warnings(*brain, **robot))
-        std::cerr << "braitenctl: warning: " << warning.text() << "\n";
+        std::cerr << format_lines("braitenctl: warning: {}\n", warning.text());
     for (const robots::ExportedFile& file : *files)
-        std::cout << (std::filesystem::path(options.folder) / file.name).string() << "\n";
+        std::cout << format_lines("{}\n", (std::filesystem::path(options.folder) / file.name).string());
     return exit_code::done;
 }
 

@@ -15,6 +15,7 @@
 #include "app/files/safe_file.h"
 #include "app/reports/class_report.h"
 #include "app/reports/gradebook.h"
+#include "app/terminal.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
@@ -161,8 +162,8 @@ int write_marks(const ClassReport& report, const Strings& strings, const ClassOp
         return complain(*error);
     std::cerr << fmt::format("marks: {}\n", book->marked);
     if (!book->unmarked.empty())
-        std::cerr << fmt::format("in the list without a graded hand-in: {}: {}\n", book->unmarked.size(),
-                                 names_of(book->unmarked));
+        std::cerr << format_lines("in the list without a graded hand-in: {}: {}\n", book->unmarked.size(),
+                                  names_of(book->unmarked));
     if (book->not_in_list.empty()) return exit_code::done;
     return complain({fmt::format("graded without a place in the list: {}: {}", book->not_in_list.size(),
                                  names_of(book->not_in_list))});
@@ -197,7 +198,8 @@ int grade_class(const ClassOptions& options) {
     for (const ClassFile& file : files->files) report.rows.push_back(row_of_file(**exercise, file, options.choice));
     for (const ClassFile& folder : files->empty) report.rows.push_back(row_of_empty_folder(folder));
     if (report.rows.empty()) return complain({"there is no file to grade; give a folder with hand-in files"});
-    if (!files->left_out.empty()) std::cerr << fmt::format("left out: {}\n", fmt::join(files->left_out, ", "));
+    if (!files->left_out.empty())
+        std::cerr << format_lines("left out: {}\n", fmt::to_string(fmt::join(files->left_out, ", ")));
     mark_replaced(report.rows);
     mark_same(report.rows);
     if (const auto error = grade_rows(*exercise, options.first_seed, report.rows)) return complain(*error);

@@ -6,6 +6,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "app/terminal.h"
 #include "core/lesson/shipped_hashes.h"
 
 namespace braitenlab {
@@ -22,7 +23,7 @@ int print_hashes(const HashOptions& options) {
     const auto expected = read_hashes(options.compared);
     if (!expected) return complain(expected.error());
     const auto different = differences(*computed, *expected);
-    for (const std::string& line : different) std::cout << line << "\n";
+    for (const std::string& line : different) std::cout << format_lines("{}\n", line);
     std::cout << fmt::format("{} of {} hashes are the same\n",
                              computed->size() - std::min(computed->size(), different.size()), computed->size());
     return different.empty() ? exit_code::done : exit_code::failed;

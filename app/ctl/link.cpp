@@ -6,6 +6,7 @@
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
+#include "app/terminal.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 
@@ -18,7 +19,7 @@ int print_link(const LinkOptions& options) {
     if (!path) return complain(path.error());
     for (const std::filesystem::path& exercise : shipped_exercises())
         if (exercise == *path) {
-            std::cout << options.base << io::encode_exercise_link(path->stem().string()) << "\n";
+            std::cout << format_lines("{}{}\n", options.base, io::encode_exercise_link(path->stem().string()));
             return exit_code::done;
         }
     const auto text = read_scene_text(*path, "link", "a scene or a shipped exercise");
@@ -26,7 +27,7 @@ int print_link(const LinkOptions& options) {
     const auto scene = parse_scene(*text, path->string());
     if (!scene) return complain(scene.error());
     const std::string link = options.base + io::encode_link(*scene);
-    std::cout << link << "\n";
+    std::cout << format_lines("{}\n", link);
     if (link.size() > io::safe_link)
         std::cerr << "braitenctl: the link has " << link.size() << " characters; "
                   << (link.size() > io::longest_useful_link ? "most" : "some")

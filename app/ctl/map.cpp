@@ -17,6 +17,7 @@
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"
 #include "app/reports/map_file.h"
+#include "app/terminal.h"
 #include "core/io/checked_json.h"
 #include "core/io/csv.h"
 #include "core/scene/sensor_pairs.h"
@@ -208,8 +209,8 @@ std::string plain_text(const insight::MapQuestion& question, const MapCells& cel
         }
         text += '\n';
     }
-    text += fmt::format("{:>8}  from left to right: {} from {:g} to {:g}\n", question.y.path, question.x.path,
-                        question.x.from, question.x.to);
+    text += format_lines("{:>8}  from left to right: {} from {:g} to {:g}\n", question.y.path, question.x.path,
+                         question.x.from, question.x.to);
     if (!is_kind)
         return text + fmt::format("0 is {:g} {}, 9 is {:g} {}, . is never\n", scale.low, row_of(measure).unit,
                                   scale.high, row_of(measure).unit);

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <streambuf>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +20,6 @@
 #include "core/scene/file_kind.h"
 #include "core/scene/schema.h"
 #include "core/scene/toml_tree.h"
-#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -154,40 +152,7 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
     return behind_links(a) == behind_links(b);
 }
 
-bool acts_on_terminal(char32_t code) {
-    return code == '\r' || is_control(code) || code == 0x200E || code == 0x200F || code == 0x061C ||
-           (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-}
-
 }  // namespace
-
-std::string terminal_text(std::string_view text) { return utf8_without(text, acts_on_terminal); }
-
-// A buffer without memory of its own: a text of one call is passed on at once.
-struct InertOutput::Filter : std::streambuf {
-    explicit Filter(std::ostream& stream) : stream_(stream), to_(stream.rdbuf(this)) {}
-    ~Filter() override { stream_.rdbuf(to_); }
-
-protected:
-    std::streamsize xsputn(const char* text, std::streamsize size) override {
-        const std::string inert = terminal_text({text, static_cast<std::size_t>(size)});
-        const auto length = static_cast<std::streamsize>(inert.size());
-        return to_->sputn(inert.data(), length) == length ? size : 0;
-    }
-    int overflow(int c) override {
-        const char byte = traits_type::to_char_type(c);
-        return traits_type::eq_int_type(c, traits_type::eof()) || xsputn(&byte, 1) == 1 ? traits_type::not_eof(c)
-                                                                                        : traits_type::eof();
-    }
-    int sync() override { return to_->pubsync(); }
-
-private:
-    std::ostream& stream_;
-    std::streambuf* to_;
-};
-
-InertOutput::InertOutput() : out_(std::make_unique<Filter>(std::cout)), errors_(std::make_unique<Filter>(std::cerr)) {}
-InertOutput::~InertOutput() = default;
 
 std::optional<Error> output_fault(const CLI::App& command) {
     const std::vector<fs::path> read = files_read(command);

@@ -1,10 +1,7 @@
 // What every command of braitenctl promises about its outputs.
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 
 #include "core/result.h"
 
@@ -13,24 +10,6 @@ class App;
 }
 
 namespace braitenlab {
-
-// The text without what a terminal acts upon: control characters other than tab
-// and line feed, and marks that change the direction of writing, are U+FFFD.
-std::string terminal_text(std::string_view);
-
-// While it exists, terminal_text() applies to all that is written to std::cout
-// and std::cerr: titles, names and keys of files come from strangers.
-class InertOutput {
-public:
-    InertOutput();
-    ~InertOutput();
-    InertOutput(const InertOutput&) = delete;
-    InertOutput& operator=(const InertOutput&) = delete;
-
-private:
-    struct Filter;
-    std::unique_ptr<Filter> out_, errors_;
-};
 
 // The error when an output of the command, standard output included, is a file
 // that it reads, also one that a file names or a folder holds, or an output

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/terminal.h"
 #include "core/io/checked_json.h"
 #include "core/io/vehicle_table.h"
 #include "core/scene/enums.h"
@@ -85,8 +86,8 @@ std::string report_json(const Snapshot& now, std::uint64_t hash) {
 }
 
 std::string report_text(const Snapshot& now, std::uint64_t hash) {
-    std::string text = fmt::format("{}, seed {}, {:.1f} s ({} ticks), hash {}\n", now.scene->name, now.seed,
-                                   now.seconds, now.tick, hash_text(hash));
+    std::string text = format_lines("{}, seed {}, {:.1f} s ({} ticks), hash {}\n", now.scene->name, now.seed,
+                                    now.seconds, now.tick, hash_text(hash));
     text +=
         fmt::format("generation {}, {} vehicles ({} predators, {} prey), {} captures, {} contacts\n", now.generation,
                     now.vehicles.size(), now.predators, now.prey, now.events.captures, now.events.contacts);

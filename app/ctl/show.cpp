@@ -5,6 +5,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "app/terminal.h"
 #include "core/brain/recogniser.h"
 #include "core/io/run_file.h"
 #include "core/lesson/exercise_file.h"
@@ -25,31 +26,31 @@ std::string node_name(const BrainGraph& brain, NodeId id) {
 
 std::string wire_text(const BrainGraph& brain, const Wire& wire) {
     std::string text =
-        fmt::format("{} → {}  {:+.3g}", node_name(brain, wire.from), node_name(brain, wire.to), wire.weight);
-    if (wire.threshold > 0) text += fmt::format(", from {:.3g} on", wire.threshold);
-    if (wire.curve.response != Response::linear) text += fmt::format(", {}", word(wire.curve.response));
+        format_lines("{} → {}  {:+.3g}", node_name(brain, wire.from), node_name(brain, wire.to), wire.weight);
+    if (wire.threshold > 0) text += format_lines(", from {:.3g} on", wire.threshold);
+    if (wire.curve.response != Response::linear) text += format_lines(", {}", word(wire.curve.response));
     if (learns(wire)) text += ", learns";
     if (wire.cut) text += ", cut";
     return text;
 }
 
 void show_brain(const BrainGraph& brain, const std::string& indent) {
-    std::cout << fmt::format("{}brain: {}, {} nodes, {} wires\n", indent, name(recognise(brain)), brain.nodes.size(),
-                             brain.wires.size());
+    std::cout << format_lines("{}brain: {}, {} nodes, {} wires\n", indent, name(recognise(brain)), brain.nodes.size(),
+                              brain.wires.size());
     for (const Wire& wire : brain.wires)
-        if (wire.weight != 0 || learns(wire)) std::cout << indent << "  " << wire_text(brain, wire) << "\n";
+        if (wire.weight != 0 || learns(wire)) std::cout << format_lines("{}  {}\n", indent, wire_text(brain, wire));
     for (const Node& node : brain.nodes)
-        if (node.bias != 0) std::cout << fmt::format("{}  {} has a bias of {:+.3g}\n", indent, node.name, node.bias);
+        if (node.bias != 0) std::cout << format_lines("{}  {} has a bias of {:+.3g}\n", indent, node.name, node.bias);
 }
 
 void show_sensors(const std::vector<Sensor>& sensors) {
     for (const Sensor& s : sensors)
-        std::cout << fmt::format("  sensor {}: {}, {}, at {:.0f}°, {:.0f}° wide, {:g} m\n", s.name, word(s.channel),
-                                 word(s.shape), maths::degrees(s.angle), maths::degrees(s.fov), s.range);
+        std::cout << format_lines("  sensor {}: {}, {}, at {:.0f}°, {:.0f}° wide, {:g} m\n", s.name, word(s.channel),
+                                  word(s.shape), maths::degrees(s.angle), maths::degrees(s.fov), s.range);
 }
 
 void show_kind(const Kind& kind) {
-    std::cout << fmt::format("kind {}: role {}, driver {}\n", kind.name, word(kind.role), word(kind.driver));
+    std::cout << format_lines("kind {}: role {}, driver {}\n", kind.name, word(kind.role), word(kind.driver));
     show_sensors(kind.sensors);
     if (kind.hidden)
         std::cout << "  its brain is hidden\n";
@@ -58,24 +59,24 @@ void show_kind(const Kind& kind) {
 }
 
 void show_scene(const Scene& scene) {
-    std::cout << fmt::format("scene {}: {}\n", scene.name, scene.title);
-    if (!scene.story.empty()) std::cout << scene.story << "\n";
-    std::cout << fmt::format("arena {:g} × {:g} m, rim: {}\n", scene.arena.width, scene.arena.height,
-                             word(scene.arena.edge));
-    std::cout << fmt::format("{} vehicles placed, {} at random; {} sources, {} obstacles, {} zones\n",
-                             scene.starts.size(), scene.ecology.population, scene.sources.size(),
-                             scene.obstacles.size(), scene.zones.size());
+    std::cout << format_lines("scene {}: {}\n", scene.name, scene.title);
+    if (!scene.story.empty()) std::cout << format_lines("{}\n", scene.story);
+    std::cout << format_lines("arena {:g} × {:g} m, rim: {}\n", scene.arena.width, scene.arena.height,
+                              word(scene.arena.edge));
+    std::cout << format_lines("{} vehicles placed, {} at random; {} sources, {} obstacles, {} zones\n",
+                              scene.starts.size(), scene.ecology.population, scene.sources.size(),
+                              scene.obstacles.size(), scene.zones.size());
     for (const Kind& kind : scene.kinds) show_kind(kind);
     for (const Start& start : scene.starts)
         if (start.sensors) {
-            std::cout << fmt::format("vehicle {}: {} sensors of its own\n", start.name, start.sensors->size());
+            std::cout << format_lines("vehicle {}: {} sensors of its own\n", start.name, start.sensors->size());
             show_sensors(*start.sensors);
         }
 }
 
 void show_exercise(const Exercise& exercise) {
-    std::cout << fmt::format("exercise {}: {} steps, {} hints, {} of {} starts must pass\n", exercise.id,
-                             exercise.steps.size(), exercise.hints.size(), exercise.needed, exercise.starts);
+    std::cout << format_lines("exercise {}: {} steps, {} hints, {} of {} starts must pass\n", exercise.id,
+                              exercise.steps.size(), exercise.hints.size(), exercise.needed, exercise.starts);
     show_scene(exercise.scene);
 }
 
@@ -83,8 +84,8 @@ int show_run(const std::string& file) {
     const auto run = io::load_run(file);
     if (!run) return complain(run.error());
     const Snapshot now = snapshot_of(World::restore(run->checkpoint));
-    std::cout << fmt::format("saved run at {:.1f} s, seed {}: {} vehicles, generation {}\n", now.seconds, now.seed,
-                             now.vehicles.size(), now.generation);
+    std::cout << format_lines("saved run at {:.1f} s, seed {}: {} vehicles, generation {}\n", now.seconds, now.seed,
+                              now.vehicles.size(), now.generation);
     Scene scene = *now.scene;
     for (std::size_t k = 0; k < scene.kinds.size(); ++k) scene.kinds[k].brain = *now.kind_brains[k];
     show_scene(scene);

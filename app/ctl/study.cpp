@@ -17,6 +17,7 @@
 #include "app/files/study_files.h"
 #include "app/platform/platform.h"
 #include "app/reports/study_drawing.h"
+#include "app/terminal.h"
 #include "core/insight/study_table.h"
 #include "core/io/checked_json.h"
 
@@ -79,7 +80,7 @@ std::string line_of(const Study& study, const std::vector<StudyRow>& rows, std::
                     std::size_t measure) {
     const StudySummary summary = summary_of(study, rows, combination, measure);
     const maths::Spread& s = summary.spread;
-    std::string line = fmt::format("{:<28}", combination_text(study, combination));
+    std::string line = format_lines("{:<28}", combination_text(study, combination));
     if (may_be_absent(study.measures[measure])) line += fmt::format(" {:>8}", summary.present);
     // Without a run that has a number, the spread is that of no numbers.
     const double none = s.count == 0 ? NAN : 0;
@@ -167,14 +168,14 @@ int study(const StudyOptions& options) {
     if (const auto error = table.begin()) return complain(*error);
     const std::size_t kept = table.rows().size();
     if (kept > 0)
-        std::cerr << fmt::format("braitenctl: {} of {} runs are in {}\n", kept, (*base)->study().runs(),
-                                 table.unfinished().string());
+        std::cerr << format_lines("braitenctl: {} of {} runs are in {}\n", kept, (*base)->study().runs(),
+                                  table.unfinished().string());
     const auto complete = compute(*path, *base, options.threads, table);
     if (!complete) return complain(complete.error());
     if (!*complete) {
         if (table.unfinished().empty()) return interrupted();
-        std::cerr << fmt::format("braitenctl: interrupted after {} of {} runs; the same command continues with {}\n",
-                                 table.rows().size(), (*base)->study().runs(), table.unfinished().string());
+        std::cerr << format_lines("braitenctl: interrupted after {} of {} runs; the same command continues with {}\n",
+                                  table.rows().size(), (*base)->study().runs(), table.unfinished().string());
         return exit_code::interrupted;
     }
     if (const auto error = table.finish(*style)) return complain(*error);

@@ -297,5 +297,36 @@ TEST(CtlOutput, HasNothingThatATerminalActsUpon) {
     EXPECT_NE(refused.out.find("x\uFFFD]0;y.toml"), std::string::npos) << refused.out;
 }
 
+TEST(CtlOutput, HasNoLineThatATitleANameOrAPathMakesUp) {
+    const Folder folder;
+    const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises";
+    const auto put = [&](const char* name, std::string text, const std::string& old, const std::string& fresh) {
+        const auto at = text.find(old);
+        ASSERT_NE(at, text.npos) << old;
+        put_text(folder / name, text.replace(at, old.size(), fresh));
+    };
+    put_text(folder / "s.toml", "format = 1\nname = \"a\\nfaked\"\ntitle = \"b\\r\\nfaked\"\nstory = \"c\\nfaked\"\n");
+    put("exercise.toml", text_of(shipped / "guided" / "05-aggressor.toml"), "text = \"It turns",
+        "text = \"It\\nfaked turns");
+    put_text(folder / "scenes" / "2b-aggressor.toml", text_of(shipped / "scenes" / "2b-aggressor.toml"));
+    put("exercise.toml", text_of(folder / "exercise.toml"), "../scenes", "scenes");
+    std::error_code refused;
+    fs::create_directories(folder / "class" / "d\nfaked", refused);
+    if (refused) GTEST_SKIP() << "this system allows no such names";
+    put_text(folder / "class" / "notes\nfaked.bin", "x");
+    fs::copy_file(shipped / "scenes" / "2a-coward.toml", folder / "class" / "a.toml");
+    const std::string fake = "\"$(printf 'x\\nfaked')\"";
+    for (const std::string& call :
+         {std::string("show s.toml"), std::string("run s.toml --seconds 0"),
+          std::string("check exercise.toml --brain 2a-coward"), "show " + fake, "run 2a-coward " + fake,
+          "run 2a-coward --threads " + fake, "export 2a-coward --to c --out " + fake, "nothing" + fake,
+          std::string("grade 04-coward class --csv a.csv")}) {
+        const Ran ran = shell("cd " + folder.path.string() + " && " BRAITENLAB_BINARY "/braitenctl " + call);
+        EXPECT_NE(ran.out.find("faked"), std::string::npos) << call << "\n" << ran.out;
+        EXPECT_EQ(ran.out.find("\nfaked"), std::string::npos) << call << "\n" << ran.out;
+        EXPECT_EQ(ran.out.find('\r'), std::string::npos) << call << "\n" << ran.out;
+    }
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::ctl_output_test

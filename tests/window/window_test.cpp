@@ -317,6 +317,17 @@ TEST(LabWindow, ExitsWithTwoWithoutADisplay) {
     EXPECT_NE(ran.out.find("A display is needed"), std::string::npos) << ran.out;
 }
 
+TEST(LabWindow, PrintsNothingThatATerminalActsUpon) {
+    const std::string hostile = "\"$(printf 'x\\033[2J\\nfaked')\"";
+    for (const std::string& call : {"--size " + hostile, "--unknown" + hostile, "--screenshot p.png " + hostile}) {
+        const Ran ran = shell("env -u DISPLAY -u WAYLAND_DISPLAY " + program("braitenlab") + " " + call);
+        EXPECT_EQ(ran.code, 2) << call;
+        EXPECT_NE(ran.out.find("faked"), std::string::npos) << call << "\n" << ran.out;
+        EXPECT_EQ(ran.out.find("\nfaked"), std::string::npos) << call << "\n" << ran.out;
+        EXPECT_EQ(ran.out.find('\033'), std::string::npos) << call << "\n" << ran.out;
+    }
+}
+
 TEST(LabWindow, AnswersVersionAndHelpWithoutADisplay) {
     EXPECT_EQ(shell("env -u DISPLAY " + program("braitenlab") + " --version").code, 0);
     const Ran help = shell("env -u DISPLAY " + program("braitenlab") + " --help");

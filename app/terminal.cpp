@@ -1,0 +1,56 @@
+#include "app/terminal.h"
+
+#include <algorithm>
+#include <iostream>
+#include <streambuf>
+
+#include "core/utf8.h"
+
+namespace braitenlab {
+
+namespace {
+
+bool acts_on_terminal(char32_t code) {
+    return code == '\r' || is_control(code) || code == 0x200E || code == 0x200F || code == 0x061C ||
+           (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
+}  // namespace
+
+std::string terminal_text(std::string_view text) { return utf8_without(text, acts_on_terminal); }
+
+std::string one_line(std::string_view text) {
+    std::string line = terminal_text(text);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    return line;
+}
+
+std::string usage_fault(std::string_view what) { return one_line(what) + "\nRun with --help for more information.\n"; }
+
+// A buffer without memory of its own: a text of one call is passed on at once.
+struct InertOutput::Filter : std::streambuf {
+    explicit Filter(std::ostream& stream) : stream_(stream), to_(stream.rdbuf(this)) {}
+    ~Filter() override { stream_.rdbuf(to_); }
+
+protected:
+    std::streamsize xsputn(const char* text, std::streamsize size) override {
+        const std::string inert = terminal_text({text, static_cast<std::size_t>(size)});
+        const auto length = static_cast<std::streamsize>(inert.size());
+        return to_->sputn(inert.data(), length) == length ? size : 0;
+    }
+    int overflow(int c) override {
+        const char byte = traits_type::to_char_type(c);
+        return traits_type::eq_int_type(c, traits_type::eof()) || xsputn(&byte, 1) == 1 ? traits_type::not_eof(c)
+                                                                                        : traits_type::eof();
+    }
+    int sync() override { return to_->pubsync(); }
+
+private:
+    std::ostream& stream_;
+    std::streambuf* to_;
+};
+
+InertOutput::InertOutput() : out_(std::make_unique<Filter>(std::cout)), errors_(std::make_unique<Filter>(std::cerr)) {}
+InertOutput::~InertOutput() = default;
+
+}  // namespace braitenlab
