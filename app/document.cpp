@@ -1,20 +1,25 @@
 #include "app/document.h"
 
+#include <fstream>
+
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/io/run_file.h"
 #include "core/lesson/exercise_file.h"
+#include "core/maths/fnv.h"
 
 namespace braitenlab {
 
 namespace {
 
 Result<Document> open_run(const std::filesystem::path& path) {
+    const auto content = content_of(path);  // before: a change during reading is noticed
     auto run = io::load_run(path);
     if (!run) return run.error();
     Document document = resume_document(std::move(*run));
     document.name = path.stem().string();
     document.path = absolute_path(path);
+    document.content = content;
     document.saved_tick = document.session.snapshot().tick;
     return document;
 }
@@ -53,6 +58,15 @@ FileMark mark_of(const std::filesystem::path& path) {
     return problem || other ? FileMark{} : mark;
 }
 
+std::optional<std::uint64_t> content_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::uint64_t hash = maths::fnv_start;
+    std::string part(1U << 16U, '\0');
+    while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
+        hash = maths::fnv({part.data(), static_cast<std::size_t>(file.gcount())}, hash);
+    return file.eof() ? std::optional(hash) : std::nullopt;
+}
+
 Result<FileText> read_file(const std::filesystem::path& path) {
     FileText file{path, detect_kind(path, {}), {}, mark_of(path)};  // marked first: a change during reading is noticed
     if (file.kind == FileKind::run) return file;
@@ -83,6 +97,7 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
                       .is_scene_named_by_file = scene->name == file.path.stem().string(),
                       .file = std::make_shared<const Scene>(std::move(*scene)),
                       .on_disk = file.mark,
+                      .content = maths::fnv(file.text),
                       .settings = settings};
     if (exercise) {
         const std::string key = ships(document.path) ? exercise->id : document.path.string();

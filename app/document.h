@@ -29,6 +29,9 @@ struct FileMark {
 };
 FileMark mark_of(const std::filesystem::path&);  // FileMark{} if there is no such file
 
+// The hash of a file's bytes; nullopt if there is none that can be read.
+std::optional<std::uint64_t> content_of(const std::filesystem::path&);
+
 // A submission that is being graded in the background. It ends with the document.
 struct Grading {
     Submission submission;
@@ -90,7 +93,8 @@ struct Document {
     std::filesystem::path path{};             // absolute; empty: not saved yet
     bool is_scene_named_by_file = false;      // the file that was opened states no name, or its own: nor does a copy
     std::shared_ptr<const Scene> file{};      // the scene as it was read or saved last
-    FileMark on_disk{}, noticed{};            // the file when it was read or saved; and at the last check for changes
+    FileMark on_disk{}, noticed{};            // the file as follow_file() knows it; and at its last check
+    std::optional<std::uint64_t> content{};   // content_of() the file as it was read or written; nullopt: never
     std::optional<Error> broken{};            // why the file, changed by another program, cannot be read any more
     std::vector<Setting> settings{};          // values of the scene that were set when it was opened (--set)
     std::optional<Lesson> lesson{};           // nullopt: no exercise

@@ -34,7 +34,7 @@ void put_submission(Lab& lab, const std::string& vehicle, const Submission& subm
 
 void open_authored(Lab& lab, Document exercise, const std::filesystem::path& path, const std::string& vehicle) {
     auto kept = std::make_shared<AuthoredScene>(
-        AuthoredScene{.scene = std::move(lab.document), .vehicle = vehicle, .path = path, .on_disk = exercise.on_disk});
+        AuthoredScene{.scene = std::move(lab.document), .vehicle = vehicle, .path = path, .content = exercise.content});
     lab.document.run_id = kept->scene.run_id;  // the exercise gets the next one
     replace_document(lab, std::move(exercise));
     kept->exercise_run = lab.document.run_id;

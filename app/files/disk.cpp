@@ -12,6 +12,7 @@
 #include "core/io/run_file.h"
 #include "core/lesson/exercise_file.h"
 #include "core/messages.h"
+#include "core/maths/fnv.h"
 #include "core/scene/comments.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
@@ -173,19 +174,23 @@ fs::path own_file(const Document& document) {
     return is_scene ? document.path : fs::path{};
 }
 
-std::optional<Error> save_as(const Workspace& space, const fs::path& path, FileKind kind) {
+Result<std::uint64_t> save_as(const Workspace& space, const fs::path& path, FileKind kind) {
+    const auto write = [&](const std::string& text) -> Result<std::uint64_t> {
+        if (auto error = write_whole(path, text)) return *error;
+        return maths::fnv(text);
+    };
     if (kind == FileKind::scene) {
         Scene scene = scene_to_keep(space.document);
-        if (auto error = check_scene(scene)) return error;  // a file that cannot be opened is not written
+        if (auto error = check_scene(scene)) return *error;  // a file that cannot be opened is not written
         if (space.document.is_scene_named_by_file) scene.name.clear();
-        return write_whole(path, with_comments_of(space.document, write_scene(scene), path));
+        return write(with_comments_of(space.document, write_scene(scene), path));
     }
-    if (kind == FileKind::run) return write_whole(path, io::write_run(run_to_keep(space.document)));
+    if (kind == FileKind::run) return write(io::write_run(run_to_keep(space.document)));
     if (kind != FileKind::brain) return error_of(message_of("not_savable"), path.string());
     const Snapshot& now = space.document.session.snapshot();
     const VehicleView* vehicle = find_vehicle(now, space.view.selection.vehicle);
     if (!vehicle) return error_of(message_of("no_brain_to_save"));
-    return write_whole(path, write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
+    return write(write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
 }
 
 std::optional<Error> take_brain(Workspace& space, const FileText& file) {

@@ -1,6 +1,7 @@
 // Folders for the file browser, and saving of the open document.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,8 +32,8 @@ std::filesystem::path with_extension(std::filesystem::path, FileKind);
 std::filesystem::path own_file(const Document&);
 
 // Writes the scene, the run at its current tick, or the brain of the selected vehicle. A scene keeps the comments of
-// the file that it was opened from, see core/scene/comments.h.
-std::optional<Error> save_as(const Workspace&, const std::filesystem::path&, FileKind);
+// the file that it was opened from, see core/scene/comments.h. Returns content_of() the file.
+Result<std::uint64_t> save_as(const Workspace&, const std::filesystem::path&, FileKind);
 
 // Gives the brain in the file to the selected vehicle, or to its whole kind. One step of undo.
 std::optional<Error> take_brain(Workspace&, const FileText&);

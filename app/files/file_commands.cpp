@@ -200,21 +200,19 @@ struct FileCommands {
         return false;
     }
 
-    // True once for each change of the document's file by another program, which saving would replace.
+    // True once for each change of the document's file by another program, which saving would replace. Compares
+    // contents: a file that is written twice within the resolution of its time keeps time and, perhaps, size.
     bool replaces_work_of_others(const fs::path& path) const {
         Document& document = lab.document;
         if (document.lesson || path != document.path) return false;
-        const FileMark mark = mark_of(path);
-        if (mark == FileMark{} || (mark == document.on_disk && !document.broken)) return false;
-        document.on_disk = mark;
-        document.broken.reset();
-        return true;
+        const auto now = content_of(path);
+        return now && now != std::exchange(document.content, now);
     }
 
     // The same for the exercise that its author goes on with.
     bool replaces_edits_of_exercise() const {
-        const FileMark mark = mark_of(lab.authored->path);
-        return mark != FileMark{} && mark != std::exchange(lab.authored->on_disk, mark);
+        const auto now = content_of(lab.authored->path);
+        return now && now != std::exchange(lab.authored->content, now);
     }
 
     // Writes the exercise, opens it and begins its check.
@@ -250,7 +248,8 @@ struct FileCommands {
             if (const auto error = lab.document.session.apply(Retitle{wanted.title, wanted.story})) return fail(*error);
             ++lab.document.edits;
         }
-        if (const auto error = save_as(lab, path, wanted.kind)) return fail(*error);
+        const auto saved = save_as(lab, path, wanted.kind);
+        if (!saved) return fail(saved.error());
         if (wanted.kind == FileKind::run) add_recent_file(state, path, lab.document);
         if (wanted.kind == FileKind::scene) {
             if (!lab.document.lesson) lab.document.path = path, lab.document.name = path.stem().string();
@@ -262,6 +261,7 @@ struct FileCommands {
                 lab.window.saved.push_back(path);
             }
         }
+        if (path == lab.document.path) lab.document.content = *saved;
         if (wanted.kind != FileKind::brain || lab.document.lesson) lab.document.saved_edits = lab.document.edits;
         if (wanted.kind == FileKind::run) lab.document.saved_tick = lab.document.session.snapshot().tick;
         if (!view.listing.folder.empty()) list(view.listing.folder);
@@ -275,9 +275,6 @@ bool says_the_same(const Document& opened, const Document& now) {
     if (!now.file || *opened.file != *now.file || opened.lesson.has_value() != now.lesson.has_value()) return false;
     return !now.lesson || write_exercise(*opened.lesson->exercise) == write_exercise(*now.lesson->exercise);
 }
-
-// In Document::noticed: the file with this mark was told to have changed beside unsaved edits.
-FileMark told_of(FileMark mark) { return {mark.written, ~mark.size}; }
 
 void reload(Lab& lab, FilesView& view, Document opened) {
     const Playback before{
@@ -349,13 +346,11 @@ void follow_file(Lab& lab, FilesView& view) {
         document.on_disk = mark;
         return say(lab, {NoticeKind::notice, "files.deleted", title_of(document)});
     }
-    if (document.noticed == told_of(mark)) return;
     if (std::exchange(document.noticed, mark) != mark) return;  // it may be incomplete: wait until it stays unchanged
-    if (has_unsaved_edits(lab)) {
-        document.noticed = told_of(mark);  // Document::on_disk stays, so that saving asks before it replaces the file
-        return say(lab, {NoticeKind::notice, "files.changed", title_of(document)});
-    }
     document.on_disk = mark;
+    if (content_of(document.path) == document.content && !document.broken) return;
+    // Document::content stays, so that saving asks before it replaces the file.
+    if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", title_of(document)});
     auto opened = open_document(document.path, document.session.seed(), document.settings);
     const bool was_broken = document.broken.has_value();
     document.broken.reset();
@@ -363,6 +358,7 @@ void follow_file(Lab& lab, FilesView& view) {
         if (const auto text = read_text(document.path)) list_errors_for_author(lab, document.path, *text);
         return say(lab, document.broken.emplace(opened.error()));
     }
+    document.content = opened->content;
     if (was_broken || !says_the_same(*opened, document)) reload(lab, view, std::move(*opened));
 }
 

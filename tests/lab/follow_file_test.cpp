@@ -75,7 +75,7 @@ TEST_F(FollowFile, AsksBeforeItReplacesTheWorkOfAnotherWindow) {
         handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, was_seen ? 1.25f : 0.75f}});
         const std::string others = with(text_of(file), "LL = ", "LM = 0.5\nLL = ");
         if (was_seen)
-            write(with(others, "LM = 0.5\n", ""));
+            write(others);
         else
             put_text(file, others);
         const std::string theirs = text_of(file);
@@ -87,6 +87,58 @@ TEST_F(FollowFile, AsksBeforeItReplacesTheWorkOfAnotherWindow) {
         EXPECT_FALSE(files.refused) << "the second time the user has been asked";
         EXPECT_EQ(text_of(file).find("LM = 0.5"), std::string::npos);
     }
+}
+
+TEST_F(FollowFile, AsksBeforeItReplacesAnEditThatKeepsSizeAndTime) {
+    const auto time = fs::last_write_time(file);
+    put_text(file, with(text_of(file), "LL = 1.5", "LL = 0.5"));
+    fs::last_write_time(file, time);
+    const std::string theirs = text_of(file);
+    look(), look();
+    ask(SaveRequest{"mine", FileKind::scene});
+    ASSERT_TRUE(files.refused);
+    EXPECT_EQ(files.refused->phrases.front().id, "changed_outside");
+    EXPECT_EQ(text_of(file), theirs);
+}
+
+TEST_F(FollowFile, TwoWindowsThatSaveAtTheSameTimeNoticeEachOther) {
+    auto opened = open_lab(file, std::nullopt, {});
+    ASSERT_TRUE(opened);
+    Lab second = std::move(*opened);
+    const auto time = fs::last_write_time(file);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 0.25f}});
+    handle(second, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 0.75f}});
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_FALSE(files.refused);
+    fs::last_write_time(file, time);
+    std::swap(lab, second);
+    ask(SaveRequest{"mine", FileKind::scene});
+    ASSERT_TRUE(files.refused);
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_FALSE(files.refused) << "the second time the user has been asked";
+    fs::last_write_time(file, time);
+    std::swap(lab, second);
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_TRUE(files.refused) << "the first one notices the second one, too";
+}
+
+TEST_F(FollowFile, DoesNotAskWhenOnlyTheTimeOfTheFileChanges) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    write(text_of(file));
+    EXPECT_TRUE(lab.notice.empty()) << lab.notice.key;
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_FALSE(files.refused);
+}
+
+TEST_F(FollowFile, AsksBeforeASavedRunReplacesAnotherOne) {
+    ask(SaveRequest{"mine", FileKind::run});
+    ask(OpenRequest{"mine.run"});
+    tick(lab);
+    ask(SaveRequest{"mine", FileKind::run});
+    EXPECT_FALSE(files.refused) << "its own run";
+    put_text(folder / "mine.run", "another");
+    ask(SaveRequest{"mine", FileKind::run});
+    EXPECT_TRUE(files.refused);
 }
 
 }  // namespace
