@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include <fmt/format.h>
 
 #include "app/course/lesson_view.h"
 #include "app/lab_selection.h"
+#include "app/platform/platform.h"
 #include "app/seeking.h"
 
 namespace braitenlab {
@@ -29,28 +29,20 @@ void measure_pace(Playback& playback, double wall_seconds, double simulated) {
     pace.wall = pace.simulated = 0;
 }
 
-constexpr double slow_tick = 0.25;  // s, for which a key has to wait
+constexpr double slow_tick = 0.1, tolerated_slow = 0.5;  // s of processor time: of a tick, of such ticks in a row
 constexpr const char* slow_notice = "notice.slow_ticks";
 
-double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-bool has_been_slow(const Pace& pace) {
-    constexpr double slowest = tick_length / slow_tick;  // simulated seconds per second
-    if (pace.reached && static_cast<double>(*pace.reached) <= slowest) return true;
-    return pace.wall >= 2 * slow_tick && pace.simulated <= pace.wall * slowest;
-}
-
-// True if the run pauses because its ticks take so long, in real time and in processor time: a tick may have waited for
-// other programs, and threads work beside it. `seconds`: of the last tick. `processor_began`: when its frame began, at
-// most stepping_budget before the tick, because the time of the processor is asked by a call of the system. The notice
-// stays while ticks are slow; until then a person who goes on is not stopped again.
-bool pauses_slow_run(Lab& lab, double seconds, double processor_began) {
+// True if the run pauses because its ticks take so long. `began`: real seconds from the beginning of the frame to that
+// of the last tick; `processor_began`: thread_time() at the beginning of the frame, which is asked by a call of the
+// system and therefore not for each tick. The thread has used at most `began` before the tick. The notice stays while
+// ticks are slow; until then a person who goes on is not stopped again.
+bool pauses_slow_run(Lab& lab, double began, double ended, double processor_began) {
+    const double seconds = ended - began > slow_tick ? thread_time() - processor_began - began : 0;
     const bool is_told = lab.notice.key == slow_notice;
-    if (seconds <= slow_tick || processor_time() - processor_began <= slow_tick) {
-        if (is_told) lab.notice = {};
-        return false;
-    }
-    if (is_told || !has_been_slow(lab.playback.pace)) return false;
+    double& slow = lab.playback.pace.slow;
+    slow = seconds > slow_tick ? slow + seconds : 0;
+    if (slow == 0 && is_told) lab.notice = {};
+    if (slow < tolerated_slow || is_told) return false;
     constexpr double stays = 3600;  // s
     set_mode(lab, Mode::paused);
     say(lab, {NoticeKind::notice, slow_notice, fmt::format("{:.1f}", seconds), "", true}, stays);
@@ -119,14 +111,14 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
     const auto began = Clock::now();
     const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
     playback.debt += wall_seconds * static_cast<double>(playback.time_scale);
-    const double before = shown_snapshot(lab).seconds, processor_began = processor_time();
+    const double before = shown_snapshot(lab).seconds, processor_began = thread_time();
     while (playback.debt >= tick_length) {
         const double tick_began = spent();
         if (tick_began >= stepping_budget) break;
         tick(lab);
         if (seen) seen(shown_snapshot(lab));
         playback.debt -= tick_length;
-        if (pauses_slow_run(lab, spent() - tick_began, processor_began)) return;
+        if (pauses_slow_run(lab, tick_began, spent(), processor_began)) return;
         if (!pauses_here(lab)) continue;
         set_mode(lab, Mode::paused);
         if (lab.notice.kind != NoticeKind::failure || lab.notice.empty())

@@ -24,6 +24,7 @@ inline constexpr double tick_length = 1.0 / 60;                             // s
 struct Pace {
     double wall = 0, simulated = 0;  // s, in the interval being measured
     std::optional<float> reached;    // simulated seconds per second in the last interval; nullopt: as requested
+    double slow = 0;                 // s of processor time in ticks that are too long, of which the last one is one
 };
 
 // A moment of the run.

@@ -69,6 +69,9 @@ bool is_told_to_end();
 // not answer, and in a browser it does nothing.
 void let_requests_interrupt(bool on);
 
+// Processor time that this thread has used, s: what other threads and programs do does not count.
+double thread_time();
+
 // From now on the system ends the program, without a message, once it writes to a pipe without a reader, also where
 // the program was started with that signal ignored. Does nothing on systems without such a signal.
 void end_at_closed_pipe();

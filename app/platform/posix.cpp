@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <string_view>
 
@@ -137,6 +138,12 @@ bool is_told_to_end() {
 }
 
 void let_requests_interrupt(bool on) { may_interrupt = on; }
+
+double thread_time() {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
+}
 
 void end_at_closed_pipe() { std::signal(SIGPIPE, SIG_DFL); }
 

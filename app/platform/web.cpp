@@ -1,5 +1,6 @@
 // A browser or node: one process, no other program, and a file system in memory or on the disk of node.
 #include <cstdlib>
+#include <ctime>
 
 #include <emscripten/emscripten.h>
 
@@ -58,6 +59,8 @@ FileLock::~FileLock() {
 bool is_told_to_end() { return false; }
 
 void let_requests_interrupt(bool) {}
+
+double thread_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // the only thread
 
 void end_at_closed_pipe() {}
 

@@ -140,6 +140,15 @@ bool is_told_to_end() {
 
 void let_requests_interrupt(bool) {}
 
+double thread_time() {
+    FILETIME created{}, ended{}, kernel{}, user{};
+    GetThreadTimes(GetCurrentThread(), &created, &ended, &kernel, &user);
+    const auto seconds = [](const FILETIME& time) {
+        return (static_cast<double>(time.dwHighDateTime) * 4294967296.0 + time.dwLowDateTime) * 1e-7;
+    };
+    return seconds(kernel) + seconds(user);
+}
+
 void end_at_closed_pipe() {}
 
 bool has_threads() { return true; }

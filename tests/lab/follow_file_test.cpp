@@ -102,6 +102,8 @@ TEST_F(FollowFile, AsksBeforeItReplacesAnEditThatKeepsSizeAndTime) {
 }
 
 TEST_F(FollowFile, TwoWindowsThatSaveAtTheSameTimeNoticeEachOther) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    ask(SaveRequest{"mine", FileKind::scene});
     auto opened = open_lab(file, std::nullopt, {});
     ASSERT_TRUE(opened);
     Lab second = std::move(*opened);

@@ -1,14 +1,19 @@
 // Time in the lab: speed, pace, mode, going back and bookmarks.
 #include "app/playback.h"
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <ctime>
 #include <string>
+#include <thread>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "app/lab_requests.h"
+#include "app/platform/platform.h"
 #include "tests/lab/opened_lab.h"
 #include "ui/window.h"
 #include "ui/window_keys.h"
@@ -60,6 +65,35 @@ TEST(Playback, PausesWhereTicksTakeSoLongThatKeysHaveToWait) {
     EXPECT_TRUE(lab.notice.empty()) << "ticks are fast again";
     play(6, 260);
     EXPECT_EQ(lab.playback.mode, Mode::paused) << "slow anew";
+}
+
+TEST(Playback, PausesAfterHalfASecondInTicksOfMoreThanATenthEachAndNotForFasterOnes) {
+    for (const auto& [frames, milliseconds, mode] :
+         {std::tuple(3, 130, Mode::playing), {5, 130, Mode::paused}, {8, 80, Mode::playing}}) {
+        Lab lab = opened_lab("2a-coward");
+        handle(lab, Action::play_pause);
+        for (int i = 0; i < frames; ++i)
+            advance(lab, 0.017, [&](const Snapshot&) {
+                const double end = thread_time() + milliseconds * 1e-3;
+                while (thread_time() < end) continue;
+            });
+        EXPECT_EQ(lab.playback.mode, mode) << frames << " ticks of " << milliseconds << " ms";
+    }
+}
+
+TEST(Playback, DoesNotPauseForTheWorkOfOtherThreadsAndPrograms) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, Action::play_pause);
+    std::atomic<bool> ends = false;
+    std::thread other([&] {
+        while (!ends) continue;
+    });
+    for (int i = 0; i < 6; ++i)
+        advance(lab, 0.017, [](const Snapshot&) { std::this_thread::sleep_for(std::chrono::milliseconds(260)); });
+    ends = true;
+    other.join();
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
+    EXPECT_TRUE(lab.notice.empty()) << lab.notice.key;
 }
 
 TEST(Playback, ShowsEachTickOfAFastRun) {
