@@ -206,7 +206,7 @@ void App::handle_files() {
 void App::handle_recovery(bool take) {
     if (!take) return autosave_.forget();
     auto recovered = autosave_.recover();
-    if (!recovered) return show_error(recovered.error());
+    if (!recovered) return autosave_.set_aside(), show_error(recovered.error());
     recovered->edits = 1;
     leave_pages(lab_);  // on a page of a lecture nothing is kept for recovery
     replace_document(lab_, std::move(*recovered));

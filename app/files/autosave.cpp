@@ -4,7 +4,8 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
-#include <iterator>
+#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,30 +36,55 @@ std::string local_time() {
 
 std::string autosave_text(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return std::move(text).str();
+}
+
+// The array or object with which the text begins; empty if there is none, or if it is too deep for nlohmann's dump(),
+// which recurses.
+std::string_view first_value(std::string_view text) {
+    int depth = 0;
+    bool is_in_text = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (is_in_text && c == '\\') {
+            ++i;
+        } else if (c == '"') {
+            is_in_text = !is_in_text;
+        } else if (!is_in_text && (c == '{' || c == '[')) {
+            if (++depth > deepest_nesting) return {};
+        } else if (!is_in_text && (c == '}' || c == ']')) {
+            if (--depth <= 0) return text.substr(0, i + 1);
+        }
+    }
+    return {};
 }
 
 // The values of an autosave beside its run.
 struct AutosaveKeys {
-    std::string when, name;
+    std::string when, title, name;
     fs::path path;
+    std::optional<std::uint64_t> content;
     bool ended = false;
     std::optional<Draft::Progress> exercise;
 };
 
+// Reads no more than these keys, with which the file begins.
 Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_name) {
+    constexpr std::string_view begin = "{\"autosave\":";
+    const std::string_view value = text.starts_with(begin) ? first_value(text.substr(begin.size())) : "";
+    if (value.empty()) return error_of(message_of("not_an_autosave"), file_name);
     try {
-        bool is_too_deep = false;  // nlohmann's dump() recurses
-        const auto file = nlohmann::json::parse(text, [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-            return !(is_too_deep = is_too_deep || depth > deepest_nesting);
-        });
-        if (is_too_deep) return error_of(message_of("not_an_autosave"), file_name);
-        const auto& json = file.at("autosave");
+        const auto json = nlohmann::json::parse(value);
         AutosaveKeys keys;
         json.at("when").get_to(keys.when);
         json.at("name").get_to(keys.name);
+        keys.title = json.value("title", keys.name);
         keys.path = json.at("path").get<std::string>();
         json.at("ended").get_to(keys.ended);
+        if (const auto& content = json.value("content", nlohmann::json()); !content.is_null())
+            keys.content = content.get<std::uint64_t>();
         if (const auto& exercise = json.at("exercise"); !exercise.is_null())
             keys.exercise =
                 Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run"),
@@ -76,6 +102,7 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         document.name = keys.name;
         document.path = keys.path;
         document.on_disk = mark_of(keys.path);
+        document.content = keys.content;
         if (auto scene = load_scene(keys.path)) document.file = std::make_shared<const Scene>(std::move(*scene));
         return document;
     }
@@ -136,7 +163,8 @@ Error cannot_store(const Error& reason) {
 }  // namespace
 
 Draft draft_of(const Document& document) {
-    Draft draft{document.name, document.path, document.session.save(), std::nullopt, false};
+    Draft draft{title_of(document),      document.name, document.path, document.content,
+                document.session.save(), std::nullopt,  false};
     if (document.lesson) {
         const Attempt& attempt = document.lesson->attempt;
         draft.hides_brain = !document.lesson->exercise->hides.empty();
@@ -148,10 +176,14 @@ Draft draft_of(const Document& document) {
 }
 
 std::string write_autosave(const Draft& draft, std::string_view when, bool ended) {
-    auto json = nlohmann::json::parse(
-        io::write_run(draft.run, draft.hides_brain ? io::Seals::always : io::Seals::hidden_kinds));
-    auto& keys = json["autosave"] = {
-        {"when", when}, {"ended", ended}, {"name", draft.name}, {"path", draft.path.string()}, {"exercise", nullptr}};
+    nlohmann::json keys{{"when", when},
+                        {"ended", ended},
+                        {"title", draft.title},
+                        {"name", draft.name},
+                        {"path", draft.path.string()},
+                        {"exercise", nullptr},
+                        {"content", nullptr}};
+    if (draft.content) keys["content"] = *draft.content;
     if (draft.exercise)
         keys["exercise"] = {{"prediction", draft.exercise->prediction},
                             {"has_run", draft.exercise->has_run},
@@ -159,7 +191,9 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
                             {"hints_shown", draft.exercise->hints_shown}};
     if (draft.exercise && !draft.exercise->referee.empty())
         keys["exercise"]["referee"] = nlohmann::json::parse(draft.exercise->referee);
-    return io::json_text(json) + "\n";
+    // The first key of the run's object, so that read_keys() need not read the run.
+    std::string text = io::write_run(draft.run, draft.hides_brain ? io::Seals::always : io::Seals::hidden_kinds);
+    return text.insert(1, "\"autosave\":" + io::json_text(keys) + ",");
 }
 
 Result<Autosaved> open_autosave(std::string_view text, std::string file_name) {
@@ -180,18 +214,20 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
     });
     for_each_leftover(folder_, [&](const fs::path& file) {
         if (is_too_old(file)) return remove_with_lock(file);
-        const auto opened = open_autosave(autosave_text(file), file.string());
-        if (!opened) {
-            const Error& error = opened.error();
+        const std::string text = autosave_text(file);
+        const auto keys = read_keys(text, file.string());
+        std::optional<Error> fault = keys ? std::nullopt : std::optional(keys.error());
+        if (keys && text.size() <= most_at_start)
+            if (const auto opened = open_autosave(text, file.string()); !opened) fault = opened.error();
+        if (fault) {
             errors.push_back(
-                error_of(message_of(error) + Message("; its work cannot be recovered; the file is renamed to " +
-                                                     file.filename().string() + ".broken"),
-                         error.file, error.line));
+                error_of(message_of(*fault) + Message("; its work cannot be recovered; the file is renamed to " +
+                                                      file.filename().string() + ".broken"),
+                         fault->file, fault->line));
             set_aside_autosave(file);
             return;
         }
-        const RecoveryOffer offer{title_of(opened->document), opened->document.path.string(), opened->when,
-                                  opened->ended};
+        const RecoveryOffer offer{keys->title, keys->path.string(), keys->when, keys->ended};
         if (!leftover_ || leftover_->offer.when < offer.when) leftover_ = Leftover{file, offer};
     });
 }
@@ -206,6 +242,11 @@ Result<Document> Autosave::recover() const {
 void Autosave::forget() {
     if (!leftover_) return;
     remove_with_lock(leftover_->file);
+    leftover_.reset();
+}
+
+void Autosave::set_aside() {
+    if (leftover_) set_aside_autosave(leftover_->file);
     leftover_.reset();
 }
 

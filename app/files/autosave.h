@@ -23,8 +23,9 @@ namespace braitenlab {
 
 // The content of an autosave: plain values, which another thread may write while the lab runs.
 struct Draft {
-    std::string name;
-    std::filesystem::path path;  // absolute; empty: not saved yet
+    std::string title, name;
+    std::filesystem::path path;            // absolute; empty: not saved yet
+    std::optional<std::uint64_t> content;  // Document::content
     SavedRun run;
     struct Progress {
         int prediction = -1, hints_shown = 0;
@@ -83,8 +84,11 @@ public:
 
     static constexpr std::chrono::hours kept_for{30 * 24};  // since the last write; older leftovers are removed
 
+    static constexpr std::size_t most_at_start = 4U << 20U;  // bytes of a leftover that is read whole at the start
+
     // Searches the folder for leftovers, removes those that are too old (broken ones, too) and offers the newest. A
-    // file that cannot be read is renamed to <name>.broken and reported in `errors`. If `folder` is empty, nothing is
+    // file that cannot be read is renamed to <name>.broken and reported in `errors`; in a file of more bytes than
+    // most_at_start, which takes seconds, the run is read by recover() only. If `folder` is empty, nothing is
     // read or written.
     explicit Autosave(std::filesystem::path folder, std::vector<Error>& errors);
     Autosave(Autosave&&) = default;
@@ -95,6 +99,8 @@ public:
     // Opens the leftover. Its file stays until forget().
     Result<Document> recover() const;
     void forget();
+    // Renames the leftover, which recover() cannot read, as the constructor does.
+    void set_aside();
 
     // Removes leftovers of a scene file that has been saved: the file has newer work.
     void forget_work_on(const std::filesystem::path& saved);

@@ -7,12 +7,13 @@
 
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
+#include "app/platform/platform.h"
 #include "core/evolve/breeding_file.h"
 #include "core/insight/study_file.h"
 #include "core/io/run_file.h"
 #include "core/lesson/exercise_file.h"
-#include "core/messages.h"
 #include "core/maths/fnv.h"
+#include "core/messages.h"
 #include "core/scene/comments.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
@@ -25,7 +26,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_entries = 2000;
-constexpr std::uintmax_t most_to_parse = 1u << 20, most_to_parse_in_all = 4u << 20;  // bytes
+constexpr std::uintmax_t most_to_parse = 1u << 20;  // bytes of a file
+constexpr double time_to_parse = 0.05;              // s for the files of a folder
 
 // True if a TOML file can be parsed as its kind.
 bool parses(const FileText& file) {
@@ -70,8 +72,8 @@ bool has_comments(const std::string& text) {
     });
 }
 
-// `budget`: bytes that may still be parsed to find broken files. Beyond it, files count as sound until they are opened.
-std::optional<FileEntry> entry_of(const fs::directory_entry& found, std::uintmax_t& budget) {
+// `may_parse`: to find broken files. Else files count as sound until they are opened.
+std::optional<FileEntry> entry_of(const fs::directory_entry& found, bool may_parse) {
     FileEntry entry{found.path().filename().string()};
     if (entry.name.empty() || entry.name[0] == '.') return std::nullopt;
     std::error_code problem;
@@ -87,10 +89,9 @@ std::optional<FileEntry> entry_of(const fs::directory_entry& found, std::uintmax
         return size <= most_to_parse ? std::optional(entry) : std::nullopt;
     }
     const bool ours = file->kind == FileKind::run || has_format_line(file->text);
-    const bool parse = size <= std::min(most_to_parse, budget);
+    const bool parse = may_parse && size <= most_to_parse;
     if (!ours && (!parse || is_toml(*file))) return std::nullopt;
     entry.broken = !ours || (parse && !parses(*file));
-    if (parse) budget -= size;
     entry.kind = ours ? file->kind : FileKind::scene;
     entry.comments = has_comments(file->text);
     return entry;
@@ -125,10 +126,10 @@ FolderListing list_folder(const fs::path& wanted) {
         listing.problem = problem.message();
         return listing;
     }
-    std::uintmax_t budget = most_to_parse_in_all;
+    const double until = thread_time() + time_to_parse;
     for (; entries != fs::directory_iterator() && listing.entries.size() < most_entries; entries.increment(problem)) {
         if (problem) break;
-        if (auto entry = entry_of(*entries, budget)) listing.entries.push_back(std::move(*entry));
+        if (auto entry = entry_of(*entries, thread_time() < until)) listing.entries.push_back(std::move(*entry));
     }
     std::sort(listing.entries.begin(), listing.entries.end(), [](const FileEntry& a, const FileEntry& b) {
         return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;

@@ -293,6 +293,13 @@ TEST_F(AutosaveTest, ComparesRecoveredWorkWithTheFileOnTheDisk) {
     EXPECT_TRUE(has_unsaved_edits(make_lab(std::move(*recovered)))) << "the scene as opened differs from the file";
 }
 
+TEST_F(AutosaveTest, RecoveredWorkKnowsTheContentOfItsFile) {
+    lab.document.path = folder / "mine.toml";
+    lab.document.content = 7;
+    crash_with(1);
+    EXPECT_EQ(Autosave(folder.path, complaints).recover()->content, 7u);
+}
+
 TEST_F(AutosaveTest, WritesASavedRun) {
     crash_with(1.25f);
     const auto run = io::read_run(text_of(files_in(folder.path)[0]), "a");
@@ -376,6 +383,21 @@ TEST_F(AutosaveTest, RenamesABrokenFileAndReportsIt) {
         EXPECT_EQ(complaints[0].file, file.string());
         EXPECT_EQ(text_of(file.string() + ".broken"), broken);
     }
+}
+
+TEST_F(AutosaveTest, OffersALargeFileBeforeItReadsTheRun) {
+    crash_with(1);
+    const auto file = files_in(folder.path)[0];
+    const std::string whole = text_of(file);
+    put_text(file, whole.substr(0, whole.size() / 2) + std::string(Autosave::most_at_start, ' '));
+    Autosave next(folder.path, complaints);
+    EXPECT_TRUE(complaints.empty()) << complaints.front().text();
+    ASSERT_TRUE(next.leftover());
+    EXPECT_EQ(next.leftover()->offer.title, title_of(lab.document));
+    EXPECT_FALSE(next.recover()) << "the run is not whole";
+    next.set_aside();
+    EXPECT_FALSE(next.leftover());
+    EXPECT_TRUE(fs::exists(file.string() + ".broken"));
 }
 
 TEST_F(AutosaveTest, RefusesAFileThatIsTooDeep) {

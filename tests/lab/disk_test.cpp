@@ -1,6 +1,9 @@
 // Typed paths and the names of files.
 #include "app/files/disk.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/folder.h"
@@ -31,6 +34,19 @@ TEST(Disk, ListsAFolderWithAFileThatOverflowsTheParser) {
     ASSERT_EQ(listing.entries.size(), 2u);
     EXPECT_TRUE(listing.entries[0].broken);
     EXPECT_FALSE(listing.entries[1].broken);
+}
+
+TEST(Disk, ParsesNoMoreOfAFolderThanAFrameHasTimeFor) {
+    const Folder folder;
+    std::string text = "format = 1\n";
+    for (int i = 0; text.size() < 200000; ++i) text += fmt::format("unknown_key_{} = 1\n", i);
+    for (int i = 0; i < 60; ++i) put_text(folder / fmt::format("{}.toml", i), text);
+    const auto entries = list_folder(folder.path).entries;
+    EXPECT_EQ(entries.size(), 60u);
+    const auto broken =
+        std::count_if(entries.begin(), entries.end(), [](const FileEntry& each) { return each.broken; });
+    EXPECT_GT(broken, 0);
+    EXPECT_LT(broken, 60) << "the others count as sound until they are opened";
 }
 
 }  // namespace
