@@ -95,7 +95,6 @@ bool App::turn() {
     double passed = std::chrono::duration<double>(turn_began - times_.turn).count();
     times_.turn = turn_began;
     if (repeatable()) passed = frame_seconds;
-    window_.poll(0);
     if (ends()) return close(), false;
     handle_files();
     lab_.dragging = ui::drags_vehicle(panels_, lab_.view.selection.vehicle);
@@ -103,9 +102,11 @@ bool App::turn() {
     let_requests_interrupt(true);
     let_time_pass(passed);
     let_requests_interrupt(false);
+    if (ends()) return close(), false;
     follow_jobs();
     show_errors_of_start();
     frame(static_cast<float>(passed));
+    if (ends()) return close(), false;
     if (picture_is_due(seconds_since(times_.began))) {
         if (const auto error = write_picture(options_.screenshot)) exit_code_ = complain(*error);
         return false;
@@ -139,6 +140,7 @@ void App::keep_work() {
 }
 
 void App::close() {
+    if (!options_.only_draws()) window_.hide();
     if (is_told_to_end()) {
         keep_work();
         clip_.reset();  // removes its incomplete file
@@ -150,6 +152,7 @@ void App::close() {
 }
 
 bool App::ends() {
+    window_.poll(0);
     if (is_told_to_end()) return true;
     if (!lab_.window.exit && !window_.close_requested()) return false;
     if (may_leave(lab_, files_)) return true;

@@ -72,9 +72,10 @@ private:
     // ── The main loop, app.cpp ──
     // Opens the lecture or the lecture view of the command line.
     void begin_asked_lecture();
-    // True if the program can end now. If there are unsaved edits, opens the sheet about them; the answer is a request.
+    // Collects events. True if the program can end now; asked more than once in a turn, so that a window disappears
+    // soon. If there are unsaved edits, opens the sheet about them; the answer is a request.
     bool ends();
-    // Saves what is needed at the end of the program.
+    // Hides the window, then saves what is needed at the end of the program.
     void close();
     void let_time_pass(double passed);
     // Delivers the results of background jobs.

@@ -15,6 +15,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "app/platform/platform.h"
 #include "app/upload_fonts.h"
 #include "core/maths/vec.h"
 #include "ui/mouse_queue.h"
@@ -96,6 +97,11 @@ struct Window::Native {
     // Position of the window when Alt was pressed; nullopt: it is not held, or another key has been pressed since.
     std::optional<std::array<int, 2>> alt_pressed_at;
     std::optional<Canvas> canvas;  // drawn into in place of the window
+    struct Placed {
+        std::pair<int, int> size;
+        std::optional<std::pair<int, int>> place;
+    };
+    std::optional<Placed> hidden;  // where it was: window managers move a window that is hidden
     bool imgui = false;
     bool watches_graphics = false;
     bool num_lock = false;      // at the last key
@@ -298,11 +304,18 @@ Result<Window> Window::open(const WindowOptions& options) {
 bool Window::close_requested() const { return glfwWindowShouldClose(native_->window); }
 void Window::refuse_close() { glfwSetWindowShouldClose(native_->window, GLFW_FALSE); }
 
+void Window::hide() {
+    native_->hidden = Native::Placed{windowed_size(), windowed_place()};
+    if (glfwGetWindowMonitor(native_->window)) toggle_full_screen();  // GLFW hides no window in full screen
+    glfwHideWindow(native_->window);
+}
+
 Rect Window::area() const {
     return {0, 0, static_cast<float>(framebuffer_width()), static_cast<float>(framebuffer_height())};
 }
 
 std::pair<int, int> Window::windowed_size() const {
+    if (native_->hidden) return native_->hidden->size;
     int width = 0, height = 0;
     glfwGetWindowSize(native_->window, &width, &height);
     if (glfwGetWindowMonitor(native_->window)) return {native_->windowed[2], native_->windowed[3]};
@@ -310,6 +323,7 @@ std::pair<int, int> Window::windowed_size() const {
 }
 
 std::optional<std::pair<int, int>> Window::windowed_place() const {
+    if (native_->hidden) return native_->hidden->place;
     if (glfwGetWindowMonitor(native_->window)) return std::pair(native_->windowed[0], native_->windowed[1]);
     if (glfwGetWindowAttrib(native_->window, GLFW_ICONIFIED)) return std::nullopt;
     int x = 0, y = 0;
@@ -361,10 +375,13 @@ int Window::refresh_rate() const {
 }
 
 void Window::poll(double patience) {
-    if (patience > 0)
-        glfwWaitEventsTimeout(patience);
-    else
-        glfwPollEvents();
+    if (patience <= 0) return glfwPollEvents();
+    constexpr double slice = 0.05;  // s: GLFW goes on waiting when a signal comes
+    const double until = glfwGetTime() + patience;
+    for (double began = glfwGetTime(); began < until && !is_told_to_end(); began = glfwGetTime()) {
+        glfwWaitEventsTimeout(std::min(until - began, slice));
+        if (glfwGetTime() - began < 0.9 * slice) return;  // an event
+    }
 }
 
 void Window::rest(double seconds) {

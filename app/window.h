@@ -37,6 +37,9 @@ public:
     // True once the user has closed the window; refuse_close() resets it.
     bool close_requested() const;
     void refuse_close();
+    // Takes the window from the screen at once, for work at the end of the program: no further frame is shown.
+    // windowed_size() and windowed_place() stay as they were.
+    void hide();
 
     // Window pixels, which are those of the framebuffer. Some systems (Wayland, browsers) place windows and pointers in
     // units of several pixels; only this class knows them.
@@ -56,7 +59,8 @@ public:
     // Pictures per second of the fastest display; 0 if unknown.
     int refresh_rate() const;
 
-    // Collects events: keys in their order, dropped files. Waits up to `patience` seconds for the first event.
+    // Collects events: keys in their order, dropped files. Waits up to `patience` seconds for the first event or a
+    // request to end.
     // A browser delivers events between turns: there poll() returns at once and puts the next turn off instead.
     void poll(double patience);
     // Collects events for `seconds`. Returns at once in a browser, which begins turns at the rate of the display.

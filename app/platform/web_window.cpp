@@ -317,6 +317,7 @@ Result<Window> Window::open(const WindowOptions&) {
 // The browser closes the page without a question; autosave keeps the work.
 bool Window::close_requested() const { return false; }
 void Window::refuse_close() {}
+void Window::hide() {}
 
 Rect Window::area() const {
     return {0, 0, static_cast<float>(framebuffer_width()), static_cast<float>(framebuffer_height())};

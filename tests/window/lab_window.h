@@ -271,6 +271,7 @@ public:
     }
 
     void send(int signal) const { kill(pid_, signal); }
+    bool is_on_screen() const { return shell("xwininfo -id " + window_).out.find("IsViewable") != std::string::npos; }
 
     // Memory of the program that is in use, in MB; on Linux.
     double resident_megabytes() const {

@@ -162,6 +162,22 @@ TEST(CrashWindow, EndsOnSigtermAndOffersTheWork) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.05; }));
 }
 
+TEST(CrashWindow, LeavesTheScreenBeforeItKeepsTheWork) {
+    if (!windows_program().empty()) GTEST_SKIP() << "Windows has no signals";
+    const Home home;
+    std::ofstream(home.path / "crowd.toml")
+        << "format = 1\n[arena]\nwidth = 400\nheight = 400\n[kind.k.brain]\nLM = 1\n"
+           "RM = 0.9\n[ecology]\npopulation = 20000\n";
+    LabWindow lab({(home.path / "crowd.toml").string(), "--size", "640x480", "--play"}, home.path);
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 0; }, 60));
+    ASSERT_TRUE(lab.is_on_screen());
+    lab.send(SIGTERM);
+    EXPECT_TRUE(wait_for([&] { return !lab.is_on_screen(); }, 60));
+    EXPECT_FALSE(lab.has_ended()) << "it writes 20,000 vehicles";
+    EXPECT_EQ(lab.exit_code(60), 0);
+    EXPECT_NE(written(home), std::filesystem::file_time_type{});
+}
+
 TEST(UnsavedWindow, AsksBeforeItLeavesAndSavesUnderANewName) {
     const Home home;
     LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
