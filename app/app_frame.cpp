@@ -26,6 +26,9 @@ namespace braitenlab {
 
 namespace {
 
+// A widget pulses for this time after the last change; then its ring stays, so that a window left alone is not drawn.
+constexpr double pulse_seconds = 20;
+
 // The camera leaves room below and beside the arena for metre labels at scale 1. This leaves the additional room at
 // larger scales.
 Rect without_metre_labels(Rect scene, float scale) {
@@ -173,7 +176,7 @@ void App::frame(float passed) {
               .scale = theme_.scale(),
               .anchors = frame_.anchors,
               .outbox = frame_.outbox,
-              .pulse = ui::pulse(view),
+              .pulse = seconds_since(times_.change) < pulse_seconds ? ui::pulse(view) : 1,
               .written = reports_.state.wanted() ? &frame_.written : nullptr,
               .shortened = &shortened};
     ui::draw_window(view, panels_, ui, layout);

@@ -52,6 +52,19 @@ TEST(ViewWindow, KeepsItsPictureWhileNothingChanges) {
     EXPECT_TRUE(wait_for([&] { return on_screen() == before; }));
 }
 
+TEST(ViewWindow, RestsAfterAHintHasPulsedForAWhile) {
+    LabWindow lab({"2b-aggressor", "--size", "800x600"});
+    const auto pictures = [&] { return lab.state()["pictures"].get<int>(); };
+    const int first = pictures();
+    EXPECT_TRUE(wait_for([&] { return pictures() > first + 10; })) << "the button that plays does not pulse";
+    EXPECT_TRUE(LabWindow::eventually(
+        [&] {
+            const int before = pictures(), frames = lab.state()["frames"];
+            return wait_for([&] { return lab.state()["frames"] > frames + 5; }) && pictures() == before;
+        },
+        40));
+}
+
 TEST(MenuWindow, OpensByF10AndByAltAloneAndIsUsedByKeys) {
     LabWindow lab({"2a-coward", "--size", "1024x768"});
     const auto open = [&](const char* menu) { return wait_for([&] { return lab.state()["menu"] == menu; }); };
