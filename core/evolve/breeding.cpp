@@ -35,6 +35,21 @@ std::vector<Setting> settings_of(const Breeding& breeding, const Breed& breed, c
     return settings;
 }
 
+// The file of a scene with this kind alone: a genome changes nothing else, and the rest need not be read again.
+TomlFile file_of_kind(const TomlFile& scene, const std::string& kind) {
+    TomlFile file{scene.name, {TomlNode::Table{}, scene.root.place}};
+    for (const TomlMember& member : *scene.root.as_table()) {
+        TomlMember own = member;
+        if (member.key == "kind" || member.key == "sealed")
+            std::erase_if(std::get<TomlNode::Table>(own.value.content),
+                          [&](const TomlMember& each) { return each.key != kind; });
+        else if (member.key != "format")
+            continue;
+        std::get<TomlNode::Table>(file.root.content).push_back(std::move(own));
+    }
+    return file;
+}
+
 // The only vehicle of a side in the world; an error if there are none or several.
 std::optional<Error> find_kind(const Snapshot& start, Side side, const std::string& scene_file, int& kind) {
     kind = -1;
@@ -294,7 +309,7 @@ bool awaits_panel(const BreedingBase& base, const BreedingState& state) {
 }  // namespace
 
 // Finds the side of the breed, and tries its genes at both ends of their ranges.
-std::vector<Error> BreedingBase::read_breed(std::size_t index) {
+std::vector<Error> BreedingBase::read_breed(std::size_t index, const TomlFile& file) {
     const Breed& breed = breeding_.breeds[index];
     const auto is_kind = [&](Side each) { return kind(each).name == breed.kind; };
     const auto side = std::find_if(both_sides.begin(), both_sides.end(), is_kind);
@@ -306,11 +321,12 @@ std::vector<Error> BreedingBase::read_breed(std::size_t index) {
     if (at(breeds_, *side) >= 0)
         return {error_of(message_of("breed_twice", in_quotes(breed.kind)), breeding_.file, breed.line)};
     at(breeds_, *side) = static_cast<int>(index);
+    at(files_, *side) = std::make_shared<const TomlFile>(file_of_kind(file, breed.kind));
     std::vector<Error> errors;
     for (float Gene::*end : {&Gene::low, &Gene::high}) {
         Genome genome;
         for (const Gene& gene : breed.genes) genome.push_back(gene.*end);
-        for (Error& each : read_scene_fully(*file_, "", settings_of(breeding_, breed, genome)).errors)
+        for (Error& each : read_scene_fully(file, "", settings_of(breeding_, breed, genome)).errors)
             errors.push_back(std::move(each));
     }
     return errors;
@@ -320,8 +336,7 @@ std::vector<Error> BreedingBase::read(Breeding breeding, std::string_view scene_
     breeding_ = std::move(breeding);
     auto file = parse_toml(scene_text, scene_file);
     if (!file) return {file.error()};
-    file_ = std::make_shared<const TomlFile>(std::move(*file));
-    ReadScene scene = read_scene_fully(*file_, "", {});
+    ReadScene scene = read_scene_fully(*file, "", {});
     if (!scene.errors.empty()) return std::move(scene.errors);
     scene_ = std::move(scene.scene);
     const auto world = World::create(scene_, 1);
@@ -332,7 +347,7 @@ std::vector<Error> BreedingBase::read(Breeding breeding, std::string_view scene_
 
     std::vector<Error> errors;
     for (std::size_t i = 0; i < breeding_.breeds.size(); ++i)
-        for (Error& each : read_breed(i)) errors.push_back(std::move(each));
+        for (Error& each : read_breed(i, *file)) errors.push_back(std::move(each));
     Breeding same = breeding_;
     same.generations = Breeding{}.generations, same.title.clear(), same.story.clear(), same.scene.clear();
     fingerprint_ = maths::fnv(write_scene(scene_), maths::fnv(write_breeding(same)));
@@ -360,9 +375,9 @@ Kind BreedingBase::kind_of(Side side, const Genome& genome) const {
     const Breed* own = breed(side);
     if (!own || genome.empty()) return kind(side);
     // create() has checked the paths; read_scene() would list all paths of the scene for that, twice as long.
-    TomlFile file = *file_;
+    TomlFile file = *at(files_, side);
     for (const Setting& setting : settings_of(breeding_, *own, genome)) put(file.root, setting);
-    return std::move(read_scene(std::move(file), "", {})->kinds[static_cast<std::size_t>(at(kinds_, side))]);
+    return std::move(read_scene(std::move(file), "", {})->kinds.front());
 }
 
 BreedingState begin_breeding(const BreedingBase& base) {

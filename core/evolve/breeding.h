@@ -96,13 +96,13 @@ public:
 
 private:
     std::vector<Error> read(Breeding, std::string_view scene_text, const std::string& scene_file);
-    std::vector<Error> read_breed(std::size_t index);
+    std::vector<Error> read_breed(std::size_t index, const TomlFile& scene);
 
     Breeding breeding_;
-    std::shared_ptr<const TomlFile> file_;  // of the scene
     Scene scene_;
-    BySide<int> kinds_{};         // indices in the scene
-    BySide<int> breeds_{-1, -1};  // indices in the breeding
+    BySide<std::shared_ptr<const TomlFile>> files_;  // of the kinds that have a breed, see kind_of()
+    BySide<int> kinds_{};                            // indices in the scene
+    BySide<int> breeds_{-1, -1};                     // indices in the breeding
     std::uint64_t fingerprint_ = 0;
 };
 

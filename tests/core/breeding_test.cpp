@@ -191,6 +191,35 @@ TEST(Breeding, NamesWithAHyphenAreInPathsUnlessTwoWiresAreMeant) {
     EXPECT_FALSE(base_with(hidden + wire("A", "B-C"), "brain.wire.A-B-C.weight")) << "two wires have this path";
 }
 
+// kind_of() reads the kind alone.
+TEST(Breeding, AKindOfAGenomeIsThatOfTheWholeScene) {
+    Scene scene = *parse_scene(scene_text, "s.toml");
+    for (const bool is_hidden : {false, true}) {
+        for (Kind& kind : scene.kinds) kind.hidden = is_hidden;
+        const std::string text = write_scene(scene);
+        const std::string eyes = gene("eyes", "\"sensor.SL.angle\", \"-sensor.SR.angle\"", 0, 90);
+        const std::string own = is_hidden ? eyes : genes;
+        const std::string breeds = "[[breed]]\nkind = \"hunter\"\n" + own + "[[breed]]\nkind = \"hare\"\n" + own;
+        const auto base = BreedingBase::create(*parse_breeding(top + alone + breeds, "b.toml"), text, "s.toml");
+        ASSERT_TRUE(base) << base.error().text();
+        for (const Side side : both_sides) {
+            const std::string kind = "kind." + (*base)->kind(side).name;
+            std::vector<Setting> settings{{kind + ".sensor.SL.angle", "37.7"}, {kind + ".sensor.SR.angle", "-37.7"}};
+            Genome genome{37.7F};
+            if (!is_hidden) {
+                genome = {-0.3F, 0.1F, 37.7F};
+                for (const auto& [dial, value] :
+                     {std::pair{"LL", "-0.3"}, {"RR", "-0.3"}, {"LR", "0.1"}, {"RL", "0.1"}})
+                    settings.push_back({kind + ".brain." + dial, value});
+            }
+            const Scene whole = *parse_scene(text, "s.toml", settings);
+            const auto index = static_cast<std::size_t>(find_kind(whole, (*base)->kind(side).name));
+            EXPECT_EQ((*base)->kind_of(side, genome), whole.kinds[index]) << kind << " hidden: " << is_hidden;
+            EXPECT_EQ(whole.kinds[index].hidden, is_hidden);
+        }
+    }
+}
+
 TEST(Breeding, TheFirstGenerationIsMadeOfStartsIfTheFileSaysSo) {
     std::string starts = both;
     for (std::size_t at = 0; (at = starts.find("mutation = ", at)) != std::string::npos; at += 30)
