@@ -2,7 +2,9 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,13 +67,15 @@ std::string text_of_trials(const BreedingBase& base, const BreedingState& state,
 }
 
 // The numbers of the trials in their order; empty when there are none, or the user has interrupted the program.
-Result<std::vector<float>> run_trials(PartRunner& runner, const Base& base, const BreedingState& state,
-                                      const TrialList& list) {
+// Calls meanwhile() while the trials run.
+Result<std::vector<float>> run_trials(
+    PartRunner& runner, const Base& base, const BreedingState& state, const TrialList& list,
+    const std::function<void()>& meanwhile = [] {}) {
     std::vector<Trial> trials = list.trials(*base, state);
     const std::size_t count = trials.size();
-    if (count == 0) return std::vector<float>{};
-    const auto results = runner.run(
-        {count, part_of_trials(base, std::move(trials)), [&] { return text_of_trials(*base, state, list); }});
+    if (count == 0) return meanwhile(), std::vector<float>{};
+    const auto results = runner.run({count, part_of_trials(base, std::move(trials)),
+                                     [&] { return text_of_trials(*base, state, list); }, meanwhile});
     if (!results) return results.error();
     std::vector<float> numbers;
     for (const Numbers& each : *results) numbers.push_back(static_cast<float>(each.at(0)));
@@ -84,7 +88,7 @@ struct Bred {
     bool is_complete = false;
 };
 
-// Breeds on, and writes the state after each generation.
+// Breeds on, and writes the state after each generation, while the next one is computed.
 Result<Bred> breed_on(const Base& base, BreedingState state, int generations, int threads, const fs::path& folder) {
     PartRunner runner(threads);
     const auto done = [&](const BreedingState& s) {
@@ -94,14 +98,21 @@ Result<Bred> breed_on(const Base& base, BreedingState state, int generations, in
     Progress progress("generations, those of the panel included", static_cast<std::size_t>(generations + 1 + of_panel),
                       done(state), std::cerr);
     Bred bred{.state = std::move(state)};
+    bool is_written = true;
+    std::optional<Error> error;
+    const auto write = [&] {
+        if (std::exchange(is_written, true)) return;
+        error = write_breeding_state(*base, bred.state, folder);
+        progress.at(done(bred.state));
+    };
     for (;;) {
-        const auto numbers = run_trials(runner, base, bred.state, {.generations = generations});
+        const auto numbers = run_trials(runner, base, bred.state, {.generations = generations}, write);
+        if (error) return *error;
         if (!numbers) return numbers.error();
         if (numbers->empty()) break;
         advance(*base, bred.state, *numbers);
         bred.trials += numbers->size();
-        if (const auto error = write_breeding_state(*base, bred.state, folder)) return *error;
-        progress.at(done(bred.state));
+        is_written = false;
     }
     bred.is_complete = !is_told_to_end();
     return bred;

@@ -35,6 +35,7 @@ Result<std::vector<Numbers>> PartRunner::run(const Parts& parts) {
     if (has_ranks()) return run_on_ranks(running_->jobs, running_->wanted_threads, parts);
     auto job = running_->jobs.submit(
         parts.count, [&parts](std::size_t part) { return is_told_to_end() ? Numbers{} : parts.part(part); });
+    if (parts.meanwhile) parts.meanwhile();
     running_->jobs.finish();
     auto numbers = job.take();
     if (!*numbers) return numbers->error();

@@ -22,6 +22,7 @@ struct Parts {
     std::size_t count = 0;
     Part part;
     std::function<std::string()> text;  // of which part_of() makes the same Part in another process
+    std::function<void()> meanwhile{};  // called once on the calling thread, while others compute
 };
 
 // The text begins with the name of the command and a line end.

@@ -290,14 +290,19 @@ Result<std::vector<Numbers>> run_on_ranks(Jobs& jobs, int wanted_threads, const 
         for (int rank = 1; rank < mpi_job.size; ++rank) give(rank);
 
     OwnChunks own(jobs, parts.part);
-    Pause pause;
-    for (std::size_t missing = parts.count; missing > 0;) {
-        if (is_told_to_end()) return std::vector<Numbers>{};
+    const auto fill = [&] {
         while (own.size() < chunks_of_rank) {
             const auto chunk = handout.take(0);
             if (!chunk) break;
             own.add(*chunk);
         }
+    };
+    fill();
+    if (parts.meanwhile) parts.meanwhile();
+    Pause pause;
+    for (std::size_t missing = parts.count; missing > 0;) {
+        if (is_told_to_end()) return std::vector<Numbers>{};
+        fill();
         const auto error = own.take([&](Chunk chunk, const std::vector<Numbers>& made) {
             std::copy(made.begin(), made.end(), numbers.begin() + static_cast<std::ptrdiff_t>(chunk.first));
             missing -= chunk.count;

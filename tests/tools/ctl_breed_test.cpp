@@ -64,6 +64,18 @@ TEST(CtlBreed, AFolderDependsNeitherOnThreadsNorOnAPause) {
     fs::remove(file);
 }
 
+TEST(CtlBreed, AStateThatCannotBeWrittenEndsIt) {
+    const std::string file = small_breeding();
+    const Folder folder("breed-unwritten");
+    fs::create_directories(folder.path);
+    fs::create_symlink("state.json", fs::path(folder.path) / "state.json");  // a link to itself
+    const Ran ran = ctl("breed " + file + " --out " + folder.path);
+    EXPECT_EQ(ran.code, 2) << ran.out;
+    EXPECT_NE(ran.out.find("state.json"), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find("against the panel"), std::string::npos) << ran.out;
+    fs::remove(file);
+}
+
 TEST(CtlBreed, NamesEveryErrorOfABreedingByLine) {
     const std::string file = scratch("errors-breeding.toml");
     std::ofstream(file)
