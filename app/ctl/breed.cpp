@@ -66,6 +66,19 @@ std::string text_of_trials(const BreedingBase& base, const BreedingState& state,
                                                     {"generations", list.generations}});
 }
 
+// The same base for the same texts as before: all lists of a command have one breeding.
+Result<Base> base_of_texts(std::string breeding_text, std::string scene_text) {
+    static std::string last_breeding, last_scene;
+    static Base last;
+    if (last && breeding_text == last_breeding && scene_text == last_scene) return last;
+    auto breeding = evolve::parse_breeding(breeding_text, "breeding.toml");
+    if (!breeding) return breeding.error();
+    auto base = BreedingBase::create(std::move(*breeding), scene_text, "scene.toml");
+    if (!base) return base.error();
+    last_breeding = std::move(breeding_text), last_scene = std::move(scene_text), last = *base;
+    return last;
+}
+
 // The numbers of the trials in their order; empty when there are none, or the user has interrupted the program.
 // Calls meanwhile() while the trials run.
 Result<std::vector<float>> run_trials(
@@ -335,9 +348,7 @@ int write_match(const BreedOptions& options, const BreedingBase& base, const Bre
 
 Result<Part> part_of_breeding(std::string_view text) {
     const auto json = nlohmann::json::parse(text);
-    auto breeding = evolve::parse_breeding(json.at("breeding").get<std::string>(), "breeding.toml");
-    if (!breeding) return breeding.error();
-    const auto base = BreedingBase::create(std::move(*breeding), json.at("scene").get<std::string>(), "scene.toml");
+    const auto base = base_of_texts(json.at("breeding").get<std::string>(), json.at("scene").get<std::string>());
     if (!base) return base.error();
     const auto state = evolve::read_state(**base, json.at("state").get<std::string>(), "state.json");
     if (!state) return state.error();

@@ -42,20 +42,22 @@ void end_without_launcher() {
     if (getppid() != mpi_job.launcher) std::_Exit(exit_code::failed);
 }
 
-// The wait between two looks for messages: short after one, longer while nothing happens. A rank that waits inside MPI
-// would take a whole processor.
+// The wait between two looks for messages: a quarter of the time in which nothing has happened, so that a rank reacts
+// soon to what comes soon, as single short parts at the end of a list do. A rank that waits inside MPI would take a
+// whole processor.
 class Pause {
 public:
     void wait() {
         end_without_launcher();
-        std::this_thread::sleep_for(next_);
-        next_ = std::min(2 * next_, longest);
+        const auto quiet = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - since_) / 4;
+        std::this_thread::sleep_for(std::clamp(quiet, shortest, longest));
     }
-    void be_short() { next_ = shortest; }
+    void be_short() { since_ = Clock::now(); }
 
 private:
-    static constexpr std::chrono::microseconds shortest{250}, longest{2000};
-    std::chrono::microseconds next_ = shortest;
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::microseconds shortest{100}, longest{2000};
+    Clock::time_point since_ = Clock::now();  // the last event
 };
 
 void send_bytes(const void* data, std::size_t bytes, int rank, Tag tag) {
@@ -266,6 +268,19 @@ int share_of_processors() {
     return std::max(1, static_cast<int>(share + 1e-6));
 }
 
+// Open MPI looks for networks for a fifth of a second, which ranks of one computer do not need. A choice by --mca or in
+// the environment stays.
+void leave_out_networks() {
+#ifdef OMPI_MAJOR_VERSION
+    const int all = number_in_environment("OMPI_COMM_WORLD_SIZE");
+    if (all == 0 || number_in_environment("OMPI_COMM_WORLD_LOCAL_SIZE") != all) return;
+    for (const char* name : {"OMPI_MCA_pml", "OMPI_MCA_btl"})
+        if (std::getenv(name)) return;
+    setenv("OMPI_MCA_pml", "ob1", 0);
+    setenv("OMPI_MCA_btl", OMPI_MAJOR_VERSION < 5 ? "self,vader" : "self,sm", 0);
+#endif
+}
+
 }  // namespace
 
 bool has_ranks() { return mpi_job.size > 1; }
@@ -328,6 +343,7 @@ int run_in_ranks(const std::function<int()>& command) {
         return refuse(fmt::format(
             "{} processes were started that do not know each other; start them with mpirun, or with srun --mpi=pmix",
             told));
+    leave_out_networks();
     int provided = 0;
     mpi_job.launcher = getppid();
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
