@@ -42,21 +42,21 @@ void end_without_launcher() {
     if (getppid() != mpi_job.launcher) std::_Exit(exit_code::failed);
 }
 
-// The wait between two looks for messages: a quarter of the time in which nothing has happened, so that a rank reacts
+// The wait between two looks for messages: half of the time in which nothing has happened, so that a rank reacts
 // soon to what comes soon, as single short parts at the end of a list do. A rank that waits inside MPI would take a
 // whole processor.
 class Pause {
 public:
     void wait() {
         end_without_launcher();
-        const auto quiet = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - since_) / 4;
+        const auto quiet = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - since_) / 2;
         std::this_thread::sleep_for(std::clamp(quiet, shortest, longest));
     }
     void be_short() { since_ = Clock::now(); }
 
 private:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::microseconds shortest{100}, longest{2000};
+    static constexpr std::chrono::microseconds shortest{250}, longest{2000};
     Clock::time_point since_ = Clock::now();  // the last event
 };
 
