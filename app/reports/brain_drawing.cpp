@@ -17,8 +17,9 @@ namespace {
 
 constexpr float usual_width = 360, width_of_a_node = 90, node_radius = 15;
 constexpr std::size_t most_weights = 40;
-constexpr const char* plus_colour = "#0b6e4f";
-constexpr const char* minus_colour = "#b3261e";
+// Orange and blue as in the window, dark enough on white.
+constexpr const char* plus_colour = "#b06a00";
+constexpr const char* minus_colour = "#0072b2";
 
 // Crossed wires between two rows alone need more room.
 float row_height(std::size_t rows) { return rows <= 2 ? 150.0f : 92.0f; }

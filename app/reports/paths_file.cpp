@@ -1,5 +1,6 @@
 #include "app/reports/paths_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -56,8 +57,50 @@ std::string edge_svg(const Arena& arena, const FloorMap& map) {
         map.width, map.height, width, dashes);
 }
 
+// Points of the paths in the picture, at most 6 px apart, which names keep clear of.
+std::vector<maths::vec2> points_of(const std::map<VehicleId, RecordedPath>& paths, const FloorMap& map) {
+    constexpr float apart = 6;
+    std::vector<maths::vec2> points;
+    for (const auto& [id, path] : paths)
+        for (std::size_t i = 0; i < path.places.size(); ++i) {
+            const maths::vec2 to{map.x(path.places[i].x), map.y(path.places[i].y)};
+            const maths::vec2 from = i == 0 ? to : points.back();
+            const float distance = std::hypot(to.x - from.x, to.y - from.y);
+            const int steps = distance > across / 2 ? 1 : std::max(1, static_cast<int>(std::ceil(distance / apart)));
+            for (int step = 1; step <= steps; ++step) {
+                const float share = static_cast<float>(step) / static_cast<float>(steps);
+                points.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+            }
+        }
+    return points;
+}
+
+// The place of a name near (x, y) that no other name and the fewest points of paths are in; the first of several.
+struct NamePlace {
+    float x = 0, y = 0;
+    std::string_view anchor;
+};
+NamePlace name_place(float x, float y, std::string_view name, const FloorMap& map,
+                     const std::vector<maths::vec2>& points, const std::vector<LabelBox>& taken) {
+    const bool is_right = x > map.width / 2;
+    NamePlace best{x + (is_right ? -13.0f : 13.0f), y + 17, is_right ? "end" : "start"};
+    std::size_t fewest = points.size() + 1;
+    for (const float below : {17.0f, -9.0f, 31.0f, -23.0f, 45.0f, -37.0f, 59.0f, -51.0f})
+        for (const bool right : {is_right, !is_right}) {
+            const NamePlace tried{x + (right ? -13.0f : 13.0f), y + below, right ? "end" : "start"};
+            const LabelBox box = label_box(tried.x, tried.y, tried.anchor, name);
+            if (box.left < 0 || box.right > map.width || !is_free(box, taken)) continue;
+            const auto inside =
+                static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](maths::vec2 p) {
+                    return p.x > box.left && p.x < box.right && p.y > box.top && p.y < box.bottom;
+                }));
+            if (inside < fewest) fewest = inside, best = tried;
+        }
+    return best;
+}
+
 std::string path_svg(const RecordedPath& path, const Arena& arena, const FloorMap& map, const char* colour,
-                     std::string_view name, std::vector<LabelBox>& taken) {
+                     std::string_view name, const std::vector<maths::vec2>& points, std::vector<LabelBox>& taken) {
     const maths::vec2 first = path.places.front();
     const float x = map.x(path.last.x), y = map.y(path.last.y);
     std::string out = fmt::format(
@@ -67,16 +110,9 @@ std::string path_svg(const RecordedPath& path, const Arena& arena, const FloorMa
         path_data(path.places, arena, map, most_points), colour, map.x(first.x), map.y(first.y), colour, x, y,
         -maths::degrees(path.last.heading), colour);
     if (name.empty()) return out;
-    const bool is_right = x > map.width / 2;
-    const std::string_view anchor = is_right ? "end" : "start";
-    const float beside = x + (is_right ? -13.0f : 13.0f);
-    float at = y + 17;
-    for (const float below : {17.0f, -9.0f, 31.0f, -23.0f, 45.0f, -37.0f, 59.0f, -51.0f}) {
-        at = y + below;
-        if (is_free(label_box(beside, at, anchor, name), taken)) break;
-    }
-    taken.push_back(label_box(beside, at, anchor, name));
-    return out + outlined_text(beside, at, anchor, colour, name);
+    const NamePlace place = name_place(x, y, name, map, points, taken);
+    taken.push_back(label_box(place.x, place.y, place.anchor, name));
+    return out + outlined_text(place.x, place.y, place.anchor, colour, name);
 }
 
 // A length of 1, 2 or 5 times a power of ten, m, of about a fifth of the picture.
@@ -119,13 +155,14 @@ std::string paths_file(const Recording& recording, std::uint64_t from, std::uint
     std::string drawn = edge_svg(scene.arena, map) + floor_svg(scene, map) + sources_svg(scene, map, true);
     std::vector<LegendRow> legend;
     std::vector<LabelBox> taken;  // by names
+    const std::vector<maths::vec2> points = is_named ? points_of(paths, map) : std::vector<maths::vec2>{};
     std::map<int, std::size_t> of_kind;
     for (const auto& [id, path] : paths) {
         const auto kind = static_cast<std::size_t>(path.last.kind);
         const std::size_t number = is_named ? legend.size() : kind;
         const char* colour = colours[number % colours.size()];
         const std::string name = is_named ? name_of(scene, path.last) : std::string();
-        drawn += path_svg(path, scene.arena, map, colour, name, taken);
+        drawn += path_svg(path, scene.arena, map, colour, name, points, taken);
         if (is_named)
             legend.push_back({name, colour});
         else

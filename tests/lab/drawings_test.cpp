@@ -1,4 +1,6 @@
 // The wiring diagram and the paths of a run as SVG files.
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "app/files/data.h"
@@ -158,6 +160,38 @@ TEST(PathsFile, NamesDoNotOverlap) {
     ASSERT_EQ(boxes.size(), 6U);
     for (std::size_t i = 0; i < boxes.size(); ++i)
         EXPECT_TRUE(is_free(boxes[i], {boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(i)})) << i;
+}
+
+TEST(PathsFile, ANameKeepsClearOfThePathsWhereThereIsRoom) {
+    for (const char* name : {"3a-love", "2b-aggressor", "moth-and-hunter", "3b-explorer"}) {
+        const Session session = shipped(name);
+        const std::string svg = paths_file(session.recording(), 0, 900, "", speaking("en"));
+        std::vector<maths::vec2> points;
+        for (std::size_t at = 0; (at = svg.find("stroke-linejoin", at)) != svg.npos; ++at) {
+            std::istringstream data(svg.substr(svg.rfind("d=\"M", at) + 4));
+            for (maths::vec2 p{}; data >> p.x >> p.y; data.get()) points.push_back(p);
+        }
+        ASSERT_GT(points.size(), 50U) << name;
+        for (const LabelBox& box : outlined_boxes(svg))
+            for (const maths::vec2 p : points)
+                EXPECT_FALSE(p.x > box.left && p.x < box.right && p.y > box.top && p.y < box.bottom)
+                    << name << " " << p.x << " " << p.y;
+    }
+}
+
+TEST(BrainFile, WiresAndBiasesAreAsInTheWindow) {
+    const Session session = shipped("2b-aggressor");
+    const Kind& kind = session.scene().kinds.front();
+    BrainGraph brain = kind.brain;
+    for (Wire& wire : brain.wires) wire.weight = -1;
+    for (Node& node : brain.nodes) node.bias = node.kind == NodeKind::motor ? 0.5f : 0;
+    for (const Language& language : shipped_languages()) {
+        const Strings& strings = speaking(language.code);
+        const std::string svg = brain_file(brain, kind.sensors, "", strings);
+        EXPECT_NE(svg.find("stroke=\"#0072b2\""), svg.npos) << "blue inhibits";
+        EXPECT_EQ(svg.find("#b3261e"), svg.npos) << "red is a fault";
+        EXPECT_EQ(strings("report.bias"), strings("lecture.bias")) << language.code;
+    }
 }
 
 // What a browser and Inkscape draw is tried with librsvg where it is installed.
