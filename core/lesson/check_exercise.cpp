@@ -1,6 +1,7 @@
 #include "core/lesson/check_exercise.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -173,6 +174,20 @@ void check_names_of_check(ExercisePart part, const Check& check) {
     std::visit(check_goal, check.goal);
 }
 
+// The dial, or also the part, that is nearest to the first word of the offer that is none.
+Message nearest_control(std::string_view offer) {
+    std::vector<std::string_view> known;
+    for (const Dial dial : all_dials) known.push_back(name(dial));
+    if (offer.find('=') == offer.npos)
+        known.insert(known.end(), std::begin(offer_parts::all), std::end(offer_parts::all));
+    for (;;) {
+        const std::size_t end = std::min(offer.find('='), offer.size());
+        const std::string_view word = offer.substr(0, end);
+        if (!dial_named(word)) return nearest_of(word, known);
+        offer.remove_prefix(end + 1);
+    }
+}
+
 // Adds the dials of the offer at `index` to those offered before it.
 void check_offer(TomlTable& top, const std::string& text, std::size_t index, std::vector<Dial>& offered) {
     const TomlNode& place = top.content().get("offers")->as_list()->at(index);
@@ -180,7 +195,7 @@ void check_offer(TomlTable& top, const std::string& text, std::size_t index, std
         top.file().fail(fmt::format("offers.{}", index + 1), &place, std::move(what));
     };
     const auto offer = parse_offer(text);
-    if (!offer) return fail(message_of("no_control", in_quotes(text)));
+    if (!offer) return fail(message_of("no_control", in_quotes(text)) + nearest_control(text));
     for (const Dial dial : offer->dials) {
         const DialRange own = range(dial), first = range(offer->dials.front());
         if (std::find(offered.begin(), offered.end(), dial) != offered.end())
@@ -191,9 +206,12 @@ void check_offer(TomlTable& top, const std::string& text, std::size_t index, std
 }
 
 void check_hidden(TomlTable& top, const Exercise& exercise) {
-    for (const std::string& kind : exercise.hides)
+    for (std::size_t i = 0; i < exercise.hides.size(); ++i) {
+        const std::string& kind = exercise.hides[i];
         if (const int index = find_kind(exercise.scene, kind); index < 0 || index == subject_kind(exercise.scene))
-            top.fail("hides", message_of("not_another_kind", in_quotes(kind)));
+            top.file().fail(fmt::format("hides.{}", i + 1), &top.content().get("hides")->as_list()->at(i),
+                            message_of("not_another_kind", in_quotes(kind)));
+    }
 }
 
 void check_offers(TomlTable& top, const Exercise& exercise) {

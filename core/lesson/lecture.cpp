@@ -123,13 +123,16 @@ public:
         for (const PagePartTraits& part : page_part_table) page_.at_first[index_of(part.value)] = part.at_first;
         const bool asks = !page_.question.options.empty();
         if (!asks) page_.at_first[index_of(PagePart::question)] = false;
-        for (const PagePart part : parts_of("show", page_.show)) page_.at_first[index_of(part)] = true;
-        for (const PagePart part : parts_of("hide", page_.hide)) page_.at_first[index_of(part)] = false;
+        for (std::size_t i = 0; i < page_.show.size(); ++i)
+            for (const PagePart part : parts_of("show", i, page_.show[i])) page_.at_first[index_of(part)] = true;
+        for (std::size_t i = 0; i < page_.hide.size(); ++i)
+            for (const PagePart part : parts_of("hide", i, page_.hide[i])) page_.at_first[index_of(part)] = false;
         bool answers = false;
-        for (const std::string& step : page_.steps) {
-            if (step.find_first_not_of(' ') == step.npos) return fail("steps", message_of("empty_page_step"));
+        for (std::size_t i = 0; i < page_.steps.size(); ++i) {
+            const std::string& step = page_.steps[i];
+            if (step.find_first_not_of(' ') == step.npos) fail_at("steps", i, "", message_of("empty_page_step"));
             PageParts& revealed = page_.reveal.emplace_back();
-            for (const PagePart part : parts_of("steps", {step})) {
+            for (const PagePart part : parts_of("steps", i, step)) {
                 page_.at_first[index_of(part)] = false;
                 revealed[index_of(part)] = true;
                 answers |= part == PagePart::answer;
@@ -145,23 +148,27 @@ private:
         file_.fail(path_ + "." + key, value ? value : &table_, std::move(what));
     }
 
-    // The parts named in the texts, separated by spaces.
-    std::vector<PagePart> parts_of(const char* key, const std::vector<std::string>& texts) {
+    // At a text of the list `key`, and at a word of it: each word has an error of its own.
+    void fail_at(const std::string& key, std::size_t index, const std::string& word, Message what) {
+        const std::string of_word = word.empty() ? "" : "." + word;
+        file_.fail(fmt::format("{}.{}.{}{}", path_, key, index + 1, of_word), &table_.get(key)->as_list()->at(index),
+                   std::move(what));
+    }
+
+    // The parts named in a text of the list `key`, separated by spaces.
+    std::vector<PagePart> parts_of(const char* key, std::size_t index, const std::string& text) {
         std::vector<PagePart> parts;
-        for (const std::string& text : texts)
-            for (std::size_t begin = 0; begin < text.size();) {
-                const std::size_t end = std::min(text.find(' ', begin), text.size());
-                const std::string word = text.substr(begin, end - begin);
-                begin = end + 1;
-                if (word.empty()) continue;
-                const auto part = find_word(page_part_table, word);
-                if (!part) {
-                    fail(key, message_of("no_page_part", key, in_quotes(word)) +
-                                  nearest_of(word, words_of(page_part_table)));
-                    return parts;
-                }
+        for (std::size_t begin = 0; begin < text.size();) {
+            const std::size_t end = std::min(text.find(' ', begin), text.size());
+            const std::string word = text.substr(begin, end - begin);
+            begin = end + 1;
+            if (word.empty()) continue;
+            if (const auto part = find_word(page_part_table, word))
                 parts.push_back(*part);
-            }
+            else
+                fail_at(key, index, word,
+                        message_of("no_page_part", key, in_quotes(word)) + nearest_of(word, words_of(page_part_table)));
+        }
         return parts;
     }
 

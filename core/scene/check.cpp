@@ -13,6 +13,7 @@
 #include "core/scene/arena.h"
 #include "core/scene/nearest.h"
 #include "core/scene/size_limits.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -41,7 +42,7 @@ public:
     void flag(const char*, bool T::*, const char*) {}
     void word(const char*, auto T::*, const char*) {}
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
-        if ((object_.*member).size() > longest) fail(key, message_of("longer_than", key, longest));
+        if (count_characters(object_.*member) > longest) fail(key, message_of("longer_than", key, longest));
     }
     void colour(const char* key, std::string T::*member, const char*) {
         if (!(object_.*member).empty() && !is_colour(object_.*member))

@@ -53,7 +53,7 @@ public:
         row(key, "", all, "", meaning);
     }
     void text(const char* key, std::string T::*, std::size_t longest, const char* meaning) {
-        row(key, "", fmt::format("text, up to {}", longest), "", meaning);
+        row(key, "", fmt::format("text, up to {} characters", longest), "", meaning);
     }
     void colour(const char* key, std::string T::*, const char* meaning) { row(key, "", "\"#rrggbb\"", "", meaning); }
     void texts(const char* key, std::vector<std::string> T::*, std::size_t most, std::size_t, const char* meaning) {

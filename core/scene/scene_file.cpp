@@ -9,6 +9,7 @@
 #include "core/scene/schema.h"
 #include "core/scene/sealed.h"
 #include "core/scene/toml_reader.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -221,7 +222,7 @@ std::optional<Error> check_scene(const Scene& scene) {
 }
 
 std::optional<Error> check_look(const Look& look) {
-    if (look.label.size() > limits::name_length)
+    if (count_characters(look.label) > limits::name_length)
         return error_of(message_of("longer_than", "label", limits::name_length));
     if (!look.colour.empty() && !is_colour(look.colour)) return error_of(message_of("a_colour", "colour"));
     return std::nullopt;

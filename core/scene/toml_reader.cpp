@@ -91,8 +91,9 @@ std::optional<std::string> TomlTable::text(std::string_view key, std::size_t lon
     if (!node) return std::nullopt;
     if (!node->as_text()) return wrong_type(key, *node, message_of("text_in_quotes")), std::nullopt;
     const std::string& value = *node->as_text();
-    if (value.size() <= longest) return value;
-    fail(key, message_of("too_long", key, value.size(), longest));
+    const std::size_t characters = count_characters(value);
+    if (characters <= longest) return value;
+    fail(key, message_of("too_long", key, characters, longest));
     return std::nullopt;
 }
 

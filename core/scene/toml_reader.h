@@ -18,6 +18,7 @@
 #include "core/scene/nearest.h"
 #include "core/scene/schema.h"
 #include "core/scene/toml_tree.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -187,7 +188,7 @@ public:
         if (!values) return;
         for (const TomlNode& value : *values) {
             const std::string* text = value.as_text();
-            if (!text || text->size() > longest)
+            if (!text || count_characters(*text) > longest)
                 return (object_.*member).clear(), table_.fail(key, message_of("short_texts", key));
             (object_.*member).push_back(*text);
         }

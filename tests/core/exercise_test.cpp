@@ -265,6 +265,27 @@ TEST(Exercise, EveryIndependentErrorIsReportedWithItsLine) {
     EXPECT_FALSE(parse_exercise(text, guided / "x.toml"));
 }
 
+TEST(Exercise, AnOfferThatIsNoControlNamesTheNearest) {
+    const auto told = [](const std::string& offers) {
+        std::string all;
+        for (const std::string& each : errors_in(changed(aggressor(), "offers = [\"LL\"", "offers = [" + offers)))
+            all += each + "\n";
+        return all;
+    };
+    struct Offered {
+        std::string offer, nearest;
+    };
+    for (const auto& [offer, nearest] : {Offered{"L", "LL"}, Offered{"LL=RX", "RL"},
+                                         Offered{"tresholdLL", "threshold_LL"}, Offered{"wirring", "wiring"}}) {
+        const std::string errors = told("\"" + offer + "\"");
+        EXPECT_NE(errors.find("'" + offer + "' is no control; "), std::string::npos) << errors;
+        EXPECT_NE(errors.find("; the nearest is '" + nearest + "'\n"), std::string::npos) << errors;
+    }
+    const std::string two = told("\"XL\", \"curvs\"");
+    EXPECT_NE(two.find("'XL' is no control"), std::string::npos) << two;
+    EXPECT_NE(two.find("'curvs' is no control"), std::string::npos) << two;
+}
+
 TEST(Exercise, AFileWithoutFaultsHasNoErrors) { EXPECT_EQ(errors_in(aggressor()), std::vector<std::string>{}); }
 
 TEST(Exercise, AMisspeltKeyIsReportedOnce) {

@@ -106,6 +106,33 @@ TEST(Lecture, EveryErrorIsReportedOnceByLine) {
               2u);
 }
 
+TEST(Lecture, EveryWordOfAListThatIsNoPartIsNamedAtItsLine) {
+    const std::vector<Error> errors = errors_of_lecture(
+        "format = 1\ntitle = \"T\"\nminutes = 5\n[[page]]\nscene = \"2a-coward\"\nshow = [\"brian\", \"plai\"]\n"
+        "steps = [\"plai answr\",\n\"play\",\n\"brian\"]\n",
+        "/nowhere/own.toml", shipped);
+    std::string all;
+    for (const Error& each : errors) all += each.text() + "\n";
+    const auto line = [](int number, const char* key, const char* word, const char* nearest) {
+        return "/nowhere/own.toml:" + std::to_string(number) + ": '" + key + "' has no part '" + word +
+               "'; the nearest is '" + nearest + "'\n";
+    };
+    EXPECT_EQ(all, line(6, "show", "brian", "brain") + line(6, "show", "plai", "play") +
+                       line(7, "steps", "plai", "play") + line(7, "steps", "answr", "answer") +
+                       line(9, "steps", "brian", "brain"));
+}
+
+TEST(Lecture, ACaptionIsMeasuredInCharacters) {
+    const auto with_caption = [](std::size_t umlauts) {
+        std::string caption;
+        for (std::size_t i = 0; i < umlauts; ++i) caption += "ü";
+        return scene_page + "caption = \"" + caption + "\"\n";
+    };
+    EXPECT_EQ(error_of(with_caption(121)),
+              "/nowhere/own.toml:6: 'caption' has 121 characters, the most is 120; shorten it");
+    EXPECT_EQ(error_of(with_caption(120)), "no error");
+}
+
 TEST(Lecture, ChecksThatEveryPageCanBeOpened) {
     const auto page = [](const std::string& more) { return check_pages(*read(scene_page + more)); };
     EXPECT_FALSE(page(""));

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include "core/utf8.h"
 #include "ui/number_text.h"
 #include "ui/panels/study_draft.h"
 #include "ui/panels/value_choice.h"
@@ -188,7 +189,7 @@ std::optional<Study> study_of(const StudyDraft& draft, const Ui& ui, const LabVi
     Study study;
     study.title = fill(ui.strings("study.of_scene"),
                        {scene.title.empty() ? view.documents.opened : std::string(translated(ui, scene.title))});
-    study.title.resize(std::min(study.title.size(), limits::title_length));
+    study.title = utf8_cut(std::move(study.title), limits::title_length);
     study.seconds = draft.seconds, study.seeds = draft.seeds;
     if (vehicle.start >= 0) study.vehicle = scene.starts[static_cast<std::size_t>(vehicle.start)].name;
     for (const DraftValue& value : draft.values)
