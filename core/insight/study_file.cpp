@@ -1,5 +1,7 @@
 #include "core/insight/study_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <set>
@@ -20,7 +22,8 @@ using insight::StudyValue;
 
 void describe(auto& v, Of<StudyValue>) {
     v.text("name", &StudyValue::name, limits::name_length, "of the column in the table; must be given");
-    v.text("unit", &StudyValue::unit, 8, "for display");
+    v.text("unit", &StudyValue::unit, 8,
+           "shown behind the levels, and at the end of the column's name: `mass_kg`, `eyes_deg`, `speed_m_s`");
     v.texts("paths", &StudyValue::paths, insight::limits::study_paths, limits::text_length,
             "of the values of the scene that get the level; a path that begins with `-` gets the negative level");
     v.numbers("levels", &StudyValue::levels, insight::limits::study_levels, {-1e6, 1e6}, "one set of runs for each");
@@ -93,7 +96,8 @@ void check_names(TomlTable& top, const Study& study) {
         if (!names.insert(column_name(row_of(measure))).second)
             top.fail("measures", message_of("column_twice", in_quotes(word(measure))));
     for (std::size_t i = 0; i < study.values.size(); ++i)
-        if (const std::string& name = study.values[i].name; !name.empty() && !names.insert(name).second)
+        if (const std::string name = column_name(study.values[i]);
+            !study.values[i].name.empty() && !names.insert(name).second)
             top.file().fail(fmt::format("value.{}.name", i + 1), list_at(top, "value")[i].get("name"),
                             message_of("column_twice", in_quotes(name)));
 }
@@ -156,6 +160,23 @@ std::vector<std::size_t> levels_of(const Study& study, std::size_t combination) 
         combination /= count;
     }
     return levels;
+}
+
+std::string column_name(const StudyValue& value) {
+    struct Sign {
+        std::string_view sign, words;
+    };
+    constexpr std::array signs{Sign{"°", "deg"}, Sign{"%", "percent"}, Sign{"²", "2"}, Sign{"³", "3"}, Sign{"µ", "u"},
+                               Sign{"Ω", "ohm"}, Sign{"·", "_"},       Sign{"/", "_"}, Sign{" ", "_"}};
+    std::string ending;
+    for (std::string_view unit = value.unit; !unit.empty();) {
+        const auto known =
+            std::find_if(signs.begin(), signs.end(), [&](const Sign& each) { return unit.starts_with(each.sign); });
+        ending += known == signs.end() ? unit.substr(0, 1) : known->words;
+        unit.remove_prefix(known == signs.end() ? 1 : known->sign.size());
+    }
+    if (ending.empty() || value.name.ends_with("_" + ending)) return value.name;
+    return value.name + "_" + ending;
 }
 
 std::string level_text(const StudyValue& value, std::size_t level) {

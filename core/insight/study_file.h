@@ -40,7 +40,7 @@ struct StudyMeasureTraits {
     std::string_view meaning;
 };
 inline constexpr auto study_measure_table = std::to_array<StudyMeasureTraits>({
-    {StudyMeasure::captures, "captures", "", false, "prey that predators have eaten"},
+    {StudyMeasure::captures, "captures", "", false, "bites by which predators have taken energy from prey"},
     {StudyMeasure::deaths, "deaths", "", false, "vehicles that have left without energy or over an edge"},
     {StudyMeasure::births, "births", "", false, "vehicles that have replaced others"},
     {StudyMeasure::contacts, "contacts", "", false, "begins of contacts of vehicles with anything"},
@@ -71,6 +71,10 @@ struct StudyValue {
     std::vector<double> levels;
     std::vector<int> lines{};  // of the paths in the file; empty for a study that was not read
 };
+
+// The name with the unit as columns have it: mass in kg is mass_kg, eyes in ° eyes_deg, speed in m/s speed_m_s. A name
+// that ends so already stays.
+std::string column_name(const StudyValue&);
 
 // The words at the axes of a figure; empty: see study_drawing().
 struct StudyLabels {

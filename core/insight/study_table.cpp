@@ -13,7 +13,8 @@ namespace braitenlab::insight {
 
 std::string study_header(const Study& study) {
     std::string line = "run,seed";
-    for (const StudyValue& value : study.values) line += ',', io::add_csv_cell(line, std::string_view(value.name));
+    for (const StudyValue& value : study.values)
+        line += ',', io::add_csv_cell(line, std::string_view(column_name(value)));
     for (const StudyMeasure measure : study.measures) line += "," + column_name(row_of(measure));
     return line + '\n';
 }

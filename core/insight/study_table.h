@@ -12,8 +12,8 @@
 
 namespace braitenlab::insight {
 
-// The long-form table: run (from 1), seed, a column for each value and each measure. Cells that are not finite are
-// empty.
+// The long-form table: run (from 1), seed, a column for each value and each measure, named with the unit. Cells that
+// are not finite are empty.
 std::string study_header(const Study&);
 std::string study_line(const StudyBase&, std::size_t run, const StudyRow&);
 // The row of a line; nullopt unless study_line() gives this line for the row.

@@ -178,6 +178,30 @@ TEST(StudyTable, AColumnOfRealNumbersHasAPointInEachCell) {
     EXPECT_TRUE(insight::read_study_line(*base, 0, "1,1,0.0,0,3,2.0\n"));
 }
 
+TEST(StudyTable, AColumnEndsWithTheUnitOfItsValue) {
+    struct Named {
+        const char *name, *unit, *column;
+    };
+    for (const Named& each : {Named{"mass", "kg", "mass_kg"},
+                              {"eyes", "°", "eyes_deg"},
+                              {"speed", "m/s", "speed_m_s"},
+                              {"a", "m/s²", "a_m_s2"},
+                              {"drag", "N·s/m", "drag_N_s_m"},
+                              {"share", "%", "share_percent"},
+                              {"mass_kg", "kg", "mass_kg"},
+                              {"weight", "", "weight"}})
+        EXPECT_EQ(insight::column_name(insight::StudyValue{each.name, each.unit, {}, {}}), each.column);
+    const auto base = base_of(file_text("measures = [\"contacts\"]",
+                                        "name = \"mass\"\nunit = \"kg\"\npaths = [\"kind.aggressor.body.mass\"]\n"
+                                        "levels = [5, 20]\n"),
+                              shipped_scene("2b-aggressor"));
+    EXPECT_EQ(insight::study_header(base->study()), "run,seed,mass_kg,contacts\n");
+    const std::string value = "name = \"final\"\nunit = \"m\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";
+    const auto study = insight::parse_study(file_text("measures = [\"final\"]", value), "s.toml");
+    ASSERT_FALSE(study) << "with its unit it is the column of a measure";
+    EXPECT_NE(study.error().text().find("two columns 'final_m'"), std::string::npos) << study.error().text();
+}
+
 TEST(StudyFile, ANameThatIsAColumnOfAMeasureIsRefused) {
     for (const char* name : {"final_m", "contacts", "run", "seed"}) {
         const std::string value = std::string("name = \"") + name + "\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";

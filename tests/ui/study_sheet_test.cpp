@@ -108,7 +108,8 @@ TEST_F(StudyDesk, SavesTheTableOfTheCompleteRuns) {
     desk.click("study.save");
     ASSERT_TRUE(desk.last<ExportRequest>());
     EXPECT_EQ(desk.last<ExportRequest>()->name, "prey-eyes");
-    EXPECT_EQ(desk.last<ExportRequest>()->text, "run,seed,eyes,speed,captures,prey\n1,1,80,3.0,0,\n2,2,80,3.0,1,\n");
+    EXPECT_EQ(desk.last<ExportRequest>()->text,
+              "run,seed,eyes_deg,speed_m_s,captures,prey\n1,1,80,3.0,0,\n2,2,80,3.0,1,\n");
 }
 
 TEST_F(StudyDesk, SavesTheFigureOfACompleteStudy) {
