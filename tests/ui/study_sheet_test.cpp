@@ -97,10 +97,22 @@ TEST_F(StudyDesk, ShowsMediansAndTheComparisonWithTheFirstRow) {
     EXPECT_TRUE(is_written("eyes 80°, speed 3.9 m/s"));
     EXPECT_TRUE(is_written("19.5")) << "median of 0 to 39";
     EXPECT_TRUE(is_written("29.5")) << "median of 10 to 49";
-    EXPECT_TRUE(is_written("40 of 40 more"));
+    EXPECT_TRUE(is_written("40 more, 0 equal, 0 less"));
     desk.click("study.measure.prey");
     EXPECT_TRUE(is_written("never"));
     EXPECT_FALSE(is_written("19.5"));
+}
+
+TEST_F(StudyDesk, TheComparisonCountsEqualRunsToo) {
+    open(80);
+    for (std::size_t run = 40; run < 80; ++run) rows[run] = rows[run - 40];
+    for (std::size_t run = 40; run < 44; ++run) rows[run][0] += 1;
+    rows[79][0] -= 1;
+    for (const Language& language : shipped_languages()) {
+        desk.strings = speaking(language.code);
+        desk.frame(3);
+        EXPECT_TRUE(is_written(fill(desk.strings("study.compared"), {"4", "35", "1"}))) << language.code;
+    }
 }
 
 TEST_F(StudyDesk, SavesTheTableOfTheCompleteRuns) {

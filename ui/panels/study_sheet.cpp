@@ -110,9 +110,9 @@ private:
     }
 
     std::string against_words(const StudySummary& summary) const {
-        const bool more = summary.more >= summary.less;
-        return fill(ui_.strings(more ? "study.more" : "study.less"),
-                    {std::to_string(more ? summary.more : summary.less), std::to_string(summary.pairs)});
+        const std::size_t equal = summary.pairs - summary.more - summary.less;
+        return fill(ui_.strings("study.compared"),
+                    {std::to_string(summary.more), std::to_string(equal), std::to_string(summary.less)});
     }
 
     // Words on the left, the median and the comparison on the right, the plot between them.
