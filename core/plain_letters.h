@@ -11,12 +11,18 @@ namespace braitenlab {
 
 enum class Umlauts { as_vowels, spelled };  // ä as "a", or as "ae" as German spells it without umlauts
 
-// "Über" becomes "uber" or "ueber", "Straße" "strasse"; "-" stands for the signs × and ÷. Letters beyond Latin-1 stay.
+// "Über" becomes "uber" or "ueber", "Straße" "strasse", "Łukasz" "lukasz"; "-" stands for the signs × and ÷. Letters
+// beyond Latin Extended-A stay.
 inline std::string plain_letters(std::string_view text, Umlauts umlauts) {
     // U+00E0 .. U+00FF; U+00C0 .. U+00DF are their capitals, but for ß.
     constexpr std::array<std::string_view, 32> latin{"a",  "a", "a", "a", "ae", "a", "ae", "c", "e",  "e", "e",
                                                      "e",  "i", "i", "i", "i",  "d", "n",  "o", "o",  "o", "o",
                                                      "oe", "-", "o", "u", "u",  "u", "ue", "y", "th", "y"};
+    // U+0100 .. U+017F, the letter below each accent.
+    constexpr std::string_view extended =
+        "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkkllllllllllnnnnnnnnnoooooooo"
+        "rrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+    static_assert(extended.size() == 0x80);
     std::string plain;
     while (!text.empty()) {
         const auto [code, size, is_valid] = first_code_point(text);
@@ -26,6 +32,8 @@ inline std::string plain_letters(std::string_view text, Umlauts umlauts) {
             const std::string_view letters = latin[code & 0x1F];
             const bool is_umlaut = (code | 0x20) == 0xE4 || (code | 0x20) == 0xF6 || (code | 0x20) == 0xFC;
             plain += is_umlaut && umlauts == Umlauts::as_vowels ? letters.substr(0, 1) : letters;
+        } else if (code >= 0x100 && code < 0x180) {
+            plain += extended[code - 0x100];
         } else if (code >= 'A' && code <= 'Z') {
             plain += static_cast<char>(code - 'A' + 'a');
         } else {

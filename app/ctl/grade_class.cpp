@@ -138,11 +138,9 @@ std::optional<Error> check_marks(const ClassOptions& options) {
     return platform ? std::nullopt : std::optional(platform.error());
 }
 
-std::string names_of(const std::vector<std::string>& names) {
-    constexpr std::size_t most = 20;
-    const std::vector<std::string> first(names.begin(),
-                                         names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
-    return fmt::format("{}{}", fmt::join(first, "; "), names.size() > most ? "; …" : "");
+// A text with the number of the names and all of them.
+std::string with_names(std::string_view text, const std::vector<std::string>& names) {
+    return fill(text, {std::to_string(names.size()), fmt::format("{}", fmt::join(names, "; "))});
 }
 
 // Writes the marks. Returns exit_code::bad_input where one has no place in the list.
@@ -160,13 +158,10 @@ int write_marks(const ClassReport& report, const Strings& strings, const ClassOp
         std::cout << book->table;
     else if (const auto error = write_whole(options.marks, book->table))
         return complain(*error);
-    std::cerr << fmt::format("marks: {}\n", book->marked);
-    if (!book->unmarked.empty())
-        std::cerr << format_lines("in the list without a graded hand-in: {}: {}\n", book->unmarked.size(),
-                                  names_of(book->unmarked));
+    std::cerr << fill(strings("report.marks"), {std::to_string(book->marked)}) << '\n';
+    if (!book->unmarked.empty()) std::cerr << one_line(with_names(strings("report.unmarked"), book->unmarked)) << '\n';
     if (book->not_in_list.empty()) return exit_code::done;
-    return complain({fmt::format("graded without a place in the list: {}: {}", book->not_in_list.size(),
-                                 names_of(book->not_in_list))});
+    return complain({with_names(strings("report.not_in_list"), book->not_in_list)});
 }
 
 }  // namespace
@@ -199,7 +194,8 @@ int grade_class(const ClassOptions& options) {
     for (const ClassFile& folder : files->empty) report.rows.push_back(row_of_empty_folder(folder));
     if (report.rows.empty()) return complain({"there is no file to grade; give a folder with hand-in files"});
     if (!files->left_out.empty())
-        std::cerr << format_lines("left out: {}\n", fmt::to_string(fmt::join(files->left_out, ", ")));
+        std::cerr << one_line(fill((*strings)("report.left_out"), {fmt::to_string(fmt::join(files->left_out, ", "))}))
+                  << '\n';
     mark_replaced(report.rows);
     mark_same(report.rows);
     if (const auto error = grade_rows(*exercise, options.first_seed, report.rows)) return complain(*error);

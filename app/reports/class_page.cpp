@@ -34,24 +34,24 @@ struct Page {
     }
 
     std::string passed_count() const {
-        if (summary.passed_shown == 0) return fmt::format("{} / {}", summary.passed, summary.counted);
+        if (summary.passed_shown == 0) return fmt::format("{} / {}", summary.passed, summary.students);
         return fmt::format("{} ({}) / {}", summary.passed,
                            fill(strings("report.passed_shown"), {std::to_string(summary.passed_shown)}),
-                           summary.counted);
+                           summary.students);
     }
 
     std::string tiles() const {
         const maths::Spread& s = summary.starts;
-        const auto without = static_cast<std::size_t>(summary.counted);
         std::string out = "<div class=\"tiles\">\n";
-        out += tile(std::to_string(summary.counted), words("report.students"));
+        out += tile(std::to_string(summary.students), words("report.students"));
         out += tile(passed_count(), words("report.passed"));
         if (summary.counted > 0) {
             out += tile(number(s.median), fill(strings("report.median"), {std::to_string(exercise.starts)}));
             out += tile(fmt::format("{} – {}", number(s.lower), number(s.upper)), words("report.quartiles"));
         }
-        if (without < report.rows.size())
-            out += tile(std::to_string(report.rows.size() - without), words("report.not_counted"));
+        if (summary.without > 0) out += tile(std::to_string(summary.without), words("report.without"));
+        if (const int more = static_cast<int>(report.rows.size()) - summary.students; more > 0)
+            out += tile(std::to_string(more), words("report.not_counted"));
         return out + "</div>\n";
     }
 
@@ -96,25 +96,27 @@ struct Page {
         return out + "</tbody></table>\n";
     }
 
+    // The most frequent mistake first.
     std::string misconceptions() const {
-        std::string out;
+        struct Mistake {
+            std::string name, text;
+            int students;
+        };
+        std::vector<Mistake> mistakes;
         for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
-            if (summary.resembling[i] > 0)
-                out += "<tr>" + html::element("td", translated(exercise.wrong[i].name)) +
-                       html::element("td", translated(exercise.wrong[i].text)) +
-                       html::element("td", std::to_string(summary.resembling[i]), "n") + "</tr>\n";
-        if (summary.refused > 0)
-            out += "<tr>" + html::element("td", words("report.refused_mistake")) +
-                   html::element("td", words("report.refused_how")) +
-                   html::element("td", std::to_string(summary.refused), "n") + "</tr>\n";
-        if (summary.unchanged > 0)
-            out += "<tr>" + html::element("td", words("report.as_shipped")) +
-                   html::element("td", words("report.as_shipped_how")) +
-                   html::element("td", std::to_string(summary.unchanged), "n") + "</tr>\n";
-        if (summary.other > 0)
-            out += "<tr>" + html::element("td", words("report.other_mistakes")) +
-                   html::element("td", words("report.other_mistakes_how")) +
-                   html::element("td", std::to_string(summary.other), "n") + "</tr>\n";
+            mistakes.push_back(
+                {translated(exercise.wrong[i].name), translated(exercise.wrong[i].text), summary.resembling[i]});
+        mistakes.push_back({words("report.refused_mistake"), words("report.refused_how"), summary.refused});
+        mistakes.push_back({words("report.as_shipped"), words("report.as_shipped_how"), summary.unchanged});
+        mistakes.push_back({words("report.other_mistakes"), words("report.other_mistakes_how"), summary.other});
+        mistakes.push_back({words("report.without"), words("report.without_how"), summary.without});
+        std::stable_sort(mistakes.begin(), mistakes.end(),
+                         [](const Mistake& a, const Mistake& b) { return a.students > b.students; });
+        std::string out;
+        for (const Mistake& each : mistakes)
+            if (each.students > 0)
+                out += "<tr>" + html::element("td", each.name) + html::element("td", each.text) +
+                       html::element("td", std::to_string(each.students), "n") + "</tr>\n";
         if (out.empty()) return out;
         return html::element("h2", words("report.resembled")) + "<table><tbody>\n" + out + "</tbody></table>\n";
     }

@@ -92,6 +92,40 @@ bool has_words_of(const std::string& text, std::string_view name) {
     return true;
 }
 
+bool counts(const ClassRow& row) { return !row.problem && row.grade; }
+
+// True for two rows of one person, also where a file that names nobody is in that person's folder.
+bool is_of(const ClassRow& row, const ClassRow& other) {
+    const bool is_nameless = row.submitter.person.empty() && !row.hand_in && !row.submitter.folder.empty();
+    return is_same_person(row, other) || (is_nameless && row.submitter.folder == other.submitter.folder);
+}
+
+// People who have rows, none of which counts.
+int people_without(const std::vector<ClassRow>& rows) {
+    std::vector<const ClassRow*> people;
+    for (const ClassRow& row : rows) {
+        if (counts(row)) continue;
+        const bool is_counted =
+            std::any_of(rows.begin(), rows.end(), [&](const ClassRow& o) { return counts(o) && is_of(row, o); });
+        const bool is_known =
+            std::any_of(people.begin(), people.end(), [&](const ClassRow* o) { return is_of(row, *o); });
+        if (!is_counted && !is_known) people.push_back(&row);
+    }
+    return static_cast<int>(people.size());
+}
+
+// The problem for the student, without the platform's folders.
+std::string own_problem_text(const ClassRow& row, const Strings& strings) {
+    const std::string file = row.file.substr(row.file.rfind('/') + 1);
+    if (!row.problem->error) {
+        const bool is_of_folder = row.problem->key == "report.empty_folder";
+        return (is_of_folder ? "" : file + ": ") + text_of(*row.problem, strings);
+    }
+    Error error = *row.problem->error;
+    if (!error.file.empty()) error.file = file;
+    return text_of(error, strings);
+}
+
 class CsvLine {
 public:
     explicit CsvLine(std::string& out) : out_(out) {}
@@ -186,10 +220,11 @@ void mark_replaced(std::vector<ClassRow>& rows) {
 }
 
 void sort_by_student(std::vector<ClassRow>& rows) {
-    std::stable_sort(rows.begin(), rows.end(), [](const ClassRow& a, const ClassRow& b) {
-        return std::tuple(for_comparison(a.student), a.submitter.folder, a.file) <
-               std::tuple(for_comparison(b.student), b.submitter.folder, b.file);
-    });
+    const auto key = [](const ClassRow& row) {
+        const std::string name = for_comparison(row.student);
+        return std::tuple(plain_letters(name, Umlauts::as_vowels), name, row.submitter.folder, row.file);
+    };
+    std::stable_sort(rows.begin(), rows.end(), [&](const ClassRow& a, const ClassRow& b) { return key(a) < key(b); });
 }
 
 bool is_superseded(const ClassRow& row) { return row.problem && row.problem->key == "report.replaced"; }
@@ -230,9 +265,9 @@ ClassSummary summary_of(const ClassReport& report) {
     ClassSummary summary;
     summary.failed.resize(report.exercise->steps.size());
     summary.resembling.resize(report.exercise->wrong.size());
-    std::vector<double> counts;
+    std::vector<double> passed_starts;
     for (const ClassRow& row : report.rows) {
-        if (row.problem || !row.grade) continue;
+        if (!counts(row)) continue;
         ++summary.counted;
         summary.passed += row.passed;
         summary.passed_shown += passed_with_solution_shown(row);
@@ -242,12 +277,14 @@ ClassSummary summary_of(const ClassReport& report) {
             ++summary.resembling[*row.resembles];
         else if (!row.passed)
             ++(row.unchanged ? summary.unchanged : summary.other);
-        counts.push_back(row.grade->count);
+        passed_starts.push_back(row.grade->count);
         for (const StartResult& start : row.grade->starts)
             if (const std::size_t step = failed_step(start); step < summary.failed.size() && !start.passed)
                 ++summary.failed[step];
     }
-    summary.starts = maths::spread_of(counts);
+    summary.without = people_without(report.rows);
+    summary.students = summary.counted + summary.without;
+    summary.starts = maths::spread_of(passed_starts);
     const auto worst = std::max_element(summary.failed.begin(), summary.failed.end());
     if (worst != summary.failed.end() && *worst > 0)
         summary.worst_step = static_cast<std::size_t>(worst - summary.failed.begin());
@@ -263,7 +300,8 @@ std::string problem_text(const ClassRow& row, const Strings& strings) {
 }
 
 std::string feedback(const ClassReport& report, const ClassRow& row, const Strings& strings) {
-    if (row.problem) return problem_text(row, strings);
+    if (is_superseded(row)) return problem_text(row, strings);
+    if (row.problem) return fill(strings("report.not_judged"), {own_problem_text(row, strings)});
     if (!row.grade) return "";
     if (row.refusal) return fill(strings("report.refused"), {text_of(*row.refusal, strings)});
     const Grade& grade = *row.grade;
@@ -286,7 +324,7 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
     for (std::size_t step = 1; step <= exercise.steps.size(); ++step) out += fmt::format(",step_{}", step);
     for (int start = 1; start <= exercise.starts; ++start) out += fmt::format(",start_{}", start);
     out +=
-        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,"
+        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,notes,resembles,"
         "name_in_file,same_as,feedback,error\n";
     for (const ClassRow& row : report.rows) {
         CsvLine line(out);
@@ -306,7 +344,7 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
         line.yes_or_no(h ? std::optional(h->solution_shown) : std::nullopt);
         line.number(h && h->graded_starts > 0 ? std::optional(h->passed_starts) : std::nullopt);
         line.yes_or_no(h && h->graded_starts > 0 ? std::optional(states_another_result(report, row)) : std::nullopt);
-        line.text(h ? h->written : "");
+        line.text(h ? h->written : ""), line.text(h ? h->notes : "");
         line.text(std::string(row.unchanged   ? strings("report.as_shipped")
                               : row.resembles ? translated(strings, exercise.wrong[*row.resembles].name)
                                               : ""));

@@ -82,7 +82,8 @@ bool passed_with_solution_shown(const ClassRow&);
 // compared: the lab always grades from start 1.
 bool states_another_result(const ClassReport&, const ClassRow&);
 
-// By student as is_same_student() compares names, so that the hand-ins of one student are together; then by file.
+// By student, letters without accents and in any case (Öztürk after Nowak), so that the hand-ins of one student are
+// together; equal names by bytes, then by folder and file.
 void sort_by_student(std::vector<ClassRow>&);
 
 // Sets grade, passed, unchanged, edited, resembles and the refusal of controls that are not offered. `shipped` and
@@ -93,7 +94,9 @@ void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::v
 int starts_done(const Grade&, std::size_t step);
 
 struct ClassSummary {
+    int students = 0;                       // people of the class: `counted` and `without`
     int counted = 0;                        // rows without a problem
+    int without = 0;                        // people none of whose files can be graded
     int passed = 0, passed_shown = 0;       // passed_shown: of them, those where the lab had set the solution
     maths::Spread starts;                   // passed, in the rows that count
     std::vector<int> failed;                // of each step: starts that it made fail, see failed_step()

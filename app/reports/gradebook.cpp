@@ -18,7 +18,9 @@ namespace braitenlab {
 namespace {
 
 using Cells = std::vector<std::string>;
-using Marked = std::vector<const ClassRow*>;  // rows with a mark
+using Rows = std::vector<const ClassRow*>;
+
+bool has_mark(const ClassRow& row) { return row.grade && !row.problem; }
 
 // The words of a name in small letters and in one order: "Müller, Anna" and "Anna Mueller" are the same.
 std::string name_key(std::string_view name) {
@@ -66,13 +68,20 @@ class People {
 public:
     explicit People(const ClassReport& report) {
         for (const ClassRow& row : report.rows)
-            if (row.grade && !row.problem) rows_.push_back(&row);
+            if (!is_superseded(row)) rows_.push_back(&row);
+        std::stable_partition(rows_.begin(), rows_.end(), [](const ClassRow* row) { return has_mark(*row); });
     }
 
-    const Marked& rows() const { return rows_; }
+    // Those with a mark who are not taken.
+    Rows marked() const {
+        Rows marked;
+        for (const ClassRow* row : rows_)
+            if (has_mark(*row)) marked.push_back(row);
+        return marked;
+    }
 
-    // The row of this person of the list, who is then taken; null for none. `same_name`: people of the list with the
-    // name.
+    // The row of this person of the list, one with a mark if there is one; it is then taken. Null for none.
+    // `same_name`: people of the list with the name.
     const ClassRow* take(const std::string& id, const std::string& name, int same_name) {
         const auto is_it = [&](const ClassRow* row) {
             if (!row->submitter.id.empty() && !id.empty()) return row->submitter.id == id;
@@ -86,7 +95,7 @@ public:
     }
 
 private:
-    Marked rows_;
+    Rows rows_;  // first those with a mark
 };
 
 struct Writer {
@@ -116,7 +125,8 @@ struct Writer {
         book.table.back() = '\n';
     }
 
-    // Calls fill(cells, row) for each person of the list who has a mark, and writes all lines from `first` on.
+    // Calls fill(cells, row) for each person of the list, with null for who has no row, and writes all lines from
+    // `first` on.
     template <class Fill>
     void add_people(const io::CsvTable& list, std::size_t first, std::optional<std::size_t> id,
                     const std::vector<std::size_t>& names, const Fill& fill) {
@@ -131,14 +141,14 @@ struct Writer {
             Cells cells = list.rows[i];
             const std::string name = name_of(cells);
             const ClassRow* row = people.take(id ? number_at_end(cells[*id]) : "", name, same_names[name_key(name)]);
-            if (row)
+            if (row && has_mark(*row))
                 ++book.marked;
             else
                 book.unmarked.push_back(name);
             fill(cells, row);
             add(cells, list.separator);
         }
-        for (const ClassRow* row : people.rows()) book.not_in_list.push_back(row->file);
+        for (const ClassRow* row : people.marked()) book.not_in_list.push_back(row->file);
     }
 
     std::optional<Error> moodle(const io::CsvTable& list) {
@@ -163,8 +173,9 @@ struct Writer {
         add(header, list.separator);
         add_people(list, 1, id, name ? std::vector{*name} : std::vector<std::size_t>{},
                    [&](Cells& cells, const ClassRow* row) {
-                       if (row) cells[*grade] = mark_text(mark(*row), has_comma);
-                       if (row && comment) cells[*comment] = told(*row);
+                       if (!row) return;
+                       if (has_mark(*row)) cells[*grade] = mark_text(mark(*row), has_comma);
+                       if (comment && (has_mark(*row) || is_blank(cells[*comment]))) cells[*comment] = told(*row);
                    });
         return std::nullopt;
     }
@@ -207,7 +218,7 @@ struct Writer {
             add(cells, list.separator);
         }
         add_people(kept, first, id, {0}, [&](Cells& cells, const ClassRow* row) {
-            if (row) cells.back() = mark_text(mark(*row));
+            if (row && has_mark(*row)) cells.back() = mark_text(mark(*row));
         });
         return std::nullopt;
     }
@@ -230,7 +241,7 @@ struct Writer {
         add(list.rows.front(), list.separator);
         add_people(list, 1, 1, {3, 4}, [&](Cells& cells, const ClassRow* row) {
             cells[0] = "0";
-            if (row) fill_status(cells, *row);
+            if (row && has_mark(*row)) fill_status(cells, *row);
         });
         return std::nullopt;
     }
@@ -238,13 +249,15 @@ struct Writer {
     void ilias_without_list() {
         const Cells header(status_columns.begin(), status_columns.end());
         add(header, ',');
-        for (const ClassRow* row : people.rows()) {
+        for (const ClassRow* row : people.marked()) {
             if (row->submitter.id.empty()) {
                 book.not_in_list.push_back(row->file);
                 continue;
             }
             Cells cells(header.size());
-            cells[1] = row->submitter.id, cells[3] = io::table_text(row->submitter.name);
+            const Submitter& who = row->submitter;
+            cells[1] = who.id, cells[2] = io::table_text(who.login), cells[4] = io::table_text(who.first_name);
+            cells[3] = io::table_text(who.last_name.empty() ? who.name : who.last_name);
             fill_status(cells, *row);
             add(cells, ',');
             ++book.marked;
@@ -253,7 +266,7 @@ struct Writer {
 
     void plain() {
         add({"student", "id", "folder", "mark", "points", "passed", "feedback"}, ',');
-        for (const ClassRow* row : people.rows()) {
+        for (const ClassRow* row : people.marked()) {
             add({io::table_text(row->student), row->submitter.id, io::table_text(row->submitter.folder),
                  mark_text(mark(*row)), mark_text(points), row->passed ? "yes" : "no", told(*row)},
                 ',');

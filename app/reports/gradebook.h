@@ -32,7 +32,8 @@ struct Gradebook {
     std::vector<std::string> not_in_list;  // files with a grade for which the list has no person, or one with a mark
 };
 
-// The list with marks and, where the platform takes it, feedback; all other cells are as they were. People are found by
+// The list with marks and, where the platform takes it, feedback; all other cells are as they were. In that of Moodle
+// who has handed in nothing that can be graded gets the reason as feedback, where there was none. People are found by
 // the platform's number or, for files without one, by a name that only one of the list has, in any order of its words.
 // A mark is the share of the starts that passed, of the points; 0 for a row with a refusal.
 // Fails for a list that is missing or has not the platform's columns.

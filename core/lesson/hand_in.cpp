@@ -36,7 +36,7 @@ void describe(auto& v, Of<HandIn>) {
 
 namespace {
 
-// Small ASCII letters, digits and single '-'; other letters beyond Latin-1 stay as they are.
+// Small ASCII letters, digits and single '-'; letters of other scripts stay as they are.
 std::string for_file_name(std::string_view text) {
     std::string name;
     for (const char c : plain_letters(text, Umlauts::spelled)) {

@@ -34,9 +34,11 @@ std::optional<Submitter> of_ilias(std::string_view folder) {
     const auto parts = parts_of(folder, '_');
     const bool has_gap = std::any_of(parts.begin(), parts.end(), [](std::string_view part) { return part.empty(); });
     if (parts.size() < 4 || has_gap || !is_number(parts.back())) return std::nullopt;
-    std::string name(parts[0]);
-    for (std::size_t i = 1; i + 2 < parts.size(); ++i) name += " " + std::string(parts[i]);
-    return Submitter{{}, std::string(parts.back()), std::move(name), std::string(folder)};
+    const std::string last_name(parts[0]), login(parts[parts.size() - 2]);
+    std::string first_name(parts[1]);
+    for (std::size_t i = 2; i + 2 < parts.size(); ++i) first_name += " " + std::string(parts[i]);
+    return Submitter{
+        {}, std::string(parts.back()), last_name + " " + first_name, std::string(folder), last_name, first_name, login};
 }
 
 std::optional<Submitter> of_canvas(std::string_view file) {

@@ -8,6 +8,8 @@ namespace {
 TEST(PlainLetters, AreSmallWithoutAccents) {
     EXPECT_EQ(plain_letters("Año 2, Ça É", Umlauts::as_vowels), "ano 2, ca e");
     EXPECT_EQ(plain_letters("Übermäßig Öl Æ Þ ÿ ×", Umlauts::as_vowels), "ubermassig ol ae th y -");
+    EXPECT_EQ(plain_letters("Ākić İnci Łoś Œuf Řezáč Şen Űj Žižek ſ", Umlauts::spelled),
+              "akic inci los ouf rezac sen uj zizek s");
 }
 
 TEST(PlainLetters, SpellUmlautsWhereAsked) {

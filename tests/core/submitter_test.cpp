@@ -20,7 +20,11 @@ TEST(Submitter, MoodleWithoutFoldersBeginsTheNameOfTheFile) {
 
 TEST(Submitter, IliasNamesAFolderByNameLoginAndNumber) {
     EXPECT_EQ(submitter_of("Sheet 1/Mueller_Anna_amueller_2711/20261122_a.toml"),
-              (Submitter{"Mueller_Anna_amueller_2711", "2711", "Mueller Anna", "Mueller_Anna_amueller_2711"}));
+              (Submitter{"Mueller_Anna_amueller_2711", "2711", "Mueller Anna", "Mueller_Anna_amueller_2711", "Mueller",
+                         "Anna", "amueller"}));
+    const Submitter two = submitter_of("Mueller_Anna_Maria_am_7/a.toml");
+    EXPECT_EQ(two.name, "Mueller Anna Maria");
+    EXPECT_EQ(two.last_name + "," + two.first_name + "," + two.login, "Mueller,Anna Maria,am");
     EXPECT_EQ(submitter_of("Mueller_Anna_amueller_2711").person, "") << "a file, not a folder";
 }
 

@@ -1,6 +1,7 @@
 #include "app/reports/class_report.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
+#include "tests/folder.h"
 #include "tests/languages.h"
 #include "tests/well_formed.h"
 
@@ -231,7 +233,7 @@ TEST(ClassReport, OneFileOfTwoPeopleIsMarked) {
     const std::string page = class_page(report, speaking("en"), "en");
     EXPECT_NE(line_of(page, "Ben").find("<td class=\"bad\">the same file as a</td>"), page.npos)
         << line_of(page, "Ben");
-    EXPECT_NE(class_csv(report, speaking("en")).find("2026-01-01T10:00:00Z,,,a,Passed"), std::string::npos);
+    EXPECT_NE(class_csv(report, speaking("en")).find("2026-01-01T10:00:00Z,,,,a,Passed"), std::string::npos);
 }
 
 TEST(ClassReport, ANameInTheFileIsNotedIfItIsNotThePersonsOnThePlatform) {
@@ -293,7 +295,7 @@ TEST(ClassReport, TheTableIsSafeForSpreadsheets) {
     EXPECT_TRUE(
         csv.substr(second).starts_with("\"'=HYPERLINK(\"\"http://x\"\")\",,,\"'+a,b.toml\",yes,10,10,8,10,10,10,yes,"))
         << csv;
-    EXPECT_NE(csv.find(",yes,2,0,no,,,,,,,Passed: 10 of 10 starts.,\n"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",yes,2,0,no,,,,,,,,Passed: 10 of 10 starts.,\n"), csv.npos) << csv;
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
 }
 
@@ -426,6 +428,135 @@ TEST(ClassReport, APassWithTheSolutionShownIsCountedApart) {
     EXPECT_NE(line_of(page, "Ana").find("<td class=\"shown\">yes (solution shown)</td>"), page.npos);
     EXPECT_NE(line_of(page, "Ben").find("<td>solution shown"), page.npos) << line_of(page, "Ben");
     EXPECT_EQ(line_of(page, "Eva").find("shown"), page.npos);
+}
+
+TEST(ClassReport, PeopleWithoutAHandInThatCanBeGradedAreCounted) {
+    const auto of_person = [](ClassRow made, const std::string& folder, const std::string& person) {
+        made.submitter.folder = folder, made.submitter.person = person;
+        return made;
+    };
+    HandIn other = hand_in("Eva", good);
+    other.exercise = "06-love";
+    const auto empty = [](const std::string& file) {
+        return row_of_hand_in(*aggressor(), file, Result<std::string>(std::string()));
+    };
+    const ClassReport report = graded({
+        of_person(row("1/a", hand_in("Ana", good)), "1", "Ana_1"),
+        of_person(row_of_other_file("1/a.pdf"), "1", "Ana_1"),  // beside a hand-in that counts
+        of_person(row_of_other_file("2/b.pdf"), "2", "Ben_2"),
+        of_person(empty("2/c"), "2", "Ben_2"),  // a second file of Ben
+        of_person(row("3/d", other), "3", "Eva_3"),
+        of_person(row("kim/k", hand_in("Kim", four_wires)), "kim", ""),
+        of_person(row_of_other_file("kim/notes.pdf"), "kim", ""),  // in Kim's folder
+        of_person(row_of_other_file("lou/x.pdf"), "lou", ""),
+        of_person(empty("lou/y"), "lou", ""),  // in Lou's folder
+        row("m", hand_in("Mo", four_wires, "2026-01-01T00:00:00Z")),
+        row("n", hand_in("Mo", good, "2026-01-02T00:00:00Z")),
+        row_of_other_file("zoe.docx"),
+    });
+    const ClassSummary summary = summary_of(report);
+    EXPECT_EQ(summary.counted, 3) << "Ana, Kim, Mo";
+    EXPECT_EQ(summary.without, 4) << "Ben, Eva, Lou, Zoe";
+    EXPECT_EQ(summary.students, 7);
+    int in_table = summary.refused + summary.unchanged + summary.other + summary.without;
+    for (const int students : summary.resembling) in_table += students;
+    EXPECT_EQ(summary.passed + in_table, summary.students) << "each student who does not pass is one mistake";
+    for (const auto& [language, name] : shipped_languages()) {
+        const std::string page = class_page(report, speaking(language), language);
+        const auto tile = [&](const std::string& value, const std::string& key) {
+            return "<div class=\"tile\"><b>" + value + "</b>" + std::string(speaking(language)(key)) + "</div>";
+        };
+        for (const std::string& each : {tile("7", "report.students"), tile("2 / 7", "report.passed"),
+                                        tile("4", "report.without"), tile("5", "report.not_counted")})
+            EXPECT_NE(page.find(each), page.npos) << language << " " << each;
+    }
+}
+
+TEST(ClassReport, TheMostFrequentMistakeIsFirst) {
+    std::vector<ClassRow> rows(10);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        ClassRow& each = rows[i];
+        each.grade = Grade{};
+        each.student = each.file = std::to_string(i);
+        if (i < 1) each.resembles = 0;
+        if (i >= 1 && i < 4) each.unchanged = true;
+        if (i >= 4 && i < 6) each.refusal = RowProblem{"report.too_many", "1", {}};
+    }
+    const Strings& strings = speaking("en");
+    const std::string page = class_page({aggressor(), 1, rows}, strings, "en");
+    std::size_t before = page.find(strings("report.resembled"));
+    for (const std::string_view name :
+         {strings("report.other_mistakes"), strings("report.as_shipped"), strings("report.refused_mistake"),
+          std::string_view(aggressor()->wrong[0].name)}) {
+        const std::size_t at = page.find("<tr><td>" + std::string(name) + "</td>");
+        ASSERT_NE(at, page.npos) << name;
+        EXPECT_GT(at, before) << name << ": 4, 3, 2, 1 students";
+        before = at;
+    }
+}
+
+TEST(ClassReport, StudentsAreSortedByLettersWithoutAccents) {
+    const std::vector<std::string> sorted{"Ångström Åsa", "Böhm Ida",   "Braun Leo", "Çelik Can",  "Dvořák Jan",
+                                          "Köhler Ute",   "Krüger Ole", "Łoś Ewa",   "Muller Eva", "Müller Eva",
+                                          "Nowak Jan",    "Öztürk Nil", "Zola Zoe"};
+    std::vector<ClassRow> rows;
+    for (std::size_t i = sorted.size(); i-- > 0;) rows.push_back(row(std::to_string(i), hand_in(sorted[i], good)));
+    sort_by_student(rows);
+    std::vector<std::string> students;
+    for (const ClassRow& each : rows) students.push_back(each.student);
+    EXPECT_EQ(students, sorted);
+}
+
+TEST(ClassReport, TheTableHasTheNotes) {
+    HandIn made = hand_in("Ana", good, "2026-01-01T10:00:00Z");
+    made.notes = "It turns,\n=1+1 \"soon\".";
+    const std::string csv = class_csv(graded({row("a", made)}), speaking("en"));
+    EXPECT_NE(csv.find(",written,notes,resembles,"), csv.npos) << csv;
+    EXPECT_NE(csv.find("2026-01-01T10:00:00Z,\"It turns,\n=1+1 \"\"soon\"\".\",,"), csv.npos) << csv;
+    made.notes = "=1+1";
+    EXPECT_NE(class_csv(graded({row("a", made)}), speaking("en")).find("Z,'=1+1,"), std::string::npos);
+}
+
+TEST(ClassReport, FeedbackOnAFileThatIsNotGradedSaysWhyWithoutFolders) {
+    const ClassReport report =
+        graded({row_of_other_file("Müller Anna_1_assignsubmission_file_/essay.docx"),
+                row_of_hand_in(*aggressor(), "x/f.toml", Result<std::string>(std::string("format = 1\nstudent = \""))),
+                row("a", hand_in("Ana", good, "2026-01-01T00:00:00Z")),
+                row("b", hand_in("Ana", good, "2026-01-02T00:00:00Z"))});
+    for (const auto& [language, name] : shipped_languages()) {
+        const Strings& strings = speaking(language);
+        const std::string essay = "essay.docx: " + std::string(strings("report.no_hand_in"));
+        EXPECT_EQ(feedback(report, report.rows[0], strings), fill(strings("report.not_judged"), {essay}));
+        const std::string broken = feedback(report, report.rows[1], strings),
+                          begin = fill(strings("report.not_judged"), {"f.toml:2: "});
+        EXPECT_TRUE(broken.starts_with(begin.substr(0, begin.size() - 1))) << broken;
+        EXPECT_EQ(feedback(report, report.rows[2], strings), problem_text(report.rows[2], strings)) << "superseded";
+    }
+}
+
+// The page measures itself.
+TEST(ClassReport, ThePageFitsAWindowOf1000Pixels) {
+    if (std::system("command -v chromium >/dev/null 2>&1") != 0) GTEST_SKIP() << "Chromium is not installed";
+    const Folder folder;
+    HandIn shown = hand_in("Maximilian-Alexander Müller-Lüdenscheidt", four_wires);
+    shown.prediction = 1, shown.solution_shown = true, shown.graded_starts = 10, shown.passed_starts = 9;
+    ClassRow copied = row("b", shown);
+    copied.same_as = "Müller-Lüdenscheidt_Maximilian_101_assignsubmission_file_/05-aggressor_maximilian.toml";
+    const ClassReport report = graded({row("a", hand_in("Ana", good)), copied});
+    for (const auto& [language, name] : shipped_languages()) {
+        std::string page = class_page(report, speaking(language), language);
+        page.insert(page.find("</body>"),
+                    "<script>document.title = \"wide \" + document.documentElement.scrollWidth;</script>");
+        put_text(folder / "page.html", page);
+        const std::string file = (folder / "page").string();
+        ASSERT_EQ(std::system(("HOME=" + folder.path.string() +
+                               " timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
+                               "--hide-scrollbars --window-size=1000,800 --dump-dom file://" +
+                               file + ".html >" + file + ".txt 2>/dev/null")
+                                  .c_str()),
+                  0);
+        EXPECT_NE(text_of(folder / "page.txt").find("<title>wide 1000</title>"), std::string::npos) << language;
+    }
 }
 
 TEST(ClassReport, HandInsOfOneStudentAreTogether) {

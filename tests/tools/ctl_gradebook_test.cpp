@@ -73,6 +73,57 @@ TEST(CtlGradebook, FillsTheGradingWorksheetOfMoodle) {
         << ran.out;
 }
 
+TEST(CtlGradebook, WhoHasNoHandInThatCanBeGradedReadsWhy) {
+    const Folder folder;
+    const auto in = [](const std::string& person, const std::string& file, const std::string& content) {
+        return Zipped{person + "_assignsubmission_file_/" + file, content, true};
+    };
+    put_text(folder / "class.zip",
+             zip_of({in("Müller Anna_101", "a.toml", handed_in("Anna", Work::solved)),
+                     in("Müller Anna_101", "a.pdf", "%PDF-1.7"), in("Nowak Jan_102", "report.pdf", "%PDF-1.7"),
+                     in("Ode Olu_103", "b.toml", ""), in("Park Soo_104", "c.toml", "format = 1\nstudent = \""),
+                     in("Quinn Ed_105", "d.pdf", "%PDF-1.7")}));
+    put_text(folder / "list.csv",
+             "ID,Vollständiger Name,Bewertung,Feedback als Kommentar\nTeilnehmer/in101,Anna Müller,,\n"
+             "Teilnehmer/in102,Jan Nowak,,\nTeilnehmer/in103,Olu Ode,,\nTeilnehmer/in104,Soo Park,,\n"
+             "Teilnehmer/in105,Ed Quinn,3,bleibt\nTeilnehmer/in106,Zoe Zola,,\n");
+    const Ran ran = grade_in(folder, "class.zip --gradebook moodle --list list.csv --marks marks.csv --lang de");
+    const std::string marks = text_of(folder / "marks.csv");
+    for (const char* line :
+         {"101,Anna Müller,10,Bestanden: 10 von 10 Starts.\n",
+          "102,Jan Nowak,,\"Nicht bewertet: report.pdf: keine Abgabe, sondern ein PDF.\"\n",
+          "103,Olu Ode,,Nicht bewertet: b.toml: die Datei ist leer.\n",
+          "104,Soo Park,,\"Nicht bewertet: c.toml:2: ", "105,Ed Quinn,3,bleibt\n", "106,Zoe Zola,,\n"})
+        EXPECT_NE(marks.find(line), std::string::npos) << line << "\n" << marks;
+    EXPECT_NE(ran.out.find("Bewertungen: 1\nin der Liste ohne bewertete Abgabe: 5: Jan Nowak; "), std::string::npos)
+        << ran.out;
+}
+
+TEST(CtlGradebook, MessagesNameEverybodyInTheLanguage) {
+    const Folder folder;
+    put_class(folder);
+    put_text(folder / "site" / "page.html", "<!DOCTYPE html>");
+    std::string list = "Identifier,Full name,Grade\nParticipant 101,Anna,\n", names;
+    for (int i = 200; i < 249; ++i) {
+        list += "Participant " + std::to_string(i) + ",Person " + std::to_string(i) + ",\n";
+        names += (names.empty() ? "" : "; ") + ("Person " + std::to_string(i));
+    }
+    put_text(folder / "list.csv", list);
+    const std::string command = "class.zip site --gradebook moodle --list list.csv --marks marks.csv --lang ";
+    const std::string folders =
+        "class.zip/Nowak Jan_102_assignsubmission_file_/a.toml; "
+        "class.zip/Ode Olu_103_assignsubmission_file_/a.toml";
+    const std::string en = grade_in(folder, command + "en").out, de = grade_in(folder, command + "de").out;
+    for (const std::string& line : {std::string("left out: site/page.html\n"), std::string("marks: 1\n"),
+                                    "in the list without a graded hand-in: 49: " + names + "\n",
+                                    "braitenctl: graded without a place in the list: 2: " + folders + "\n"})
+        EXPECT_NE(en.find(line), std::string::npos) << line << "\n" << en;
+    for (const std::string& line : {std::string("ausgelassen: site/page.html\n"), std::string("Bewertungen: 1\n"),
+                                    "in der Liste ohne bewertete Abgabe: 49: " + names + "\n",
+                                    "braitenctl: bewertet, aber nicht in der Liste: 2: " + folders + "\n"})
+        EXPECT_NE(de.find(line), std::string::npos) << line << "\n" << de;
+}
+
 TEST(CtlGradebook, ReadsTheWorksheetInSpanishWithDecimalCommas) {
     const Folder folder;
     put_class(folder);
@@ -122,7 +173,8 @@ TEST(CtlGradebook, WritesTheStatusFileOfIlias) {
     const std::string header =
         "update,usr_id,login,lastname,firstname,status,mark,notice,comment,plagiarism,plag_comment\n";
     const Ran ran = grade_in(folder, "s --gradebook ilias --marks -");
-    EXPECT_TRUE(ran.out.starts_with(header + "1,101,,Mueller Anna,,passed,10,,Passed: 10 of 10 starts.,,\n1,102,,"))
+    EXPECT_TRUE(ran.out.starts_with(header +
+                                    "1,101,am,Mueller,Anna,passed,10,,Passed: 10 of 10 starts.,,\n1,102,jn,Nowak,Jan,"))
         << ran.out;
     put_text(folder / "status.csv", header +
                                         "0,101,am,Mueller,Anna,notgraded,,,,,\n0,103,zz,Zola,Zoe,notgraded,,,,,\n"
