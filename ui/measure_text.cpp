@@ -1,6 +1,7 @@
 #include "ui/measure_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -82,6 +83,21 @@ std::string measure_text(const Strings& strings, const Measure& measure, bool do
                                  : measure.at_most     ? "exercise.now_at_most"
                                                        : "exercise.now_at_least";
     return unbroken(fill(strings(key), {value, number(measure.needed)}));
+}
+
+std::string axis_name(const Strings& strings, const insight::AxisValue& value) {
+    constexpr std::string_view of_threshold = "threshold_";
+    constexpr std::array owners{"", "sensor_", "body_", "start_", "source_", "arena_"};  // by ValueOwner
+    if (value.dials.empty())
+        return fill(strings(std::string("map.value.") + owners[static_cast<std::size_t>(value.owner)] + value.key),
+                    {value.source});
+    std::string words;
+    for (const Dial dial : value.dials) {
+        const std::string_view key = name(dial);
+        words += words.empty() ? "" : " = ";
+        words += key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
+    }
+    return words;
 }
 
 }  // namespace braitenlab::ui

@@ -1,8 +1,9 @@
-// Values of an exercise's steps in words, without Dear ImGui.
+// Values of an exercise's steps and of axes in words, without Dear ImGui.
 #pragma once
 
 #include <string>
 
+#include "core/insight/axis_value.h"
 #include "core/lesson/goals.h"
 #include "ui/strings.h"
 
@@ -14,5 +15,8 @@ std::string measure_text(const Strings&, const Measure&, bool done);
 
 // The measured value alone: "0.55 m".
 std::string value_text(const Strings&, const Measure&);
+
+// The name of a value of an axis: "mass", "lamp strength"; of dials "LL = RR", "θ LL".
+std::string axis_name(const Strings&, const insight::AxisValue&);
 
 }  // namespace braitenlab::ui

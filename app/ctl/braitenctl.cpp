@@ -63,6 +63,18 @@ Result<Strings> strings_of(const std::string& language) {
     return load_language(*data / "ui" / "strings", language);
 }
 
+Result<Strings> strings_with(const std::string& language, const std::vector<TranslatableText>& texts) {
+    auto strings = strings_of(language);
+    if (!strings) return strings;
+    const auto translations = *data_folder() / "exercises" / "words" / (language + ".toml");
+    std::error_code none;
+    if (!std::filesystem::exists(translations, none)) return strings;
+    const auto words = Strings::load(translations);
+    if (!words) return words.error();
+    add_translations(*strings, texts, *words);
+    return strings;
+}
+
 int threads_for(int wanted) {
     return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

@@ -15,6 +15,7 @@
 #include "core/enum_table.h"
 #include "core/result.h"
 #include "core/scene/nearest.h"
+#include "core/scene/translatable.h"
 #include "core/world/world.h"
 #include "ui/strings.h"
 
@@ -50,6 +51,8 @@ auto named_in(const Table& table, const std::string& word, const std::string& no
 
 // The strings of a language of the program.
 Result<Strings> strings_of(const std::string& language);
+// The same, with the translations of these shipped texts.
+Result<Strings> strings_with(const std::string& language, const std::vector<TranslatableText>&);
 
 struct RunOptions {
     std::string file;  // a scene or a saved run

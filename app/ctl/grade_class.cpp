@@ -103,20 +103,6 @@ std::optional<Error> grade_rows(const SharedExercise& exercise, std::uint64_t fi
     return std::nullopt;
 }
 
-// The words of the language, with the translation of the exercise.
-Result<Strings> words_for(const Exercise& exercise, const std::string& language) {
-    const auto folder = data_folder();
-    if (!folder) return folder.error();
-    auto strings = strings_of(language);
-    const fs::path translations = *folder / "exercises" / "words" / (language + ".toml");
-    std::error_code none;
-    if (!strings || !fs::exists(translations, none)) return strings;
-    const auto words = Strings::load(translations);
-    if (!words) return words.error();
-    add_translations(*strings, texts_of(exercise), *words);
-    return strings;
-}
-
 std::optional<Error> write_results(const ClassReport& report, const Strings& strings, const ClassOptions& options) {
     if (!options.html.empty())
         if (auto error = write_whole(options.html, class_page(report, strings, options.table.language))) return error;
@@ -185,7 +171,7 @@ int grade_class(const ClassOptions& options) {
     const auto exercise = find_exercise(options.exercise);
     if (!exercise) return complain(exercise.error());
     if (const auto error = missing_argument(options.files)) return complain(*error);
-    const auto strings = words_for(**exercise, options.table.language);
+    const auto strings = strings_with(options.table.language, texts_of(**exercise));
     if (!strings) return complain(strings.error());
     const auto files = class_files(options.files);
     if (!files) return complain(files.error());

@@ -20,6 +20,7 @@
 #include "app/terminal.h"
 #include "core/io/checked_json.h"
 #include "core/io/csv.h"
+#include "core/lesson/exercise_file.h"
 #include "core/scene/sensor_pairs.h"
 #include "ui/map_look.h"
 
@@ -260,10 +261,10 @@ int map(const MapOptions& options) {
     if (const auto error = check_outputs(options)) return complain(*error);
     const auto measure = named_in(insight::map_measure_table, options.measure, "there is no measure", "--measure");
     if (!measure) return complain(measure.error());
-    const auto strings = strings_of(options.table.language);
-    if (!strings) return complain(strings.error());
     auto question = question_of(options);
     if (!question) return complain(question.error());
+    const auto strings = strings_with(options.table.language, texts_of(question->scene));
+    if (!strings) return complain(strings.error());
     const auto base = MapBase::create(std::move(*question));
     if (!base) return complain(base.error());
     const auto cells = compute(options, *base);

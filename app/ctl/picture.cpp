@@ -6,6 +6,7 @@
 #include "app/files/safe_file.h"
 #include "app/reports/brain_drawing.h"
 #include "app/reports/paths_file.h"
+#include "core/lesson/exercise_file.h"
 #include "core/session/session.h"
 
 namespace braitenlab {
@@ -19,13 +20,16 @@ std::optional<Error> write_wiring(const PictureOptions& options, const Strings& 
     return write_whole(options.wiring, brain_file(found->brain, found->sensors, heading, strings));
 }
 
-std::optional<Error> write_paths(const PictureOptions& options, const Strings& strings) {
+std::optional<Error> write_paths(const PictureOptions& options) {
     const auto scene = read_scene_with(options.file, options.settings, "picture --paths", "a scene");
     if (!scene) return scene.error();
+    const auto strings = strings_with(options.language, texts_of(*scene));
+    if (!strings) return strings.error();
     const auto session = Session::open(*scene, options.seed);
     if (!session) return session.error();
     const auto to = static_cast<std::uint64_t>(std::llround(options.seconds * 60));
-    return write_whole(options.paths, paths_file(session->recording(), 0, to, scene->title, strings));
+    return write_whole(options.paths,
+                       paths_file(session->recording(), 0, to, strings->find(scene->title, scene->title), *strings));
 }
 
 }  // namespace
@@ -40,7 +44,7 @@ int picture(const PictureOptions& options) {
     if (!options.wiring.empty())
         if (const auto error = write_wiring(options, *strings)) return complain(*error);
     if (!options.paths.empty())
-        if (const auto error = write_paths(options, *strings)) return complain(*error);
+        if (const auto error = write_paths(options)) return complain(*error);
     return exit_code::done;
 }
 

@@ -162,7 +162,7 @@ int study(const StudyOptions& options) {
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());
     if (const auto error = ending_fault("--svg", options.svg, ".svg")) return complain(*error);
-    const auto strings = strings_of(options.table.language);
+    const auto strings = strings_with(options.table.language, texts_of((*base)->study()));
     if (!strings) return complain(strings.error());
     StudyTable table(*base, prints ? "" : options.csv);
     if (const auto error = table.begin()) return complain(*error);

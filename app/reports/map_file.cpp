@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "app/reports/axes.h"
 #include "app/reports/svg_file.h"
+#include "core/insight/axis_value.h"
+#include "core/scene/sensor_pairs.h"
 #include "ui/map_look.h"
+#include "ui/measure_text.h"
 #include "ui/number_text.h"
 
 namespace braitenlab {
@@ -77,6 +81,37 @@ std::string short_path(const std::string& path, const std::string& other) {
     return text;
 }
 
+// The value of the axis in the list of values that a vehicle and its scene have, of the first vehicle of each kind; its
+// name with its unit, and that of the kind where the scene has several. Empty for dials and for other values.
+std::string value_label(const MapQuestion& question, const MapAxis& axis, const Strings& strings) {
+    if (!axis.dials.empty()) return "";
+    const auto world = World::create(question.scene, question.seed);
+    if (!world) return "";
+    const Snapshot now = snapshot_of(*world);
+    std::set<int> kinds;
+    for (const VehicleView& vehicle : now.vehicles) {
+        if (!kinds.insert(vehicle.kind).second && vehicle.start < 0) continue;
+        const Kind& kind = kind_of(now, vehicle);
+        for (const insight::AxisValue& value :
+             insight::axis_values({now, vehicle, {no_vehicle, vehicle.kind}, chosen_pair(kind, "")})) {
+            if (value.paths != axis.values) continue;
+            const bool is_of_kind =
+                group_of(value.owner) == insight::ValueGroup::body && question.scene.kinds.size() > 1;
+            const std::string name =
+                (is_of_kind ? shown_name(strings, kind.name) + ": " : "") + ui::axis_name(strings, value);
+            return value.unit.empty() ? name : fmt::format("{} ({})", name, value.unit);
+        }
+    }
+    return "";
+}
+
+std::string axis_label(const MapQuestion& question, const MapAxis& axis, const MapAxis& other, const std::string& given,
+                       const Strings& strings) {
+    if (!given.empty()) return given;
+    const std::string named = value_label(question, axis, strings);
+    return named.empty() ? short_path(axis.path, other.path) : named;
+}
+
 // A cell stands for the value at its middle.
 std::string axes_svg(const MapQuestion& question, int size, const FigureLabels& labels, const Strings& strings) {
     const auto ends = [](const MapAxis& axis) {
@@ -84,8 +119,8 @@ std::string axes_svg(const MapQuestion& question, int size, const FigureLabels& 
     };
     const PlotFrame frame{map_side, map_side, ends(question.x), ends(question.y),
                           map_side / static_cast<float>(size) / 2};
-    return frame_svg(frame, labels.x.empty() ? short_path(question.x.path, question.y.path) : labels.x,
-                     labels.y.empty() ? short_path(question.y.path, question.x.path) : labels.y, strings);
+    return frame_svg(frame, axis_label(question, question.x, question.y, labels.x, strings),
+                     axis_label(question, question.y, question.x, labels.y, strings), strings);
 }
 
 std::string kinds_legend(const MapCells& cells, const Strings& strings) {
@@ -131,9 +166,8 @@ std::string runs_text(const MapQuestion& question, const Strings& strings) {
 
 std::string map_file(const MapQuestion& question, const MapCells& cells, MapMeasure measure, const FigureLabels& labels,
                      const Strings& strings) {
-    const std::string& title = !labels.title.empty()          ? labels.title
-                               : question.scene.title.empty() ? question.scene.name
-                                                              : question.scene.title;
+    const std::string& own = question.scene.title.empty() ? question.scene.name : question.scene.title;
+    const std::string title(labels.title.empty() ? strings.find(own, own) : labels.title);
     const bool is_of_kinds = measure == MapMeasure::behaviour;
     const ui::MapScale scale = ui::scale_of(cells.cells, measure);
     const std::string_view unit = row_of(measure).unit;

@@ -17,6 +17,7 @@ using insight::Study;
 
 constexpr float panel_width = 520, panel_height = 260, panel_step = 350, panel_left = 92, panel_top = 60,
                 panel_legend = 260;  // px
+constexpr float wanted_aside = 12;   // px, so that points of 8 px do not touch
 // Of M. Okabe and K. Ito's colours, those that are dark enough on white, and more of other lightness.
 constexpr std::array<const char*, 8> series_colours{"#0072b2", "#d55e00", "#007a5a", "#a3477f",
                                                     "#4a4a46", "#8a6d00", "#5b3fa0", "#2f9ccc"};
@@ -42,9 +43,10 @@ public:
         const auto [low, high] = std::minmax_element(levels().begin(), levels().end());
         const double room = *high > *low ? (*high - *low) * 0.05 : 0.5;
         from_ = *low - room, to_ = *high + room;
+        aside_ = room_aside();
     }
 
-    const insight::StudyValue& value() const { return study_.values[across_]; }
+    std::string x_label() const { return with_unit(name_of(across_), study_.values[across_].unit); }
 
     std::string panel(std::size_t measure, const std::string& x_label, const std::string& y_label) const {
         std::vector<std::vector<SeriesPoint>> series(names_.size());
@@ -90,15 +92,30 @@ private:
         const std::vector<std::size_t> levels = levels_of(study_, combination);
         std::string text;
         for (std::size_t i = 0; i < levels.size(); ++i)
-            if (i != across_)
-                text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(i),
-                                    level_text(study_.values[i], levels[i]));
+            if (i != across_) {
+                std::string level = level_text(study_.values[i], levels[i]);
+                std::replace(level.begin(), level.end(), '.', decimal_mark(strings_));
+                text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(i), level);
+            }
         return text;
     }
 
-    std::string name_of(std::size_t value) const { return study_.values[value].name; }
+    std::string name_of(std::size_t value) const {
+        return std::string(strings_.find(study_.values[value].name, study_.values[value].name));
+    }
     static const char* colour(std::size_t i) { return series_colours[i % series_colours.size()]; }
     static const char* dashes(std::size_t i) { return i < series_colours.size() ? "" : " stroke-dasharray=\"6 4\""; }
+    // Points and bars of several series stand side by side, within half of the gap between two levels.
+    float room_aside() const {
+        std::vector<double> sorted = levels();
+        std::sort(sorted.begin(), sorted.end());
+        double gap = to_ - from_;
+        for (std::size_t i = 1; i < sorted.size(); ++i)
+            if (sorted[i] > sorted[i - 1]) gap = std::min(gap, sorted[i] - sorted[i - 1]);
+        const auto pixels = static_cast<float>(gap / (to_ - from_)) * panel_width;
+        return std::min(wanted_aside, 0.5f * pixels / static_cast<float>(names_.size()));
+    }
+
     // At the edge of the frame: a quartile that is not finite.
     static float y_of(const PlotFrame& frame, double y) {
         if (!std::isfinite(y)) return y > 0 ? 0 : frame.height;
@@ -106,8 +123,7 @@ private:
     }
 
     std::string line(const std::vector<SeriesPoint>& points, std::size_t index, const PlotFrame& frame) const {
-        // Bars of several series stand side by side.
-        const float aside = 5 * (static_cast<float>(index) - static_cast<float>(names_.size() - 1) / 2);
+        const float aside = aside_ * (static_cast<float>(index) - static_cast<float>(names_.size() - 1) / 2);
         std::string path, bars, dots;
         for (const SeriesPoint& point : points) {
             const float x = frame.x_of(point.x) + aside, y = y_of(frame, point.spread.median);
@@ -129,6 +145,7 @@ private:
     std::size_t across_ = 0;          // the value along the horizontal axis
     std::vector<std::string> names_;  // of the series
     double from_ = 0, to_ = 1;        // of the horizontal axis
+    float aside_ = 0;                 // px, between two series
 };
 
 }  // namespace
@@ -138,7 +155,7 @@ std::string study_drawing(const Study& study, const std::vector<insight::StudyRo
     const StudyPanels panels(study, rows, strings);
     const auto first_of = [](const std::string& one, const std::string& other) { return one.empty() ? other : one; };
     const FigureLabels labels{given.title, first_of(given.x, study.axis.x), first_of(given.y, study.axis.y)};
-    const std::string x_label = first_of(labels.x, with_unit(panels.value().name, panels.value().unit));
+    const std::string x_label = first_of(labels.x, panels.x_label());
     std::string drawn;
     for (std::size_t i = 0; i < study.measures.size(); ++i) {
         const insight::StudyMeasureTraits& traits = row_of(study.measures[i]);
@@ -152,7 +169,7 @@ std::string study_drawing(const Study& study, const std::vector<insight::StudyRo
                          panels.legend());
     const float below = panel_top + panel_step * static_cast<float>(study.measures.size());
     drawn += words_at(panel_left, below - 18, fill(strings("report.study_bars"), {std::to_string(study.seeds)}));
-    return svg_file(labels.title.empty() ? strings.find("study." + study.id + ".title", study.title) : labels.title,
+    return svg_file(labels.title.empty() ? strings.find(study.title, study.title) : labels.title,
                     panel_left + panel_width + panel_legend, below + 10, drawn);
 }
 

@@ -93,11 +93,32 @@ TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
                   svg)
                   .code,
               0);
-    EXPECT_NE(shell("cat " + svg).out.find(">sensor.SL.angle = −sensor.SR.angle</text>"), std::string::npos);
+    EXPECT_NE(shell("cat " + svg).out.find(">sensor direction (°)</text>"), std::string::npos);
     ASSERT_EQ(ctl("map 2b-aggressor --size 8 --seconds 5 --measure touch --svg " + svg).code, 0);
     text = shell("cat " + svg).out;
     EXPECT_NE(text.find(">time to touch (s)</text>"), std::string::npos);
     EXPECT_NE(text.find(">never</text>"), std::string::npos);
+    std::filesystem::remove(svg);
+}
+
+TEST(CtlMap, AxesOfADrawingHaveNamesAndUnitsInTheLanguage) {
+    const std::string svg = scratch("map.svg");
+    const auto drawn = [&](const std::string& arguments) {
+        const Ran ran = ctl("map " + arguments + " --size 2 --seconds 1 --svg " + svg);
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        return shell("cat " + svg).out;
+    };
+    const std::string mass = "2b-aggressor --x kind.aggressor.body.mass=5:20 --measure closest";
+    const std::string english = drawn(mass), german = drawn(mass + " --lang de");
+    for (const char* part : {">mass (kg)</text>", ">LR=RL</text>", ">Vehicle 2b: Aggressor</text>"})
+        EXPECT_NE(english.find(part), std::string::npos) << part << english;
+    for (const char* part : {">Masse (kg)</text>", ">Fahrzeug 2b: Angreifer</text>", ">kleinster Abstand (m)</text>"})
+        EXPECT_NE(german.find(part), std::string::npos) << part << german;
+    const std::string other = drawn("moth-and-hunter --x kind.moth.body.mass=5:20 --y kind.hunter.body.mass=5:20");
+    for (const char* part : {">moth: mass (kg)</text>", ">hunter: mass (kg)</text>"})
+        EXPECT_NE(other.find(part), std::string::npos) << part << other;
+    EXPECT_NE(drawn("2b-aggressor --x kind.aggressor.body.width=0.3:0.6").find(">body.width</text>"), std::string::npos)
+        << "a value without a name has its path";
     std::filesystem::remove(svg);
 }
 

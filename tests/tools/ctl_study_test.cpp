@@ -1,4 +1,5 @@
 // braitenctl study: output, tables and messages.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -72,6 +73,27 @@ TEST(CtlStudy, DrawsMediansAndQuartilesWithNamedAxes) {
     for (const char* part : {">w</text>", ">Distance (m)</text>", ">contacts</text>"})
         EXPECT_NE(text.find(part), std::string::npos) << part << ": an option goes before the file";
     expect_refused("study " + file + " --svg a.png", ".svg");
+    std::filesystem::remove(file), std::filesystem::remove(svg);
+}
+
+TEST(CtlStudy, AFigureHasTheWordsOfTheTableAndBarsSideBySide) {
+    const std::string file = scratch("drawn-study.toml"), svg = scratch("study.svg");
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"predator-prey\"\nseconds = 1\nseeds = 2\n"
+                           "measures = [\"captures\"]\n[[value]]\nname = \"eyes\"\nunit = \"°\"\n"
+                           "paths = [\"kind.prey.sensor.SL.angle\"]\nlevels = [80, 110, 130]\n[[value]]\n"
+                           "name = \"speed\"\nunit = \"m/s\"\npaths = [\"kind.prey.body.top_speed\"]\n"
+                           "levels = [3.0, 3.9]\n";
+    const Ran ran = ctl("study " + file + " --svg " + svg);
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    const std::string text = shell("cat " + svg).out;
+    EXPECT_NE(text.find(">captures</text>"), std::string::npos) << text;
+    std::vector<float> places;
+    for (std::size_t at = 0; (at = text.find("<circle cx=\"", at)) != std::string::npos; ++at)
+        places.push_back(std::stof(text.substr(at + 12)));
+    ASSERT_EQ(places.size(), 6U);
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GT(places[i] - places[i - 1], 8.5f) << "points of 8 px";
+    EXPECT_EQ(ctl("study " + file + " --csv -").out.substr(0, 36), "run,seed,eyes_deg,speed_m_s,captures");
     std::filesystem::remove(file), std::filesystem::remove(svg);
 }
 

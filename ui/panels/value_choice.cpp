@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-#include "ui/strings.h"
+#include "ui/measure_text.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
@@ -16,20 +16,7 @@ namespace braitenlab::ui {
 using insight::AxisValue;
 using insight::ValueGroup;
 
-std::string axis_words(const Ui& ui, const AxisValue& value) {
-    constexpr std::string_view of_threshold = "threshold_";
-    constexpr std::array owners{"", "sensor_", "body_", "start_", "source_", "arena_"};  // by ValueOwner
-    if (value.dials.empty())
-        return fill(ui.strings(std::string("map.value.") + owners[static_cast<std::size_t>(value.owner)] + value.key),
-                    {value.source});
-    std::string words;
-    for (const Dial dial : value.dials) {
-        const std::string_view key = name(dial);
-        words += words.empty() ? "" : " = ";
-        words += key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
-    }
-    return words;
-}
+std::string axis_words(const Ui& ui, const AxisValue& value) { return axis_name(ui.strings, value); }
 
 SliderLook end_look(const Ui& ui, const AxisValue& value, bool is_from, float now) {
     SliderLook look = look_of(NumberField{"", value.unit, value.allowed, now, is_from ? value.from : value.to});
