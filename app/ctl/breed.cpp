@@ -137,6 +137,17 @@ std::vector<float> panel_scores(const BreedingState& state, Side side) {
     return scores;
 }
 
+std::string trend_text(const std::vector<float>& scores) {
+    const evolve::Trend trend = evolve::trend_of(scores);
+    const auto interval = evolve::correlation_interval(scores);
+    const std::string of = interval ? fmt::format("95 % interval {:+.2f} to {:+.2f}", interval->low, interval->high)
+                                    : std::string("no interval");
+    return fmt::format(
+        "{:.3f} in the first quarter of the generations, {:.3f} in the last; correlation with the generation {:+.2f} "
+        "({}, {} generations)",
+        trend.first, trend.last, trend.correlation, of, scores.size());
+}
+
 std::string summary_text(const BreedingBase& base, const BreedingState& state) {
     std::string text = fmt::format("{:>10}", "generation");
     for (const Side side : evolve::both_sides)
@@ -163,11 +174,7 @@ std::string summary_text(const BreedingBase& base, const BreedingState& state) {
     text += "panel: score of the best against opponents that were bred apart and never decided who had children.\n";
     for (const Side side : evolve::both_sides) {
         if (!base.breed(side)) continue;
-        const evolve::Trend trend = evolve::trend_of(panel_scores(state, side));
-        text += fmt::format(
-            "{} against the panel: {:.3f} in the first quarter of the generations, {:.3f} in the last; "
-            "correlation with the generation {:+.2f}\n",
-            word(side), trend.first, trend.last, trend.correlation);
+        text += fmt::format("{} against the panel: {}\n", word(side), trend_text(panel_scores(state, side)));
     }
     return text;
 }
@@ -221,11 +228,7 @@ std::string matrix_text(const evolve::Tournament& tournament) {
     for (const Side side : evolve::both_sides) {
         std::vector<float> scores;
         for (std::size_t own = 0; own < tournament.size(); ++own) scores.push_back(tournament.master_score(side, own));
-        const evolve::Trend trend = evolve::trend_of(scores);
-        text += fmt::format(
-            "{} against all generations: {:.3f} in the first quarter, {:.3f} in the last; correlation "
-            "with the generation {:+.2f}\n",
-            word(side), trend.first, trend.last, trend.correlation);
+        text += fmt::format("{} against all generations: {}\n", word(side), trend_text(scores));
     }
     return text;
 }
@@ -291,7 +294,10 @@ int print_scores(const BreedOptions& options, const Base& base, const BreedingSt
 }
 
 int analyse(const BreedOptions& options, const Base& base, const BreedingState& state) {
-    const auto strings = strings_of(options.table.language);
+    std::vector<TranslatableText> texts;  // a folder's copy has another id than the shipped breeding
+    for (const evolve::Breeding& shipped : shipped_breeding_list())
+        for (TranslatableText& text : texts_of(shipped)) texts.push_back(std::move(text));
+    const auto strings = strings_with(options.table.language, texts);
     if (!strings) return complain(strings.error());
     const auto style = style_of(options.table);
     if (!style) return complain(style.error());

@@ -1,6 +1,7 @@
 #include "app/reports/breeding_drawing.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,12 +27,30 @@ std::string side_name(Side side, const Strings& strings) {
     return std::string(strings(side == Side::predator ? "kind.predator" : "kind.prey"));
 }
 
+std::string_view title_of(const evolve::Breeding& breeding, const FigureLabels& labels, const Strings& strings) {
+    return labels.title.empty() ? strings.find(breeding.title, breeding.title) : labels.title;
+}
+
 std::string panel_heading(Side side, const Strings& strings) {
     return words_at(0, -12, side_name(side, strings), " font-weight=\"bold\"");
 }
 
 std::string placed(float x, float y, const std::string& content) {
     return fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", x, y, content);
+}
+
+// What the score counts.
+std::string counted_text(const evolve::Breeding& breeding, const Strings& strings) {
+    const std::string seconds =
+        ui::fixed(breeding.seconds, breeding.seconds == std::floor(breeding.seconds) ? 0 : 1, decimal_mark(strings));
+    if (!breeding.measure) return fill(strings("report.breeding_counts_life"), {seconds});
+    const auto& measure = row_of(*breeding.measure);
+    const std::string name(strings("study.measure." + std::string(measure.word)));
+    const Side side = breeding.predator_better == evolve::Better::more ? Side::predator : Side::prey;
+    if (measure.unit == "s")
+        return fill(strings("report.breeding_counts_time"), {side_name(side, strings), name, seconds});
+    const std::string unit = measure.unit.empty() ? "" : fmt::format(" ({})", measure.unit);
+    return fill(strings("report.breeding_counts_number"), {side_name(side, strings), name + unit, seconds});
 }
 
 // Generations as an axis: never without length.
@@ -121,9 +140,9 @@ std::string curves_drawing(const BreedingBase& base, const BreedingState& state,
                        (is_first ? placed(curves_width + 24, 0, curves_legend(has_panel, strings)) : ""));
         top += curves_step;
     }
-    if (has_panel) drawn += words_at(drawing_left, top - 30, strings("report.breeding_rise"));
-    return svg_file(labels.title.empty() ? base.breeding().title : labels.title, drawing_left + curves_width + 330,
-                    top - 10, drawn);
+    drawn += words_at(drawing_left, top - 30, counted_text(base.breeding(), strings));
+    if (has_panel) drawn += words_at(drawing_left, top - 10, strings("report.breeding_rise"));
+    return svg_file(title_of(base.breeding(), labels, strings), drawing_left + curves_width + 330, top + 10, drawn);
 }
 
 std::string matrix_drawing(const BreedingBase& base, const Tournament& tournament, MatrixKind kind,
@@ -139,7 +158,8 @@ std::string matrix_drawing(const BreedingBase& base, const Tournament& tournamen
         const auto label = [&](const std::string& given, Side of) {
             return is_first && !given.empty()
                        ? given
-                       : fill(strings("report.breeding_generation_of"), {side_name(of, strings)});
+                       : std::string(strings(of == Side::predator ? "report.breeding_predator_generation"
+                                                                  : "report.breeding_prey_generation"));
         };
         drawn += placed(left, drawing_top,
                         panel_heading(side, strings) + cells_of(tournament, side, kind, strings) +
@@ -153,8 +173,8 @@ std::string matrix_drawing(const BreedingBase& base, const Tournament& tournamen
     drawn += words_at(drawing_left, drawing_top + matrix_side + 76,
                       fill(strings(kind == MatrixKind::ciao ? "report.breeding_ciao" : "report.breeding_master"),
                            {std::to_string(evolve::tournament_trials)}));
-    return svg_file(labels.title.empty() ? base.breeding().title : labels.title, legend + 180,
-                    drawing_top + matrix_side + 96, drawn);
+    drawn += words_at(drawing_left, drawing_top + matrix_side + 96, counted_text(base.breeding(), strings));
+    return svg_file(title_of(base.breeding(), labels, strings), legend + 180, drawing_top + matrix_side + 116, drawn);
 }
 
 }  // namespace braitenlab

@@ -23,8 +23,14 @@ std::vector<Generation> complete_ones(const BreedingBase& base, const BreedingSt
     return {all.begin(), all.begin() + complete_generations(base, state)};
 }
 
-BreedingJson trend_json(const evolve::Trend& trend) {
-    return {{"first_quarter", trend.first}, {"last_quarter", trend.last}, {"correlation", trend.correlation}};
+BreedingJson trend_json(const std::vector<float>& scores) {
+    const evolve::Trend trend = evolve::trend_of(scores);
+    const auto interval = evolve::correlation_interval(scores);
+    return {{"first_quarter", trend.first},
+            {"last_quarter", trend.last},
+            {"correlation", trend.correlation},
+            {"interval", interval ? BreedingJson::array({interval->low, interval->high}) : BreedingJson()},
+            {"generations", scores.size()}};
 }
 
 BreedingJson verdict_json(const evolve::Verdict& verdict) {
@@ -50,8 +56,8 @@ BreedingJson side_json(const std::vector<Generation>& generations, const Tournam
         if (each.panel >= 0) panel.push_back(each.panel);
     }
     for (std::size_t own = 0; own < tournament.size(); ++own) master.push_back(tournament.master_score(side, own));
-    json["panel"] = panel.empty() ? BreedingJson() : trend_json(evolve::trend_of(panel));
-    json["master"] = trend_json(evolve::trend_of(master));
+    json["panel"] = panel.empty() ? BreedingJson() : trend_json(panel);
+    json["master"] = trend_json(master);
     json["verdict"] = verdict_json(evolve::verdict_of(tournament, side));
     return json;
 }

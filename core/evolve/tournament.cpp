@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include <fmt/format.h>
 
 #include "core/maths/fnv.h"
+#include "core/maths/random.h"
 
 namespace braitenlab::evolve {
 
@@ -38,6 +40,18 @@ float mean_of_range(const std::vector<float>& numbers, std::size_t from, std::si
     return std::accumulate(numbers.begin() + static_cast<std::ptrdiff_t>(from),
                            numbers.begin() + static_cast<std::ptrdiff_t>(to), 0.0F) /
            static_cast<float>(to - from);
+}
+
+// Pearson's correlation of score and generation in these generations; 0 where one of them is constant.
+double correlation_of(const std::vector<float>& scores, const std::vector<std::size_t>& generations) {
+    double mean = 0, middle = 0, both = 0, own = 0, time = 0;
+    for (const std::size_t i : generations) mean += static_cast<double>(scores[i]), middle += static_cast<double>(i);
+    mean /= static_cast<double>(generations.size()), middle /= static_cast<double>(generations.size());
+    for (const std::size_t i : generations) {
+        const double score = static_cast<double>(scores[i]) - mean, generation = static_cast<double>(i) - middle;
+        both += score * generation, own += score * score, time += generation * generation;
+    }
+    return own > 0 && time > 0 ? both / std::sqrt(own * time) : 0;
 }
 
 }  // namespace
@@ -88,15 +102,32 @@ Trend trend_of(const std::vector<float>& scores) {
     const std::size_t count = scores.size(), quarter = std::max<std::size_t>(1, count / 4);
     if (count == 0) return {};
     Trend trend{.first = mean_of_range(scores, 0, quarter), .last = mean_of_range(scores, count - quarter, count)};
-    const double mean = static_cast<double>(mean_of_range(scores, 0, count));
-    const double middle = static_cast<double>(count - 1) / 2;
-    double both = 0, own = 0, time = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double score = static_cast<double>(scores[i]) - mean, generation = static_cast<double>(i) - middle;
-        both += score * generation, own += score * score, time += generation * generation;
-    }
-    if (own > 0 && time > 0) trend.correlation = static_cast<float>(both / std::sqrt(own * time));
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    trend.correlation = static_cast<float>(correlation_of(scores, all));
     return trend;
+}
+
+std::optional<Interval> correlation_interval(const std::vector<float>& scores) {
+    constexpr std::size_t least = 8, resamples = 2000;
+    const std::size_t count = scores.size();
+    const bool is_constant = std::adjacent_find(scores.begin(), scores.end(), std::not_equal_to<>()) == scores.end();
+    if (count < least || is_constant) return std::nullopt;
+    const auto block = static_cast<std::size_t>(std::lround(std::cbrt(static_cast<double>(count))));
+    maths::Random random(1, maths::fnv("correlation_interval"));
+    std::vector<double> correlations;
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < resamples; ++i) {
+        chosen.clear();
+        while (chosen.size() < count) {
+            const std::size_t first = random.next() % (count - block + 1);
+            for (std::size_t k = 0; k < block && chosen.size() < count; ++k) chosen.push_back(first + k);
+        }
+        correlations.push_back(correlation_of(scores, chosen));
+    }
+    std::sort(correlations.begin(), correlations.end());
+    return Interval{static_cast<float>(correlations[resamples / 40]),
+                    static_cast<float>(correlations[resamples - 1 - resamples / 40])};
 }
 
 }  // namespace braitenlab::evolve

@@ -4,6 +4,7 @@
 // Nolfi, "God Save the Red Queen" (1997), master tournament.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/evolve/breeding.h"
@@ -42,5 +43,13 @@ struct Trend {
     float correlation = 0;      // of score and generation, −1..1 (Pearson); 0 for a constant series
 };
 Trend trend_of(const std::vector<float>& scores);
+
+// A 95 % interval of the correlation, by a bootstrap of blocks of neighbouring generations, because these are alike
+// (H. R. Künsch, "The Jackknife and the Bootstrap for General Stationary Observations", 1989). The same scores give the
+// same interval. nullopt for fewer than 8 scores and for a constant series.
+struct Interval {
+    float low = 0, high = 0;
+};
+std::optional<Interval> correlation_interval(const std::vector<float>& scores);
 
 }  // namespace braitenlab::evolve

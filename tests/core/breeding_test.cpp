@@ -19,6 +19,7 @@
 #include "core/evolve/scene_breeding.h"
 #include "core/evolve/tournament.h"
 #include "core/maths/fnv.h"
+#include "core/maths/random.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab::tests::breeding_test {
@@ -547,6 +548,46 @@ TEST(Tournament, ATrendIsThatOfItsQuartersAndItsCorrelation) {
     EXPECT_FLOAT_EQ(trend_of({3, 2, 1}).correlation, -1);
     EXPECT_EQ(trend_of({2, 2, 2}).correlation, 0);
     EXPECT_EQ(trend_of({2}).last, 2);
+}
+
+TEST(Tournament, TheIntervalOfACorrelationHoldsItAndIsWideWhereLittleIsKnown) {
+    std::vector<float> rising, noise;
+    maths::Random random(7, 1);
+    for (int i = 0; i < 40; ++i) {
+        noise.push_back(random.normal());
+        rising.push_back(0.1F * static_cast<float>(i) + 0.3F * noise.back());
+    }
+    const auto of_rising = correlation_interval(rising), of_noise = correlation_interval(noise);
+    ASSERT_TRUE(of_rising && of_noise);
+    EXPECT_GT(of_rising->low, 0.8F);
+    EXPECT_LT(of_noise->low, 0.0F);
+    EXPECT_GT(of_noise->high, 0.0F);
+    for (const auto& [scores, interval] : {std::pair(rising, of_rising), std::pair(noise, of_noise)}) {
+        const float correlation = trend_of(scores).correlation;
+        EXPECT_LT(interval->low, correlation);
+        EXPECT_GT(interval->high, correlation);
+        EXPECT_EQ(correlation_interval(scores)->low, interval->low) << "the same each time";
+    }
+    const auto of_few = correlation_interval({noise.begin(), noise.begin() + 10});
+    ASSERT_TRUE(of_few);
+    EXPECT_GT(of_few->high - of_few->low, of_noise->high - of_noise->low);
+    EXPECT_FALSE(correlation_interval({1, 2, 3, 4, 5, 6, 7})) << "too few";
+    EXPECT_FALSE(correlation_interval(std::vector<float>(20, 0.5F))) << "constant";
+    EXPECT_FALSE(correlation_interval({}));
+}
+
+// Of 200 series of noise that have no trend, the interval holds 0 in most.
+TEST(Tournament, TheIntervalOfNoiseRarelyLeavesOutZero) {
+    maths::Random random(3, 1);
+    int left_out = 0;
+    for (int series = 0; series < 200; ++series) {
+        std::vector<float> noise;
+        for (int i = 0; i < 40; ++i) noise.push_back(random.normal());
+        const auto interval = correlation_interval(noise);
+        ASSERT_TRUE(interval);
+        left_out += interval->low > 0 || interval->high < 0;
+    }
+    EXPECT_LT(left_out, 40) << "of 200";
 }
 
 }  // namespace

@@ -142,11 +142,16 @@ TEST(CtlBreed, DrawsCurvesAndMatricesWithNamedAxes) {
     text = content(svg);
     EXPECT_EQ(count_of(text, "z\" fill="), 2U * (1 + 2 + 3));
     EXPECT_EQ(count_of(text, "stroke=\"#fff\""), 2U * (1 + 2 + 3));
-    EXPECT_NE(text.find(">generation of: Prey</text>"), std::string::npos);
+    for (const char* part :
+         {">generation of the prey</text>", ">generation of the predator</text>",
+          ">Score: of the prey the share of 4 s until it is bitten, of the predator the rest.</text>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << text;
+    ASSERT_EQ(ctl(command + " --lang de").code, 0);
+    EXPECT_NE(content(svg).find(">Jagd, gegen die letzten Sieger</text>"), std::string::npos);
     ASSERT_EQ(ctl(command + " --matrix master --lang de --title Mine --x-label 'g (1)'").code, 0);
     text = content(svg);
     EXPECT_EQ(count_of(text, "z\" fill="), 2U * 9);
-    for (const char* part : {">Mine</text>", ">g (1)</text>", ">Generation von: Beute</text>", ">0,4</text>"})
+    for (const char* part : {">Mine</text>", ">g (1)</text>", ">Generation des Räubers</text>", ">0,4</text>"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
     EXPECT_TRUE(is_xml());
     expect_refused("breed " + folder.path + " --svg a.png", ".svg");
@@ -175,6 +180,8 @@ TEST(CtlBreed, OneCommandWritesAllTablesAndDrawings) {
     EXPECT_EQ(json["prey"]["generations"][1]["parents"].size(), 4U);
     EXPECT_EQ(json["predator"]["verdict"]["course"], "too_early");
     EXPECT_EQ(json["tournament"]["predator_scores"][2].size(), 3U);
+    EXPECT_EQ(json["prey"]["panel"]["generations"], 3);
+    EXPECT_TRUE(json["prey"]["panel"]["interval"].is_null()) << "too few generations";
     for (const char* name : {"scores.svg", "ciao.svg", "master.svg"})
         EXPECT_TRUE(content(fs::path(report.path) / name).starts_with("<?xml")) << name;
     const std::string scores = ctl("breed " + folder.path + " --csv -").out;
