@@ -50,31 +50,51 @@ const files = {
     // and the page says so.
     store(path, bytes) {
         if (!storage.shelf) return;
-        let text;
-        try {
-            text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-        } catch {
-            return storage.remove(path);
-        }
+        const text = textOf(bytes);
+        if (text === null) return storage.remove(path);
         if (storage.write(path, text)) {
             if (files.unstored.delete(path) && !files.unstored.size) notice.close("full");
         } else {
             files.unstored.add(path);
-            notice.open("full", words.full, words.download, files.downloadUnstored);
+            notice.open("full", words.full, words.download, files.downloadLosses);
         }
     },
 
-    download(path, bytes) {
+    // A page that contains this one may refuse downloads without a word: there the text can be copied, too.
+    download(bytes, name) {
         const link = document.createElement("a");
         link.href = URL.createObjectURL(new Blob([bytes]));
-        link.download = path.slice(path.lastIndexOf("/") + 1).replace(/\.autosave$/, ".run");
+        link.download = name;
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+        const text = window.top === window ? null : textOf(bytes);
+        if (text !== null) notice.open(`download ${link.href}`, words.framed + name, words.copy, () => copyText(text));
     },
 
-    downloadUnstored() {
-        for (const path of files.unstored)
-            if (files.known.has(path)) files.download(path, files.FS.readFile(path));
+    // Progress and work that end with the page.
+    losses() {
+        const isLoss = (path) => path.startsWith(home + "/state/students/") || path.endsWith(".autosave");
+        return (storage.shelf ? [...files.unstored] : files.list()).filter(isLoss);
+    },
+
+    // The names say what they are; the lab reads them again when they are dropped onto it.
+    downloadLosses() {
+        files.leave();
+        const losses = files.losses();
+        for (const path of losses) {
+            const bytes = files.FS.readFile(path);
+            const own = path.slice(path.lastIndexOf("/") + 1).replace(/\.json$/, "");
+            const name = path.endsWith(".autosave") ? `${JSON.parse(textOf(bytes)).autosave.name || "work"}.run`
+                : `braitenlab-progress${own === "this-computer" ? "" : `-${own}`}.json`;
+            files.download(bytes, name);
+        }
+        if (!losses.length) element("notice-text").textContent = words.nothing;
+    },
+
+    // The browser may end the page without another event: the lab saves its work now.
+    leave() {
+        Module.ccall("braitenlab_leave", null, [], []);
+        files.keep();
     },
 
     // Stores and downloads what has changed since the last call; forgets what has been removed. Files of another page
@@ -97,7 +117,7 @@ const files = {
             }
             const bytes = files.FS.readFile(path);
             files.store(path, bytes);
-            if (!files.isOwn(path)) files.download(path, bytes);
+            if (!files.isOwn(path)) files.download(bytes, path.slice(path.lastIndexOf("/") + 1));
         }
     },
 
@@ -108,7 +128,25 @@ const files = {
         if (!shown) return false;
         files.shown = { path, window: shown };
         files.fillPage();
+        shown.onkeydown = files.passOn;
         return true;
+    },
+
+    // A remote control for slides types into the window that was used last: its keys are the lab's in each.
+    passOn(event) {
+        const { key, code, shiftKey } = event;
+        if (event.ctrlKey || event.altKey || event.metaKey || !["PageUp", "PageDown", "F5", "b", "B", "."].includes(key)) return;
+        event.preventDefault();
+        for (const type of ["keydown", "keyup"]) dispatchEvent(new KeyboardEvent(type, { key, code, shiftKey, bubbles: true }));
+    },
+
+    // The page stays open when the lab's ends.
+    markPageAsOld() {
+        if (!files.shown || files.shown.window.closed) return;
+        const page = files.shown.window.document, line = page.createElement("p");
+        line.textContent = words.ended_notes;
+        line.style = "background: #f0b64a; color: #14181e; padding: 8px 16px; margin: 0";
+        page.body.prepend(line);
     },
 
     fillPage() {
@@ -133,7 +171,7 @@ const files = {
     choose() {
         const input = document.createElement("input");
         input.type = "file";
-        input.accept = ".toml,.run";
+        input.accept = ".toml,.run,.json";
         input.multiple = true;
         input.onchange = () => [...input.files].forEach(files.open);
         input.click();
@@ -141,18 +179,16 @@ const files = {
 
     // From the start of the program on.
     follow() {
-        if (!storage.shelf) notice.open("unkept", words.unkept);
+        if (!storage.shelf) notice.open("unkept", words.unkept, words.download, files.downloadLosses);
         setInterval(files.keep, 500);
-        // The browser may end the page without another event: the lab saves its work now.
-        const leave = () => {
-            Module.ccall("braitenlab_leave", null, [], []);
-            files.keep();
-        };
-        addEventListener("pagehide", leave);
-        addEventListener("visibilitychange", () => document.visibilityState === "hidden" && leave());
-        addEventListener("hashchange", () => {
-            if (isLink(location.hash)) Module.ccall("braitenlab_open", null, ["string"], [location.hash]);
+        addEventListener("beforeunload", (event) => {
+            files.leave();
+            if (files.losses().length) event.preventDefault();
         });
+        addEventListener("pagehide", files.leave);
+        addEventListener("pagehide", files.markPageAsOld);
+        addEventListener("visibilitychange", () => document.visibilityState === "hidden" && files.leave());
+        addEventListener("popstate", address.follow_link);
         addEventListener("dragover", (event) => event.preventDefault());
         addEventListener("drop", (event) => {
             event.preventDefault();
@@ -168,6 +204,15 @@ const files = {
         addEventListener("wheel", (event) => event.ctrlKey && event.preventDefault(), { passive: false });
     },
 };
+
+// null for bytes that are no text.
+function textOf(bytes) {
+    try {
+        return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+    } catch {
+        return null;
+    }
+}
 
 // Copies a text. Without permission for the clipboard, as on a page without a secure connection, by an older way.
 function copyText(text) {

@@ -11,9 +11,20 @@ const texts = {
         server: "This page needs a web server. Without one, open braitenlab-web.html, which is a single file.",
         stopped: "The lab has stopped. Your work up to the last seconds is kept and offered at the next start. ",
         ended: "The lab is closed.",
-        unkept: "This browser lets the page keep nothing: your work ends with the page. Ctrl+S downloads it.",
+        unkept: "This browser lets the page keep nothing: your progress and your work end with the page.",
         full: "The browser’s storage is full: your newest work is not kept in this browser.",
         download: "Download it", close: "Close",
+        nothing: "There is nothing to download yet.",
+        framed: "The page that contains this one may refuse downloads. If this file is not among yours, copy its text: ",
+        copy: "Copy its text",
+        unreachable: "the server does not send it",
+        page: "in its place the server sends a web page, perhaps of a login: ",
+        damaged: "it is incomplete or damaged",
+        sandbox: "The page that contains this one does not let it load its files: its frame needs sandbox=\"allow-scripts " +
+                 "allow-same-origin allow-downloads\". Or open the lab in a window of its own.",
+        lost: "The browser has taken the graphics from the lab, for example after a fault of the driver. Your work is kept: start again.",
+        turn: "The lab is wider than this screen: turn the device.", stay: "Go on all the same",
+        ended_notes: "These notes no longer follow the lecture: the page of the lab was closed or loaded again. Shift+N in the lab opens them anew.",
     },
     de: {
         loads: "Wird geladen …", again: "Neu starten",
@@ -24,9 +35,20 @@ const texts = {
         server: "Diese Seite braucht einen Webserver. Ohne Webserver öffnen Sie braitenlab-web.html, eine einzelne Datei.",
         stopped: "Das Labor wurde angehalten. Ihre Arbeit bis auf die letzten Sekunden ist gespeichert und wird beim nächsten Start angeboten. ",
         ended: "Das Labor ist geschlossen.",
-        unkept: "Dieser Browser lässt die Seite nichts aufbewahren: Ihre Arbeit endet mit der Seite. Strg+S lädt sie herunter.",
+        unkept: "Dieser Browser lässt die Seite nichts aufbewahren: Lernstand und Arbeit enden mit der Seite.",
         full: "Der Speicher des Browsers ist voll: Ihre neueste Arbeit wird in diesem Browser nicht aufbewahrt.",
         download: "Herunterladen", close: "Schließen",
+        nothing: "Es gibt noch nichts herunterzuladen.",
+        framed: "Die Seite, die diese enthält, kann Downloads verbieten. Liegt diese Datei nicht bei Ihren Downloads, kopieren Sie ihren Text: ",
+        copy: "Text kopieren",
+        unreachable: "der Server sendet sie nicht",
+        page: "der Server sendet stattdessen eine Webseite, vielleicht eine Anmeldung: ",
+        damaged: "sie ist unvollständig oder beschädigt",
+        sandbox: "Die Seite, die diese enthält, lässt sie ihre Dateien nicht laden: ihr Rahmen braucht sandbox=\"allow-scripts " +
+                 "allow-same-origin allow-downloads\". Oder öffnen Sie das Labor in einem eigenen Fenster.",
+        lost: "Der Browser hat dem Labor die Grafik entzogen, zum Beispiel nach einem Fehler des Treibers. Ihre Arbeit ist gespeichert: starten Sie neu.",
+        turn: "Das Labor ist breiter als dieser Bildschirm: Drehen Sie das Gerät.", stay: "Trotzdem weiter",
+        ended_notes: "Diese Notizen folgen dem Vortrag nicht mehr: die Seite des Labors wurde geschlossen oder neu geladen. Umschalt+N im Labor öffnet sie neu.",
     },
     es: {
         loads: "Cargando…", again: "Iniciar de nuevo",
@@ -37,9 +59,20 @@ const texts = {
         server: "Esta página necesita un servidor web. Sin servidor, abra braitenlab-web.html, que es un solo archivo.",
         stopped: "El laboratorio se ha detenido. Su trabajo, salvo los últimos segundos, está guardado y se ofrecerá al iniciar de nuevo. ",
         ended: "El laboratorio está cerrado.",
-        unkept: "Este navegador no permite a la página guardar nada: su trabajo termina con la página. Ctrl+S lo descarga.",
+        unkept: "Este navegador no permite a la página guardar nada: su progreso y su trabajo terminan con la página.",
         full: "El almacenamiento del navegador está lleno: su trabajo más reciente no se guarda en este navegador.",
         download: "Descargarlo", close: "Cerrar",
+        nothing: "Aún no hay nada que descargar.",
+        framed: "La página que contiene esta puede impedir las descargas. Si este archivo no está entre las suyas, copie su texto: ",
+        copy: "Copiar su texto",
+        unreachable: "el servidor no lo envía",
+        page: "en su lugar el servidor envía una página web, quizá de inicio de sesión: ",
+        damaged: "está incompleto o dañado",
+        sandbox: "La página que contiene esta no le permite cargar sus archivos: su marco necesita sandbox=\"allow-scripts " +
+                 "allow-same-origin allow-downloads\". O abra el laboratorio en una ventana propia.",
+        lost: "El navegador ha retirado los gráficos al laboratorio, por ejemplo tras un fallo del controlador. Su trabajo está guardado: inicie de nuevo.",
+        turn: "El laboratorio es más ancho que esta pantalla: gire el dispositivo.", stay: "Continuar así",
+        ended_notes: "Estas notas ya no siguen la clase: la página del laboratorio se cerró o se cargó de nuevo. Mayús+N en el laboratorio las abre otra vez.",
     },
 };
 const query = new URLSearchParams(location.search);
@@ -104,6 +137,11 @@ const notice = {
 element("notice-close").setAttribute("aria-label", words.close);
 element("notice-close").onclick = notice.hide;
 
+// A telephone that is held upright shows the lab too small to read: page.html hides this elsewhere.
+element("turn-text").textContent = words.turn;
+element("turn-stay").textContent = words.stay;
+element("turn-stay").onclick = () => element("turn").remove();
+
 // ── Loading ──
 
 const received = {};
@@ -122,15 +160,29 @@ async function bytesOf(name) {
         inside.remove();
         return new Blob([packed]).stream();
     }
-    const answer = await fetch(`${name}.gz?${built.version}`);
-    if (!answer.ok) throw new Error(`${name} (${answer.status})`);
+    const answer = await fetch(`${name}.gz?${built.version}`).catch(() => {
+        throw new Unloaded(window.origin === "null" ? words.sandbox : `${words.missing}${name}: ${words.unreachable}`);
+    });
+    if (!answer.ok) throw new Unloaded(`${words.missing}${name} (${answer.status})`);
     return answer.body;
+}
+
+// Why a file of the program is not loaded, in words for the user.
+class Unloaded extends Error {}
+
+// The same for a fault of its bytes.
+function damaged(name) {
+    return (problem) => {
+        throw problem instanceof Unloaded ? problem : new Unloaded(`${words.missing}${name}: ${words.damaged}`);
+    };
 }
 
 // The bytes of a file of the program, unpacked. A server may declare the compression; then the browser has undone it.
 async function load(name, type) {
     const reader = (await bytesOf(name)).getReader();
     const first = await reader.read();
+    const beginning = new TextDecoder().decode(first.value?.slice(0, 80)).trim();
+    if (beginning.startsWith("<")) throw new Unloaded(`${words.missing}${name}: ${words.page}${beginning} …`);
     const isPacked = first.value?.[0] === 0x1f;
     let next = first;
     const bytes = new ReadableStream({
@@ -178,6 +230,28 @@ const lectures = {
     },
 };
 
+// The address is that of the open document, or names none.
+const address = {
+    opening: true,  // the next document is that of the address
+    open: undefined,
+
+    follow(name) {
+        if (name === address.open) return;
+        address.open = name;
+        if (address.opening) return void (address.opening = false);
+        const kept = new URLSearchParams(location.search);
+        for (const key of ["open", "seed", "camera", "play"]) kept.delete(key);
+        history.replaceState(null, "", `${location.pathname}?${kept}`.replace(/\?$/, ""));
+    },
+
+    // Opens the link in the address. A link that is followed again changes nothing in the address.
+    follow_link() {
+        if (!isLink(location.hash)) return;
+        address.opening = true;
+        Module.ccall("braitenlab_open", null, ["string"], [location.hash]);
+    },
+};
+
 // The document of the start: of a lecture that was open before a reload, or of the address.
 function documentArguments() {
     const again = lectures.again();
@@ -206,7 +280,10 @@ var Module = {
     takeOver: files.takeOver,
     keepFiles: files.keep,
     openPage: files.openPage,
-    onDocument: lectures.follow,
+    onDocument(title, lecture, page, revealed, name) {
+        lectures.follow(title, lecture, page, revealed);
+        address.follow(name);
+    },
     copyText,
     chooseFiles: files.choose,
     typing,
@@ -227,7 +304,10 @@ window.addEventListener("error", (event) => {
 });
 
 // The system takes the graphics away, for example after a fault of the driver.
-element("canvas").addEventListener("webglcontextlost", () => show(words.stopped, true));
+element("canvas").addEventListener("webglcontextlost", () => {
+    if (window.braitenlab.ready) files.leave();
+    show(words.lost, true);
+});
 
 // Pixels of the lab per pixel of the page: a small page shows the lab reduced.
 const density = () => element("canvas").width / element("canvas").clientWidth;
@@ -246,11 +326,11 @@ window.braitenlab = {
 // The program is compiled while it arrives.
 async function start() {
     const finding = pages.find();
-    const compiling = load("braitenlab.wasm", "application/wasm").then(WebAssembly.compileStreaming);
+    const receive = (name, type, use) => load(name, type).then(use).catch(damaged(name));
     const loading = Promise.all([
-        load("braitenlab.data", "application/octet-stream").then((answer) => answer.arrayBuffer()),
-        load("braitenlab.js", "text/javascript").then((answer) => answer.text()),
-        compiling, finding,
+        receive("braitenlab.data", "application/octet-stream", (answer) => answer.arrayBuffer()),
+        receive("braitenlab.js", "text/javascript", (answer) => answer.text()),
+        receive("braitenlab.wasm", "application/wasm", WebAssembly.compileStreaming), finding,
     ]);
     const missing = whatIsMissing();
     if (missing) return loading.catch(() => {}), show(missing, false);
@@ -265,7 +345,7 @@ async function start() {
         tag.textContent = script;
         document.body.append(tag);
     } catch (problem) {
-        show(location.protocol === "file:" ? words.server : words.missing + problem.message, true);
+        show(location.protocol === "file:" ? words.server : problem.message, true);
     }
 }
 

@@ -1,5 +1,6 @@
 // What is around the lab on its page: loading, title, sizes, fingers.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { test } from "node:test";
 
@@ -53,6 +54,17 @@ test("The page can be enlarged by fingers, and Ctrl with the wheel is the scene'
             new WheelEvent("wheel", { deltaY: 100, ctrlKey: true, bubbles: true, cancelable: true }))));
         assert.deepEqual(taken, [true, true]);
     }));
+
+test("A telephone that is held upright is asked to be turned", limit, () =>
+    withLab("?open=01-drive", async (lab) => {
+        assert.match(await lab.page.innerText("#turn"), /turn the device/);
+        await lab.page.setViewportSize({ width: 800, height: 400 });
+        assert.equal(await lab.page.isVisible("#turn"), false);
+        await lab.page.setViewportSize({ width: 400, height: 800 });
+        await lab.page.tap("#turn-stay");
+        await lab.page.touchscreen.tap(...await lab.middle("exercise.predict.2"));
+        await lab.until((state) => state.exercise.predicted === 1);
+    }, { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true }));
 
 test("A page 400 pixels wide shows the whole window reduced", limit, () =>
     withLab("?open=01-drive", async (lab) => {
@@ -129,3 +141,71 @@ test("A finger that rests on a slider leaves its value", limit, () =>
         assert.equal((await lab.anchors()).menu, undefined);
         assert.ok(before);
     }, { hasTouch: true }));
+
+// The words of a page whose files the server answers in this way, once it has given up.
+async function wordsOfFailure(pattern, answer, address = labs.server.address) {
+    const context = await labs.browser.newContext({ locale: "en-US" });
+    try {
+        await context.route(pattern, answer);
+        const page = await context.newPage();
+        await page.goto(address);
+        await page.waitForSelector("#again:not([hidden])", { timeout: 30000 });
+        return await page.innerText("#message");
+    } finally {
+        await context.close();
+    }
+}
+
+test("A file that does not arrive is named, with what came in its place", limit, async () => {
+    const login = (route) => route.fulfill({ contentType: "text/html", body: "<!DOCTYPE html><title>Login</title>" });
+    for (const name of ["wasm", "data", "js"]) {
+        const words = await wordsOfFailure(`**/braitenlab.${name}.gz?*`, login);
+        assert.match(words, new RegExp(`braitenlab\\.${name}.*web page.*Login`));
+    }
+    const half = async (route) => {
+        const body = await (await route.fetch()).body();
+        await route.fulfill({ body: body.subarray(0, body.length / 2) });
+    };
+    for (const name of ["wasm", "data", "js"])
+        assert.match(await wordsOfFailure(`**/braitenlab.${name}.gz?*`, half), new RegExp(`braitenlab\\.${name}: it is incomplete`));
+    assert.match(await wordsOfFailure("**/braitenlab.data.gz?*", (route) => route.abort()), /braitenlab\.data: the server does not/);
+});
+
+test("In a frame that may not load the files the page says what the frame needs", limit, async () => {
+    const page = await labs.browser.newPage();
+    await page.route("**/course.html", (route) => route.fulfill({ contentType: "text/html",
+        body: '<iframe sandbox="allow-scripts" src="/"></iframe>' }));
+    await page.goto(labs.server.address + "course.html");
+    const frame = await (await page.waitForSelector("iframe")).contentFrame();
+    await frame.waitForSelector("#again:not([hidden])", { timeout: 30000 });
+    assert.match(await frame.textContent("#message"), /allow-same-origin/);
+    await page.close();
+});
+
+test("A page that loses its graphics says so, and its work is offered again", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const [x, y, w, h] = await lab.rectangle("slider.LL");
+        await lab.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+        await lab.page.evaluate(() => document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext());
+        await lab.page.waitForSelector("#cover:not([hidden])");
+        assert.match(await lab.page.innerText("#message"), /graphics/);
+        await lab.page.click("#again");
+        await lab.ready();
+        await lab.rectangle("recovery.take");
+        lab.errors = lab.errors.filter((error) => !/CONTEXT_LOST/.test(error));
+    }));
+
+test("The address names the open document or none, and a link opens again", limit, () =>
+    withLab("?open=2a-coward&lang=en#e1.05-aggressor", async (lab) => {
+        const at = () => lab.page.evaluate(() => location.search + location.hash);
+        await lab.until((state) => state.exercise?.id === "05-aggressor");
+        assert.equal(await at(), "?open=2a-coward&lang=en#e1.05-aggressor");
+        await lab.drop("mine.toml", await readFile(path.join(root, "exercises/scenes/2b-aggressor.toml"), "utf8"));
+        await lab.until((state) => state.opened === "mine");
+        await lab.frames(3);
+        assert.equal(await at(), "?lang=en");
+        await lab.page.evaluate(() => (location.hash = "#e1.05-aggressor"));
+        await lab.until((state) => state.exercise?.id === "05-aggressor");
+        await lab.frames(3);
+        assert.equal(await at(), "?lang=en#e1.05-aggressor");
+    }));
