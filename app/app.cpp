@@ -215,7 +215,9 @@ void App::handle_recovery(bool take) {
     replace_document(lab_, std::move(*recovered));
     refresh(files_, lab_);
     const auto error = autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::now);
-    error ? show_error(*error) : autosave_.forget();
+    if (error) return show_error(*error);
+    autosave_.offer_no_more();  // the work that is now open would make room
+    autosave_.forget();
 }
 
 void App::show_error(const Error& error) { say(lab_, error); }

@@ -180,6 +180,8 @@ void App::frame(float passed) {
               .written = reports_.state.wanted() ? &frame_.written : nullptr,
               .shortened = &shortened};
     ui::draw_window(view, panels_, ui, layout);
+    if (bool& asked = panels_.sheets.unsaved.recovery_asked; asked && panels_.sheet != ui::Sheet::recovery)
+        autosave_.pass_over(), asked = false;  // "Not now": the next one
     facts_.text = ui::text_facts(frame_.written, shortened);
 
     const bool keys_move_camera = view.mode != Mode::wiring && panels_.keyboard.focus.empty();

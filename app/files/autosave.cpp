@@ -227,9 +227,11 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
             set_aside_autosave(file);
             return;
         }
-        const RecoveryOffer offer{keys->title, keys->path.string(), keys->when, keys->ended};
-        if (!leftover_ || leftover_->offer.when < offer.when) leftover_ = Leftover{file, offer};
+        older_.push_back({file, {keys->title, keys->path.string(), keys->when, keys->ended}});
     });
+    std::sort(older_.begin(), older_.end(),
+              [](const Leftover& a, const Leftover& b) { return a.offer.when < b.offer.when; });
+    pass_over();
 }
 
 Result<Document> Autosave::recover() const {
@@ -242,12 +244,19 @@ Result<Document> Autosave::recover() const {
 void Autosave::forget() {
     if (!leftover_) return;
     remove_with_lock(leftover_->file);
+    pass_over();
+}
+
+void Autosave::pass_over() {
     leftover_.reset();
+    if (older_.empty()) return;
+    leftover_ = std::move(older_.back());
+    older_.pop_back();
 }
 
 void Autosave::set_aside() {
     if (leftover_) set_aside_autosave(leftover_->file);
-    leftover_.reset();
+    pass_over();
 }
 
 void Autosave::forget_work_on(const fs::path& saved) {
@@ -255,7 +264,8 @@ void Autosave::forget_work_on(const fs::path& saved) {
     for_each_leftover(folder_, [&](const fs::path& file) {
         const auto keys = read_keys(autosave_text(file), file.string());
         if (!keys || keys->path != absolute_path(saved)) return;
-        if (leftover_ && leftover_->file == file) leftover_.reset();
+        std::erase_if(older_, [&](const Leftover& each) { return each.file == file; });
+        if (leftover_ && leftover_->file == file) pass_over();
         remove_with_lock(file);
     });
 }

@@ -86,10 +86,10 @@ public:
 
     static constexpr std::size_t most_at_start = 4U << 20U;  // bytes of a leftover that is read whole at the start
 
-    // Searches the folder for leftovers, removes those that are too old (broken ones, too) and offers the newest. A
-    // file that cannot be read is renamed to <name>.broken and reported in `errors`; in a file of more bytes than
-    // most_at_start, which takes seconds, the run is read by recover() only. If `folder` is empty, nothing is
-    // read or written.
+    // Searches the folder for leftovers, removes those that are too old (broken ones, too) and offers the newest, then
+    // the others. A file that cannot be read is renamed to <name>.broken and reported in `errors`; in a file of more
+    // bytes than most_at_start, which takes seconds, the run is read by recover() only. If `folder` is empty, nothing
+    // is read or written.
     explicit Autosave(std::filesystem::path folder, std::vector<Error>& errors);
     Autosave(Autosave&&) = default;
     Autosave& operator=(Autosave&&) = default;
@@ -98,9 +98,11 @@ public:
 
     // Opens the leftover. Its file stays until forget().
     Result<Document> recover() const;
-    void forget();
-    // Renames the leftover, which recover() cannot read, as the constructor does.
+    void forget();  // removes its file; the next one is offered
+    // Renames the leftover, which recover() cannot read, as the constructor does; the next one is offered.
     void set_aside();
+    void pass_over();                         // leaves its file for the next start; the next one is offered
+    void offer_no_more() { older_.clear(); }  // leaves the others for the next start
 
     // Removes leftovers of a scene file that has been saved: the file has newer work.
     void forget_work_on(const std::filesystem::path& saved);
@@ -125,6 +127,7 @@ private:
     std::filesystem::path folder_, file_;
     std::optional<FileLock> lock_;
     std::optional<Leftover> leftover_;
+    std::vector<Leftover> older_;  // offered after it, the newest last
     // Progress of the lab at the last write.
     struct Reached {
         std::int64_t edits = -1;

@@ -212,6 +212,26 @@ TEST_F(AutosaveTest, OffersTheWorkOfACrashedLab) {
     EXPECT_TRUE(fs::is_empty(folder.path));
 }
 
+TEST_F(AutosaveTest, OffersTheWorkOfEachCrashedLabTheNewestFirst) {
+    for (const auto& [name, when] : {std::pair("a", "2026-11-30 10:00:00"), std::pair("b", "2026-11-30 12:00:00"),
+                                     std::pair("c", "2026-11-30 11:00:00")})
+        put_text(folder / (std::string(name) + ".autosave"), write_autosave(draft_of(lab.document), when));
+    Autosave next(folder.path, complaints);
+    const auto offered = [&] { return next.leftover() ? next.leftover()->file.stem().string() : std::string(); };
+    EXPECT_EQ(offered(), "b");
+    next.pass_over();
+    EXPECT_EQ(offered(), "c");
+    next.forget();
+    EXPECT_EQ(offered(), "a");
+    next.pass_over();
+    EXPECT_EQ(offered(), "");
+    EXPECT_EQ(files_in(folder.path).size(), 2u) << "what was passed over is offered at the next start";
+    Autosave after(folder.path, complaints);
+    after.offer_no_more();
+    after.forget();
+    EXPECT_FALSE(after.leftover());
+}
+
 TEST_F(AutosaveTest, KeepsNoFileForEditsThatAreUndone) {
     Autosave autosave(folder.path, complaints);
     const auto at = [&](double second) {

@@ -240,12 +240,19 @@ test("Progress and work that a page does not keep are downloaded, and read again
 
 test("The work of each closed page is offered", limit, () =>
     withLab("?open=empty", async (lab) => {
-        for (const scene of ["2a-coward", "2b-aggressor"]) {
-            const other = await Lab.openIn(lab.page.context(), labs.server.address + `?open=${scene}`);
+        const others = [];
+        for (const scene of ["2a-coward", "2b-aggressor"])
+            others.push(await Lab.openIn(lab.page.context(), labs.server.address + `?open=${scene}`));
+        for (const other of others) {
+            await other.page.bringToFront();
             const [x, y, w, h] = await other.rectangle("slider.LL");
             await other.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
-            await other.page.close();
+            await other.frames(2);
+            await other.page.evaluate(() => files.leave());
+            await other.page.waitForTimeout(1100);  // the time of the work is in seconds
         }
+        for (const other of others) await other.page.close();
+        await lab.page.bringToFront();
         await lab.page.reload();
         await lab.ready();
         await lab.click("recovery.later");
