@@ -7,9 +7,11 @@
 #include "app/app.h"
 #include "app/applied_theme.h"
 #include "app/files/data.h"
+#include "app/files/file_commands.h"
 #include "app/files/safe_file.h"
 #include "app/files/screenshot.h"
 #include "app/lab_selection.h"
+#include "app/platform/platform.h"
 #include "app/reports/brain_drawing.h"
 #include "app/reports/paths_file.h"
 #include "core/messages.h"
@@ -60,7 +62,7 @@ void App::take_screenshot() {
     std::filesystem::create_directories(folder, none);
     const auto path = free_name(folder, "braitenlab", ".png");
     if (const auto error = write_picture(path)) return show_error(*error);
-    say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
+    say_saved(lab_, "notice.screenshot", path);
 }
 
 SceneLook App::scene_look(int width, int height) const {
@@ -72,20 +74,20 @@ SceneLook App::scene_look(int width, int height) const {
 }
 
 void App::follow_take_away() {
-    constexpr std::chrono::milliseconds part_of_a_frame{60};
+    const std::chrono::milliseconds part_of_a_frame{has_threads() ? 60 : 16};  // a page has one thread for all
     if (std::exchange(lab_.window.cancels_clip, false)) clip_.reset();
     if (const auto wanted = std::exchange(lab_.window.take_away, std::nullopt)) {
         std::error_code none;  // writing reports it
         std::filesystem::create_directories(folders_.pictures, none);
         const auto path = free_name(folders_.pictures, "braitenlab", row_of(wanted->kind).extension);
         if (const auto error = take(*wanted, path)) return show_error(*error);
-        if (!row_of(wanted->kind).is_clip) say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
+        if (!row_of(wanted->kind).is_clip) say_saved(lab_, "notice.screenshot", path);
     }
     if (!clip_ || !clip_->work(part_of_a_frame)) return;
     if (clip_->error())
         show_error(*clip_->error());
     else
-        say(lab_, {NoticeKind::done, "notice.clip", clip_->plan().file.string()});
+        say_saved(lab_, "notice.clip", clip_->plan().file);
     clip_.reset();
 }
 

@@ -116,7 +116,8 @@ void handle(Lab& lab, const Request& request) {
                          if (lab.document.lesson) lab.document.lesson->attempt.notes = utf8_cut(r.text, longest_notes);
                      },
                      [&](const StudentRequest& r) {
-                         if (r.edit == StudentEdit::save) return lab.window.files.push_back(r);
+                         if (r.edit == StudentEdit::save || r.edit == StudentEdit::save_progress)
+                             return lab.window.files.push_back(r);
                          edit_students(lab, r);
                      },
                      [&](const HandsRequest& r) { count_hands(lab, r); },

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
+#include "app/platform/platform.h"
 #include "core/maths/angle.h"
 
 namespace braitenlab {
@@ -35,9 +37,15 @@ void say(Workspace& space, Notice notice, double least_seconds) {
     space.notice_until = space.wall_seconds + seconds;
 }
 
+Error for_user(Error error) {
+    if (saves_by_download()) error.file = std::filesystem::path(error.file).filename().string();
+    return error;
+}
+
 void say(Workspace& space, const Error& error) {
-    Notice notice{NoticeKind::failure, "", error.text()};
-    notice.error = error;
+    const Error told = for_user(error);
+    Notice notice{NoticeKind::failure, "", told.text()};
+    notice.error = told;
     say(space, std::move(notice));
 }
 

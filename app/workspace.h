@@ -91,6 +91,9 @@ std::uint64_t new_gesture(Workspace&);
 void say(Workspace&, Notice, double least_seconds = 0);
 void say(Workspace&, const Error&);
 
+// The error as the user is told it: a page shows the name of a file without its folder, which the user does not know.
+Error for_user(Error);
+
 void set_mode(Workspace&, Mode);
 
 // The run goes on from another place: nothing is interpolated or due.

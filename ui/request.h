@@ -110,7 +110,7 @@ struct NotesRequest {
 };
 // choose: the student `index` works now. add, rename: `name`; refused unless is_free_name(). reset: forgets the
 // progress of the current student; restore: takes the last reset back. save: writes the progress of all as a CSV file.
-enum class StudentEdit { choose, add, rename, reset, restore, save };
+enum class StudentEdit { choose, add, rename, reset, restore, save, save_progress };
 struct StudentRequest {
     StudentEdit edit = StudentEdit::choose;
     std::size_t index = 0;  // in StudentBook::all

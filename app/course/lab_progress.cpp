@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/lab_reset.h"
+#include "core/lesson/hand_in.h"
 #include "core/lesson/submission.h"
 
 namespace braitenlab {
@@ -116,6 +117,23 @@ void take_kept_submission(Lab& lab) {
     const bool shown = known->shown;
     give_submission(lab, Submission(*known->submission));
     if (shown) lab.document.lesson->attempt.work.solution_shown = true;
+}
+
+bool take_progress(Lab& lab, const StudentProgress& given) {
+    StudentBook& book = lab.students;
+    auto student = book.all.begin();
+    if (!given.name.empty())
+        student = std::find_if(book.all.begin() + 1, book.all.end(),
+                               [&](const StudentProgress& each) { return is_same_student(each.name, given.name); });
+    if (student == book.all.end()) {
+        if (book.all.size() >= most_students) return false;
+        student = book.all.insert(book.all.end(), {tidy_student_name(given.name), {}});
+    }
+    *student = merged_progress({student->name, {}}, *student, {student->name, given.exercises});
+    book.before_reset.reset();
+    choose_student(lab, static_cast<std::size_t>(student - book.all.begin()));
+    lab.progress_of.reset();  // the notes are read again
+    return true;
 }
 
 void edit_students(Lab& lab, const StudentRequest& request) {

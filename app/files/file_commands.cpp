@@ -6,6 +6,7 @@
 #include "app/course/exercise_check.h"
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_progress.h"
+#include "app/files/autosave.h"
 #include "app/files/breeding_files.h"
 #include "app/files/disk.h"
 #include "app/files/export_folder.h"
@@ -19,6 +20,7 @@
 #include "core/lesson/author.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/exercise_id.h"
+#include "core/lesson/hand_in.h"
 #include "core/lesson/write_exercise.h"
 #include "core/messages.h"
 
@@ -33,6 +35,17 @@ bool passed_before(const Lab& lab) { return lab.document.lesson && lab.document.
 
 bool has_passed(const Lab& lab) { return lab.document.lesson && has_passed(*lab.document.lesson); }
 
+// A document of a file. A run that the lab has kept for recovery is its work: an exercise goes on.
+Result<Document> open_kept(const FileText& file) {
+    if (file.kind == FileKind::run)
+        if (const auto text = read_text(file.path); text && text->find("\"autosave\"") != std::string::npos)
+            if (auto kept = open_autosave(*text, file.path.string())) {
+                kept->document.edits = 1;  // they are in no other file
+                return std::move(kept->document);
+            }
+    return open_document(file, std::nullopt, {});
+}
+
 struct FileCommands {
     Lab& lab;
     FilesView& view;
@@ -40,7 +53,7 @@ struct FileCommands {
     const UserFolders& folders;
 
     void fail(const Error& error) const {
-        view.refused = error;
+        view.refused = for_user(error);
         view.new_folder.clear();
         say(lab, error);
     }
@@ -80,6 +93,10 @@ struct FileCommands {
         if (!file) return fail(file.error());
         if (dropped)
             if (const auto error = fault_of_dropped(*file)) return fail(*error);
+        if (const auto handed_in = parse_hand_in(file->text, typed))
+            return say(lab, {NoticeKind::notice, "files.is_hand_in", handed_in->student, handed_in->exercise});
+        if (path.extension() == ".json")
+            if (const auto progress = read_progress(file->text, typed)) return open_progress(*progress, path);
         if (file->kind == FileKind::brain) {
             const std::uint64_t latest = lab.document.session.latest();
             end_together(lab);
@@ -96,7 +113,7 @@ struct FileCommands {
             show_breeding(lab.breeding, path);
             return done(path, {});
         }
-        auto opened = open_document(*file, std::nullopt, {});
+        auto opened = open_kept(*file);
         if (!opened && dropped) list_errors_for_author(lab, path, file->text);
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
@@ -108,6 +125,12 @@ struct FileCommands {
         add_recent_file(state, path, lab.document);
         done(path, {});
         if (dropped) check_exercise_for_author(lab, CheckVoice::quiet);
+    }
+
+    void open_progress(const StudentProgress& given, const fs::path& path) const {
+        if (!take_progress(lab, given))
+            return fail(error_of(message_of("too_many_students", most_students), path.string()));
+        done(path, "files.took_progress");
     }
 
     void open_link(const std::string& link, bool discard, std::uint64_t seed) const {
@@ -160,7 +183,16 @@ struct FileCommands {
         fs::create_directories(into, none);
         const fs::path path = free_name(into, "braitenlab-" + wanted.name, ".csv");
         if (const auto error = write_whole(path, wanted.text)) return fail(*error);
-        say(lab, {NoticeKind::done, "notice.numbers", path.string()});
+        say_saved(lab, "notice.numbers", path);
+    }
+
+    // The progress of the present student, as another computer takes it over.
+    void save_progress(const fs::path& into) const {
+        std::error_code none;  // write_whole() reports it
+        fs::create_directories(into, none);
+        const fs::path path = free_name(into, "braitenlab-progress", ".json");
+        if (const auto error = write_whole(path, write_progress(lab.students.student()))) return fail(*error);
+        say_saved(lab, "files.saved", path);
     }
 
     // The study of the open scene and the table of a study.
@@ -170,7 +202,7 @@ struct FileCommands {
         fs::create_directories(folder, none);
         const auto table = save_study(lab.study, folder);
         if (!table) return fail(table.error());
-        say(lab, {NoticeKind::done, "notice.study", table->string()});
+        say_saved(lab, "notice.study", *table);
     }
 
     // Writes the files of an export. The folder above theirs must exist, so that a typing error makes no folders.
@@ -292,6 +324,11 @@ void reload(Lab& lab, FilesView& view, Document opened) {
 
 }  // namespace
 
+void say_saved(Lab& lab, std::string_view key, const fs::path& path) {
+    if (saves_by_download()) return say(lab, {NoticeKind::done, "notice.downloaded", path.filename().string()});
+    say(lab, {NoticeKind::done, std::string(key), path.string()});
+}
+
 void add_recent_file(StoredState& state, const fs::path& file, const Document& document) {
     add_recent(state, file, title_of(document));
     if (!ships(file)) state.folder = fs::path(state.last_opened).parent_path().string();
@@ -308,9 +345,12 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);
         if (const auto* numbers = std::get_if<ExportRequest>(&request))
             commands.save_numbers(*numbers, folders.pictures);
-        if (const auto* students = std::get_if<StudentRequest>(&request);
-            students && students->edit == StudentEdit::save)
-            commands.save_numbers({"progress", progress_csv(lab.students.all)}, reports_folder(folders.documents));
+        if (const auto* students = std::get_if<StudentRequest>(&request)) {
+            const fs::path reports = reports_folder(folders.documents);
+            if (students->edit == StudentEdit::save)
+                commands.save_numbers({"progress", progress_csv(lab.students.all)}, reports);
+            if (students->edit == StudentEdit::save_progress) commands.save_progress(reports);
+        }
         if (const auto* study = std::get_if<StudyRequest>(&request); study && study->edit == StudyEdit::save)
             commands.save_results(reports_folder(folders.documents));
         if (const auto* browse = std::get_if<BrowseRequest>(&request))

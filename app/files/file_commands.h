@@ -8,6 +8,9 @@
 
 namespace braitenlab {
 
+// Tells where a new file is, whose name the user has not chosen: `key` with its path, on a page among the downloads.
+void say_saved(Lab&, std::string_view key, const std::filesystem::path&);
+
 // Makes the file of the document the last one opened. Its folder becomes the browser's folder, unless the file ships
 // with the lab.
 void add_recent_file(StoredState&, const std::filesystem::path&, const Document&);

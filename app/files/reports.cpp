@@ -6,6 +6,7 @@
 #include <fmt/chrono.h>
 
 #include "app/course/lesson_view.h"
+#include "app/files/file_commands.h"
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"
 #include "app/reports/lab_record.h"
@@ -167,7 +168,7 @@ std::optional<Error> write_figure(Lab& lab, const Strings& strings, const fs::pa
     fs::create_directories(folder, none);
     const fs::path path = free_name(folder, "braitenlab-" + study.id, ".svg");
     if (auto error = write_whole(path, study_drawing(study, lab.study.rows, {}, strings))) return error;
-    say(lab, {NoticeKind::done, "notice.figure", saves_by_download() ? path.filename().string() : path.string()});
+    say_saved(lab, "notice.figure", path);
     return std::nullopt;
 }
 

@@ -5,6 +5,8 @@
 
 #include "app/course/lab_lesson.h"
 #include "app/course/lesson_view.h"
+#include "app/files/autosave.h"
+#include "app/files/reports.h"
 #include "core/export/export.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
@@ -179,6 +181,37 @@ TEST_F(FileCommands, ExportsTheProgressOfStudentsBesideTheReports) {
     EXPECT_NE(text_of(file).find("06-love"), std::string::npos);
     EXPECT_NE(lab.notice.words.find(file.string()), std::string::npos) << lab.notice.words;
     EXPECT_FALSE(fs::exists(folders.pictures));
+}
+
+TEST_F(FileCommands, ReadsTheProgressThatItHasSaved) {
+    lab.students.all.front().exercises["06-love"].hints = 2;
+    ask(StudentRequest{StudentEdit::save_progress});
+    const fs::path file = folders.documents / "Braitenlab" / "braitenlab-progress-001.json";
+    ASSERT_TRUE(fs::exists(file));
+    lab.students = {};
+    ask(OpenRequest{file.string(), true});
+    EXPECT_EQ(lab.students.student().exercises.at("06-love").hints, 2);
+    EXPECT_EQ(lab.notice.key, "files.took_progress");
+}
+
+TEST_F(FileCommands, ContinuesTheExerciseOfAKeptRun) {
+    lab = open("06-love");
+    lab.document.lesson->attempt.answers.prediction = 1;
+    put_text(folder / "06-love.run", write_autosave(draft_of(lab.document), "2026-11-30 10:00:00"));
+    lab = open("2a-coward");
+    ask(OpenRequest{(folder / "06-love.run").string(), true});
+    ASSERT_TRUE(lab.document.lesson);
+    EXPECT_EQ(lab.document.lesson->attempt.answers.prediction, 1);
+}
+
+TEST_F(FileCommands, NamesAHandInAndItsStudent) {
+    lab = open("05-aggressor");
+    const HandIn handed_in = hand_in_of(lab, "Ana", {});
+    put_text(folder / "x.toml", write_hand_in(handed_in));
+    ask(OpenRequest{(folder / "x.toml").string(), true});
+    EXPECT_EQ(lab.notice.key, "files.is_hand_in");
+    EXPECT_EQ(lab.notice.words, "Ana");
+    EXPECT_EQ(lab.notice.more, "05-aggressor");
 }
 
 TEST_F(FileCommands, KeepsTheRecordedFutureWhenItSavesUnderAnotherTitle) {

@@ -79,6 +79,23 @@ TEST(LabProgress, KeepsThePassedBrainSoThatLeavingAsksNothing) {
     EXPECT_TRUE(attempt.progress().passed);
 }
 
+TEST(LabProgress, AddsTheProgressOfAFileToTheStudentOfItsName) {
+    Attempt attempt;
+    StudentBook& book = attempt.lab.students;
+    book.all.push_back({"Anna", {{"01-drive", {.passed = true}}}});
+    EXPECT_TRUE(take_progress(attempt.lab, {"", {{"02-values", {.best = 3}}}}));
+    EXPECT_EQ(book.all[0].exercises.at("02-values").best, 3);
+    EXPECT_TRUE(take_progress(attempt.lab, {"anna", {{"01-drive", {.best = 7}}, {"06-love", {.passed = true}}}}));
+    EXPECT_EQ(book.current, 1u) << "it goes on with her";
+    EXPECT_TRUE(book.all[1].exercises.at("01-drive").passed) << "what was passed stays passed";
+    EXPECT_EQ(book.all[1].exercises.at("01-drive").best, 7);
+    EXPECT_TRUE(book.all[1].exercises.at("06-love").passed);
+    EXPECT_TRUE(take_progress(attempt.lab, {"Ben", {}}));
+    EXPECT_EQ(book.student().name, "Ben");
+    while (book.all.size() < most_students) book.all.push_back({"student " + std::to_string(book.all.size()), {}});
+    EXPECT_FALSE(take_progress(attempt.lab, {"Cleo", {}}));
+}
+
 TEST(LabProgress, UndoOfStartOverBringsThePassBack) {
     Attempt attempt;
     attempt.take_solution();

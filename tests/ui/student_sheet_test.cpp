@@ -77,6 +77,16 @@ TEST_F(StudentSheet, ForgetsTheProgressAndTakesThatBack) {
     EXPECT_EQ(asked().edit, StudentEdit::restore);
     desk.click("students.export");
     EXPECT_EQ(asked().edit, StudentEdit::save);
+    desk.click("students.save_progress");
+    EXPECT_EQ(asked().edit, StudentEdit::save_progress);
+}
+
+TEST_F(StudentSheet, SaysOnAPageThatTheBrowserKeepsTheProgress) {
+    EXPECT_TRUE(desk.says(desk.strings("students.what")));
+    desk.view.program.uploads = true;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says(desk.strings("students.what_page")));
+    EXPECT_FALSE(desk.says(desk.strings("students.what")));
 }
 
 TEST_F(StudentSheet, FitsTheWindowWithManyStudentsInEveryLanguage) {
@@ -85,8 +95,8 @@ TEST_F(StudentSheet, FitsTheWindowWithManyStudentsInEveryLanguage) {
         desk.strings = speaking(language);
         desk.frame(3);
         const Rect card = desk.where("card.students");
-        for (const char* id :
-             {"students.add", "students.rename", "students.close", "students.reset", "students.export"}) {
+        for (const char* id : {"students.add", "students.rename", "students.close", "students.reset", "students.export",
+                               "students.save_progress"}) {
             const Rect r = desk.where(id);
             EXPECT_GE(r.x, card.x) << language << id;
             EXPECT_LE(r.x + r.w, card.x + card.w) << language << id;

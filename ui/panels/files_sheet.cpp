@@ -226,7 +226,8 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     const std::string wrong = problem(view, files, ui);
     bottom -= paragraph_height(ui, wrong);
     if (in_folder && view.documents.files) {
-        paragraph(ui, view.documents.files->listing.folder, ui.palette.second_text, Face::small);
+        paragraph(ui, view.program.uploads ? ui.strings("files.in_browser") : view.documents.files->listing.folder,
+                  ui.palette.second_text, Face::small);
         list_folder(view, files, ui, bottom);
     } else if (files.place == FilesPlace::recent) {
         list_recent(view, files, ui, bottom);

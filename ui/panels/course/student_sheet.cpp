@@ -16,8 +16,9 @@ namespace braitenlab::ui {
 
 namespace {
 
-std::string_view name_of(const Ui& ui, const StudentProgress& student) {
-    return student.name.empty() ? ui.strings("students.nameless") : std::string_view(student.name);
+std::string_view name_of(const LabView& view, const Ui& ui, const StudentProgress& student) {
+    if (!student.name.empty()) return student.name;
+    return ui.strings(view.program.uploads ? "students.nameless_page" : "students.nameless");
 }
 
 int course_length(const LabView& view) {
@@ -34,7 +35,7 @@ void student_rows(const LabView& view, Ui& ui) {
         const std::string passed = std::to_string(passed_count(book.all[i]));
         const float aside = text_width(ui, Face::text, "  " + fill(ui.strings("students.passed"), {all, all}));
         const std::string name =
-            shortened(ui, name_of(ui, book.all[i]), Face::text, card_width(ui) - aside - ui.px(60));
+            shortened(ui, name_of(view, ui, book.all[i]), Face::text, card_width(ui) - aside - ui.px(60));
         if (radio_row(ui, "students." + std::to_string(i + 1),
                       name + "  –  " + fill(ui.strings("students.passed"), {passed, all}), i == book.current, true,
                       ui.strings("students.choose_how")) &&
@@ -79,6 +80,10 @@ void keeping(const LabView& view, Ui& ui) {
     const Item save = button(ui, "students.export", {{}, ui.strings("students.export")});
     tooltip(ui, save, ui.strings("students.export_how"));
     if (save.pressed) ui.outbox.emplace_back(StudentRequest{StudentEdit::save});
+    ImGui::SameLine(0, ui.px(spacing::small));
+    const Item progress = button(ui, "students.save_progress", {{}, ui.strings("students.save_progress")});
+    tooltip(ui, progress, ui.strings("students.save_progress_how"));
+    if (progress.pressed) ui.outbox.emplace_back(StudentRequest{StudentEdit::save_progress});
 }
 
 }  // namespace
@@ -86,7 +91,7 @@ void keeping(const LabView& view, Ui& ui) {
 void student_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (!view.documents.students) return void(state.sheet = Sheet::none);
     SheetState& sheet = open_sheet(state, ui, Sheet::students, window);
-    paragraph(ui, ui.strings("students.what"), ui.palette.second_text);
+    paragraph(ui, ui.strings(view.program.uploads ? "students.what_page" : "students.what"), ui.palette.second_text);
     naming(view, state, ui);
     gap(ui, 4);
     student_rows(view, ui);
