@@ -60,6 +60,7 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
       reports_{ReportFile(options_.anchors), ReportFile(options_.state)},
       gallery_(options_.only_draws() ? std::filesystem::path{} : folders_.cache) {
     lab_.preferences = settings_.at_start;
+    if (is_on_page()) leave_keys_to_browser();
     lab_.link_base = is_on_page() ? page_address() : lab_.preferences.link_base;
     restore_view(lab_, panels_, settings_.state.view);
     if (options_.camera) lab_.view.camera.mode = *options_.camera;

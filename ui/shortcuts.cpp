@@ -36,6 +36,8 @@ struct NamedAction {
     std::array<Key, most_keys> keys;
 };
 
+bool browser_has_keys = false;
+
 // In the order of Action.
 constexpr NamedAction named_actions[]{
 #define KEYS(...) list_of({__VA_ARGS__})
@@ -117,6 +119,16 @@ bool has_effect_in_lecture(Action action, bool has_pages) {
            action == Action::blank || action == Action::tally;
 }
 
+bool is_for_browser(KeyPress press) {
+    constexpr std::string_view with_ctrl = "ACDOSVXYZ,";  // of the page
+    if (!press.ctrl) return press.key == key::f12;
+    return press.key >= 128 || with_ctrl.find(static_cast<char>(press.key)) == std::string_view::npos;
+}
+
+void leave_keys_to_browser() { browser_has_keys = true; }
+
+bool is_shown(KeyPress press) { return !browser_has_keys || !is_for_browser(press); }
+
 std::string_view name(KeyPlace place) { return place_names[static_cast<std::size_t>(place)]; }
 
 std::string_view name(Action action) { return named_actions[static_cast<std::size_t>(action)].name; }
@@ -136,7 +148,7 @@ std::string key_name(KeyPress press, const Strings& strings) {
 
 std::string key_name(Action action, const Strings& strings) {
     for (const Shortcut& shortcut : shortcut_table)
-        if (shortcut.action == action) return key_name(shortcut.press, strings);
+        if (shortcut.action == action && is_shown(shortcut.press)) return key_name(shortcut.press, strings);
     return {};
 }
 

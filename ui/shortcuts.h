@@ -65,6 +65,12 @@ bool has_effect_in_lecture(Action, bool has_pages);
 std::string_view name(Action);
 std::optional<Action> action_named(std::string_view);
 
+// A key that a browser keeps for itself while a page has the focus. Once leave_keys_to_browser() was called, such keys
+// are not shown.
+bool is_for_browser(KeyPress);
+void leave_keys_to_browser();
+bool is_shown(KeyPress);
+
 // The name of a key in the language of the strings: "Space", "Ctrl+Q", "−".
 std::string key_name(KeyPress, const Strings&);
 

@@ -16,8 +16,9 @@ bool is_on_page();
 // The address of the page without what follows '?' or '#'; empty elsewhere.
 std::string page_address();
 
-// What the page has in its title, and what a reload opens again.
+// What the page has in its title and its address, and what a reload opens again.
 struct DocumentOnPage {
+    std::string name{};          // of the document's file
     std::string title{};         // empty: that of the program
     std::string lecture{};       // file of the open lecture; empty: none
     int page = 1, revealed = 0;  // of the lecture, the first page is 1; steps that are shown

@@ -68,7 +68,7 @@ int unshifted(const EmscriptenKeyboardEvent& e, unsigned c) {
 bool is_for_lab(const EmscriptenKeyboardEvent& e) {
     if (is_typed(e)) return true;
     const int key = press_of(e).key;
-    if (with_ctrl(e)) return std::string_view("ACDOSXYZ,").find(static_cast<char>(key)) != std::string_view::npos;
+    if (with_ctrl(e)) return key != 'V' && !is_for_browser({key, true});  // the browser pastes
     if (key == key::f5 && !takes_f5) return false;
     return key != 0 && !e.altKey;
 }

@@ -54,4 +54,14 @@ TEST(Shortcuts, InTheHintBarHaveAnAction) {
     }
 }
 
+TEST(Shortcuts, OfABrowserAreNotThoseOfAPage) {
+    for (const KeyPress press :
+         {KeyPress{'N', true}, {'Q', true}, {'+', true}, {key::f12}, {key::tab, true}, {key::left, true}})
+        EXPECT_TRUE(is_for_browser(press)) << key_name(press, english());
+    for (const KeyPress press :
+         {KeyPress{'S', true}, {'S', true, true}, {'Z', true}, {'V', true}, {key::f1}, {'W'}, {key::left}})
+        EXPECT_FALSE(is_for_browser(press)) << key_name(press, english());
+    for (const Shortcut& shortcut : shortcuts()) EXPECT_TRUE(is_shown(shortcut.press)) << "outside a page each is";
+}
+
 }  // namespace braitenlab::tests::shortcuts_test

@@ -82,7 +82,9 @@ void add_rows(std::vector<KeyRow>& list, const LabView& view, KeyPlace place, co
     list.push_back({"", std::string(strings("keys.place." + std::string(name(place)))), true});
     std::vector<Action> listed;
     for (const Shortcut& shortcut : shortcuts()) {
-        if (shortcut.place != place || is_taken_by_lecture(view, shortcut) || !is_listed(view, shortcut)) continue;
+        if (!is_shown(shortcut.press) || shortcut.place != place || is_taken_by_lecture(view, shortcut) ||
+            !is_listed(view, shortcut))
+            continue;
         if (std::find(listed.begin(), listed.end(), shortcut.action) != listed.end()) continue;
         listed.push_back(shortcut.action);
         list.push_back(
