@@ -301,6 +301,20 @@ test("Two fingers that turn turn the view", limit, () =>
         await lab.until((state, old) => Math.abs(state.view.azimuth - old - 0.5) < 0.02, before, "turned by half a radian");
     }, { hasTouch: true }));
 
+test("Two fingers zoom the diagram", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        await lab.page.keyboard.press("w");
+        await lab.until((state) => state.mode === "wiring");
+        await lab.frames(4);
+        const apart = async () => (await lab.middle("pin.MR.in"))[0] - (await lab.middle("pin.SL.out"))[0];
+        const before = await apart(), [x, y, w, h] = await lab.rectangle("canvas");
+        const fingers = (reach) => [[x + w / 2 - reach, y + h * 0.8], [x + w / 2 + reach, y + h * 0.8]];
+        await lab.touch([fingers(120), fingers(100), fingers(80), fingers(60)]);
+        await lab.frames(2);
+        const after = await apart();
+        assert.ok(Math.abs(after) < 0.8 * Math.abs(before), `${before} to ${after}`);
+    }, { hasTouch: true }));
+
 test("Pins reach farther for a finger than for the mouse", limit, () =>
     withLab("?open=2a-coward", async (lab) => {
         await lab.page.keyboard.press("w");

@@ -21,13 +21,14 @@ constexpr float coarse = 0.1f, fine = 0.01f;
 
 float rounded(float weight) { return std::clamp(std::round(weight * 100) / 100, -limits::weight, limits::weight); }
 
+float zoom_of(float wheel) { return std::pow(1.15f, wheel); }
+
 void use_wheel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const Pointer& pointer = frame.pointer;
     const bool over_label = state.hovered.part == Part::label;
     if (!over_label || state.hovered.wire != state.wheel.wire) state.wheel.gesture = 0;
     if (pointer.wheel == 0) return;
-    if (!over_label)
-        return zoom_at(state.camera, frame.area, frame.ui_scale, pointer.at, std::pow(1.15f, pointer.wheel));
+    if (!over_label) return zoom_at(state.camera, frame.area, frame.ui_scale, pointer.at, zoom_of(pointer.wheel));
     state.wheel.wire = state.hovered.wire;
     if (state.wheel.gesture == 0) state.wheel.gesture = state.next_gesture++;
     const float now = weight_of(frame.graph, state.wheel.wire);
@@ -204,6 +205,9 @@ void handle_input(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) 
         press(state, frame);
         return;
     }
+    // Two fingers move and zoom at once: they hold the middle button.
+    if (!drag.left && !drag.right && frame.pointer.wheel != 0)
+        zoom_at(state.camera, frame.area, frame.ui_scale, frame.pointer.at, zoom_of(frame.pointer.wheel));
     if (drag.phase == DragPhase::pending &&
         maths::distance(frame.pointer.at, drag.press) >= drag_begins * frame.ui_scale)
         begin_drag(state, frame);
