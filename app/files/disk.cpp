@@ -72,10 +72,17 @@ bool has_comments(const std::string& text) {
     });
 }
 
+// True for the folders of what the lab stores by itself, which the user of a page does not have as files.
+bool is_of_page(const fs::path& path) {
+    if (!saves_by_download()) return false;
+    const UserFolders own = user_folders();
+    return path == own.config || path == own.state;
+}
+
 // `may_parse`: to find broken files. Else files count as sound until they are opened.
 std::optional<FileEntry> entry_of(const fs::directory_entry& found, bool may_parse) {
     FileEntry entry{found.path().filename().string()};
-    if (entry.name.empty() || entry.name[0] == '.') return std::nullopt;
+    if (entry.name.empty() || entry.name[0] == '.' || is_of_page(found.path())) return std::nullopt;
     std::error_code problem;
     entry.is_folder = found.is_directory(problem);
     if (entry.is_folder) return entry;

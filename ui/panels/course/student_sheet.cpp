@@ -80,10 +80,6 @@ void keeping(const LabView& view, Ui& ui) {
     const Item save = button(ui, "students.export", {{}, ui.strings("students.export")});
     tooltip(ui, save, ui.strings("students.export_how"));
     if (save.pressed) ui.outbox.emplace_back(StudentRequest{StudentEdit::save});
-    ImGui::SameLine(0, ui.px(spacing::small));
-    const Item progress = button(ui, "students.save_progress", {{}, ui.strings("students.save_progress")});
-    tooltip(ui, progress, ui.strings("students.save_progress_how"));
-    if (progress.pressed) ui.outbox.emplace_back(StudentRequest{StudentEdit::save_progress});
 }
 
 }  // namespace
@@ -95,6 +91,10 @@ void student_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     naming(view, state, ui);
     gap(ui, 4);
     student_rows(view, ui);
+    gap(ui, 4);
+    if (push_button(ui, "students.save_progress", {{}, ui.strings("students.save_progress")},
+                    ui.strings("students.save_progress_how")))
+        ui.outbox.emplace_back(StudentRequest{StudentEdit::save_progress});
     sheet_buttons(ui, sheet);
     const bool closed = close_button(ui, "students.close");
     keeping(view, ui);
