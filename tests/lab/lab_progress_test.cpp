@@ -85,7 +85,8 @@ TEST(LabProgress, AddsTheProgressOfAFileToTheStudentOfItsName) {
     book.all.push_back({"Anna", {{"01-drive", {.passed = true}}}});
     EXPECT_TRUE(take_progress(attempt.lab, {"", {{"02-values", {.best = 3}}}}));
     EXPECT_EQ(book.all[0].exercises.at("02-values").best, 3);
-    EXPECT_TRUE(take_progress(attempt.lab, {"anna", {{"01-drive", {.best = 7}}, {"06-love", {.passed = true}}}}));
+    EXPECT_TRUE(
+        take_progress(attempt.lab, {"anna", {{"01-drive", {.best = 7, .starts = 10}}, {"06-love", {.passed = true}}}}));
     EXPECT_EQ(book.current, 1u) << "it goes on with her";
     EXPECT_TRUE(book.all[1].exercises.at("01-drive").passed) << "what was passed stays passed";
     EXPECT_EQ(book.all[1].exercises.at("01-drive").best, 7);
