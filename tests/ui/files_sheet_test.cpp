@@ -59,14 +59,67 @@ TEST_F(FilesSheet, TellsNoTitleAndNoStoryWhileALectureAsksFirst) {
         for (const Written& each : desk.written) all += each.words + "\n";
         return all;
     };
-    for (const FilesPlace place : {FilesPlace::shipped, FilesPlace::recent}) {
+    files.listing.entries.push_back({"2a-Coward.toml", false, FileKind::scene});
+    recent.push_back({"/y/2a-coward.toml", "Coward"});  // of the same title: its name would follow
+    for (const FilesPlace place : {FilesPlace::shipped, FilesPlace::recent, FilesPlace::folder}) {
         begin_files(desk.panels.sheets.files, false);
         desk.panels.sheets.files.place = place;
         EXPECT_NE(look(false).find("Coward"), std::string::npos);
         const std::string hidden = look(true);
-        for (const char* told : {"Coward", "coward", "Aggressor", "aggressor", "It turns away."})
+        for (const char* told : {"Coward", "coward", "Aggressor", "aggressor", "It turns away.", "mine", "other"})
             EXPECT_EQ(hidden.find(told), std::string::npos) << told << " in " << hidden;
         EXPECT_NE(hidden.find("Scene 1"), std::string::npos) << hidden;
+    }
+}
+
+TEST_F(FilesSheet, WhatIsTypedWhileALectureAsksFirstIsNotLegible) {
+    desk.view.lecture = true;
+    for (const bool asks_first : {false, true}) {
+        desk.view.settings.revealed.asks_first = asks_first;
+        press({'O', true});
+        for (const char c : std::string("COWARD")) press({c});
+        EXPECT_EQ(desk.panels.sheets.files.search, "coward");
+        EXPECT_EQ(said("coward"), asks_first ? 0 : 1);
+        EXPECT_EQ(said("••••••"), asks_first ? 1 : 0);
+        desk.click("files.place.3");
+        desk.frame(3);
+        EXPECT_EQ(desk.panels.sheets.files.typed.is_masked, asks_first);
+        press({key::escape});
+        desk.panels.sheet = Sheet::none;
+        desk.frame(2);
+    }
+}
+
+TEST_F(FilesSheet, InALectureTheBrowserBeginsWithWhatShips) {
+    for (const bool lecture : {false, true}) {
+        desk.view.lecture = lecture;
+        desk.panels.sheets.files.place = FilesPlace::folder;
+        press({'O', true});
+        EXPECT_EQ(desk.panels.sheets.files.place, lecture ? FilesPlace::shipped : FilesPlace::folder);
+        desk.panels.sheet = Sheet::none;
+        desk.frame(2);
+    }
+}
+
+TEST_F(FilesSheet, AWordThatIsNoFileOfTheFolderIsSearchedForAmongWhatShips) {
+    desk.panels.sheets.files.place = FilesPlace::folder;
+    press({'O', true});
+    type("2a");
+    press({key::enter});
+    EXPECT_EQ(opened(), std::vector<std::string>{});
+    EXPECT_EQ(desk.panels.sheets.files.search, "2a");
+    EXPECT_EQ(desk.panels.keyboard.focus, "open.2a-coward");
+    press({key::enter});
+    EXPECT_EQ(opened(), std::vector<std::string>{"/x/2a-coward.toml"});
+    for (const char* typed : {"mine", "x/2a", "zzz"}) {  // a file, a path, a word that is nowhere
+        desk.panels.sheet = Sheet::none;
+        desk.frame(2);
+        desk.panels.sheets.files.place = FilesPlace::folder;
+        press({'O', true});
+        desk.all.clear();
+        type(typed);
+        press({key::enter});
+        EXPECT_EQ(opened(), std::vector<std::string>{typed});
     }
 }
 

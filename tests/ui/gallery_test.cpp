@@ -215,6 +215,27 @@ TEST_F(Gallery, EnterOpensTheBestHitBeItASceneOrALecture) {
     }
 }
 
+TEST_F(Gallery, InALectureASearchFindsTheSceneFirstAlsoWhileItAsksFirst) {
+    catalogue.back().title = "Vehicle 2a: Coward";
+    catalogue.push_back({"2b-aggressor", "/x/2b-aggressor.toml", "Vehicle 2b: Aggressor", "It hits the lamp."});
+    students.student().exercises["05-aggressor"] = {.passed = true, .best = 8, .starts = 10};
+    students.student().exercises["04-coward"] = {.passed = true, .best = 8, .starts = 10};
+    desk.view.lecture = true;
+    for (const bool asks_first : {false, true})
+        for (const auto& [typed, best] : {std::pair{"AGGRESSOR", "open.2b-aggressor"},
+                                          {"COWARD", "open.2a-coward"},
+                                          {"GGR", "open.2b-aggressor"},
+                                          {"5", "gallery.05-aggressor"}}) {
+            if (asks_first) desk.view.settings.revealed = hidden_until_asked;
+            open_browser();
+            for (const char c : std::string(typed)) desk.key({c});
+            desk.frame(3);
+            EXPECT_EQ(desk.panels.keyboard.focus, best) << typed << asks_first;
+            desk.panels.sheet = Sheet::none;
+            desk.frame(2);
+        }
+}
+
 TEST_F(Gallery, CtrlASelectsWhatIsSearchedAndTheNextLetterReplacesIt) {
     open_browser();
     for (const char c : std::string("AGGR")) desk.key({c});

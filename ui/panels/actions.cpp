@@ -129,8 +129,11 @@ std::string_view no_chart(const LabView& view, const PanelState& state) {
 
 // ── Effects ──
 
-void open_files(PanelState& state, bool saving, FileKind kind = FileKind::scene) {
+// In a lecture the browser begins with what ships: there a word that is typed is searched for.
+void open_files(const Acting& at, bool saving, FileKind kind = FileKind::scene) {
+    PanelState& state = at.state;
     begin_files(state.sheets.files, saving, kind);
+    if (at.view.lecture) state.sheets.files.place = FilesPlace::shipped;
     state.sheet = Sheet::files;
 }
 
@@ -142,7 +145,7 @@ bool open_empty_scene(const Acting& at) {
 // False for a scene that has a file: the lab saves it there.
 bool save_under_a_name(const Acting& at) {
     if (at.view.documents.files && !at.view.documents.files->save_to.empty()) return false;
-    open_files(at.state, true);
+    open_files(at, true);
     return true;
 }
 

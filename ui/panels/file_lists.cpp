@@ -45,40 +45,48 @@ bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, con
 std::string row_anchor(const CatalogueEntry& entry) { return (entry.number > 0 ? "gallery." : "open.") + entry.name; }
 
 // How well the title has the search: as a whole, at its beginning, at that of a word, inside; 0: only the text below. A
-// file name, which is not shown, counts less than the beginning of a title.
+// file name, which is not shown, counts less than the beginning of a title. In a lecture the title of an exercise
+// counts less than that of a scene, and a title counts also while it is hidden: asking first opens the same.
 int hit_of(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
-    const std::string title = plain_letters(exercise_words(view, ui, entry), Umlauts::as_vowels);
+    const std::string title = plain_letters(searched_words(view, ui, entry), Umlauts::as_vowels);
+    const auto has = [&](const std::string& words) { return title.find(words) != std::string::npos; };
     const bool is_number = entry.number > 0 && number_words(view, entry.number, entry.name) == search;
-    if (title == search || is_number) return 4;
-    if (title.starts_with(search)) return 3;
-    if (entry.name.starts_with(search) || title.find(" " + search) != std::string::npos) return 2;
-    return title.find(search) != std::string::npos ? 1 : 0;
+    const int of_title = title == search ? 4 : title.starts_with(search) ? 3 : has(" " + search) ? 2 : has(search);
+    const int of_name = is_number ? 4 : entry.name.starts_with(search) ? 2 : 0;
+    return std::max(view.lecture && entry.number > 0 ? std::min(of_title, 1) : of_title, of_name);
 }
 
-// After a change of the search the focus is on the entry with the best hit; of several on the first one.
+// After a change of the search the focus is on the entry with the best hit; of several on the first one, in a lecture
+// on the first scene.
 void focus_best_hit(const LabView& view, const Ui& ui, const std::vector<CatalogueEntry>& listed,
                     const std::vector<CatalogueEntry>& lectures, const std::string& search, Keyboard& keyboard) {
     const CatalogueEntry* best = nullptr;
-    int most = -1;
+    std::pair most{-1, false};
     for (const auto* entries : {&listed, &lectures})
         for (const CatalogueEntry& entry : *entries)
-            if (const int hit = hit_of(view, ui, entry, search); hit > most) most = hit, best = &entry;
+            if (const std::pair hit{hit_of(view, ui, entry, search), view.lecture && entry.number == 0}; hit > most)
+                most = hit, best = &entry;
     if (!best) return;
     keyboard.focus = row_anchor(*best);
     keyboard.revealed = keyboard.shown = true;
 }
 
-// What is searched for, or how to search.
-void search_row(const FilesState& files, Ui& ui) {
+// What is searched for, or how to search. While a lecture asks first, a dot stands for each letter.
+void search_row(const LabView& view, const FilesState& files, Ui& ui) {
+    std::string typed = files.search;
+    if (hides_titles(view)) {
+        typed.clear();
+        for (std::size_t i = 0; i < files.search.size(); ++i) typed += "•";
+    }
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, card_width(ui), ui.px(28)};
     const bool empty = files.search.empty();
     const ImVec2 words{box.x + ui.px(spacing::small), box.y + (box.h - line_height(ui, Face::text)) / 2};
     line_box(ui, box, empty ? ui.palette.line : ui.palette.second_text);
     if (files.search_selected && !empty)
-        fill_box(ui, {words.x, words.y, text_width(ui, Face::text, files.search), line_height(ui, Face::text)},
+        fill_box(ui, {words.x, words.y, text_width(ui, Face::text, typed), line_height(ui, Face::text)},
                  ui.palette.accent.with_alpha(0.4f), Corner::square);
-    put(ui, words, empty ? std::string(ui.strings("files.search_how")) : files.search,
+    put(ui, words, empty ? std::string(ui.strings("files.search_how")) : typed,
         empty ? ui.palette.second_text : ui.palette.text);
     mark(ui, "files.search", box);
     ImGui::Dummy({box.w, box.h});
@@ -278,6 +286,11 @@ bool search_by_typing(FilesState& files, KeyPress press) {
 std::string recent_words(const LabView& view, const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file,
                          float width) {
     std::string name = without_folder(file.path);
+    if (hides_titles(view)) {
+        const std::string number = std::to_string(std::find(all.begin(), all.end(), file) - all.begin() + 1);
+        const std::string title = known_title(view, ui, file.title);
+        return shortened(ui, title.empty() ? fill(ui.strings("open.file"), {number}) : title, Face::text, width);
+    }
     const std::string title = file.title.empty() ? std::string{} : known_title(view, ui, file.title);
     if (title.empty()) return shortened(ui, name, Face::text, width);
     const auto same = [&](const RecentFile& other) { return other.title == file.title; };
@@ -303,10 +316,16 @@ std::string chapter_title(const Ui& ui, int chapter) {
     return number + " · " + std::string(ui.strings.find("chapter." + number, ui.strings("chapter.other")));
 }
 
+bool finds_shipped(const LabView& view, const Ui& ui, const std::string& search) {
+    const std::string plain = plain_letters(search, Umlauts::as_vowels);
+    return !found(view, ui, view.documents.catalogue, plain).empty() ||
+           !found(view, ui, view.documents.lectures, plain).empty();
+}
+
 // Exercises on the left, scenes and lectures on the right. Each list scrolls; if one is empty, the other one has the
 // whole width.
 void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
-    search_row(files, ui);
+    search_row(view, files, ui);
     const std::string search = plain_letters(files.search, Umlauts::as_vowels);
     const std::vector<CatalogueEntry> listed = found(view, ui, view.documents.catalogue, search),
                                       lectures = found(view, ui, view.documents.lectures, search);
@@ -364,10 +383,14 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
         list_row(view, ui, {"file.up", "..", "", std::string(ui.strings("files.up")), icon::folder}, up))
         ui.outbox.push_back(BrowseRequest{up});
     bool any = false;
+    std::array<int, file_kinds> numbers{};  // of files so far, by kind
     for (const FileEntry& entry : listing.entries) {
         if (!is_shown(files, entry)) continue;
         any = true;
         FileRow row{"file." + entry.name, entry.name, "", "", entry.is_folder ? icon::folder : icon::file};
+        if (!entry.is_folder && hides_titles(view))
+            row.words = std::string(ui.strings(kind_key(entry.kind))) + " " +
+                        std::to_string(++numbers[static_cast<std::size_t>(entry.kind)]);
         if (!entry.is_folder) row.aside = ui.strings(entry.broken ? "files.broken" : kind_key(entry.kind));
         const bool has_scene = entry.kind == FileKind::scene || entry.kind == FileKind::exercise;
         if (!entry.is_folder && !entry.broken && has_scene && !files.saving) row.path = below + entry.name;

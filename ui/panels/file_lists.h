@@ -38,9 +38,12 @@ struct FilesState {
 // Opens the browser for opening, or for saving as `kind`. The caller sets PanelState::sheet to Sheet::files.
 void begin_files(FilesState&, bool saving, FileKind kind = FileKind::scene);
 
+// True if the search finds something that ships.
+bool finds_shipped(const LabView&, const Ui&, const std::string& search);
+
 // The title of a recent file in the language of the strings, or its name without a title, cut to `width` window pixels.
 // If another recent file has the same title, its name follows, with its folder if the names are alike, too; then the
-// title is cut.
+// title is cut. No name while a lecture asks first: then "File 4", its place in the list.
 std::string recent_words(const LabView&, const Ui&, const std::vector<RecentFile>&, const RecentFile&, float width);
 
 // The string key of a file kind's name.

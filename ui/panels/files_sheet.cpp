@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
@@ -26,7 +27,7 @@ namespace {
 constexpr float sheet_width = 680, gallery_width = 1280, body_height = 490, gallery_height = 720,
                 least_body_height = 200, taken = 170;
 
-// The existing file that saving would replace, or null. "scene" also matches "scene.toml".
+// The existing file with the typed name, which saving would replace, or null. "scene" also matches "scene.toml".
 const FileEntry* existing_file(const FilesState& files, const FolderListing& listing) {
     for (const FileEntry& entry : listing.entries)
         if (entry.name == files.typed.text || entry.name == files.typed.text + ".toml" ||
@@ -77,6 +78,17 @@ void take_typed_path(const LabView& view, FilesState& files, Ui& ui) {
     if (ui.keyboard) ui.keyboard->focus = "files.path", ui.keyboard->revealed = true;
 }
 
+// Opens what is typed. A word that is no file of the folder is searched for among what ships, if it is found there.
+void open_typed(const LabView& view, FilesState& files, Ui& ui) {
+    const std::string& typed = files.typed.text;
+    const bool is_word = typed.find_first_of("/\\") == std::string::npos;
+    if (!is_word || existing_file(files, view.documents.files->listing) || !finds_shipped(view, ui, typed))
+        return request_file(view, files, ui, OpenRequest{typed});
+    files.place = FilesPlace::shipped;
+    files.search = std::exchange(files.typed, {}).text;
+    files.asked = false;
+}
+
 // The part above the list: the place to open from, or kind and name to save.
 void opening_head(const LabView& view, FilesState& files, Ui& ui) {
     const std::array<std::string_view, 3> places{ui.strings("files.shipped"), ui.strings("files.recent"),
@@ -86,8 +98,9 @@ void opening_head(const LabView& view, FilesState& files, Ui& ui) {
     if (clicked >= 0) files.place = static_cast<FilesPlace>(clicked);
     if (clicked == static_cast<int>(FilesPlace::folder)) ui.outbox.push_back(BrowseRequest{});
     if (files.place != FilesPlace::folder || !view.documents.files) return;
+    files.typed.is_masked = hides_titles(view);
     text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path"), ui.strings("files.path_how"));
-    if (files.typed.entered) request_file(view, files, ui, OpenRequest{files.typed.text});
+    if (files.typed.entered) open_typed(view, files, ui);
     std::vector<std::string_view> kinds{ui.strings("files.all")};
     for (int kind = 0; kind < file_kinds; ++kind) kinds.push_back(ui.strings(kind_key(static_cast<FileKind>(kind))));
     const int only = segments(ui, "files.only", kinds, files.only ? static_cast<int>(*files.only) + 1 : 0,
@@ -163,7 +176,7 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
             push_button(ui, "files.do", look, ui.strings(files.saving ? "files.save_how" : "files.open_how"),
                         key_name({key::enter}, ui.strings));
         if (pressed && files.saving) save_file(view, files, ui);
-        if (pressed && !files.saving) request_file(view, files, ui, OpenRequest{files.typed.text});
+        if (pressed && !files.saving) open_typed(view, files, ui);
         ImGui::SameLine(0, ui.px(spacing::small));
     }
     if (view.program.uploads && !files.saving) {

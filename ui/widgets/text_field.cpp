@@ -68,10 +68,11 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     // Not while a mouse button is down: the widget under the pointer would lose the press.
     if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) compat::focus_next_field();
     ImGui::PushID(id.data(), id.data() + id.size());
-    ImGui::InputText(
-        "##text", field.text.data(), field.text.capacity() + 1,
-        ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_AutoSelectAll,
-        follow_text, &field);
+    const int masked = field.is_masked ? ImGuiInputTextFlags_Password : 0;
+    ImGui::InputText("##text", field.text.data(), field.text.capacity() + 1,
+                     ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
+                         ImGuiInputTextFlags_AutoSelectAll | masked,
+                     follow_text, &field);
     ImGui::PopID();
     const TextBox shown{id, box, pad, focused, ImGui::IsItemClicked()};
     settle_focus(ui, field, shown);

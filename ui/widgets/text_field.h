@@ -17,6 +17,7 @@ struct TextField {
     bool ask_enter = false;
     bool ask_leave = false;  // Escape was pressed in a field of several lines
     bool drawn = false;      // in this frame
+    bool is_masked = false;  // a sign stands for each letter; of a field of one line
     bool at_end = false;     // once it is active, the cursor is behind its text, of which nothing is selected
 };
 

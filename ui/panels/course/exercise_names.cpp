@@ -65,10 +65,13 @@ bool hides_open_title(const LabView& view) { return hides_titles(view) && !view.
 bool hides_names(const LabView& view) { return hides_titles(view) && !view.settings.revealed.character; }
 
 std::string exercise_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
-    if (!hides_titles(view))
-        return std::string(translated(ui, is_title_known(view, entry) ? entry.title : entry.exercise->goal));
+    if (!hides_titles(view)) return searched_words(view, ui, entry);
     if (entry.number > 0) return std::string(ui.strings("open.exercise"));
     return fill(ui.strings("open.scene"), {std::to_string(number_of_scene(view, entry))});
+}
+
+std::string searched_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
+    return std::string(translated(ui, is_title_known(view, entry) ? entry.title : entry.exercise->goal));
 }
 
 std::string_view told_of(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {

@@ -35,6 +35,8 @@ bool hides_names(const LabView&);
 
 // The title, or the goal, without the number. Of a scene: its title, or its number among the scenes.
 std::string exercise_words(const LabView&, const Ui&, const CatalogueEntry&);
+// The title, or the goal, as it is shown while no lecture asks first: what a search goes by.
+std::string searched_words(const LabView&, const Ui&, const CatalogueEntry&);
 // With the number before it: "5  Aggressor". A scene: as exercise_words().
 std::string entry_words(const LabView&, const Ui&, const CatalogueEntry&);
 
