@@ -66,10 +66,29 @@ void add_to_path(Document& document) {
 }
 
 // True at the moment at which the page of a lecture pauses its run.
-bool pauses_here(const Lab& lab) {
+bool page_pauses_here(const Lab& lab) {
     if (!lab.pages || lab.pages->current().pause <= 0) return false;
     const auto at = std::lround(static_cast<double>(lab.pages->current().pause) / tick_length);
     return shown_snapshot(lab).tick == static_cast<std::uint64_t>(at);
+}
+
+// True unless the page has gone on beyond the step that starts the run: the notice would be beside the answer.
+bool is_pause_news(const LectureView& page) {
+    if (page.step == 0) return true;
+    const PageParts& last = page.current().reveal[static_cast<std::size_t>(page.step) - 1];
+    return last[static_cast<std::size_t>(PagePart::play)];
+}
+
+// Pauses the run where its page or, in a lecture, the end of a comparison of two brains does, so that both vehicles
+// stay in the picture. Says so where a person may wait for more. True if it pauses.
+bool pauses_here(Lab& lab) {
+    const bool of_page = page_pauses_here(lab), of_slots = lab.before_lecture && ends_comparison(lab.slots, lab);
+    if (!of_page && !of_slots) return false;
+    set_mode(lab, Mode::paused);
+    const bool covers_failure = lab.notice.kind == NoticeKind::failure && !lab.notice.empty();
+    if (!covers_failure && (of_slots || is_pause_news(*lab.pages)))
+        say(lab, {NoticeKind::notice, of_slots ? "notice.comparison_pauses" : "notice.page_pauses"});
+    return true;
 }
 
 }  // namespace
@@ -118,12 +137,7 @@ void advance(Lab& lab, double wall_seconds, const std::function<void(const Snaps
         tick(lab);
         if (seen) seen(shown_snapshot(lab));
         playback.debt -= tick_length;
-        if (pauses_slow_run(lab, tick_began, spent(), processor_began)) return;
-        if (!pauses_here(lab)) continue;
-        set_mode(lab, Mode::paused);
-        if (lab.notice.kind != NoticeKind::failure || lab.notice.empty())
-            say(lab, {NoticeKind::notice, "notice.page_pauses"});
-        return;
+        if (pauses_slow_run(lab, tick_began, spent(), processor_began) || pauses_here(lab)) return;
     }
     // A long frame counts as a shorter one, so that the run does not jump; its ticks take their time all the same.
     measure_pace(playback, std::max(wall_seconds, spent()), shown_snapshot(lab).seconds - before);

@@ -80,9 +80,11 @@ std::optional<FloorBox> arena_beside(const Lab& lab, Rect window, Rect free_area
     return length >= least_share * free_area.w ? std::optional(box) : std::nullopt;
 }
 
-// The height from the top of the area to below its cards that hide a vehicle or a bulb, at most half of it; 0: none. A
-// card that has just got a column of its own is beside the area, and hides what the last frame has shown there.
-float height_of_cards(const Snapshot& now, const CameraView& seen, const Rect& area, std::span<const Rect> cards) {
+// The height from the top of the area to below its cards that hide a vehicle, B or a bulb, at most half of it; 0: none.
+// A card that has just got a column of its own is beside the area, and hides what the last frame has shown there.
+float height_of_cards(const Lab& lab, const CameraView& seen, const Rect& area, std::span<const Rect> cards,
+                      const SlotsView& slots) {
+    const Snapshot& now = shown_snapshot(lab);
     float height = 0;
     const auto look_at = [&](const Rect& thing) {
         for (const Rect& card : cards)
@@ -90,11 +92,18 @@ float height_of_cards(const Snapshot& now, const CameraView& seen, const Rect& a
     };
     for (const VehicleView& vehicle : now.vehicles) look_at(picture_of(now, seen, vehicle));
     for (const SourceView& source : now.sources) look_at(picture_of(now, seen, source));
+    const VehicleView* selected = selected_vehicle(lab);
+    if (slots.b && selected) {
+        VehicleView with_b = *selected;
+        with_b.x = slots.b->pose.x, with_b.y = slots.b->pose.y, with_b.heading = slots.b->pose.heading;
+        look_at(picture_of(now, seen, with_b));
+    }
     return std::min(height, area.h / 2);
 }
 
 // The area without the strip of the cards that hide something. The camera of the user stays where it is.
-Rect clear_of_cards(ViewportState& state, const Lab& lab, Rect area, std::span<const Rect> cards) {
+Rect clear_of_cards(ViewportState& state, const Lab& lab, Rect area, std::span<const Rect> cards,
+                    const SlotsView& slots) {
     const Snapshot& now = shown_snapshot(lab);
     const Camera& camera = lab.view.camera;
     const bool starts = now.tick < state.tick && now.tick == 0;
@@ -102,7 +111,7 @@ Rect clear_of_cards(ViewportState& state, const Lab& lab, Rect area, std::span<c
     state.tick = now.tick;
     if (starts || cards.empty()) state.below_cards = 0;
     if (is_ours && !cards.empty() && state.has_sight && now.scene && now.vehicles.size() <= few_vehicles) {
-        const float height = height_of_cards(now, state.camera_view, area, cards);
+        const float height = height_of_cards(lab, state.camera_view, area, cards, slots);
         if (height > state.below_cards) state.below_cards = height, state.age = 0;
     }
     area.y += state.below_cards, area.h -= state.below_cards;
@@ -114,7 +123,7 @@ Rect clear_of_cards(ViewportState& state, const Lab& lab, Rect area, std::span<c
 void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds, const SlotsView& slots,
          std::span<const Rect> cards) {
     const Snapshot& now = shown_snapshot(lab);
-    free_area = clear_of_cards(state, lab, free_area, cards);
+    free_area = clear_of_cards(state, lab, free_area, cards, slots);
     const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
     if (is_home(state, lab)) state.framing.start_over();
     auto close_up = paths_of_change(lab);

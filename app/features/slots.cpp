@@ -119,7 +119,9 @@ void compare_slots(Slots& slots, Workspace& space) {
                   .question = {space.document.session.bookmark().checkpoint, vehicle->id,
                                target_of(space.view.selection, *vehicle), ticks_to_compare(space)},
                   .designs = {*slots.stored[0], *slots.stored[1]}};
+    const bool is_saved = space.document.edits == space.document.saved_edits;
     if (!put(slots, space, 0)) return;
+    if (is_saved) space.document.saved_edits = space.document.edits;  // the comparison's edit, and A is still stored
     runs.edits = space.document.edits;
     slots.runs.forget();
     slots.runs.ask(std::move(runs));
@@ -138,6 +140,11 @@ void update_slots(Slots& slots, const Workspace& space, Jobs& jobs) {
         });
     });
     if (slots.runs.error()) slots.runs.forget();
+}
+
+bool ends_comparison(const Slots& slots, const Workspace& space) {
+    const SlotRuns* asked = slots.runs.question();
+    return asked && is_shown(space, *asked) && space.document.session.snapshot().tick == asked->question.ticks;
 }
 
 bool is_computing(const Slots& slots) { return slots.runs.is_computing(); }

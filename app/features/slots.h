@@ -52,11 +52,15 @@ void empty_slots(Slots&);
 
 // True if both runs may be compared now; else says why not.
 bool can_compare_slots(const Slots&, Workspace&);
-// Puts A into the vehicle, plays, and asks for both runs. Precondition: can_compare_slots(), and the run was reset.
+// Puts A into the vehicle, plays, and asks for both runs. What needed no saving before needs none then. Precondition:
+// can_compare_slots(), and the run was reset.
 void compare_slots(Slots&, Workspace&);
 
 // Call once per turn, after Jobs::deliver.
 void update_slots(Slots&, const Workspace&, Jobs&);
+
+// True at the last tick of the compared runs, while the run on the screen is that of A.
+bool ends_comparison(const Slots&, const Workspace&);
 
 bool is_computing(const Slots&);
 

@@ -145,6 +145,20 @@ TEST_F(LabLecturePages, ARunPausesAtTheMomentThatItsPageNames) {
     EXPECT_EQ(lab.playback.mode, Mode::playing) << "it goes on";
 }
 
+TEST_F(LabLecturePages, APauseBesideTheAnswerIsNotNews) {
+    open("wheels-to-neurons");
+    constexpr int turns_left = 4;  // page with the steps play, answer, wiring
+    for (const int steps : {1, 2, 3}) {
+        show_page(lab, turns_left, 1);
+        set_mode(lab, Mode::playing);
+        advance(lab, 0.02);
+        while (lab.pages->step < steps) next_page(lab);
+        for (int frame = 0; frame < 200 && lab.playback.mode == Mode::playing; ++frame) advance(lab, 0.02);
+        EXPECT_EQ(lab.playback.mode, Mode::paused);
+        EXPECT_EQ(lab.notice.key == "notice.page_pauses", steps == 1) << steps;
+    }
+}
+
 TEST_F(LabLecturePages, ThePageAtWhichARunPausesShowsTheNumbersOfATurn) {
     open("four-numbers");
     show_page(lab, 5, 1);

@@ -1,8 +1,11 @@
 // Slots A and B in the lab: storing, exchanging, undo, and both runs from the same start.
 #include "app/features/slots.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "app/files/file_commands.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
@@ -120,6 +123,40 @@ TEST_F(SlotsTest, ComparingDrivesAWithBBesideItInTime) {
     turn(Dial::LM, 0.9f);
     EXPECT_FALSE(shown().b) << "the vehicle does not drive as A any more";
     EXPECT_TRUE(shown().slots[0].numbers) << "the table stays";
+}
+
+TEST_F(SlotsTest, ComparingLeavesNothingToBeSaved) {
+    handle(lab, Action::slot);
+    replace_document(lab, opened_lab("2a-coward").document);
+    handle(lab, Action::slot);
+    handle(lab, Action::compare);
+    EXPECT_FALSE(has_unsaved_edits(lab)) << "A is still in its slot";
+    turn(Dial::LM, 0.9f);
+    EXPECT_TRUE(has_unsaved_edits(lab));
+    handle(lab, Action::compare);
+    EXPECT_TRUE(has_unsaved_edits(lab)) << "the edit before is of the person";
+}
+
+TEST_F(SlotsTest, InALectureTheRunPausesAtTheEndOfTheComparison) {
+    for (const bool lecture : {false, true}) {
+        lab = opened_lab("2b-aggressor");
+        if (lecture) handle(lab, Action::lecture);
+        store_both();
+        lab.playback.time_scale = 16;
+        handle(lab, Action::compare);
+        compute();
+        const auto end = static_cast<std::uint64_t>(std::lround(shown().seconds * 60));
+        for (int frame = 0; frame < 1000 && lab.document.session.snapshot().tick < end + 20; ++frame)
+            advance(lab, 0.02);
+        EXPECT_EQ(lab.playback.mode, lecture ? Mode::paused : Mode::playing);
+        EXPECT_EQ(lab.document.session.snapshot().tick == end, lecture);
+        EXPECT_EQ(lab.notice.key == "notice.comparison_pauses", lecture);
+        EXPECT_EQ(shown().a && shown().b, lecture) << "both are still in the picture";
+        if (!lecture) continue;
+        set_mode(lab, Mode::playing);
+        for (int frame = 0; frame < 10; ++frame) advance(lab, 0.02);
+        EXPECT_EQ(lab.playback.mode, Mode::playing) << "it goes on";
+    }
 }
 
 TEST_F(SlotsTest, TheGhostDrivesAsTheVehicleDoesWithB) {

@@ -64,6 +64,52 @@ TEST_F(LectureComparison, ShowsItsNumbersAfterTheRuns) {
     EXPECT_FALSE(overlap(desk.where("card.slots"), desk.where("viewport")));
 }
 
+TEST_F(LectureComparison, ShowsAllOfItsNumbersAtTheEndBesideBothVehicles) {
+    desk.view.pages = nullptr;
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    for (const std::string& code : shipped_codes())
+        for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {800.0f, 600.0f}}) {
+            ImGui::GetIO().DisplaySize = {width, height};
+            desk.strings = speaking(code);
+            desk.now.seconds = 0;
+            store();
+            compare();
+            EXPECT_TRUE(desk.panels.card(Card::slots).folded) << "not before the end";
+            desk.now.seconds = 30;
+            desk.frame(6);
+            const Rect card = desk.where("card.slots");
+            for (const auto& row : insight::compare_measure_table) {
+                const Rect shown = desk.where("slots." + std::string(row.word));
+                EXPECT_TRUE(is_inside(shown, card)) << row.word;
+                EXPECT_GE(shown.h, 0.9f * desk.where("slots.closest").h) << code << " " << row.word << " is cut";
+            }
+            EXPECT_FALSE(overlap(desk.where("button.compare"), desk.where("slots.closest")));
+        }
+}
+
+TEST_F(LectureComparison, TheBarSaysWhoseBrainsDriveAndNotTheTitleOfTheScene) {
+    desk.view.pages = nullptr;
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->title = "Vehicle 2a: Coward";
+    desk.now.scene = scene;
+    store();
+    SlotsView& slots = desk.view.features.slots;
+    slots.slots[0].character = Character::aggressor, slots.slots[1].character = Character::coward;
+    slots.slots[0].is_in_vehicle = true;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("Vehicle 2a: Coward with brain A"));
+    compare();
+    EXPECT_TRUE(desk.says("A: aggressor, B: coward"));
+    EXPECT_FALSE(desk.says("Vehicle 2a: Coward"));
+    desk.view.settings.revealed.character = false;
+    desk.frame(2);
+    EXPECT_FALSE(desk.says("A: aggressor, B: coward"));
+    desk.view.settings.revealed.title = false;
+    desk.frame(2);
+    EXPECT_FALSE(desk.says("Vehicle 2a"));
+}
+
 TEST_F(LectureComparison, TakesThePlaceOfAnAnsweredQuestion) {
     pages = opened_lecture("wheels-to-neurons");
     show(5, 3);

@@ -144,12 +144,29 @@ float back_button(const LabView& view, Ui& ui, float free_from, float right, Rec
 }
 
 // Without the title of an exercise or a scene that could tell the answer.
-std::string title_of_bar(const LabView& view, const Ui& ui) {
-    if (!view.settings.revealed.title) return {};
-    if (view.pages) return std::string(translated(ui, view.pages->lecture->title));
+std::string title_of_scene(const LabView& view, const Ui& ui) {
     if (!view.lesson) return std::string(translated(ui, view.now->scene->title));
     if (hides_outcome(view)) return exercise_heading(view, ui);
     return std::string(translated(ui, view.lesson->exercise->title));
+}
+
+// Of the lecture, or of the scene. With two stored brains it says whose are compared, or which of them the vehicle has:
+// the title of the scene is that of its own brain.
+std::string title_of_bar(const LabView& view, const Ui& ui) {
+    if (!view.settings.revealed.title) return {};
+    if (view.pages) return std::string(translated(ui, view.pages->lecture->title));
+    const std::string title = title_of_scene(view, ui);
+    const SlotsView& slots = view.features.slots;
+    const VehicleView* vehicle = selected_vehicle(view);
+    if (!vehicle || !slots.slots[0].design || !slots.slots[1].design) return title;
+    const auto character = [&](std::size_t slot) {
+        return std::string(ui.strings("character." + std::string(name(slots.slots[slot].character))));
+    };
+    if (slots.seconds > 0 && slots.slots[0].is_in_vehicle && !hides_character(view, *vehicle))
+        return fill(ui.strings("slots.both"), {character(0), character(1)});
+    for (const std::size_t slot : {std::size_t{0}, std::size_t{1}})
+        if (slots.slots[slot].is_in_vehicle) return fill(ui.strings("slots.in_scene"), {title, slot == 0 ? "A" : "B"});
+    return title;
 }
 
 // How a notice is written into the bar, so that it covers neither the scene nor the values: in two lines, else in as
@@ -213,7 +230,8 @@ void follow_page(const LabView& view, PanelState& state) {
 // Folds the cards of the brain and of the slots while the runs of both slots are shown, so that these have the room.
 // After the runs the card of the slots unfolds: it has their numbers.
 void follow_comparison(const LabView& view, PanelState& state) {
-    const bool compares = view.lecture && view.features.slots.a && view.features.slots.b;
+    const SlotsView& slots = view.features.slots;
+    const bool compares = view.lecture && slots.a && slots.b && view.now->seconds < static_cast<double>(slots.seconds);
     if (std::exchange(state.lecture.compares, compares) == compares || !view.lecture) return;
     if (compares) state.card(Card::brain).folded = true;
     state.card(Card::slots).folded = compares;

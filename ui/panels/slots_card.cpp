@@ -39,11 +39,10 @@ std::string content_of(const LabView& view, const Ui& ui, const SlotView& slot) 
     return std::string(ui.strings("character." + std::string(name(slot.character))));
 }
 
-// The letter as a button that puts the brain into the vehicle, its content, and a button that stores.
-void slot_row(const LabView& view, Ui& ui, std::size_t slot) {
+// The letter as a button that puts the brain into the vehicle, or stores where there is none. Returns its rectangle.
+Rect letter_button(const LabView& view, Ui& ui, std::size_t slot) {
     const SlotView& shown = view.features.slots.slots[slot];
     const std::string letter(letters[slot]);
-    const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
     const Item put_it = small_button(ui, {slot_anchors[slot], {}, letters[slot], shown.is_in_vehicle});
     tooltip(ui, put_it,
             fill(ui.strings(!shown.design         ? "slots.store_how"
@@ -52,17 +51,39 @@ void slot_row(const LabView& view, Ui& ui, std::size_t slot) {
                  {letter}),
             key_name(Action::slot, ui.strings));
     if (put_it.pressed) ui.outbox.emplace_back(SlotRequest{slot, !shown.design});
-    const SmallButton store{store_anchors[slot], icon::save, ui.strings("slots.store")};
-    const float width = small_button_width(ui, store, true), space = ui.px(column_space);
-    const Rect& of_letter = put_it.rect;
-    const float from = of_letter.x + of_letter.w + space, line = line_height(ui, Face::small);
+    return put_it.rect;
+}
+
+void put_content(const LabView& view, Ui& ui, std::size_t slot, Rect of_letter, float right) {
+    const SlotView& shown = view.features.slots.slots[slot];
+    const float from = of_letter.x + of_letter.w + ui.px(column_space), line = line_height(ui, Face::small);
     put(ui, {from, of_letter.y + (of_letter.h - line) / 2},
-        shortened(ui, content_of(view, ui, shown), Face::small, right - width - space - from),
+        shortened(ui, content_of(view, ui, shown), Face::small, right - from),
         shown.design ? ui.palette.text : ui.palette.second_text, Face::small);
+}
+
+// The letter, the content of the slot, and a button that stores.
+void slot_row(const LabView& view, Ui& ui, std::size_t slot) {
+    const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    const Rect of_letter = letter_button(view, ui, slot);
+    const SmallButton store{store_anchors[slot], icon::save, ui.strings("slots.store")};
+    const float width = small_button_width(ui, store, true);
+    put_content(view, ui, slot, of_letter, right - width - ui.px(column_space));
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({right - width, of_letter.y});
-    if (small_push_button(ui, store, fill(ui.strings("slots.store_how"), {letter})))
+    if (small_push_button(ui, store, fill(ui.strings("slots.store_how"), {std::string(letters[slot])})))
         ui.outbox.emplace_back(SlotRequest{slot, true});
+}
+
+// Both slots in one row without the buttons that store.
+void both_slots(const LabView& view, Ui& ui) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float half = card_width(ui) / 2;
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const float left = at.x + half * static_cast<float>(slot);
+        ImGui::SetCursorScreenPos({left, at.y});
+        put_content(view, ui, slot, letter_button(view, ui, slot), left + half - ui.px(column_space));
+    }
 }
 
 std::string with_unit(const std::string& number, std::string_view unit) { return number + " " + std::string(unit); }
@@ -93,28 +114,30 @@ TableRow table_row(const Ui& ui, CompareMeasure measure, const CompareNumbers& a
              differs ? with_unit(with_sign(ui, *differs, 1), row.unit) : std::string("–")}};
 }
 
-// Columns as wide as their widest cell; the words take what is left and are broken into lines.
-void table(const SlotsView& view, Ui& ui) {
+// Columns as wide as their widest cell; the words take what is left and are broken into lines. `columns`: 3, or 2
+// without the differences.
+void table(const SlotsView& view, Ui& ui, std::size_t columns) {
     std::vector<TableRow> rows;
     for (const auto& row : insight::compare_measure_table)
         rows.push_back(table_row(ui, row.value, *view.slots[0].numbers, *view.slots[1].numbers));
     const float width = card_width(ui), line = line_height(ui, Face::small), space = ui.px(column_space);
     std::array<float, 3> widths{};
     for (const TableRow& row : rows)
-        for (std::size_t i = 0; i < 3; ++i) widths[i] = std::max(widths[i], text_width(ui, Face::small, row.cells[i]));
+        for (std::size_t i = 0; i < columns; ++i)
+            widths[i] = std::max(widths[i], text_width(ui, Face::small, row.cells[i]));
     const std::array<std::string_view, 3> heads{"A", "B", "B − A"};
-    for (std::size_t i = 0; i < 3; ++i) widths[i] = std::max(widths[i], text_width(ui, Face::strong, heads[i]));
+    for (std::size_t i = 0; i < columns; ++i) widths[i] = std::max(widths[i], text_width(ui, Face::strong, heads[i]));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     std::array<float, 3> rights{};
     float x = at.x + width;
-    for (std::size_t i = 3; i-- > 0; x -= widths[i] + space) rights[i] = x;
+    for (std::size_t i = columns; i-- > 0; x -= widths[i] + space) rights[i] = x;
     float y = at.y;
     const std::array colours{ui.palette.slot_a, ui.palette.slot_b, ui.palette.second_text};
-    for (std::size_t i = 0; i < 3; ++i) put_right(ui, {rights[i], y}, heads[i], colours[i], Face::strong);
+    for (std::size_t i = 0; i < columns; ++i) put_right(ui, {rights[i], y}, heads[i], colours[i], Face::strong);
     y += line_height(ui, Face::strong) + ui.px(row_gap);
     for (const TableRow& row : rows) {
         const float top = y;
-        for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < columns; ++i)
             put_right(ui, {rights[i], y}, row.cells[i], i < 2 ? ui.palette.text : ui.palette.second_text, Face::small);
         for (const std::string& words : lines_of_words(ui, row.words, Face::small, std::max(x - at.x, ui.px(40)))) {
             put(ui, {at.x, y}, words, ui.palette.second_text, Face::small);
@@ -142,15 +165,19 @@ void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     const bool open = open_card(state, ui, Card::slots, place, std::span(close).first(view.lecture ? 0 : 1));
     if (close[0].pressed) ui.outbox.emplace_back(EmptySlotsRequest{});
     if (open) {
-        for (std::size_t slot = 0; slot < 2; ++slot) slot_row(view, ui, slot);
+        const SlotsView& slots = view.features.slots;
+        const bool has_numbers = slots.slots[0].numbers && slots.slots[1].numbers;
+        const bool is_short = has_numbers && view.lecture;  // type is large: the numbers have the room
+        if (is_short) both_slots(view, ui);
+        for (std::size_t slot = 0; slot < 2 && !is_short; ++slot) slot_row(view, ui, slot);
         gap(ui, 4);
         compare_row(view, ui);
-        const SlotsView& slots = view.features.slots;
-        if (slots.slots[0].numbers && slots.slots[1].numbers) {
-            gap(ui, 8);
-            table(slots, ui);
-            paragraph(ui, fill(ui.strings("slots.how"), {fixed(ui, slots.seconds, 0)}), ui.palette.second_text,
-                      view.lecture ? Face::small : Face::label);
+        if (has_numbers) {
+            gap(ui, is_short ? 2 : 8);
+            table(slots, ui, is_short ? 2 : 3);
+            if (!is_short)
+                paragraph(ui, fill(ui.strings("slots.how"), {fixed(ui, slots.seconds, 0)}), ui.palette.second_text,
+                          Face::label);
         } else if (slots.is_computing) {
             paragraph(ui, ui.strings("slots.computing"), ui.palette.second_text, Face::small);
         }
