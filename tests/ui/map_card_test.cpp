@@ -117,6 +117,41 @@ TEST_F(MapCard, InALectureTheFieldIsLargeAlsoBesideTwoBrainsAndOpenSliders) {
         }
 }
 
+TEST_F(MapCard, SaysThatABrainWithDifferentWeightsIsNotInTheMap) {
+    for (const bool lecture : {false, true}) {
+        desk.view.lecture = lecture;
+        BrainGraph brain = *desk.now.brains[0];
+        turn(brain, Dial::RR, 1.5f);
+        desk.now.brains[0] = std::make_shared<const BrainGraph>(brain);
+        desk.frame(4);
+        EXPECT_FALSE(desk.says("the map has both equal"));
+        turn(brain, Dial::RR, 0);
+        desk.now.brains[0] = std::make_shared<const BrainGraph>(brain);
+        desk.frame(4);
+        EXPECT_TRUE(desk.says("LL 1.50"));
+        EXPECT_TRUE(desk.says("RR 0.00"));
+        EXPECT_TRUE(desk.says("both equal") || desk.says("has both")) << "broken into lines";
+        for (const Written& w : desk.written) {  // the kind of a cell that is not its own is in the legend only
+            if (w.words == "flees") EXPECT_FALSE(w.rect.y > desk.where("map").y + desk.where("map").h && lecture);
+        }
+    }
+}
+
+TEST_F(MapCard, InALectureTheMapHasTheRoomOfTheBrainsCard) {
+    desk.view.lecture = true, desk.view.settings.map = false;
+    desk.frame(3);
+    for (const bool folded : {true, false}) {
+        desk.panels.card(Card::brain).folded = folded;
+        desk.frame(2);
+        desk.view.settings.map = true;
+        desk.frame(3);
+        EXPECT_TRUE(desk.panels.card(Card::brain).folded);
+        desk.view.settings.map = false;
+        desk.frame(3);
+        EXPECT_EQ(desk.panels.card(Card::brain).folded, folded) << "as before";
+    }
+}
+
 TEST_F(MapCard, DraggingTheDotTurnsTheDialsOfBothAxesInOneUndoStep) {
     desk.point("map.dot");
     desk.frame(2);

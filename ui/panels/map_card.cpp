@@ -30,8 +30,8 @@ void draw_map(const MapFrame& frame, float room) {
     // In a lecture, where type is large and the height is little, as far as the words leave room for the field.
     const bool is_beside =
         in_lecture && has_kinds && legend <= width - ends - ui.px(beside_field + least_field_in_lecture);
-    const auto lines = static_cast<float>((is_beside ? 0 : map_legend_rows(frame)) + (in_lecture ? 0 : 1));
-    const float words_and_legend = line_height(ui, Face::strong) + lines * (line_height(ui, Face::small) + ui.px(4));
+    const auto lines = static_cast<float>(is_beside ? 0 : map_legend_rows(frame));
+    const float words_and_legend = map_words_height(frame, width) + lines * (line_height(ui, Face::small) + ui.px(4));
     const float left = room - ui.px(heading_and_gaps + rows) - words_and_legend - frame.state.added_height;
     const float most = width - ends - (is_beside ? legend + ui.px(beside_field) : 0);
     const float side = std::clamp(left, std::min(ui.px(in_lecture ? least_field_in_lecture : least_field), most), most);
@@ -62,9 +62,14 @@ bool shows_map_of_lecture(const LabView& view) {
     return view.lecture && view.settings.map && view.mode != Mode::wiring;
 }
 
+// In a lecture the map has the room of the brain's card, too, until that is unfolded.
 void follow_map(const LabView& view, PanelState& state) {
+    CardState& brain = state.card(Card::brain);
+    if (std::exchange(state.map.is_open, view.settings.map) != view.settings.map && shows_map_of_lecture(view))
+        state.map.folded_brain = !std::exchange(brain.folded, true);
     if (view.settings.map) return;
     if (state.map.folded_scene) state.card(Card::scene).folded = false;
+    if (state.map.folded_brain && view.lecture) brain.folded = false;
     state.map = {};
 }
 

@@ -26,6 +26,7 @@ using insight::MapPlace;
 namespace {
 
 constexpr float legend_sign = 13;  // layout pixels
+constexpr std::size_t most_apart_lines = 3;
 
 std::string in_words(const Ui& ui, Behaviour kind) {
     return std::string(ui.strings("map.kind." + std::string(row_of(kind).word)));
@@ -35,6 +36,20 @@ std::string number_words(const Ui& ui, float number, MapMeasure measure) {
     if (!std::isfinite(number)) return std::string(ui.strings("map.never"));
     const std::string_view unit = row_of(measure).unit;
     return fixed(ui, number, unit.empty() ? 0 : 1) + unit_after(unit);
+}
+
+// How the present values differ from every cell of the map, where those of an axis differ; else empty.
+std::string apart_words(const MapFrame& frame) {
+    const Ui& ui = frame.ui;
+    for (const insight::AxisValue* value : {frame.x, frame.y}) {
+        if (value->is_one) continue;
+        const auto brain = brain_of(frame.subject.now, frame.subject.vehicle);
+        if (value->dials.empty() || !brain) return std::string(ui.strings("map.sides_apart"));
+        const FourNeurons dials = read_dials(*brain, frame.subject.pair);
+        const auto part = [&](Dial dial) { return std::string(name(dial)) + " " + fixed(ui, at(dials, dial), 2); };
+        return fill(ui.strings("map.apart"), {part(value->dials.front()), part(value->dials.back())});
+    }
+    return {};
 }
 
 // All kinds; in a lecture, where type is large, those of the map.
@@ -123,6 +138,12 @@ void map_words(const MapFrame& frame, float width) {
     // The share that is computed: in place of a cell that is not known yet, else where the words leave room for it.
     const std::string share =
         frame.map.progress < 1 ? fill(ui.strings("map.computed"), {fixed(ui, 100 * frame.map.progress, 1)}) : "";
+    const std::string apart = frame.state.hovered ? std::string{} : apart_words(frame);
+    if (!apart.empty()) {
+        put_lines(ui, {at_line.x, at_line.y + line}, apart, ui.palette.text, Face::strong, width, most_apart_lines);
+        ImGui::Dummy({1, map_words_height(frame, width)});
+        return;
+    }
     std::string what = share;
     if (cell) {
         what = in_words(ui, cell->outcome.behaviour);
@@ -143,6 +164,15 @@ void map_words(const MapFrame& frame, float width) {
     }
     put(ui, {at_line.x, at_line.y + line}, shortened(ui, what, Face::strong, width), ui.palette.text, Face::strong);
     ImGui::Dummy({1, line + line_height(ui, Face::strong) + ui.px(spacing::tight)});
+}
+
+float map_words_height(const MapFrame& frame, float width) {
+    const Ui& ui = frame.ui;
+    const std::string apart = apart_words(frame);
+    const auto lines = apart.empty() ? 1 : lines_of_words(ui, apart, Face::strong, width).size();
+    return (frame.view.lecture ? 0 : line_height(ui, Face::small)) +
+           static_cast<float>(std::min<std::size_t>(lines, most_apart_lines)) * line_height(ui, Face::strong) +
+           ui.px(spacing::tight);
 }
 
 void map_legend(const MapFrame& frame, float width) {

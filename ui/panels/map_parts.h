@@ -53,8 +53,11 @@ inline Colour as_colour(MapColour c) { return {c.r, c.g, c.b, 1}; }
 void map_field(const MapFrame&, float side);
 void draw_map_mark(ImDrawList&, Rect, insight::Behaviour, MapColour on);
 
-// map_legend.cpp: what the cell under the pointer shows, else that of the present values; then the colours.
+// map_legend.cpp: what the cell under the pointer shows, else that of the present values, or how these differ from
+// every cell; then the colours.
 void map_words(const MapFrame&, float width);
+// Of map_words() without a cell under the pointer, window pixels.
+float map_words_height(const MapFrame&, float width);
 void map_legend(const MapFrame&, float width);
 int map_legend_rows(const MapFrame&);
 

@@ -77,7 +77,9 @@ struct MapState {
     insight::ValueGroup group = insight::ValueGroup::brain;  // of the values that the list of an axis shows
     float added_height = 0;         // of an unfolded list and a range below its axis as drawn last, window pixels
     bool drags = false;             // the dot is dragged
+    bool is_open = false;           // in the last frame
     bool folded_scene = false;      // the scene's card was folded to make room
+    bool folded_brain = false;      // so was the brain's, in a lecture
     bool replaces_diagram = false;  // this card or one beside it has the room of the watched diagram, set each frame
     std::optional<insight::MapPlace> pressed{};  // the cell on which the button went down, beside the dot
     std::optional<insight::MapPlace> hovered{};  // under the pointer in this frame
