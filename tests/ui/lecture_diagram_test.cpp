@@ -115,4 +115,67 @@ TEST(LectureDiagram, AWholeNameIsInsideTheBoxOfItsNode) {
     });
 }
 
+TEST(LectureDiagram, SaysAtWhichSumANeuronSteps) {
+    for (const std::string& code : shipped_codes())
+        for (const int page : {10, 11}) {
+            LectureView pages = opened_lecture("wheels-to-neurons");
+            pages.page = page, pages.step = static_cast<int>(pages.current().steps.size());
+            Diagram diagram(first_moment(pages.current()), {1024, 768, 1.4f}, code);
+            diagram.desk.view.pages = &pages;
+            diagram.desk.frame(5);
+            const std::string half = code == "en" ? "≥ 0.50" : "≥ 0,50";
+            EXPECT_TRUE(diagram.desk.says(half)) << code << " page " << page + 1;
+            EXPECT_TRUE(is_inside(diagram.desk.where("below.N"), diagram.desk.where("canvas")));
+        }
+}
+
+TEST(LectureDiagram, TheEditorFitsTheBrainAboveTheOpenCardOfANeuronAlsoAfterKeys) {
+    for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {800.0f, 600.0f}}) {
+        Diagram diagram(shipped_scene("5-logic"), {width, height, width > 1000 ? 1.4f : 1.0f}, "en");
+        Desk& desk = diagram.desk;
+        desk.view.mode = Mode::wiring;
+        desk.frame(5);
+        for (int i = 0; i < 3; ++i) desk.key({key::right}), desk.frame(2);
+        desk.panels.canvas.inspector.folded = false;
+        desk.frame(5);
+        for (const char* node : {"node.SL", "node.SR", "node.ML", "node.MR"})
+            EXPECT_TRUE(is_inside(desk.where(node), desk.where("canvas"))) << node << " at " << width;
+    }
+}
+
+TEST(LectureDiagram, TheMapOfASmallBrainHasValuesAndSteps) {
+    Diagram diagram(shipped_scene("5-logic"), {1024, 768, 1.4f}, "en");
+    diagram.desk.frame(5);
+    const auto below = diagram.starting_with("below.");
+    EXPECT_EQ(below.size(), diagram.desk.now.brains[0]->nodes.size());
+    EXPECT_TRUE(diagram.desk.says("0.00 (≥ 0.50)"));
+    for (std::size_t i = 0; i < below.size(); ++i) {
+        for (const Rect& node : diagram.starting_with("node.")) EXPECT_FALSE(overlap(below[i], node));
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(below[i], below[j]));
+    }
+}
+
+TEST(LectureDiagram, ASensorOfAnotherChannelHasAWordOnTheMap) {
+    for (const auto& [code, words] : {std::pair{"en", std::array{"energy", "touch", "place L"}},
+                                      {"de", std::array{"Energie", "Kontakt", "Ort L"}},
+                                      {"es", std::array{"energía", "tacto", "lugar L"}}}) {
+        Diagram diagram(shipped_scene("tortoise"), {1024, 768, 1.4f}, code);
+        diagram.desk.frame(5);
+        for (const char* word : words) EXPECT_TRUE(diagram.desk.says(word)) << word;
+    }
+}
+
+TEST(LectureDiagram, NoWordIsOnThePinOfItsMotor) {
+    each_diagram([&](const Diagram& diagram) {
+        for (const char* motor : {"ML", "MR"}) {
+            const Rect node = diagram.desk.where(std::string("node.") + motor);
+            const Rect pin = diagram.desk.where("pin." + std::string(motor) + ".in");
+            for (const ui::Written& w : diagram.desk.written)
+                if (is_inside(w.rect, node)) {
+                    EXPECT_GE(w.rect.x, pin.x + pin.w / 2 + 0.3f * pin.w) << w.words;
+                }
+        }
+    });
+}
+
 }  // namespace braitenlab::tests::lecture_diagram_test

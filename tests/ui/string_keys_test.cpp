@@ -114,7 +114,7 @@ std::set<std::string> composed() {
         for (const char* stem : {"character.", "character_story.", "response."})
             keys.insert(stem + std::string(name(static_cast<Character>(i))));
     for (const ChannelTraits& channel : channel_table)
-        for (const char* stem : {"view.channel.", "wiring.senses.", "sense."})
+        for (const char* stem : {"view.channel.", "wiring.senses.", "wiring.word.", "sense."})
             keys.insert(stem + std::string(channel.word));
     for (const ChannelTraits& channel : channel_table)  // others fit the words of response.explorer
         if (!std::set<std::string_view>{"light", "heat", "smell", "oxygen"}.contains(channel.word))

@@ -28,6 +28,8 @@ TEST(WiringNodeText, SumOfAMotorShowsThatItIsLimited) {
     const BrainGraph graph = make_graph({.LL = 2, .LM = 0.1f});
     EXPECT_EQ(sum_text(graph, ML, over), "0.50·2.00 + 0.10 = 1.10 → 1.00");
     EXPECT_EQ(sum_text(graph, ML, over, {}, ','), "0,50·2,00 + 0,10 = 1,10 → 1,00");
+    EXPECT_EQ(sum_text(graph, ML, over, {}, '.', [](NodeId id) { return id == SL ? "SL" : "?"; }),
+              "SL 0.50·2.00 + 0.10 = 1.10 → 1.00");
     EXPECT_EQ(shown_value(*find_node(graph, "ML"), -1.1f), -1);
     EXPECT_EQ(shown_value(*find_node(graph, "SL"), 1.1f), 1.1f);
 }

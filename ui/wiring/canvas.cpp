@@ -81,12 +81,11 @@ void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
     ShownBefore& before = state.shown;
     const bool another = before.kind != now.kind || before.run_id != now.run_id;
     const auto changed = [](float a, float b) { return std::fabs(a - b) > 0.2f * std::max(a, b); };
-    // Beside the scene the pane is small, and the user can drag its border. In a lecture the pane also moves: a step
-    // of a page, or a card that opens, gives it another place.
+    // Beside the scene the pane is small, and the user can drag its border. In a lecture a step of a page, or a card
+    // that opens, gives pane and editor another place.
     const bool moved = lab.lecture && before.area != area;
-    const bool other_pane =
-        now.watched != before.watched ||
-        (now.watched && (moved || changed(before.area.w, area.w) || changed(before.area.h, area.h)));
+    const bool other_pane = now.watched != before.watched || moved ||
+                            (now.watched && (changed(before.area.w, area.w) || changed(before.area.h, area.h)));
     const bool resized = before.window != now.window || before.ui_scale != now.ui_scale || other_pane;
     if (another) state.selection = {}, state.drag = {}, state.menu = {}, state.joining.reset(), state.focus = {};
     if (!another && !resized && before.area != area)

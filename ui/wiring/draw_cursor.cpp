@@ -143,9 +143,15 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
     const NodeShape* shape = find_shape(picture.layout, *selection.nodes.begin());
     if (shape == nullptr) return;
     const Snapshot& now = *picture.view.now;
+    std::function<std::string(NodeId)> named;  // in a lecture, where the audience does not follow each wire
+    if (picture.view.lecture)
+        named = [&](NodeId id) {
+            const Node* from = find_node(picture.graph, id);
+            return from ? shown_name(pen.ui, picture.view, picture.vehicle, *from) : std::string();
+        };
     const std::string sum = sum_text(
         picture.graph, shape->id, [&](NodeId id) { return node_value(now, picture.vehicle, id); },
-        [&](const Wire& wire) { return learned_now(picture, wire); }, pen.ui.decimal_mark);
+        [&](const Wire& wire) { return learned_now(picture, wire); }, pen.ui.decimal_mark, named);
     if (sum.empty()) return;
     // In one line, else in several shorter ones. Where no place is left between the cards the inspector shows it alone.
     const float width = note_size(pen.ui, sum).x - 2 * pen.ui.px(note_padding.x);

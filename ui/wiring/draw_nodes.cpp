@@ -156,7 +156,8 @@ float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, s
     constexpr std::size_t few = 4;
     const float inner = shape.size.x - 30, own = compat::size_of(font(pen.ui, Face::strong));
     const std::size_t letters = count_characters(name);
-    if (picture.view.lecture && shape.kind == NodeKind::neuron) return shape.size.x - 2 * map_name_margin + 1;
+    if (picture.view.lecture && (shape.kind == NodeKind::neuron || letters > few))
+        return shape.size.x - 2 * map_name_margin + 1;
     if (letters > few && !picture.view.lecture) return inner;
     const float readable = text_width(pen.ui, Face::strong, name) * pen.least_type() / own / pen.view.scale;
     return std::clamp(readable + 1, inner, overhang * shape.size.x);
@@ -167,7 +168,10 @@ Colour caption_colour(const Pen& pen, const Picture& picture) {
     return picture.view.lecture ? pen.palette().text : pen.palette().second_text;
 }
 
-constexpr float large_words_inset = 12;
+constexpr float large_words_inset = 12, beside_pin = 9;
+
+// The width for the caption below an icon: a motor's begins right of its pin.
+float caption_inset(const NodeShape& shape) { return large_words_inset + (shape.has_in ? beside_pin : 0); }
 
 // "motor izquierdo"; in large letters, where one of the eyes' and motors' captions has no room, "izquierdo" in all.
 std::string_view caption_of(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node) {
@@ -175,7 +179,7 @@ std::string_view caption_of(const Pen& pen, const Picture& picture, const NodeSh
     const std::string_view whole = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
     const bool has_side = std::find(sides.begin(), sides.end(), node.name) != sides.end();
     if (!has_side || !picture.view.lecture || detail_of(pen) == Detail::full) return whole;
-    const float room = shape.size.x - 2 * large_words_inset;
+    const float room = shape.size.x - 2 * large_words_inset - beside_pin;
     const bool all_fit = std::none_of(sides.begin(), sides.end(), [&](std::string_view name) {
         return pen.cuts(pen.ui.strings("wiring.node." + std::string(name)), Face::small, room);
     });
@@ -195,7 +199,8 @@ void draw_large_words(const Pen& pen, const Picture& picture, const NodeShape& s
     const auto width_of = [&](Face face, std::string_view text) {
         return text_width(pen.ui, face, text) * height / own;
     };
-    constexpr float beside_icon = 18, at_edge = 6, inset = large_words_inset;
+    constexpr float beside_icon = 18, at_edge = 6;
+    const float inset = caption_inset(shape);
     const float left = text_left(shape) - beside_icon, right = shape.centre.x + shape.size.x / 2 - at_edge;
     const float room = right - left;
     const float first = shape.centre.y - shape.size.y / 4 + 2, second = shape.centre.y + shape.size.y / 4;
@@ -204,7 +209,7 @@ void draw_large_words(const Pen& pen, const Picture& picture, const NodeShape& s
     record_name(pen, picture, id,
                 pen.text({left, first}, height, 0, words.name, p.text, Face::strong, fits ? 0 : room));
     const vec2 below{shape.centre.x - shape.size.x / 2 + inset, second};
-    const float whole = shape.size.x - 2 * inset;
+    const float whole = shape.size.x - inset - large_words_inset;
     if (!fits) return void(pen.text(below, height, 0, words.number, p.text, Face::text, whole));
     pen.text({right, first}, height, 1, words.number, p.text);
     pen.text(below, height, 0, words.caption, p.text, Face::small, whole);
@@ -281,13 +286,23 @@ Colour map_colour(const Palette& p, float value) {
     return colour_of_weight(p, value).with_alpha(0.15f + 0.6f * std::min(std::abs(value), 1.0f));
 }
 
+// On the map of a lecture a sensor has a word in place of the icon of its channel, where the card has room for it.
+std::string map_name_of(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node) {
+    std::string name = name_of(pen, picture, node);
+    const Sensor* sensor = find_sensor(kind_of(*picture.view.now, picture.vehicle).sensors, node.name);
+    if (!picture.view.lecture || !sensor || name == node.name) return name;
+    std::string word(pen.ui.strings("wiring.word." + std::string(row_of(sensor->channel).word)));
+    if (name.back() == 'L' || name.back() == 'R') word += std::string(" ") + name.back();
+    return pen.cuts(word, Face::strong, shape.size.x - 2 * map_name_margin) ? name : word;
+}
+
 // On the map: as large as the card allows, at least least_type() high if the card is as high.
 void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
     constexpr float share = 0.6f;  // of the card's height
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
     const Node& node = picture.graph.nodes[shape.node];
-    const std::string name = name_of(pen, picture, node);
+    const std::string name = map_name_of(pen, picture, shape, node);
     const float least = pen.least_type();
     if (pen.size(shape.size.y) < least) return;
     const float room = map_room(pen, picture, shape, name);
@@ -327,6 +342,42 @@ void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {
     pen.box(shape.centre, shape.size - vec2{24, 24}, 6, map_colour(p, value));
 }
 
+// What a card of a lecture has no room for: the step of a neuron, as "≥ 0.50", and on the map of a small brain the
+// value of the node before it.
+std::string words_below(const Pen& pen, const Picture& picture, const NodeShape& shape, float value) {
+    constexpr std::size_t small_brain = 12;  // nodes
+    const Node& node = picture.graph.nodes[shape.node];
+    if (!picture.view.lecture) return {};
+    std::string words;
+    if (detail_of(pen) == Detail::map && picture.layout.nodes.size() <= small_brain)
+        words = fixed(pen.ui, shown_value(node, value), 2);
+    if (node.kind == NodeKind::neuron && node.curve.response == Response::step)
+        words += (words.empty() ? "≥ " : " (≥ ") + fixed(pen.ui, node.curve.peak, 2) + (words.empty() ? "" : ")");
+    return words;
+}
+
+// Below the card, else above it: where the words cover no card, no label and no other such words; else nowhere.
+void draw_words_below(const Pen& pen, const Picture& picture, std::size_t index, OccupiedBoxes& taken) {
+    const NodeShape& shape = picture.layout.nodes[index];
+    const std::string words = words_below(pen, picture, shape, picture.readings.nodes[index]);
+    if (words.empty()) return;
+    const float height = pen.least_type() / pen.view.scale, own = compat::size_of(font(pen.ui, Face::text));
+    const vec2 extent{text_width(pen.ui, Face::text, words) * height / own + 6, height};
+    const float away = shape.size.y / 2 + height / 2 + 2;
+    for (const float side : {1.0f, -1.0f}) {
+        const vec2 at = shape.centre + vec2{0, side * away};
+        const bool is_inside = at.x - extent.x / 2 > picture.low.x && at.x + extent.x / 2 < picture.high.x &&
+                               at.y - extent.y / 2 > picture.low.y && at.y + extent.y / 2 < picture.high.y;
+        if (!is_inside || taken.overlaps(at, extent)) continue;
+        taken.add(at, extent);
+        pen.box(at, extent, 4, pen.palette().ground.with_alpha(0.85f));
+        const Rect rect = pen.text(at, height, 0.5f, words, pen.palette().text);
+        if (picture.view.mode != Mode::wiring)
+            pen.ui.anchors.record("below." + picture.graph.nodes[shape.node].name, rect);
+        return;
+    }
+}
+
 // True for a pin that the dragged wire can be joined to.
 bool invites(const Picture& picture, const NodeShape& shape, bool out) {
     const Drag& drag = picture.state.drag;
@@ -351,8 +402,10 @@ float glyph_reach(const Curve& curve) {
 }
 
 bool cuts_name(const Pen& pen, const Picture& picture, const NodeShape& shape) {
-    const std::string name = name_of(pen, picture, picture.graph.nodes[shape.node]);
     const Detail detail = detail_of(pen);
+    const Node& node = picture.graph.nodes[shape.node];
+    const std::string name =
+        detail == Detail::map ? map_name_of(pen, picture, shape, node) : name_of(pen, picture, node);
     const float room = detail == Detail::map ? map_room(pen, picture, shape, name) : name_room(shape, detail);
     return pen.cuts(name, Face::strong, room);
 }
@@ -371,6 +424,13 @@ void draw_nodes(const Pen& pen, const Picture& picture) {
         if (shape.has_out) draw_pin(pen, shape.out_pin(), size, 0, out, invites(picture, shape, true), true);
         if (detail_of(pen) == Detail::map) draw_name(pen, picture, i);
     }
+    if (!picture.view.lecture) return;
+    OccupiedBoxes taken;
+    for (const NodeShape& node : picture.layout.nodes) taken.add(node.centre, node.size);
+    if (detail_of(pen) != Detail::map)
+        for (const WireShape& wire : picture.layout.wires)
+            if (wire.label_size.x > 0) taken.add(wire.label, wire.label_size);
+    for (std::size_t i = 0; i < picture.layout.nodes.size(); ++i) draw_words_below(pen, picture, i, taken);
 }
 
 }  // namespace braitenlab::wiring

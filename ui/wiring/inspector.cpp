@@ -181,7 +181,10 @@ void draw_inspector(const LabView& view, CanvasState& state, SliderState& slider
         in.target.kind = vehicle->kind;
     else
         in.target.vehicle = vehicle->id;
-    if (begin_card(ui, state.inspector, "card.inspector", heading(in), rect)) show(in);
+    if (begin_card(ui, state.inspector, "card.inspector", heading(in), rect)) {
+        if (view.lecture) gap(ui, spacing::tight);  // below the heading, whose type is large
+        show(in);
+    }
     end_card(ui, state.inspector);
 }
 

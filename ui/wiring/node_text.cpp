@@ -32,6 +32,7 @@ struct Term {
 
 using Values = std::function<float(NodeId)>;
 using Learned = std::function<float(const Wire&)>;
+using Named = std::function<std::string(NodeId)>;
 
 // A number with the decimal mark of the language.
 struct Decimals {
@@ -50,7 +51,7 @@ std::vector<const Wire*> feeding_wires(const BrainGraph& graph, NodeId id, const
 }
 
 std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Values& value, const Learned& learned,
-                           Decimals number) {
+                           const Named& named, Decimals number) {
     std::vector<Term> terms;
     for (const Wire* wire : feeding_wires(graph, node.id, learned)) {
         const float reading = value(wire->from), input = let_through(*wire, reading);
@@ -59,8 +60,9 @@ std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Valu
         const std::string factor = is_masked   ? "(" + number(reading) + " < θ)"
                                    : input < 0 ? "(" + number(input) + ")"
                                                : number(input);
+        const std::string name = named ? named(wire->from) + " " : "";
         terms.push_back(
-            {factor + "·" + as_factor(weight, 2, number.mark), false});  // as the equations of the brain card
+            {name + factor + "·" + as_factor(weight, 2, number.mark), false});  // as the equations of the brain card
     }
     if (node.bias != 0 || terms.empty()) terms.push_back({number(std::abs(node.bias)), node.bias < 0});
     return terms;
@@ -154,14 +156,14 @@ float shown_value(const Node& node, float value) {
     return node.kind == NodeKind::motor ? std::clamp(value, -1.0f, 1.0f) : value;
 }
 
-std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, const Learned& learned,
-                     char decimal_mark) {
+std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, const Learned& learned, char decimal_mark,
+                     const Named& named) {
     const Node* node = find_node(graph, id);
     if (node == nullptr || node->kind == NodeKind::sensor) return {};
     const Decimals number{decimal_mark};
     const std::string result = " → " + number(shown_value(*node, value(id)));
     const float sum = sum_of(graph, id, value, learned);
-    std::string text = joined(terms_of(graph, *node, value, learned, number));
+    std::string text = joined(terms_of(graph, *node, value, learned, named, number));
     if (node->curve.response == Response::step)
         return text + " = " + number(sum) + (sum >= node->curve.peak ? " ≥ " : " < ") + number(node->curve.peak) +
                result;

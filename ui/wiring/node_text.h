@@ -34,10 +34,12 @@ std::string short_wire_name(const std::vector<Sensor>&, const BrainGraph&, WireE
 // value. A curve f is on a separate line: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
 // includes leaky memory and lesions. Wires of weight 0 and cut wires are left out; lines have at most three terms.
 // The sum of a motor is limited: "0.55·2.00 = 1.10 → 1.00".
-// `value` gives a node's value, `learned` the learned part of a wire's weight.
+// `value` gives a node's value, `learned` the learned part of a wire's weight, `named` the name of the node at which a
+// wire begins, which then precedes its input: "SL 0.42·0.80 + 0.10 → 0.44".
 // Empty for a sensor and for a node that the graph does not have.
 std::string sum_text(const BrainGraph&, NodeId, const std::function<float(NodeId)>& value,
-                     const std::function<float(const Wire&)>& learned = {}, char decimal_mark = '.');
+                     const std::function<float(const Wire&)>& learned = {}, char decimal_mark = '.',
+                     const std::function<std::string(NodeId)>& named = {});
 
 // The value that is shown for a node: of a motor the wheel command, which is limited to −1..1.
 float shown_value(const Node&, float value);
