@@ -25,16 +25,27 @@ int check_lecture(const std::filesystem::path& path, bool json) {
     if (!lecture) return complain(lecture.error());
     const float sum = minutes_of_pages(*lecture);
     const bool fits = std::fabs(sum - lecture->minutes) <= tolerated * lecture->minutes;
+    std::vector<std::size_t> long_questions;  // numbers of pages
+    for (std::size_t i = 0; i < lecture->pages.size(); ++i)
+        if (is_long(lecture->pages[i].question)) long_questions.push_back(i + 1);
     if (json)
         std::cout << io::json_text(nlohmann::ordered_json{{"lecture", lecture->id},
                                                           {"pages", lecture->pages.size()},
                                                           {"minutes", lecture->minutes},
                                                           {"minutes_of_pages", sum},
+                                                          {"long_questions", long_questions},
                                                           {"sound", fits}},
                                    2)
                   << "\n";
-    else
-        std::cout << format_lines("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,
+    for (const std::size_t page : json ? std::vector<std::size_t>{} : long_questions)
+        std::cout << format_lines(
+            "{}: warning: page {}: a window of 1024x768 cannot show all options of the question "
+            "without scrolling; use fewer or shorter ones
+",
+            path.string(), page);
+    if (!json)
+        std::cout << format_lines("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}
+", lecture->id,
                                   lecture->pages.size(), sum, lecture->minutes, fits ? "good" : "wrong");
     return fits ? exit_code::done : exit_code::failed;
 }

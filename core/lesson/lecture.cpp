@@ -10,6 +10,7 @@
 #include "core/scene/format_table.h"
 #include "core/scene/nearest.h"
 #include "core/scene/toml_reader.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -232,6 +233,14 @@ bool shows(const LecturePage& page, PagePart part, int steps) {
     const std::size_t done = std::min(page.reveal.size(), static_cast<std::size_t>(std::max(0, steps)));
     for (std::size_t i = 0; i < done; ++i) shown |= page.reveal[i][index_of(part)];
     return shown;
+}
+
+bool is_long(const LectureQuestion& asked) {
+    constexpr std::size_t letters = 26, most_lines = 15, lines_of_hands = 2;  // in that window, with the smallest type
+    const auto lines = [&](const std::string& text) { return (count_characters(text) + letters - 1) / letters; };
+    std::size_t sum = lines(asked.text);
+    for (const std::string& option : asked.options) sum += lines(option) + lines_of_hands;
+    return sum > most_lines;
 }
 
 float minutes_of_pages(const Lecture& lecture) {

@@ -118,6 +118,10 @@ struct Lecture {
     std::vector<LecturePage> pages;
 };
 
+// True if a window of 1024x768 probably cannot show all options with their hands without scrolling: estimated from the
+// number of lines, because there are no letters here.
+bool is_long(const LectureQuestion&);
+
 // The sum of the minutes of the pages.
 float minutes_of_pages(const Lecture&);
 

@@ -118,6 +118,26 @@ TEST(CtlCheck, TheExerciseOfTheDocumentationIsSoundWithoutAWarning) {
     EXPECT_EQ(ran.out.find("warning"), std::string::npos) << ran.out;
 }
 
+TEST(CtlCheck, WarnsOfAQuestionWhoseOptionsNeedScrolling) {
+    const std::string file = scratch("lecture.toml");
+    for (const int options : {3, 6}) {
+        std::ofstream out(file);
+        out << "format = 1\ntitle = \"T\"\nminutes = 1\n[[page]]\nscene = \"2a-coward\"\nminutes = 1\n[page.question]\n"
+            << "options = [";
+        for (int i = 0; i < options; ++i) out << "\"" << i << " it turns away from the lamp and slows down\", ";
+        out << "]\nanswer = \"0 it turns away from the lamp and slows down\"\n";
+        out.close();
+        const Ran ran = ctl("check " + file);
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        EXPECT_EQ(ran.out.find("warning: page 1: ") != std::string::npos, options == 6) << ran.out;
+        EXPECT_EQ(Json::parse(ctl("check --json " + file).out)["long_questions"],
+                  options == 6 ? Json::array({1}) : Json::array());
+    }
+    std::filesystem::remove(file);
+    for (const char* lecture : {"fitter", "four-numbers", "wheels-to-neurons"})
+        EXPECT_EQ(ctl(std::string("check ") + lecture).out.find("warning"), std::string::npos) << lecture;
+}
+
 TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
     const std::string brain = scratch("brain.toml");
     std::ofstream(brain) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n";

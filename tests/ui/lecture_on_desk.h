@@ -35,6 +35,12 @@ inline Snapshot first_moment(const LecturePage& page) {
     return now;
 }
 
+inline Snapshot first_moment_of(const Scene& scene) {
+    Snapshot now;
+    World::create(scene, 1)->capture(now);
+    return now;
+}
+
 // The strings with the words of the shipped lectures.
 inline Strings speaking_in_lectures(const std::string& code) {
     Strings strings = speaking(code);

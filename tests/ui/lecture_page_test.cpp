@@ -322,6 +322,80 @@ TEST_F(LecturePages, ShowsThePageNumberAndTheTitleOfTheLecture) {
     EXPECT_FALSE(desk.says("A scene")) << "the title of the scene could tell the answer";
 }
 
+TEST_F(LecturePages, ALongTitleIsShortenedInTheBar) {
+    Lecture lecture = *pages.lecture;
+    lecture.title = "A coward, and what it is made of, with a title that is much longer than the bar of a lecture";
+    pages.lecture = std::make_shared<const Lecture>(lecture);
+    for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {800.0f, 600.0f}}) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        show(1, 0);
+        EXPECT_TRUE(desk.says("A coward")) << width;
+        for (const Written& w : desk.written)
+            if (w.words.starts_with("A coward")) {
+                EXPECT_LT(w.rect.x + w.rect.w, desk.where("lecture.previous").x);
+            }
+    }
+}
+
+TEST_F(LecturePages, AnExerciseThatAsksHasTheRoomOfTheSlidersUntilThePredictionIsMade) {
+    const auto exercise = load_exercise(shipped_exercises() / "guided/05-aggressor.toml");
+    Lecture lecture = *pages.lecture;
+    LecturePage page;
+    page.caption = "Your turn: make it attack";
+    page.at_first[static_cast<std::size_t>(PagePart::exercise)] = true;
+    page.at_first[static_cast<std::size_t>(PagePart::sliders)] = true;
+    page.at_first[static_cast<std::size_t>(PagePart::caption)] = true;
+    page.at_first[static_cast<std::size_t>(PagePart::brain)] = true;
+    lecture.pages = {page};
+    pages.lecture = std::make_shared<const Lecture>(lecture), pages.hands = {{}};
+    desk.open_exercise();
+    desk.lesson.exercise = &*exercise;
+    desk.lesson.at_start = desk.lesson.as_given = true;
+    desk.now = first_moment_of(exercise->scene);
+    for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {800.0f, 600.0f}})
+        for (const std::string& code : shipped_codes()) {
+            ImGui::GetIO().DisplaySize = {width, height};
+            desk.strings = speaking(code);
+            desk.lesson.attempt.answers.prediction = -1;
+            desk.panels.exercise.id.clear();
+            pages.page = 0;
+            desk.view.pages = nullptr;
+            desk.frame(2);
+            desk.view.pages = &pages;
+            show(0, 0);
+            desk.frame(6);
+            EXPECT_TRUE(desk.panels.card(Card::brain).folded);
+            for (std::size_t i = 1; i <= exercise->prediction.options.size(); ++i) {
+                const Rect option = desk.where("exercise.predict." + std::to_string(i));
+                EXPECT_GT(option.h, 20) << code << width << " option " << i;
+                EXPECT_TRUE(is_inside(option, desk.where("card.exercise")));
+            }
+            desk.lesson.attempt.answers.prediction = 0;
+            desk.frame(4);
+            EXPECT_FALSE(desk.panels.card(Card::brain).folded);
+        }
+}
+
+TEST_F(LecturePages, OptionsThatAreNotLongNeedNoScrolling) {
+    int fitting = 0;
+    for (const int options : {2, 3, 4, 5, 6})
+        for (const int words : {1, 4, 8, 12}) {
+            Lecture lecture = *pages.lecture;
+            LectureQuestion& asked = lecture.pages[1].question;
+            std::string text = "It";
+            for (int i = 0; i < words; ++i) text += " turns";
+            asked.options.assign(static_cast<std::size_t>(options), text);
+            pages.lecture = std::make_shared<const Lecture>(lecture);
+            pages.hands[1].assign(static_cast<std::size_t>(options), 0);
+            if (is_long(asked)) continue;
+            show(1, 0);
+            ++fitting;
+            const Rect* bar = desk.anchors.find("lecture.share." + std::to_string(options));
+            EXPECT_TRUE(bar && bar->h > 15) << options << " options of " << words + 1 << " words";
+        }
+    EXPECT_GT(fitting, 8);
+}
+
 TEST_F(LecturePages, ShowsNotesAndTheTimeOnRequestOnly) {
     show(2, 0);
     EXPECT_FALSE(desk.anchors.find("lecture.notes"));

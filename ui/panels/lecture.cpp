@@ -211,12 +211,22 @@ void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
     mark(ui, "hint.bar", {from, bar.y, room, bar.h});
 }
 
-// Opens and folds the cards that a page shows, when it has gone to another step; then the lecturer can fold them.
+// True while the exercise of the page waits for its prediction. Then its card has the room of the sliders.
+bool asks_prediction(const LabView& view) {
+    return view.pages && view.lesson && view.pages->shows(PagePart::exercise) && view.may.open_prediction &&
+           awaits_prediction(*view.lesson);
+}
+
+// Opens and folds the cards that a page shows, when it has gone to another step, and the sliders once a prediction is
+// made; then the lecturer can fold them.
 void follow_page(const LabView& view, PanelState& state) {
     const std::array<int, 3> step = view.pages
                                         ? std::array{static_cast<int>(view.run_id), view.pages->page, view.pages->step}
                                         : std::array{-1, -1, -1};
     const std::array<int, 3> before = std::exchange(state.lecture.step, step);
+    const bool asks = asks_prediction(view), was_asked = std::exchange(state.lecture.asks_prediction, asks);
+    if (view.pages && was_asked && !asks && view.pages->shows(PagePart::sliders))
+        state.card(Card::brain).folded = false;
     if (!view.pages || before == step) return;
     const bool new_page = before[0] != step[0] || before[1] != step[1];
     if (new_page) state.lecture.hands.clear(), state.card(Card::slots).folded = false;
@@ -224,6 +234,7 @@ void follow_page(const LabView& view, PanelState& state) {
         const bool shown = view.pages->shows(part);
         const bool was_shown = shows(view.pages->current(), part, before[2]);
         if (new_page || shown != was_shown) state.card(card).folded = !shown;
+        if (card == Card::brain && asks) state.card(card).folded = true;
     }
 }
 

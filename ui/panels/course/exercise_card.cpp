@@ -286,7 +286,8 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
     exercise_files(view, state, ui, width);
 }
 
-// Forgets what the card of another exercise has scrolled to, and goes back to its top.
+// Forgets what the card of another exercise has scrolled to, and goes back to its top, on a page of a lecture that asks
+// its question to the end of that.
 void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise.id == lesson.exercise->id) return;
     state.exercise.id = lesson.exercise->id;
@@ -296,7 +297,7 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
     state.exercise.hints_seen = 0;
     CardState& sensors = state.card(Card::sensors);  // open, it would take the room of the question
     sensors.folded = traits(Card::sensors).folded, sensors.opened_by_user = false;
-    aim_at(state.exercise.rows, ExerciseRows::Aim::top);
+    aim_at(state.exercise.rows, state.lecture.asks_prediction ? ExerciseRows::Aim::outcome : ExerciseRows::Aim::top);
 }
 
 // Once the exercise is passed they can be folded.
