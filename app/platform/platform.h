@@ -82,8 +82,8 @@ bool has_threads();
 // The file of a program that the system finds by its name, as a command line does; empty if there is none.
 std::filesystem::path find_program(const std::string& name);
 
-// Opens a file with the program that the system has for its type, without waiting for it. False if there is none. A
-// browser shows an HTML file in a window of its own, which follows the file; false for other files, and if it refuses
+// Opens a file with the program that the system has for its type, without waiting for its end. False if there is none.
+// A browser shows an HTML file in a window of its own, which follows the file; false for other files, and if it refuses
 // the window.
 bool open_with_system(const std::filesystem::path&);
 

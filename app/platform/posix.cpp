@@ -166,7 +166,10 @@ std::filesystem::path find_program(const std::string& name) {
 bool open_with_system(const std::filesystem::path& file) {
     const std::filesystem::path opener = find_program("xdg-open");
     if (opener.empty()) return false;
-    // A child starts the program and ends at once, so that the program has no parent that must wait for it.
+    // A child starts the program and ends soon, so that the program has no parent that must wait for it. An opener that
+    // finds no program fails within this time; one that still runs shows the file.
+    constexpr int looks = 50;
+    constexpr timespec between_looks{0, 20'000'000};  // 20 ms
     std::string program = opener.string(), argument = file.string();
     std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
     const pid_t child = fork();
@@ -174,7 +177,14 @@ bool open_with_system(const std::filesystem::path& file) {
     if (child == 0) {
         setsid();
         pid_t opened = -1;
-        _exit(posix_spawn(&opened, program.c_str(), nullptr, nullptr, arguments.data(), environ) == 0 ? 0 : 1);
+        if (posix_spawn(&opened, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0) _exit(1);
+        int status = 0;
+        pid_t ended = 0;
+        for (int i = 0; i < looks && ended == 0; ++i) {
+            nanosleep(&between_looks, nullptr);
+            ended = waitpid(opened, &status, WNOHANG);
+        }
+        _exit(ended == opened && status != 0 ? 1 : 0);
     }
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -53,6 +53,14 @@ TEST_F(Pages, CopyTheirPathWithoutAProgramAndDoNothingForOtherFiles) {
         EXPECT_TRUE(lab.window.to_copy.empty()) << other;
     }
 }
+TEST_F(Pages, AreNotOpenedByAProgramThatFindsNone) {
+    const auto opener = folder / "xdg-open", file = folder / "page.html";
+    for (const auto& [ending, opens] : {std::pair{"exit 0", true}, {"exit 3", false}, {"exec /bin/sleep 5", true}}) {
+        std::ofstream(opener) << "#!/bin/sh\n" << ending << "\n";
+        std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
+        EXPECT_EQ(open_with_system(file), opens) << ending;
+    }
+}
 #endif
 
 }  // namespace
