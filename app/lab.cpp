@@ -35,7 +35,7 @@ void replace_document(Lab& lab, Document next) {
     lab.object_name.clear();
     lab.dragging = false, lab.deselected = Deselected::no;
     lab.steered = {};
-    if (lab.lectures.tally) lab.lectures.tally = empty_tally();
+    if (lab.lectures.tally) lab.lectures.tally = empty_tally(lab.lectures.tally_options);
     lab.notice = {};
     lab.findings.clear();
     if (lab.document.lesson) lab.document.lesson->last_hint_at = lab.wall_seconds;
@@ -64,8 +64,7 @@ Camera camera_of(const LecturePage& page) {
 
 }  // namespace
 
-LectureView empty_tally() {
-    constexpr std::size_t options = 4;
+LectureView empty_tally(std::size_t options) {
     Lecture lecture;
     lecture.pages.resize(1);
     lecture.pages.front().question.options.resize(options);

@@ -37,6 +37,7 @@ struct LectureMemory {
     std::uint64_t left_run = 0;          // Document::run_id when it was left; F9 then goes back to it
     Slots slots_before{};                // restored when lecture mode ends; each page begins without stored brains
     std::optional<LectureView> tally{};  // of a question that is asked without pages; nullopt: hands are not counted
+    std::size_t tally_options = 4;       // of the present tally and the next one
     double began = 0;                    // wall seconds
     std::string notes_written{};  // the page of notes as written last; empty: none is open. See app/course/notes_page.h
 };
@@ -90,8 +91,8 @@ void replace_document(Lab&, Document);
 // Starts and takes what the features compute in the background. Call once per turn, after Jobs::deliver.
 void update_features(Lab&, Jobs&);
 
-// A page with a question whose options have no words, without hands.
-LectureView empty_tally();
+// A page with a question of so many options without words, without hands.
+LectureView empty_tally(std::size_t options);
 
 // The camera that Home restores: that of the lecture's page, else the default.
 Camera home_camera(const Workspace&);

@@ -121,6 +121,7 @@ void handle(Lab& lab, const Request& request) {
                          edit_students(lab, r);
                      },
                      [&](const HandsRequest& r) { count_hands(lab, r); },
+                     [&](const TallyRequest& r) { change_tally(lab, r); },
                      [&](const SlotRequest& r) { handle_slot(lab.slots, lab, r); },
                      [&](const MysteryRequest& r) { handle_mystery(lab.mystery, lab, r); },
                      [&](const ExportRequest& r) { lab.window.files.push_back(r); },

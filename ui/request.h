@@ -96,6 +96,10 @@ struct FreePlayRequest {
 struct HandsRequest {  // the count of raised hands of an option on the current page of the lecture
     int option = 0, hands = 0;
 };
+inline constexpr std::size_t least_tally_options = 2, most_tally_options = 6;
+struct TallyRequest {  // the number of options of the question that a lecture asks without a page
+    std::size_t options = most_tally_options;
+};
 struct ShowMeRequest {};     // gives the vehicle the exercise's solution
 struct ChooseChildRequest {  // the vehicle gets the brain of this child, which then has children itself
     int child = 0;           // 0-based; −1: the parent again, for other children
@@ -277,9 +281,9 @@ struct Request
                    BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest,
                    NoticeRequest, SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest,
                    EarlierGenerationRequest, KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest,
-                   HandInRequest, LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest, UploadRequest,
-                   MysteryRequest, WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest, CancelClipRequest,
-                   HideFindingsRequest, BreedingRequest, EmptySlotsRequest, OpenWrittenRequest> {
+                   TallyRequest, HandInRequest, LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest,
+                   UploadRequest, MysteryRequest, WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest,
+                   CancelClipRequest, HideFindingsRequest, BreedingRequest, EmptySlotsRequest, OpenWrittenRequest> {
     using variant::variant;
     Request() = default;
     Request(const Request&);

@@ -220,7 +220,16 @@ void switch_tally(Lab& lab) {
     auto& tally = lab.lectures.tally;
     if (lab.pages) return say(lab, {NoticeKind::notice, "unavailable.tally"});
     if (!lab.before_lecture) return;
-    tally = tally ? std::nullopt : std::optional(empty_tally());
+    tally = tally ? std::nullopt : std::optional(empty_tally(lab.lectures.tally_options));
+}
+
+void change_tally(Lab& lab, const TallyRequest& request) {
+    if (!lab.lectures.tally) return;
+    const std::size_t options = std::clamp(request.options, least_tally_options, most_tally_options);
+    const std::vector<int> counted = lab.lectures.tally->hands.front();
+    lab.lectures.tally_options = options;
+    lab.lectures.tally = empty_tally(options);
+    std::copy_n(counted.begin(), std::min(counted.size(), options), lab.lectures.tally->hands.front().begin());
 }
 
 void count_hands(Lab& lab, const HandsRequest& request) {

@@ -53,6 +53,9 @@ void previous_page(Lab&);
 // question: then shows a notice. Does nothing outside a lecture. Another scene begins a new count.
 void switch_tally(Lab&);
 
+// Gives the tally another number of options; their hands stay.
+void change_tally(Lab&, const TallyRequest&);
+
 // Sets the number of raised hands, 0 .. 999, of an option of the page, or of the tally without one.
 void count_hands(Lab&, const HandsRequest&);
 

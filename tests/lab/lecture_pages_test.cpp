@@ -614,6 +614,13 @@ TEST_F(LabLecturePages, ATallyCountsHandsForAQuestionWithoutAPageUntilTheNextSce
     handle(lab, HandsRequest{1, 7});
     handle(lab, HandsRequest{4, 7});
     EXPECT_EQ(hands(), (std::vector{0, 7, 0, 0}));
+    handle(lab, TallyRequest{3});
+    EXPECT_EQ(hands(), (std::vector{0, 7, 0})) << "a question of three options";
+    for (const std::size_t wanted : {std::size_t{1}, std::size_t{7}, std::size_t{4}}) {
+        handle(lab, TallyRequest{wanted});
+        EXPECT_EQ(hands().size(), std::clamp(wanted, least_tally_options, most_tally_options));
+        EXPECT_EQ(hands()[1], 7);
+    }
     open("3a-love");
     EXPECT_EQ(hands(), (std::vector{0, 0, 0, 0})) << "the next question";
     press({'V', false, true});

@@ -1,5 +1,7 @@
 // The question of a page of a lecture: counted hands, shares and the answer.
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "lecture_on_desk.h"
 #include "ui/widgets/paint.h"
@@ -151,6 +153,11 @@ TEST_F(LectureHands, AQuestionWithoutAPageHasATallyOfLettersBesideTheScene) {
         ASSERT_TRUE(desk.last<HandsRequest>());
         EXPECT_EQ(desk.last<HandsRequest>()->option, 3);
         EXPECT_EQ(desk.last<HandsRequest>()->hands, 1);
+        desk.click("tally.fewer");
+        ASSERT_TRUE(desk.last<TallyRequest>());
+        EXPECT_EQ(desk.last<TallyRequest>()->options, 3u) << "a question with three options";
+        desk.click("tally.more");
+        EXPECT_EQ(desk.last<TallyRequest>()->options, 5u);
         tally.hands = {{1, 0, 0, 3}};
         desk.frame(2);
         EXPECT_TRUE(desk.says("75%"));
@@ -219,6 +226,36 @@ TEST_F(LectureHands, TheAnswerMovesNoOptionWhereTheReasonHasRoom) {
             EXPECT_EQ(now.y, bar.y);
         }
     }
+}
+
+TEST_F(LectureHands, TheReasonsOfALectureAreBelowAllOptionsAndHaveOneSize) {
+    for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {800.0f, 600.0f}, {1280.0f, 800.0f}})
+        for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
+            ImGui::GetIO().DisplaySize = {width, height};
+            pages = opened_lecture(name);
+            std::set<float> sizes;
+            for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+                show(page, 2);
+                const LectureQuestion& asked = pages.current().question;
+                if (asked.options.empty()) continue;
+                SCOPED_TRACE(std::string(name) + " " + std::to_string(page + 1) + " at " + std::to_string(width));
+                const Rect last = desk.where("lecture.count." + std::to_string(asked.options.size()));
+                const auto reason = std::find_if(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+                    return !w.words.empty() && asked.why.starts_with(w.words);
+                });
+                ASSERT_NE(reason, desk.written.end());
+                EXPECT_GT(reason->rect.y, last.y);
+                sizes.insert(reason->size);
+            }
+            EXPECT_EQ(sizes.size(), 1u) << name << width;
+        }
+}
+
+TEST_F(LectureHands, TheBarsAreLongAlsoBeforeTheAnswer) {
+    show(1, 0);
+    const Rect card = desk.where("lecture.question");
+    for (const char* bar : {"lecture.share.1", "lecture.share.2", "lecture.share.3"})
+        EXPECT_GT(desk.where(bar).w, 0.3f * card.w) << bar;
 }
 
 TEST_F(LectureHands, TheReasonIsInALargeSizeWhereItHasRoom) {

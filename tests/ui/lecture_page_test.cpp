@@ -280,6 +280,7 @@ TEST_F(LecturePages, NotesLeaveTheOptionsOfTheQuestionInSightAndScroll) {
                     const Rect bar = desk.where("lecture.share." + std::to_string(i));
                     EXPECT_GT(bar.h, 15) << "not clipped";
                     EXPECT_LE(bar.y + bar.h, notes.y) << i;
+                    EXPECT_TRUE(desk.says(std::string(1, static_cast<char>('A' + i - 1)))) << "its letter";
                 }
             }
         }

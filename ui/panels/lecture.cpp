@@ -25,6 +25,7 @@ namespace {
 
 constexpr double pressed_key_seconds = 2.5;
 constexpr std::size_t most_pressed_keys = 4;
+constexpr float least_title = 120;  // layout pixels, of a shortened one
 
 struct LectureFigure {
     std::string_view anchor, caption;  // caption: key of the string
@@ -307,9 +308,9 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     const float home = home_button(view, ui, until, page, bar);
     const float right = pressed_keys(view, state, ui, until, home, bar);
     const float room = std::max(0.0f, right - ui.px(12) - from);
-    // In a lecture file the number of the page says enough where the title has no room.
+    // In a lecture file the number of the page says enough where the title has hardly any room.
     std::string title = title_of_bar(view, ui);
-    if (view.pages && text_width(ui, Face::title, title) > room) title.clear();
+    if (view.pages && room < ui.px(least_title) && text_width(ui, Face::title, title) > room) title.clear();
     if (state.lecture.marks.drawing)
         sign_of_pen(ui, {from, bar.y, room, bar.h});
     else if (view.notice.empty())

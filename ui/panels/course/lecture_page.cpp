@@ -23,10 +23,10 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float caption_side = 20, caption_above = spacing::tight, page_padding = spacing::medium;  // layout pixels
-constexpr float hands_field = 56, hands_button = 32, bar_thickness = 16, between_answers = spacing::small,
+constexpr float hands_field = 44, hands_button = 28, bar_thickness = 16, between_answers = spacing::small,
                 count_width = 48;
-constexpr float letter_column = 36;  // of "A", at the caption's size
-constexpr float card_around = 60;    // heading and padding of the card, in height
+constexpr float letter_column = 36, small_letter_column = 24;  // of "A", at the caption's size, and beside notes
+constexpr float card_around = 60;                              // heading and padding of the card, in height
 
 std::string option_id(const char* stem, std::size_t option) { return stem + std::to_string(option + 1); }
 
@@ -124,17 +124,20 @@ Face face_of_options(const Lecture& lecture, const Ui& ui, float width, float he
 
 std::string letter_of(std::size_t option) { return {static_cast<char>('A' + option)}; }
 
-// Beside notes there is no room for the letters.
-float indent_of_options(const LectureView& page, const Ui& ui) { return page.notes ? 0 : ui.px(letter_column); }
+// Beside notes the options are small.
+float indent_of_options(const LectureView& page, const Ui& ui) {
+    return ui.px(page.notes ? small_letter_column : letter_column);
+}
 
-// The words of an option with the letter by which the lecturer calls it. The cursor is then at its row for the hands.
+// The words of an option with the letter by which the lecturer calls it. The cursor is then at its row for the hands,
+// below the letter, so that the bar is long.
 void lettered_option(const LectureView& page, Ui& ui, std::size_t option, Colour letter, Colour words, Face face) {
     const float indent = indent_of_options(page, ui);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (indent > 0) put(ui, at, letter_of(option), letter, face);
+    put(ui, at, letter_of(option), letter, face);
     ImGui::SetCursorScreenPos({at.x + indent, at.y});
     even_paragraph(ui, translated(ui, page.current().question.options[option]), words, face);
-    ImGui::SetCursorScreenPos({at.x + indent, ImGui::GetCursorScreenPos().y});
+    ImGui::SetCursorScreenPos({at.x, ImGui::GetCursorScreenPos().y});
 }
 
 void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option, Face face) {
@@ -176,10 +179,10 @@ void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face
     gap(ui, gap_of_options(face));
 }
 
-// The type of an answer in a lower window. The right option is larger than the others, unless even the smallest reason
-// then has no room: in such a tight answer each bar is directly below its option.
+// The type of the options of an answer in a lower window. The right one is larger than the others, unless even the
+// smallest reason then has no room: in such a tight answer each bar is directly below its option.
 struct AnswerType {
-    Face of_right, of_reason;
+    Face of_right;
     bool is_tight() const { return of_right == of_wrong; }
     Face of_option(bool right) const { return right ? of_right : of_wrong; }
     static constexpr Face of_wrong = Face::strong;
@@ -191,33 +194,44 @@ std::string words_of_answer(const Ui& ui, const LectureQuestion& asked, std::siz
            std::string(translated(ui, asked.options[option]));
 }
 
-// The largest type in which the reason fits with the options into this height: it pushes no option out of a small
-// window.
-AnswerType type_of_answer(const Ui& ui, const LectureQuestion& asked, Face of_options, float height) {
-    constexpr float reserve = spacing::small;  // of card_around; the right option is smaller only if this does not do
-    constexpr AnswerType largest{Face::title, Face::title};
-    const float below_option = ui.px(bar_thickness + between_answers + spacing::tight);
-    float used = ui.px(spacing::tight);
-    used += height_of_text(ui, asked, of_options);
-    for (std::size_t i = 0; i < asked.options.size(); ++i)
-        used += below_option + height_of(ui, words_of_answer(ui, asked, i), largest.of_option(is_right(asked, i)),
-                                         card_width(ui) - ui.px(count_width));
-    for (const Face face : {largest.of_reason, Face::text, Face::small}) {
-        const float room = face == Face::small ? height + ui.px(reserve) : height;
-        if (used + height_of(ui, translated(ui, asked.why), face, card_width(ui)) <= room)
-            return {largest.of_right, face};
-    }
-    return {AnswerType::of_wrong, Face::small};
+// The room of a question's card: the height of its content, the size of the options before the answer, and the indent
+// of their words.
+struct AnswerRoom {
+    float height;
+    Face of_options;
+    float indent;
+};
+
+// True if the reason fits below the options in their places.
+bool fits_in_place(const Ui& ui, const LectureQuestion& asked, const AnswerRoom& room, Face of_reason) {
+    const float used = height_of_options(ui, asked, room.of_options, card_width(ui), room.indent) +
+                       height_of_text(ui, asked, room.of_options);
+    return used + height_of(ui, translated(ui, asked.why), of_reason, card_width(ui)) <= room.height;
 }
 
-// The largest type in which the reason fits below the options in their places; nullopt where none does.
-std::optional<Face> face_of_reason_below(const LectureView& page, const Ui& ui, Face of_options, float height) {
-    const LectureQuestion& asked = page.current().question;
-    float used = height_of_options(ui, asked, of_options, card_width(ui), indent_of_options(page, ui));
-    used += height_of_text(ui, asked, of_options);
+// True if it fits below options with their counts beside them, of which the right one is large.
+bool fits_below_short_options(const Ui& ui, const LectureQuestion& asked, const AnswerRoom& room, Face of_reason) {
+    constexpr float reserve = spacing::small;  // of card_around; the right option is smaller only if this does not do
+    float used = ui.px(spacing::tight) + height_of_text(ui, asked, room.of_options);
+    for (std::size_t i = 0; i < asked.options.size(); ++i)
+        used += ui.px(bar_thickness + between_answers + spacing::tight) +
+                height_of(ui, words_of_answer(ui, asked, i), is_right(asked, i) ? Face::title : AnswerType::of_wrong,
+                          card_width(ui) - ui.px(count_width));
+    used += height_of(ui, translated(ui, asked.why), of_reason, card_width(ui));
+    return used <= (of_reason == Face::small ? room.height + ui.px(reserve) : room.height);
+}
+
+// The reasons of a lecture have one size: the largest in which each of them fits, with the options in their places
+// wherever these can be.
+Face face_of_reasons(const Lecture& lecture, const Ui& ui, const AnswerRoom& room) {
     for (const Face face : {Face::title, Face::text})
-        if (used + height_of(ui, translated(ui, asked.why), face, card_width(ui)) <= height) return face;
-    return std::nullopt;
+        if (std::all_of(lecture.pages.begin(), lecture.pages.end(), [&](const LecturePage& page) {
+                return page.question.options.empty() || fits_in_place(ui, page.question, room, face) ||
+                       (!fits_in_place(ui, page.question, room, Face::text) &&
+                        fits_below_short_options(ui, page.question, room, face));
+            }))
+            return face;
+    return Face::small;
 }
 
 // In a lower window the count is beside the option, and wrong options are smaller: the reason finds room.
@@ -235,20 +249,20 @@ void answered_option(const LectureView& page, Ui& ui, std::size_t option, Answer
     even_paragraph(ui, words_of_answer(ui, asked, option), colour, face, width);
     if (type.is_tight()) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(spacing::tight));
     share_bar(page, ui, option, colour, ui.px(bar_thickness));
-    if (right && !asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, type.of_reason);
     gap(ui, between_answers);
 }
 
+// The reason is below all options, as it is read after them.
 void answered(const LectureView& page, Ui& ui, Face of_options, float height) {
     const LectureQuestion& asked = page.current().question;
-    const auto below = face_of_reason_below(page, ui, of_options, height);
-    if (!below) {
-        const AnswerType type = type_of_answer(ui, asked, of_options, height);
-        for (std::size_t i = 0; i < asked.options.size(); ++i) answered_option(page, ui, i, type);
-        return;
-    }
-    for (std::size_t i = 0; i < asked.options.size(); ++i) answered_in_place(page, ui, i, of_options);
-    if (!asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, *below);
+    const AnswerRoom room{height, of_options, indent_of_options(page, ui)};
+    const Face of_reason = face_of_reasons(*page.lecture, ui, room);
+    const bool is_in_place = fits_in_place(ui, asked, room, of_reason);
+    const bool is_tight = !is_in_place && !fits_below_short_options(ui, asked, room, of_reason);
+    for (std::size_t i = 0; i < asked.options.size(); ++i)
+        is_in_place ? answered_in_place(page, ui, i, of_options)
+                    : answered_option(page, ui, i, {is_tight ? AnswerType::of_wrong : Face::title});
+    if (!asked.why.empty()) even_paragraph(ui, translated(ui, asked.why), ui.palette.text, of_reason);
 }
 
 // Minutes and seconds: "12:05".
@@ -285,6 +299,21 @@ void lecture_caption(const LabView& view, Ui& ui, Rect r) {
     end_bar();
 }
 
+// Of a question that is asked without a page: one option less or one more.
+void tally_buttons(const LectureView& tally, Ui& ui) {
+    const std::size_t options = tally.current().question.options.size();
+    for (const bool is_more : {false, true}) {
+        const std::size_t wanted = is_more ? options + 1 : options - 1;
+        const std::string words = (is_more ? "+ " : "− ") + letter_of(is_more ? options : options - 1);
+        ButtonLook look{{}, words, Emphasis::quiet};
+        look.enabled = wanted >= least_tally_options && wanted <= most_tally_options;
+        if (is_more) ImGui::SameLine();
+        if (push_button(ui, is_more ? "tally.more" : "tally.fewer", look,
+                        ui.strings(is_more ? "lecture.more_options" : "lecture.fewer_options")))
+            ui.outbox.push_back(TallyRequest{wanted});
+    }
+}
+
 void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureView& page = *braitenlab::asked(view);
     const LectureQuestion& asked = page.current().question;
@@ -306,6 +335,7 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
             for (std::size_t i = 0; i < asked.options.size(); ++i) option_to_count(view, state, ui, i, face);
         else
             answered(page, ui, face, height);
+        if (!view.pages) tally_buttons(page, ui);
         ImGui::PopStyleVar();
     }
     end_card(ui, card);
