@@ -129,9 +129,11 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled, RingRoom room)
 }
 
 void reveal(const Ui& ui, float top, float bottom) {
-    if (ImGui::GetCurrentWindowRead()->Flags & ImGuiWindowFlags_NoScrollbar) return;
-    const ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float around = ui.px(6), low = draw.GetClipRectMin().y + around, high = draw.GetClipRectMax().y - around;
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
+    if (window.Flags & ImGuiWindowFlags_NoScrollbar) return;
+    // Of the whole part: within a text the clip rectangle is that of its visible lines, and empty if there is none.
+    const float around = ui.px(6), low = window.InnerClipRect.Min.y + around,
+                high = window.InnerClipRect.Max.y - around;
     const float below = bottom - high, above = low - top;
     if (above > 0 || bottom - top > high - low)
         ImGui::SetScrollY(ImGui::GetScrollY() - above);
