@@ -121,7 +121,7 @@ TEST_F(Note, AHintSaysHowLongItTakes) {
     desk.lesson.hint_in = 12;
     desk.frame(2);
     bool said = false;
-    for (const Written& written : desk.written) said |= written.words == "Next hint in 12 s, or after a run";
+    for (const Written& written : desk.written) said |= written.words == "Next hint in 12 s, or with the next run";
     EXPECT_TRUE(said);
 }
 
