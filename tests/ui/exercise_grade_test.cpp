@@ -238,4 +238,20 @@ TEST(ExerciseGrade, EnterOpensTheNextExerciseOnceItIsPassed) {
     EXPECT_TRUE(desk.panels.sliders.typed.empty());
 }
 
+TEST(ExerciseGrade, EnterIsWhatTheBarSaysAlsoWhileASliderHasTheFocus) {
+    Desk desk(1280, 800, 1, true);
+    const std::vector<CatalogueEntry> more{{"06-love", "6.toml", "Love", "", 6}};
+    desk.view.documents.catalogue = &more;
+    pass(desk);
+    desk.key({'1'});
+    desk.frame(3);
+    ASSERT_TRUE(desk.panels.keyboard.shown && desk.panels.keyboard.focus == "slider.LL");
+    EXPECT_TRUE(desk.says("Passed. Next exercise"));
+    EXPECT_FALSE(desk.says("types a number"));
+    desk.key({key::enter});
+    desk.frame(2);
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_TRUE(desk.panels.sliders.typed.empty());
+}
+
 }  // namespace braitenlab::tests::exercise_grade_test

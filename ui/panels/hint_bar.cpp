@@ -187,14 +187,6 @@ std::string key_to_slider(const LabView& view, std::string_view anchor) {
     return "[" + std::string(name(has_key ? keys[number] : Action::next_card)) + "]";
 }
 
-// True if keys have brought the focus to a slider of the brain.
-bool is_slider_focused(const Ui& ui) {
-    if (!ui.keyboard || !ui.keyboard->shown) return false;
-    const std::string& focus = ui.keyboard->focus;
-    return focus.starts_with("slider.") || focus.starts_with("bias.") || focus.starts_with("threshold.") ||
-           focus.starts_with("curve.");
-}
-
 void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view hint) {
     if (hint == "hint.slider_drag") {
         hint_line(ui, fill(ui.strings(hint), {ui.strings("key.shift")}), ui.palette.text, x, bar);
@@ -206,7 +198,8 @@ void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view
     }
     if (const std::string of_mode = mode_hint(view, ui); !of_mode.empty())
         return hint_line(ui, of_mode, ui.palette.text, x, bar);
-    if (is_slider_focused(ui) && hint != "hint.changed_since") {
+    const bool is_slider_focused = ui.keyboard && has_slider_focus(*ui.keyboard);
+    if (is_slider_focused && hint != "hint.changed_since" && hint != "hint.passed") {
         const std::string_view keys = view.mode == Mode::paused ? "hint.slider_keys_paused" : "hint.slider_keys";
         hint_line(ui, fill(ui.strings(keys), {ui.strings("key.shift")}), ui.palette.text, x, bar);
         return;
@@ -248,6 +241,13 @@ void write_notice(const LabView& view, Ui& ui, float x, Rect bar) {
 }
 
 }  // namespace
+
+bool has_slider_focus(const Keyboard& keyboard) {
+    if (!keyboard.shown) return false;
+    const std::string& focus = keyboard.focus;
+    return focus.starts_with("slider.") || focus.starts_with("bias.") || focus.starts_with("threshold.") ||
+           focus.starts_with("curve.");
+}
 
 std::string_view sign_of(NoticeKind kind) {
     switch (kind) {

@@ -135,6 +135,9 @@ void try_without_wire(const LabView&, PanelState&, const Ui&, Rect area);
 std::string_view sign_of(NoticeKind);
 Colour colour_of(NoticeKind, const Palette&);
 
+// True if keys have brought the focus to a slider of the brain. In hint_bar.cpp.
+bool has_slider_focus(const Keyboard&);
+
 // brain_card.cpp: "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its file has it.
 std::string kind_name(const Ui&, const Kind&);
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "ui/panels/panels.h"
+
 namespace braitenlab::ui {
 
 namespace {
@@ -64,7 +66,8 @@ bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, 
 bool key_for_next_exercise(const LabView& view, PanelState& state, KeyPress press) {
     if (press != KeyPress{key::enter} || view.lecture || view.mode == Mode::wiring) return false;
     if (!reaches_exercise(view, state) || !view.lesson->grade || !view.lesson->grade->good) return false;
-    if (state.keyboard.shown && !state.keyboard.focus.empty()) return false;
+    // A slider has the arrow keys, but the bar names Enter for the next exercise.
+    if (state.keyboard.shown && !state.keyboard.focus.empty() && !has_slider_focus(state.keyboard)) return false;
     if (state.scene_input.tool != SceneInputTool::hand || state.scene_input.menu.open) return false;
     state.keyboard.focus = "exercise.next";
     state.keyboard.presses.push_back(press);
