@@ -37,6 +37,8 @@ TEST(Shortcuts, AreNamedAsOnTheKeyboard) {
     EXPECT_EQ(key_name(Action::play_pause, strings), "Space");
     EXPECT_EQ(key_name(Action::full_screen, strings), "F11");
     EXPECT_EQ(key_name(Action::exercise_reset, strings), "");
+    EXPECT_EQ(key_name(Action::fast_forward, strings), ">") << "no . without Shift is needed, as Shift+. is";
+    EXPECT_EQ(key_name(Action::rewind, strings), "<");
 }
 
 TEST(Shortcuts, InTheHintBarHaveAnAction) {
