@@ -51,6 +51,32 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     for (const CardTraits& row : cards()) EXPECT_TRUE(drawn.count(row.anchor)) << row.anchor;
 }
 
+TEST(Cards, NoRowOfTheBrainMovesWhenALampIsSelected) {
+    for (const float width : {800.0f, 1280.0f}) {
+        Desk desk(width, width == 800 ? 600.0f : 800.0f, 1, true);
+        desk.open_exercise();
+        desk.lesson.attempt.answers.prediction = 0;
+        desk.lesson.attempt.work.has_run = desk.lesson.attempt.work.outcome_known = true;
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->sources.resize(1);
+        desk.now.scene = scene;
+        desk.now.sources.resize(1);
+        desk.frame(8);
+        std::map<std::string, Rect> before;
+        for (const char* id : {"card.brain", "slider.LL", "slider.LR", "slider.RL", "slider.RR"})
+            if (const Rect* at = desk.anchors.find(id)) before[id] = *at;
+        EXPECT_GE(before.size(), 4u);
+        desk.view.settings.selection.object = {SceneObjectKind::source, 0};
+        desk.frame(8);
+        EXPECT_TRUE(desk.anchors.find("card.thing"));
+        for (const auto& [id, was] : before) {
+            const Rect* now = desk.anchors.find(id);
+            if (!now) continue;
+            EXPECT_EQ(now->y, was.y) << id << " " << width;
+        }
+    }
+}
+
 // Shades at the upper and at the lower edges of cards: rectangles that begin or end without opacity.
 std::pair<int, int> shades(const Desk& desk) {
     const ImU32 full = paint(palette(desk.view.program.theme).panel);
