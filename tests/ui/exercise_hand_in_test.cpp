@@ -16,6 +16,7 @@ TEST(ExerciseHandIn, HandInAsksForANameOnceAndIsThereAfterARun) {
     desk.frame(3);
     EXPECT_TRUE(desk.all.empty()) << "there is no name";
     ASSERT_TRUE(desk.anchors.find("exercise.student"));
+    EXPECT_TRUE(desk.says("Your teacher")) << "why";
     desk.type("Ana P ");
     desk.frame(2);
     desk.key({key::enter});

@@ -85,6 +85,7 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width)
     const float right = ImGui::GetCursorScreenPos().x + width;
     const bool is_shown = view.lesson->attempt.work.has_run;
     if (is_shown && asked.asks && view.documents.student.empty()) {
+        paragraph(ui, ui.strings("exercise.student_why"), ui.palette.text, Face::small, width);
         if (std::exchange(asked.begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.student";
         text_field(ui, asked.name, "exercise.student", width, ui.strings("exercise.student"),
                    ui.strings("exercise.student_how"));
