@@ -25,6 +25,7 @@ struct BreedingView {
     const evolve::Tournament* matrix = nullptr;        // null with `base`; NaN: a score that is not known yet
     evolve::BySide<evolve::Verdict> verdicts{};        // of the matrix
     std::vector<BreedingCell> watched{};               // at most two, the newest first
+    bool watches_by_itself = false;                    // no person has chosen what is watched
     const std::vector<evolve::Duel>* duels = nullptr;  // of these, from the same start; null: not known yet
     std::optional<Error> error{};                      // why it could not be opened, continued or kept
     std::string last{};                                // name or path of the one opened last, also by an earlier start
@@ -34,6 +35,12 @@ struct BreedingView {
 // The last generation that is complete, with its score against the panel; −1: none is.
 inline int last_generation(const BreedingView& view) {
     return view.base ? complete_generations(*view.base, *view.state) - 1 : -1;
+}
+
+// The match that a person watches, else that of the last champions: what is taken.
+inline BreedingCell chosen_cell(const BreedingView& view) {
+    const int last = last_generation(view);
+    return view.watched.empty() || view.watches_by_itself ? BreedingCell{last, last} : view.watched.front();
 }
 
 }  // namespace braitenlab

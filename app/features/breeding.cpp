@@ -423,6 +423,7 @@ BreedingView breeding_of(const BreedingRuns& runs, double now) {
     view.matrix = &runs.matrix;
     view.verdicts = runs.verdicts;
     if (const DuelsQuestion* asked = runs.duels.question()) view.watched = asked->cells;
+    view.watches_by_itself = !runs.has_choice;
     view.duels = runs.duels.answer();
     return view;
 }

@@ -368,6 +368,17 @@ TEST_F(BreedingDesk, TheWatchedMatchIsOpenedOrTaken) {
     EXPECT_EQ(desk.last<BreedingRequest>()->title, "Chase, against the last champions: predator 3, prey 1");
 }
 
+TEST_F(BreedingDesk, TakesTheLastChampionsUnlessAPersonHasChosenOthers) {
+    BredOnDesk bred(5);
+    bred.show(desk);
+    bred.watch(desk, {3, 3}, {0, 0});
+    desk.view.features.breeding.watches_by_itself = true;  // the match of generation 3 is not over yet
+    desk.frame(3);
+    desk.click("breeding.take");
+    ASSERT_TRUE(asked_for(BreedingEdit::take));
+    EXPECT_EQ(desk.last<BreedingRequest>()->cell, (BreedingCell{4, 4}));
+}
+
 TEST_F(BreedingDesk, WithoutAGenerationNothingCanBeTaken) {
     BredOnDesk none(0);
     none.show(desk);

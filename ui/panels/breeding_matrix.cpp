@@ -133,13 +133,14 @@ private:
                 if (std::isnan(score)) continue;
                 draw.AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour_of_score(ui_.palette, score)));
             }
-        for (std::size_t i = view_.watched.size(); i-- > 0;)
-            if (const auto place = place_of(view_.watched[i])) frame_cell(*place, i == 0);
+        for (const BreedingCell& watched : view_.watched)
+            if (const auto place = place_of(watched)) frame_cell(*place, false);
+        if (const auto place = place_of(chosen_cell(view_))) frame_cell(*place, true);
     }
 
-    void frame_cell(MatrixPlace place, bool is_newest) const {
+    void frame_cell(MatrixPlace place, bool is_chosen) const {
         const Rect r = rect_of(place);
-        line_box(ui_, {r.x - 1, r.y - 1, r.w + 2, r.h + 2}, ui_.palette.text, Corner::square, is_newest ? 2.5f : 1.5f);
+        line_box(ui_, {r.x - 1, r.y - 1, r.w + 2, r.h + 2}, ui_.palette.text, Corner::square, is_chosen ? 2.5f : 1.5f);
     }
 
     void watch(MatrixPlace place) {

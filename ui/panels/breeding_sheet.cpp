@@ -193,6 +193,7 @@ public:
         bool open = kept_.GetBool(id_, true);
         const std::string how =
             std::string(ui.strings("breeding.choices_how")) + "\n" + std::string(how_of(breeding.opponents, ui));
+        if (!open && ui.highlight.starts_with("breeding.against.")) ui.highlight = "breeding.choices";
         fold_row(ui, "breeding.choices", words_of_choice(breeding, ui), open, how);
         kept_.SetBool(id_, open);
         return open;
@@ -236,12 +237,6 @@ void figures_of_breeding(const LabView& lab, PanelState& state, Ui& ui, float he
     ImGui::Dummy({all, 2 * down + height});
 }
 
-// The watched match, else that of the last champions.
-BreedingCell chosen_cell(const BreedingView& view) {
-    const int last = last_generation(view);
-    return view.watched.empty() ? BreedingCell{last, last} : view.watched.front();
-}
-
 // "Take predator 30 and prey 12": the champions that a press takes. Their numbers come with the first generation.
 std::string words_of_taking(const LabView& lab, const std::string& predator, const std::string& prey, const Ui& ui) {
     const auto kinds = evolve::kinds_for_champions(*lab.features.breeding.base, *lab.now->scene, lab.lesson != nullptr);
@@ -252,8 +247,9 @@ std::string words_of_taking(const LabView& lab, const std::string& predator, con
 
 bool match_button(const LabView& lab, BreedingEdit edit, const char* id, Ui& ui) {
     const BreedingView& view = lab.features.breeding;
-    const BreedingCell cell = chosen_cell(view);
-    const bool takes = edit == BreedingEdit::take, has_champions = cell.predator >= 0;
+    const bool takes = edit == BreedingEdit::take;
+    const BreedingCell cell = takes || view.watched.empty() ? chosen_cell(view) : view.watched.front();
+    const bool has_champions = cell.predator >= 0;
     const auto number = [&](int generation) { return has_champions ? std::to_string(generation) : std::string("…"); };
     const std::string predator = number(cell.predator), prey = number(cell.prey);
     const std::string words = takes ? words_of_taking(lab, predator, prey, ui) : std::string(ui.strings(id));
