@@ -186,6 +186,10 @@ void draw_title_page(const LabView& view, PanelState& state, Ui& ui, Rect window
 
 // The prompt, or what leads to its widget: the heading of a folded card, or the button of a closed sheet.
 Prompt within_reach(Prompt prompt, const LabView& view, const PanelState& state) {
+    constexpr std::array of_diagram{"node.", "pin.", "wire.", "canvas"};
+    const auto is_of = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };
+    const bool is_in_diagram = std::any_of(of_diagram.begin(), of_diagram.end(), is_of);
+    if (prompt.hint == "hint.think" && is_in_diagram && !view.settings.watching) prompt.anchor = "button.watch";
     if (prompt.anchor.starts_with("breeding.") && state.sheet != Sheet::breeding) prompt.anchor = "exercise.breeding";
     constexpr std::array of_brain{"slider.", "bias.", "threshold.", "curve.", "lesion.", "brain."};
     const auto begins = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };
@@ -206,6 +210,7 @@ Prompt within_reach(Prompt prompt, const LabView& view, const PanelState& state)
 std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
     const bool pulses = prompt.anchor.empty() || prompt.anchor == lamp_anchor || ui.anchors.find(prompt.anchor);
     if (!pulses && prompt.hint == "hint.follow_hint") return "hint.after_hint";
+    if (prompt.hint == "hint.think") return prompt.hint;
     const bool is_drawn_later = prompt.anchor.starts_with("button.") || prompt.anchor.starts_with("breeding.");
     return pulses || is_drawn_later ? prompt.hint : "";
 }

@@ -177,6 +177,86 @@ TEST(ExercisesGuided, ASuggestedChangeChangesWhatTheVehicleDoes) {
     EXPECT_LE(gone, suggested / 5) << "most suggestions last";
 }
 
+namespace {
+
+// The exercise after its first run as shipped, with what the prompts remember of it.
+struct Guided {
+    explicit Guided(const Exercise& exercise) : it(exercise), start(it.world.fork()) {
+        it.desk.lesson.attempt.answers.prediction = exercise.prediction.answer;
+        it.desk.lesson.attempt.answers.hint_ready = false;  // so that controls are what is left
+        pointed();
+        it.play_after_prediction();
+        it.desk.lesson.attempt.work.outcome_known = true;
+    }
+    Prompt pointed() {
+        it.desk.follow_disclosure();
+        return next_prompt(memory, it.desk.view);
+    }
+    void tick() { it.world.step(), it.show(); }
+    void reset() {
+        it.world = start.fork();
+        it.desk.view.timeline.latest = 0;
+        it.desk.view.mode = Mode::paused;
+        it.show();
+        it.desk.view.settings.selection.vehicle = it.desk.now.vehicles.front().id;
+    }
+    // The most that a change at this widget makes of a run from the start.
+    float most_difference(std::string_view anchor, std::vector<Command>* best = nullptr) const {
+        float most = 0;
+        for (const auto& commands : tries_at(it, anchor)) {
+            const float differs = difference(start, it.desk.now.vehicles.front().id, commands, it.desk.opened.seconds);
+            if (differs > most && best) *best = commands;
+            most = std::max(most, differs);
+        }
+        return most;
+    }
+
+    Opened it;
+    World start;
+    PromptMemory memory{.opened = it.desk.opened.id};
+};
+
+}  // namespace
+
+// A run that nobody has changed is the same after a reset. So while it fails, and at the start after it, neither Reset
+// nor Play is what is next, but a control that makes the next run another one. Reset brings back a vehicle that is
+// gone.
+TEST(ExercisesGuided, AfterARunThatFailedUnchangedTheNextStepIsAChange) {
+    int changed = 0;
+    for (const Exercise& exercise : course()) {
+        SCOPED_TRACE(exercise.id);
+        Guided guided(exercise);
+        Opened& it = guided.it;
+        for (int tick = 0; tick <= static_cast<int>(60 * (exercise.seconds + 1)); ++tick, guided.tick()) {
+            const Prompt prompt = guided.pointed();
+            if (tick % 30 != 0) continue;
+            EXPECT_TRUE(prompt.anchor != "button.reset" || !it.subject()) << tick / 60.0 << " s: " << prompt.hint;
+            const bool is_change = prompt.hint == "hint.change_then_reset" && tick % 120 == 0;
+            if (!is_change || tries_at(it, prompt.anchor).empty()) continue;
+            EXPECT_GT(guided.most_difference(prompt.anchor), 0.01f) << tick / 60.0 << " s: " << prompt.anchor;
+        }
+        guided.reset();
+        const Prompt next = guided.pointed();
+        EXPECT_NE(next.anchor, "button.play");
+        EXPECT_NE(next.anchor, "");
+        std::vector<Command> best;
+        if (tries_at(it, next.anchor).empty()) continue;  // of the diagram, the curves, a sheet
+        EXPECT_GT(guided.most_difference(next.anchor, &best), 0.01f) << next.anchor;
+        for (const Command& command : best) EXPECT_FALSE(it.world.apply(command));
+        it.desk.view.undo_depth = 1;
+        it.show();
+        EXPECT_EQ(guided.pointed().anchor, "button.play") << "the change makes another run";
+        ++changed;
+    }
+    EXPECT_GT(changed, 12);
+}
+
+// The words of a hint fit what can be done while it is read, whether the run plays or not.
+TEST(ExercisesGuided, NoHintBeginsWithPlay) {
+    for (const Exercise& exercise : course())
+        for (const Hint& hint : exercise.hints) EXPECT_FALSE(hint.text.starts_with("Press Play")) << exercise.id;
+}
+
 TEST(ExercisesGuided, APromptPointsAtAWidgetInTheWindow) {
     struct Window {
         float width, height, scale;
@@ -276,6 +356,28 @@ TEST(ExercisesGuided, NoWidgetMovesWhileTheTextOfTheExerciseGrows) {
                 EXPECT_NEAR(now->x, was.x, 0.5f) << exercise.id << ": " << id;
             }
         }
+}
+
+// Each stop of Tab shows where it is, also in a card that scrolls.
+TEST(ExercisesGuided, EachStopOfTabIsInSightInASmallWindow) {
+    for (const Exercise& exercise : course()) {
+        Opened it(exercise, 800, 600);
+        it.play_after_prediction();
+        it.desk.lesson.attempt.work.outcome_known = true;
+        it.desk.frame(6);
+        std::set<std::string> seen;
+        for (int stop = 1; stop <= 40; ++stop) {
+            it.desk.panels.keyboard.presses.push_back({key::tab});
+            it.desk.panels.keyboard.shown = true;
+            it.desk.frame(4);
+            const std::string focus = it.desk.panels.keyboard.focus;
+            if (!seen.insert(focus).second) break;
+            const Rect* at = it.desk.anchors.find(focus);
+            ASSERT_TRUE(at) << exercise.id << ", stop " << stop << ": " << focus;
+            EXPECT_GE(std::min(at->w, at->h), 6) << exercise.id << ", stop " << stop << ": " << focus;
+        }
+        EXPECT_GT(seen.size(), 5u);
+    }
 }
 
 namespace {

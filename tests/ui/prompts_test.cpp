@@ -401,6 +401,109 @@ TEST_F(LessonPrompts, PointToNoButtonThatWouldUndoWhatTheHintAsksFor) {
     EXPECT_EQ(with("button.wiring").anchor, "");
 }
 
+TEST_F(LessonPrompts, AskToThinkWhereAHintAsks) {
+    const auto with = [&](const char* words, const char* anchor) {
+        desk.opened.hints = {{words, anchor}};
+        desk.lesson.attempt.answers.hints_shown = 1;
+        return next();
+    };
+    at(5);
+    EXPECT_EQ(with("Which is it?", "slider.LL").hint, "hint.think");
+    EXPECT_EQ(with("Which is it?", "slider.LL").anchor, "slider.LL");
+    EXPECT_EQ(with("Raise it.", "slider.LL").hint, "hint.follow_hint");
+    (void)with("What is its sum?", "node.N");
+    for (const std::string& language : shipped_codes()) {
+        desk.strings = speaking(language);
+        desk.frame(3);
+        EXPECT_EQ(desk.panels.prompts.highlight.anchor, "button.watch") << "the diagram is closed";
+        const std::string_view all = desk.strings("hint.think");
+        EXPECT_TRUE(desk.says(all.substr(0, all.find(':')))) << language;
+        EXPECT_FALSE(desk.says(desk.strings("hint.after_hint").substr(0, 12))) << language;
+    }
+}
+
+// A run that began at the start, seen, with a brain that the snapshot shares with nobody.
+TEST_F(LessonPrompts, PointToASliderAfterARunThatFailedUnchanged) {
+    desk.opened.seconds = 20;
+    desk.lesson.attempt.answers.hint_ready = false;
+    at(0, Mode::paused);
+    EXPECT_EQ(anchor(), "button.play");
+    at(1), next();
+    see(0);
+    at(2), next(), at(8);
+    EXPECT_EQ(anchor(), "slider.LL") << "it has seen the lamp";
+    EXPECT_EQ(next().hint, "hint.change_then_reset");
+    at(0, Mode::paused);
+    EXPECT_EQ(anchor(), "slider.LL") << "Play alone repeats the run";
+    EXPECT_EQ(next().hint, "hint.change_then_play");
+    auto wired = std::make_shared<BrainGraph>(*desk.now.brains[0]);
+    wired->wires[0].weight += 0.3f;
+    desk.now.brains[0] = wired;
+    EXPECT_EQ(anchor(), "button.play");
+    desk.lesson.attempt.answers.hint_ready = true;
+    desk.view.undo_depth = 1;
+    at(1), next(), at(2), next(), at(8);
+    EXPECT_EQ(anchor(), "exercise.hint") << "a second try";
+}
+
+TEST_F(LessonPrompts, ChangedSensorsMakeAnotherRunToo) {
+    desk.opened.seconds = 20;
+    at(0, Mode::paused), next();
+    at(21);
+    EXPECT_NE(anchor(), "button.reset");
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds[0].sensors[0].angle += 1;
+    desk.now.scene = scene;
+    EXPECT_EQ(anchor(), "button.reset");
+    EXPECT_EQ(next().hint, "hint.changed_since");
+}
+
+TEST_F(Prompts, GoOnFromTheMomentOfAChangeInThePast) {
+    at(0, Mode::paused), next();
+    at(10), next();
+    at(4, Mode::paused);
+    EXPECT_EQ(next().hint, "hint.in_the_past");
+    desk.view.undo_depth = 1;
+    desk.view.timeline.latest = desk.now.tick;  // the change has removed what came later
+    EXPECT_EQ(anchor(), "button.play");
+    EXPECT_EQ(next().hint, "hint.play_on");
+    at(5);
+    EXPECT_NE(next().hint, "hint.play_on");
+    at(5, Mode::paused);
+    EXPECT_NE(next().hint, "hint.play_on") << "it has played on";
+}
+
+TEST_F(Prompts, AVehicleWithoutWiresNeedsABrainBeforePlay) {
+    alone();
+    auto empty = std::make_shared<BrainGraph>(*desk.now.brains[0]);
+    empty->wires.clear();
+    for (Node& node : empty->nodes) node.bias = 0;
+    const auto before = desk.now.brains[0];
+    desk.now.brains[0] = empty;
+    EXPECT_EQ(anchor(), "bias.LM") << "Play moves nothing";
+    EXPECT_EQ(next().hint, "hint.no_wires");
+    at(9);
+    EXPECT_EQ(anchor(), "bias.LM");
+    desk.now.brains[0] = before;
+    at(0, Mode::paused);
+    EXPECT_NE(anchor(), "bias.LM");
+}
+
+TEST_F(LessonPrompts, TheBrainCardOfAVehicleThatIsGoneNamesReset) {
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->starts.emplace_back().kind = scene->kinds[0].name;
+    desk.now.scene = scene;
+    desk.now.vehicles.clear();
+    desk.view.settings.selection.vehicle = no_vehicle;
+    at(3);
+    for (const std::string& language : shipped_codes()) {
+        desk.strings = speaking(language);
+        desk.frame(3);
+        EXPECT_TRUE(desk.says(desk.strings("brain.gone").substr(0, 12))) << language;
+        EXPECT_FALSE(desk.says(desk.strings("brain.no_vehicle").substr(0, 12))) << language;
+    }
+}
+
 TEST_F(LessonPrompts, PointAtPartsOfTheDiagramInTheWiringEditor) {
     desk.opened.hints = {{"Click it.", "wire.LR"}};
     desk.lesson.attempt.answers.hints_shown = 1;
@@ -561,6 +664,27 @@ TEST_F(BredPrompts, WaitWhileTheBreedingRunsThenTakeTheChampionResetAndPlay) {
     EXPECT_EQ(anchor(), "breeding.matrix") << "the time of a graded run is over";
     desk.view.features.breeding.runs = true;
     EXPECT_EQ(next().hint, "hint.breeding_runs");
+}
+
+TEST_F(BredPrompts, LeadToOtherOpponentsWhereThoseOfTheFileBringNoChampion) {
+    desk.lesson.attempt.work.outcome_known = true;
+    BredOnDesk bred(30, 2, "chase");
+    show_breeding(bred);
+    desk.view.features.breeding.shipped = &bred.shipped;
+    desk.opened.offers.back() = "breeding:chase";
+    at(16);
+    EXPECT_EQ(anchor(), "breeding.start");
+    desk.lesson.attempt.answers.hints_shown = 1;
+    EXPECT_EQ(anchor(), "breeding.against.random");
+    EXPECT_EQ(next().hint, "hint.breed_against");
+    for (evolve::Breeding& each : bred.shipped) each.opponents = evolve::Opponents::generalist;
+    EXPECT_EQ(anchor(), "breeding.start") << "others are chosen";
+    take_champion();
+    at(0, Mode::paused);
+    EXPECT_EQ(anchor(), "button.play");
+    at(16), next();
+    at(0, Mode::paused);
+    EXPECT_NE(anchor(), "button.play") << "it has failed from here";
 }
 
 TEST_F(LessonPrompts, PointToResetAfterAFailedRunInWhichTheBrainWasChanged) {

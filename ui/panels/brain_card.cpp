@@ -17,6 +17,7 @@
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/prompts.h"
 #include "ui/panels/sensor_changes.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
@@ -434,7 +435,8 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     const std::size_t first = vehicle && !offers_some(view) && has_controls ? 0 : 2, last = view.lecture ? 3 : 2;
     const bool open = open_card(state, ui, Card::brain, place, std::span(buttons).subspan(first, last - first));
     if (buttons[2].pressed) state.lecture.controls = !state.lecture.controls;
-    if (open && !vehicle) paragraph(ui, ui.strings("brain.no_vehicle"), ui.palette.second_text);
+    if (open && !vehicle)
+        paragraph(ui, ui.strings(is_subject_gone(view) ? "brain.gone" : "brain.no_vehicle"), ui.palette.second_text);
     const bool unrevealed = !view.settings.revealed.brain;
     if (open && vehicle && (unrevealed || is_brain_secret(view, vehicle->kind))) {
         title_row(view, state, ui, *vehicle);

@@ -1,10 +1,14 @@
 // What the prompts store between frames.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/brain/graph.h"
+#include "core/scene/scene.h"
 
 namespace braitenlab::ui {
 
@@ -26,19 +30,28 @@ struct Highlight {
     bool reveals = false;  // its card has not yet scrolled to it
 };
 
+// A brain and the sensors with which a run began.
+struct TriedBrain {
+    std::shared_ptr<const BrainGraph> brain;  // never null
+    std::vector<Sensor> sensors;
+};
+
 // State of the prompts for one opened file.
 struct PromptMemory {
     std::string opened;
     PromptsFollowed followed{};  // these two are kept when another file is opened
     Highlight highlight{};
     bool played = false;
-    bool slider_known = false;                  // a slider was turned, or the run is long enough
-    Suggested lamp, wiring, timeline;           // of free play, in this order
-    int edits_before_wiring = -1;               // number of edits when the wiring was opened; −1: it is closed
-    int hint = 0, edits_before_hint = 0;        // number of hints shown, and of edits when the last one came
-    double blind_since = -1, still_since = -1;  // simulated seconds; negative: it sees a stimulus or stands; it moves
-    double dark_since = -1;                     // the same; negative: it sees a stimulus
-    std::shared_ptr<const BrainGraph> brain_at_start;  // of the student's vehicle; null: opened later
+    bool slider_known = false;                   // a slider was turned, or the run is long enough
+    Suggested lamp, wiring, timeline;            // of free play, in this order
+    int edits_before_wiring = -1;                // number of edits when the wiring was opened; −1: it is closed
+    int hint = 0, edits_before_hint = 0;         // number of hints shown, and of edits when the last one came
+    double blind_since = -1, still_since = -1;   // simulated seconds; negative: it sees a stimulus or stands; it moves
+    double dark_since = -1;                      // the same; negative: it sees a stimulus
+    std::optional<TriedBrain> at_start, failed;  // of the student's vehicle; nullopt: opened later, none has failed
+    bool has_begun = false;                      // the run is after its start
+    std::vector<float> most_read;                // by each of its sensors in this run, at the start in the last one
+    std::optional<std::uint64_t> past;           // tick to which a paused run went back
 };
 
 }  // namespace braitenlab::ui

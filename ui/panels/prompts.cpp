@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include <imgui.h>
 
@@ -39,11 +43,16 @@ bool is_blind(const Snapshot& now, const VehicleView& vehicle) {
     return count > 0 && std::all_of(begin, begin + count, [](float value) { return value < sees_nothing; });
 }
 
-// The reading of the vehicle's sensor; 0 if it has no sensor of this name.
-float reading(const Snapshot& now, const VehicleView& vehicle, std::string_view sensor) {
-    const auto& sensors = kind_of(now, vehicle).sensors;
-    for (std::size_t i = 0; i < sensors.size(); ++i)
-        if (sensors[i].name == sensor) return now.sensed[static_cast<std::size_t>(vehicle.first_sensed) + i];
+// The readings of the vehicle's sensors, in their order.
+std::span<const float> readings(const Snapshot& now, const VehicleView& vehicle) {
+    const auto first = static_cast<std::size_t>(vehicle.first_sensed);
+    return std::span(now.sensed).subspan(first, kind_of(now, vehicle).sensors.size());
+}
+
+// The value of the sensor of this name among those of all; 0 if there is none.
+float value_of(std::string_view sensor, const std::vector<Sensor>& sensors, std::span<const float> values) {
+    for (std::size_t i = 0; i < std::min(sensors.size(), values.size()); ++i)
+        if (sensors[i].name == sensor) return values[i];
     return 0;
 }
 
@@ -55,12 +64,15 @@ struct TellingWeight {
 
 // The weight of a sensor that reads something, more than the threshold of the wire, so that turning it has an effect:
 // preferably of a wire, that is a weight that is not 0, and only one that `suits`. An empty slider if there is none.
+// `values`: of the vehicle's sensors.
 template <class Suits>
-std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, Suits suits) {
+std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair,
+                                std::span<const float> values, Suits suits) {
     constexpr TellingWeight weights[]{
         {Dial::LL, "slider.LL"}, {Dial::LR, "slider.LR"}, {Dial::RL, "slider.RL"}, {Dial::RR, "slider.RR"}};
     const FourNeurons dials = read_dials(*brain_of(now, vehicle), pair);
-    const float left = reading(now, vehicle, pair.left), right = reading(now, vehicle, pair.right);
+    const auto& sensors = kind_of(now, vehicle).sensors;
+    const float left = value_of(pair.left, sensors, values), right = value_of(pair.right, sensors, values);
     for (const bool is_wire : {true, false})
         for (const TellingWeight& each : weights) {
             const float seen = each.dial == Dial::LL || each.dial == Dial::RL ? left : right;
@@ -100,7 +112,8 @@ Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
     const Exercise& exercise = *view.lesson->exercise;
     const std::string_view hint = view.mode == Mode::playing ? "hint.turn_slider" : "hint.turn_slider_paused";
     const auto is_offered_dial = [&](Dial dial) { return offers(exercise, dial); };
-    if (const auto slider = telling_slider(*view.now, vehicle, shown_pair(view, vehicle), is_offered_dial);
+    if (const auto slider = telling_slider(*view.now, vehicle, shown_pair(view, vehicle), readings(*view.now, vehicle),
+                                           is_offered_dial);
         !slider.empty())
         return {slider, hint};
     for (const Dial bias : {Dial::LM, Dial::RM})
@@ -120,7 +133,9 @@ Prompt first_change(const LabView& view) {
     const bool plays = view.mode == Mode::playing;
     if (offers_some(view)) return offered_change(view, *vehicle);
     const auto any = [](Dial) { return true; };
-    if (const auto slider = telling_slider(*view.now, *vehicle, shown_pair(view, *vehicle), any); !slider.empty())
+    if (const auto slider =
+            telling_slider(*view.now, *vehicle, shown_pair(view, *vehicle), readings(*view.now, *vehicle), any);
+        !slider.empty())
         return {slider, plays ? "hint.turn_slider" : "hint.turn_slider_paused"};
     if (!view.lesson && is_blind(*view.now, *vehicle) && telling_lamp(view)) return {lamp_anchor, "hint.lamp_nearer"};
     return {};
@@ -146,6 +161,36 @@ const VehicleView* subject_of(const LabView& view) {
     return found == vehicles.end() ? nullptr : &*found;
 }
 
+// What the student changes: of the subject, or of its kind when it is gone. nullopt: the scene has none.
+std::optional<TriedBrain> tried_now(const LabView& view) {
+    const Snapshot& now = *view.now;
+    if (const VehicleView* subject = subject_of(view))
+        return TriedBrain{brain_of(now, *subject), kind_of(now, *subject).sensors};
+    const int kind = view.lesson ? subject_kind(*now.scene) : -1;
+    const auto index = static_cast<std::size_t>(kind);
+    if (kind < 0 || index >= now.kind_brains.size()) return std::nullopt;
+    return TriedBrain{now.kind_brains[index], now.scene->kinds[index].sensors};
+}
+
+bool are_equal(const std::optional<TriedBrain>& a, const std::optional<TriedBrain>& b) {
+    return a && b && (a->brain == b->brain || *a->brain == *b->brain) && a->sensors == b->sensors;
+}
+
+// True if this run has shown the present brain and sensors from its start on: a reset alone then gives the same run.
+bool is_as_at_start(const PromptMemory& memory, const LabView& view) {
+    return are_equal(memory.at_start, tried_now(view));
+}
+
+// The most that each sensor of the subject has read in this run; at its start, in the last one.
+void remember_readings(PromptMemory& memory, const LabView& view) {
+    const VehicleView* subject = subject_of(view);
+    const bool begins = !std::exchange(memory.has_begun, view.now->tick > 0);
+    if (view.now->tick == 0 || !subject) return;
+    const std::span<const float> values = readings(*view.now, *subject);
+    if (begins || memory.most_read.size() != values.size()) memory.most_read.assign(values.size(), 0);
+    for (std::size_t i = 0; i < values.size(); ++i) memory.most_read[i] = std::max(memory.most_read[i], values[i]);
+}
+
 // A single vehicle that senses nothing or does not move needs a reset. In scenes with several vehicles both are common.
 void watch_vehicle(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
@@ -155,8 +200,8 @@ void watch_vehicle(PromptMemory& memory, const LabView& view) {
     keep_time(memory.blind_since, counts && !stands && is_blind(now, *vehicle), now.seconds);
     keep_time(memory.still_since, counts && stands, now.seconds);
     keep_time(memory.dark_since, counts && is_blind(now, *vehicle), now.seconds);
-    if (const VehicleView* subject = subject_of(view); subject && now.tick == 0)
-        memory.brain_at_start = brain_of(now, *subject);
+    if (now.tick == 0) memory.at_start = tried_now(view);
+    remember_readings(memory, view);
 }
 
 // Why a vehicle does not move.
@@ -182,23 +227,25 @@ bool is_pressed_already(const LabView& view, std::string_view button) {
     return button == "exercise.compare" && view.lesson->attempt.work.compares;
 }
 
-// Anchor of the newest hint, until the next edit.
-std::string_view hinted(PromptMemory& memory, const LabView& view) {
+// The newest hint, until the next edit.
+const Hint* hinted(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const int shown = lesson.attempt.answers.hints_shown;
     if (memory.hint != shown) memory.hint = shown, memory.edits_before_hint = edit_count(view);
     const int newest = std::min(shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
-    if (newest < 0 || edit_count(view) != memory.edits_before_hint) return {};
-    return lesson.exercise->hints[static_cast<std::size_t>(newest)].anchor;
+    if (newest < 0 || edit_count(view) != memory.edits_before_hint) return nullptr;
+    return &lesson.exercise->hints[static_cast<std::size_t>(newest)];
 }
 
 // What the newest hint points at. Nothing pulses while its button is pressed already, but the words still ask to follow
-// the hint.
+// the hint, or to think about it if it is a question.
 Prompt of_hint(PromptMemory& memory, const LabView& view) {
-    const std::string_view anchor = hinted(memory, view);
-    if (anchor.empty()) return {};
-    if (is_pressed_already(view, anchor)) return {{}, "hint.after_hint"};
-    return {anchor, "hint.follow_hint"};
+    const Hint* hint = hinted(memory, view);
+    if (!hint || hint->anchor.empty()) return {};
+    const bool is_question = hint->text.ends_with('?'), is_pressed = is_pressed_already(view, hint->anchor);
+    return {is_pressed ? std::string_view() : std::string_view(hint->anchor), is_question  ? "hint.think"
+                                                                              : is_pressed ? "hint.after_hint"
+                                                                                           : "hint.follow_hint"};
 }
 
 bool may_ask_for_a_hint(const LabView& view) {
@@ -241,16 +288,14 @@ bool waits_for_a_step(const LabView& view) {
 bool has_missed_a_change(const PromptMemory& memory, const LabView& view) {
     if (!lasts(memory.dark_since, lost_after, view.now->seconds) || waits_for_a_step(view)) return false;
     const auto& brain = brain_of(*view.now, view.now->vehicles.front());
-    return memory.brain_at_start && memory.brain_at_start != brain && memory.brain_at_start->wires != brain->wires;
+    return memory.at_start && memory.at_start->brain != brain && memory.at_start->brain->wires != brain->wires;
 }
 
 bool is_bred(const LabView& view) { return view.lesson && !offered_breeding(*view.lesson->exercise).empty(); }
 
-// True if the run has not shown the present brain from its start on.
+// True if the run has not shown the present brain and sensors from its start on.
 bool has_changed_since_start(const PromptMemory& memory, const LabView& view) {
-    const VehicleView* subject = subject_of(view);
-    return view.now->tick > 0 && subject && memory.brain_at_start &&
-           *memory.brain_at_start != *brain_of(*view.now, *subject);
+    return view.now->tick > 0 && memory.at_start && tried_now(view) && !is_as_at_start(memory, view);
 }
 
 // True if this run cannot complete every step any more.
@@ -260,28 +305,78 @@ bool has_failed(const LabView& view) {
            std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.lost && !v.done; });
 }
 
-// The next step of an exercise that is solved by breeding: start it, wait, take the champion, reset, play.
+// True while the breeding of the exercise has the opponents of its file: with them hardly a champion passes.
+bool has_shipped_opponents(const LabView& view) {
+    const BreedingView& bred = view.features.breeding;
+    const std::string_view offered = offered_breeding(*view.lesson->exercise);
+    if (!bred.base || !bred.shipped) return false;
+    return std::any_of(bred.shipped->begin(), bred.shipped->end(), [&](const evolve::Breeding& each) {
+        return each.id == offered && each.opponents == bred.base->breeding().opponents;
+    });
+}
+
+// The next step of an exercise that is solved by breeding: start it, wait, take the champion, reset, play. A hint, or
+// a champion that has failed, leads to other opponents first.
 Prompt of_breeding(const PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const BreedingView& bred = view.features.breeding;
     const bool plays = view.mode == Mode::playing;
     if (has_changed_since_start(memory, view)) return {"button.reset", "hint.changed_since"};
     const bool has_champion = is_edited(*lesson.exercise, submission_of(*lesson.exercise, *view.now));
-    if (has_champion && view.now->tick == 0) return plays ? Prompt{} : Prompt{"button.play", "hint.press_play"};
+    if (has_champion && view.now->tick == 0 && !are_equal(memory.failed, tried_now(view)))
+        return plays ? Prompt{} : Prompt{"button.play", "hint.press_play"};
     if (bred.runs) return {{}, "hint.breeding_runs"};
     const bool shows_outcome = is_asked(lesson.exercise->prediction) && !lesson.attempt.work.outcome_known;
-    if (has_champion ? !has_failed(view) : shows_outcome)
+    if (has_champion ? view.now->tick > 0 && !has_failed(view) : shows_outcome)
         return plays ? Prompt{} : Prompt{"button.play", "hint.press_play"};
+    const bool has_hint = lesson.attempt.answers.hints_shown > 0;
+    if ((has_hint || has_champion) && has_shipped_opponents(view))
+        return {"breeding.against.random", "hint.breed_against"};
     const bool is_complete = bred.base && last_generation(bred) >= bred.base->breeding().generations;
     if (!is_complete) return {"breeding.start", "hint.breed"};
     return has_champion ? Prompt{"breeding.matrix", "hint.breed_again"} : Prompt{"breeding.take", "hint.take_champion"};
 }
 
-// True once no vehicle that the student changes is left, because it was eaten or has used up its energy.
-bool is_subject_gone(const Snapshot& now) {
-    const int kind = subject_kind(*now.scene);
-    return now.tick > 0 && kind >= 0 &&
-           std::none_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) { return v.kind == kind; });
+// A control of which another value makes the next run another one: as offered_change(), but judged by the most that the
+// sensors have read in the run.
+Prompt change_for_next_run(const PromptMemory& memory, const LabView& view) {
+    const VehicleView *subject = subject_of(view), *selected = selected_vehicle(view);
+    if (!subject || !selected || selected->kind != subject->kind) return {};
+    const std::string_view hint = view.now->tick == 0 ? "hint.change_then_play" : "hint.change_then_reset";
+    const auto& read = memory.most_read;
+    const bool saw = std::any_of(read.begin(), read.end(), [](float value) { return value >= sees_nothing; });
+    const auto is_offered_dial = [&](Dial dial) { return is_offered(view, dial); };
+    if (!saw && !read.empty() && is_offered(view, offer_parts::sensors)) return {"card.sensors", "hint.turn_sensors"};
+    if (const auto slider = telling_slider(*view.now, *selected, shown_pair(view, *selected), read, is_offered_dial);
+        !slider.empty())
+        return {slider, hint};
+    for (const Dial bias : {Dial::LM, Dial::RM})
+        if (is_offered(view, bias)) return {anchor_of(bias), hint};
+    if (saw && is_offered(view, offer_parts::curves)) return {"curve.peak", hint};
+    for (const Dial threshold : {Dial::threshold_LL, Dial::threshold_LR, Dial::threshold_RL, Dial::threshold_RR})
+        if (saw && is_offered(view, threshold)) return {anchor_of(threshold), hint};
+    if (is_offered(view, offer_parts::wiring)) return {"button.wiring", hint};
+    if (is_offered(view, offer_parts::selection)) return {"selection.open", hint};
+    return {};
+}
+
+// After a run that failed without a change: a hint, once the student has changed something, else a control. A reset
+// would only repeat the run.
+Prompt next_try(const PromptMemory& memory, const LabView& view, bool prefers_hint) {
+    const Attempt::Answers& answers = view.lesson->attempt.answers;
+    const bool has_hint =
+        answers.hint_ready && answers.hints_shown < static_cast<int>(view.lesson->exercise->hints.size());
+    const Prompt change = change_for_next_run(memory, view);
+    if (has_hint && (prefers_hint || edit_count(view) > 0 || change.anchor.empty()))
+        return {"exercise.hint", "hint.ask"};
+    return change;
+}
+
+// Notes that the brain and the sensors with which the run began have failed in it.
+void remember_failure(PromptMemory& memory, const LabView& view) {
+    if (!view.lesson || view.now->tick == 0 || all_steps_done(*view.lesson) || !is_as_at_start(memory, view)) return;
+    const bool is_out = !way_out(memory, view).anchor.empty() && !waits_for_a_step(view);
+    if (is_out || has_failed(view) || is_subject_gone(view)) memory.failed = memory.at_start;
 }
 
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
@@ -292,14 +387,19 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
     if (all_steps_done(lesson) && lesson.standing.changed_since_done) return {"button.reset", "hint.changed_since"};
     if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
-    if (is_subject_gone(*view.now)) return {"button.reset", "hint.gone"};
+    if (is_subject_gone(view)) return {"button.reset", "hint.gone"};
     if (is_bred(view)) return of_breeding(memory, view);
     if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
+    if (at_start && are_equal(memory.failed, tried_now(view)))
+        if (const Prompt prompt = next_try(memory, view, false); !prompt.anchor.empty()) return prompt;
     if (at_start) return {"button.play", "hint.press_play"};
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
-    if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view)) return out;
+    const bool is_repeated = is_as_at_start(memory, view);
+    if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view))
+        return is_repeated ? next_try(memory, view, false) : out;
     const bool has_failed_as_changed = has_failed(view) && has_changed_since_start(memory, view);
     if (has_failed_as_changed || has_missed_a_change(memory, view)) return {"button.reset", "hint.changed_since"};
+    if (has_failed(view) && is_repeated) return next_try(memory, view, true);
     if (may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
     return {};
 }
@@ -343,6 +443,15 @@ void remember_what_is_done(PromptMemory& memory, const LabView& view) {
     memory.timeline.known |= followed.timeline;
 }
 
+// True if nothing can move the selected vehicle: no wire carries anything, and no neuron gives anything by itself.
+bool has_nothing_to_drive(const LabView& view) {
+    const VehicleView* vehicle = selected_vehicle(view);
+    if (!vehicle || vehicle->driver != Driver::brain) return false;
+    const BrainGraph& brain = *brain_of(*view.now, *vehicle);
+    return std::all_of(brain.wires.begin(), brain.wires.end(), [](const Wire& wire) { return wire.weight == 0; }) &&
+           std::all_of(brain.nodes.begin(), brain.nodes.end(), [](const Node& node) { return node.bias == 0; });
+}
+
 Prompt of_free_play(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
     if (!memory.played) return {"button.play", "hint.press_play"};
@@ -364,17 +473,30 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
     watch_vehicle(memory, view);
+    remember_failure(memory, view);
     if (view.mode == Mode::wiring) return of_wiring(memory, view);
     memory.edits_before_wiring = -1;
-    if (view.now->tick < view.timeline.latest && view.mode == Mode::paused) return {{}, "hint.in_the_past"};
+    const bool is_past = view.now->tick < view.timeline.latest;
+    if (is_past || view.mode != Mode::paused || memory.past != view.now->tick) memory.past.reset();
+    if (is_past && view.mode == Mode::paused) return memory.past = view.now->tick, Prompt{{}, "hint.in_the_past"};
+    const bool has_passed = view.lesson && view.lesson->grade && view.lesson->grade->good;
+    if (memory.past && !has_passed) return {"button.play", "hint.play_on"};  // a change has removed what came later
     if (view.lesson)
         if (const Prompt prompt = of_lesson(memory, view); !prompt.anchor.empty() || !prompt.hint.empty())
             return prompt;
     if (is_bred(view)) return {};
     if (view.lesson && (!view.lesson->attempt.work.has_run || view.lesson->attempt.answers.hints_shown > 0)) return {};
+    if (!view.lesson && has_nothing_to_drive(view)) return {"bias.LM", "hint.no_wires"};
     if (!view.lesson)
         if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
     return of_free_play(memory, view);
+}
+
+bool is_subject_gone(const LabView& view) {
+    const Snapshot& now = *view.now;
+    const int kind = view.lesson ? subject_kind(*now.scene) : -1;
+    return now.tick > 0 && kind >= 0 &&
+           std::none_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) { return v.kind == kind; });
 }
 
 std::string_view next_change(const LabView& view) {

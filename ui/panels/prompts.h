@@ -21,6 +21,9 @@ inline constexpr std::string_view lamp_anchor = "stage.lamp";
 // Call once a frame.
 Prompt next_prompt(PromptMemory&, const LabView&);
 
+// True once no vehicle that the student of the exercise changes is left: it was eaten or has used up its energy.
+bool is_subject_gone(const LabView&);
+
 // The key of a few words for what the user may change now: a slider, a wire, a sensor or a child, or the answer while
 // the prediction is asked for. They fill the gap of the hint.* texts that have one.
 std::string_view next_change(const LabView&);
