@@ -42,6 +42,9 @@ void go_to_tick(Workspace& space, std::uint64_t tick) {
 
 void seek(Workspace& space, const SeekRequest& request) {
     space.playback.held = request.held;
+    // Where the person lets go of the playhead, a change is to take effect: the run does not go on by itself.
+    const bool goes_back = request.held && request.tick < space.document.session.latest();
+    if (goes_back && space.playback.mode == Mode::playing) set_mode(space, Mode::paused);
     if (request.held && is_costly(space) && !space.document.lesson) {
         space.document.session.seek_roughly(request.tick);
         arrive(space);

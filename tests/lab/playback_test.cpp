@@ -209,6 +209,21 @@ TEST(Playback, GoesBackAndForwardExactly) {
     EXPECT_EQ(lab.document.session.hash(), hash);
 }
 
+TEST(Playback, ADragBackInTimePauses) {
+    Lab lab = opened_lab("2a-coward");
+    for (int i = 0; i < 300; ++i) tick(lab);
+    handle(lab, Action::play_pause);
+    handle(lab, SeekRequest{lab.document.session.latest(), true});
+    EXPECT_EQ(lab.playback.mode, Mode::playing) << "a press at the end of the track";
+    handle(lab, SeekRequest{120, true});
+    handle(lab, SeekRequest{120, false});
+    advance(lab, 0.5);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 120u) << "a change takes effect where the playhead was let go";
+    handle(lab, Action::play_pause);
+    advance(lab, 0.1);
+    EXPECT_GT(lab.document.session.snapshot().tick, 120u);
+}
+
 TEST(Playback, GoesBackInPartsWithManyVehicles) {
     Lab lab = opened_lab("predator-prey");
     for (const int kind : {0, 1}) handle(lab, EditRequest{SetPopulation{kind, 160}});
