@@ -139,6 +139,12 @@ void reset_and_pause(Lab& lab) {
     reset(lab);
 }
 
+// The new vehicle is where there is room; selected, it is found.
+void add_vehicle(Lab& lab) {
+    if (!apply(lab, AddVehicle{})) return;
+    select(lab, vehicle_object(lab.document.session.snapshot().vehicles.back().id));
+}
+
 struct LabAction {
     Action action;
     void (*act)(Lab&);
@@ -173,7 +179,7 @@ constexpr LabAction lab_actions[]{
          else
              reset_and_pause(lab);
      }},
-    {Action::add, [](Lab& lab) { apply(lab, AddVehicle{}); }, own_run},
+    {Action::add, [](Lab& lab) { add_vehicle(lab); }, own_run},
     {Action::remove, [](Lab& lab) { apply(lab, RemoveVehicle{}); }, own_run},
     {Action::new_population, [](Lab& lab) { apply(lab, NewPopulation{}); }, own_run},
     {Action::follow, [](Lab& lab) { switch_camera(lab, CameraMode::follow); }},

@@ -82,11 +82,11 @@ TEST(LabSelection, SelectsWhatTheUserAddsAtAPosition) {
     handle(lab, EditRequest{AddVehicle{0, Pose{1, 1, 0}}});
     EXPECT_EQ(lab.view.selection.vehicle, 1);
     handle(lab, Action::add);
-    EXPECT_EQ(lab.view.selection.vehicle, 1);
+    EXPECT_EQ(lab.view.selection.vehicle, 2) << "it is where there is room: selected, it is found";
     const auto sources = static_cast<int>(lab.document.session.snapshot().sources.size());
     handle(lab, EditRequest{AddSource{Source{.x = 2}}});
     EXPECT_EQ(lab.view.selection.object, (SceneObject{SceneObjectKind::source, sources}));
-    EXPECT_EQ(lab.view.selection.vehicle, 1) << "its brain is still shown";
+    EXPECT_EQ(lab.view.selection.vehicle, 2) << "its brain is still shown";
 }
 
 TEST(LabSelection, KeepsASourceWhenOthersAreRemoved) {
