@@ -15,7 +15,6 @@ void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
     const CameraMode mode = stored.settings.camera.mode;
     if (!rides(mode) || selected_vehicle(lab)) view.camera.mode = mode;
     lab.view = std::move(view);
-    lab.playback.time_scale = stored.time_scale;
     panels.prompts.followed = stored.followed;
     panels.charts.strips = stored.strips;
     panels.sheets.breeding.may = stored.may_change;
@@ -30,7 +29,6 @@ StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
     StoredView stored{.settings = for_another_scene(shown)};
     stored.settings.camera.mode = shown.camera.mode;
     stored.settings.selection.whole_kind = lab.view.selection.whole_kind;
-    stored.time_scale = lab.playback.time_scale;
     stored.followed = panels.prompts.followed;
     stored.strips = panels.charts.strips;
     stored.may_change = panels.sheets.breeding.may;

@@ -172,7 +172,6 @@ template <class Visitor, class View>
 void visit_view(Visitor& file, View& view) {
     file.word("camera", camera_mode_words, view.settings.camera.mode);
     file.number("diagram_share", view.settings.canvas_share, least_canvas_share, largest_canvas_share);
-    file.number("speed", view.time_scale, least_time_scale, largest_time_scale);
     file.whole("prediction", view.settings.overlays.prediction);
     file.word("trail_colour", trail_value_words, view.settings.overlays.trail_colour.value);
     visit_kept_flags(view.settings, [&](const char* key, auto& value) { file.flag(key, value); });

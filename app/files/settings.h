@@ -32,7 +32,6 @@ struct WindowPlace {
 // How the scene was shown last: restored at the next start.
 struct StoredView {
     ViewSettings settings;  // of the camera its mode; the file has the flags of visit_kept_flags() and few other values
-    float time_scale = 1;
     std::optional<std::vector<std::string>> folded{};  // anchors of the folded cards; nullopt: first start
     ui::PromptsFollowed followed{};
     std::vector<std::string> strips{};  // names of the signals chosen for the chart, at most most_strips

@@ -33,7 +33,6 @@ TEST(Settings, KeepTheViewAndTheWindow) {
     state.view.settings.overlays = {false, {TrailValue::speed}, false, false, false, false, 3, std::nullopt};
     state.view.settings.sensors = false, state.view.settings.outlines = true;
     state.view.settings.canvas_share = 0.5f, state.view.settings.selection.whole_kind = false;
-    state.view.time_scale = 4;
     state.view.folded = {"card.brain", "card.scene"};
     state.view.followed = {true, false, true, false};
     state.view.strips = {"SL", "SL>N1"};
@@ -50,16 +49,15 @@ TEST(Settings, KeepTheViewAndTheWindow) {
 }
 
 TEST(Settings, ClampTheView) {
-    const auto state = parse_state("speed = 99.0\ndiagram_share = nan\ncamera = \"moon\"\nx = 3", "s");
+    const auto state = parse_state("diagram_share = nan\ncamera = \"moon\"\nx = 3", "s");
     ASSERT_TRUE(state) << state.error().text();
-    EXPECT_EQ(state->view.time_scale, 16);
     EXPECT_EQ(state->view.settings.canvas_share, ViewSettings{}.canvas_share);
     EXPECT_EQ(state->view.settings.camera.mode, CameraMode::overview);
     EXPECT_FALSE(state->place) << "y is missing";
     const auto trails = [](const char* toml) { return parse_state(toml, "s")->view.settings.overlays.trail_colour; };
     EXPECT_EQ(trails("trail_colour = \"rainbow\""), TrailColour{});
     EXPECT_EQ(trails("trail_colour = \"reading\""), TrailColour{}) << "of which sensor is not stored";
-    EXPECT_EQ(parse_state("speed = -1.0", "s")->view.time_scale, 0.125f);
+    EXPECT_EQ(*parse_state("speed = 16.0", "s"), StoredState{}) << "of an earlier version";
     EXPECT_FALSE(parse_state("trails = \"yes\"", "s"));
 }
 
