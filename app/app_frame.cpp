@@ -149,7 +149,8 @@ void App::frame(float passed) {
     view.program.finger = window_.finger();
     view.program.has_ffmpeg = can_write(ClipFormat::mp4);
     if (clip_) view.program.clip_progress = clip_->progress();
-    if (autosave_.leftover()) view.documents.recovery = &autosave_.leftover()->offer;
+    if (autosave_.leftover() && autosave_.leftover()->offer.has_work)
+        view.documents.recovery = &autosave_.leftover()->offer;
     make_pictures();
     view.documents.pictures = &gallery_.pictures();
     view.program.title_page = title_.has_value();

@@ -38,6 +38,7 @@ struct RecoveryOffer {
     std::string file;    // path; empty: it has no file
     std::string when;    // time of the autosave, "2026-03-01 10:42:05"
     bool ended = false;  // ended by a signal, not by a crash
+    bool has_work = true;  // changes of a person, or a population with a history; else nothing is asked
 };
 
 // A question about unsaved edits, before another file is opened or the program ends.

@@ -14,6 +14,7 @@
 #include "app/files/safe_file.h"
 #include "core/io/checked_json.h"
 #include "core/io/run_file.h"
+#include "core/lesson/submission.h"
 #include "core/messages.h"
 #include "core/scene/folder_entries.h"
 
@@ -156,6 +157,16 @@ void for_each_leftover(const fs::path& folder, const Visit& visit) {
     });
 }
 
+// True if a person has changed the scene, or what the student of an exercise may change; also for a run of predators
+// and prey, whose population has a history.
+bool has_work(const Document& document) {
+    const Snapshot& now = document.session.snapshot();
+    if (const auto& lesson = document.lesson)
+        return submission_of(*lesson->exercise, now) != as_shipped(*lesson->exercise);
+    const bool has_history = now.predators > 0 || now.prey > 0;
+    return has_history || !document.file || document.session.edited_scene() != *document.file;
+}
+
 Error cannot_store(const Error& reason) {
     return error_of(message_of("no_recovery") + message_of(reason), reason.file, reason.line);
 }
@@ -217,8 +228,11 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
         const std::string text = autosave_text(file);
         const auto keys = read_keys(text, file.string());
         std::optional<Error> fault = keys ? std::nullopt : std::optional(keys.error());
-        if (keys && text.size() <= most_at_start)
-            if (const auto opened = open_autosave(text, file.string()); !opened) fault = opened.error();
+        bool work = true;
+        if (keys && text.size() <= most_at_start) {
+            const auto opened = open_autosave(text, file.string());
+            opened ? void(work = has_work(opened->document)) : void(fault = opened.error());
+        }
         if (fault) {
             errors.push_back(
                 error_of(message_of(*fault) + Message("; its work cannot be recovered; the file is renamed to " +
@@ -227,10 +241,11 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
             set_aside_autosave(file);
             return;
         }
-        older_.push_back({file, {keys->title, keys->path.string(), keys->when, keys->ended}});
+        older_.push_back({file, {keys->title, keys->path.string(), keys->when, keys->ended, work}});
     });
-    std::sort(older_.begin(), older_.end(),
-              [](const Leftover& a, const Leftover& b) { return a.offer.when < b.offer.when; });
+    std::sort(older_.begin(), older_.end(), [](const Leftover& a, const Leftover& b) {
+        return std::pair(a.offer.has_work, a.offer.when) < std::pair(b.offer.has_work, b.offer.when);
+    });
     pass_over();
 }
 

@@ -86,10 +86,10 @@ public:
 
     static constexpr std::size_t most_at_start = 4U << 20U;  // bytes of a leftover that is read whole at the start
 
-    // Searches the folder for leftovers, removes those that are too old (broken ones, too) and offers the newest, then
-    // the others. A file that cannot be read is renamed to <name>.broken and reported in `errors`; in a file of more
-    // bytes than most_at_start, which takes seconds, the run is read by recover() only. If `folder` is empty, nothing
-    // is read or written.
+    // Searches the folder for leftovers, removes those that are too old (broken ones, too) and offers the newest, first
+    // of those with work, then the others. A file that cannot be read is renamed to <name>.broken and reported in
+    // `errors`; in a file of more bytes than most_at_start, which takes seconds, the run is read by recover() only. If
+    // `folder` is empty, nothing is read or written.
     explicit Autosave(std::filesystem::path folder, std::vector<Error>& errors);
     Autosave(Autosave&&) = default;
     Autosave& operator=(Autosave&&) = default;

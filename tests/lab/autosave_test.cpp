@@ -232,6 +232,28 @@ TEST_F(AutosaveTest, OffersTheWorkOfEachCrashedLabTheNewestFirst) {
     EXPECT_FALSE(after.leftover());
 }
 
+TEST_F(AutosaveTest, AsksForEditsAndNotForARunWithoutThem) {
+    const auto leave = [&](const char* name, bool edits) {
+        lab = open(name);
+        for (int i = 0; i < 100; ++i) tick(lab);
+        if (edits) edit(lab, 1.25f);
+        Autosave(folder.path, complaints).keep(lab, 0, Autosave::Occasion::now);
+    };
+    for (const char* name : {"2a-coward", "05-aggressor"}) {
+        leave(name, false);
+        ASSERT_TRUE(Autosave(folder.path, complaints).leftover()) << name;
+        EXPECT_FALSE(Autosave(folder.path, complaints).leftover()->offer.has_work) << name;
+        const auto unedited = files_in(folder.path);
+        ASSERT_EQ(unedited.size(), 1u);
+        fs::rename(unedited[0], folder / "1-2.autosave");  // of another process
+        leave(name, true);
+        ASSERT_TRUE(Autosave(folder.path, complaints).leftover()) << name;
+        EXPECT_TRUE(Autosave(folder.path, complaints).leftover()->offer.has_work) << name;
+        EXPECT_NE(Autosave(folder.path, complaints).leftover()->file, folder / "1-2.autosave") << name;
+        for (const fs::path& file : files_in(folder.path)) fs::remove(file);
+    }
+}
+
 TEST_F(AutosaveTest, KeepsNoFileForEditsThatAreUndone) {
     Autosave autosave(folder.path, complaints);
     const auto at = [&](double second) {

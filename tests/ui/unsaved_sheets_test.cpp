@@ -185,6 +185,20 @@ TEST(RecoverySheet, IsShownAfterALectureOnly) {
     EXPECT_TRUE(desk.anchors.find("recovery.take"));
 }
 
+TEST(RecoverySheet, AClickBesideItDecidesNothing) {
+    Desk desk;
+    const RecoveryOffer offer{"2a-coward", "/home/me/mine.toml", "2026-03-01 10:42:05"};
+    desk.view.documents.recovery = &offer;
+    desk.frame(3);
+    desk.point(5, 700);
+    desk.frame(2);
+    desk.button(0, true), desk.frame(2), desk.button(0, false), desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("recovery.take")) << "the work is still offered";
+    desk.click("recovery.later");
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("recovery.take"));
+}
+
 TEST(RecoverySheet, NamesTitleFileAndTime) {
     Desk desk;
     const RecoveryOffer offer{"Coward", "/home/me/mine.toml", "2026-03-01 10:42:05"};

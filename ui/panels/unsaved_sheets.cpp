@@ -144,7 +144,8 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const bool later = push_button(ui, "recovery.later", {{}, ui.strings("recovery.later"), Emphasis::quiet},
                                    ui.strings("recovery.later_how"), key_name({key::escape}, ui.strings));
     if (take || discard) ui.outbox.push_back(RecoverRequest{take});
-    if (end_sheet(sheet) || later) state.sheet = Sheet::none;
+    (void)end_sheet(sheet);  // a click beside it decides nothing
+    if (later) state.sheet = Sheet::none;
 }
 
 }  // namespace braitenlab::ui
