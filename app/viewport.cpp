@@ -139,6 +139,7 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .other_run = around_b(slots),
                                    .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
                                    .held = held,
+                                   .paused = lab.playback.mode == Mode::paused && !lab.playback.seeks,
                                    .close_up = close_up});
     const CameraView wanted = look(state.framing.raised(lab.view.camera), now.scene->arena, followed, window, free_area,
                                    &state.framed, ride_scale(now, followed));

@@ -134,10 +134,12 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
     return box;
 }
 
-// In a narrow free area, as between the cards of a small window, the floor covers less, so that what the vehicle drives
-// to stays in the picture and the camera rests.
+constexpr float narrow = 0.85f;  // width by height of a free area, as between the cards of a small window
+
+bool is_narrow(Rect area) { return area.w < narrow * area.h; }
+
+// In a narrow free area the floor covers less.
 float cover_for(Rect free_area) {
-    constexpr float narrow = 0.85f;  // width by height
     return wanted_cover * std::min(1.0f, free_area.w / std::max(free_area.h, 1.0f) / narrow);
 }
 
@@ -280,7 +282,7 @@ FloorBox Framing::wanted(const Snapshot& now, FramingInput in, const Choice& cho
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     if (is_default_elevation(in.camera)) in.camera.elevation = choice.elevation;
     FloorBox box = widened(in.close_up ? within(*in.close_up, arena) : *grown_, in, arena);
-    if (in.close_up || !now.scene || now.vehicles.empty()) return box;
+    if (in.close_up || !now.scene || now.vehicles.empty() || is_narrow(in.free_area)) return box;
     const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
     // The walls of a table and the numbers beside them are not cut off for a slightly larger robot.
     const bool is_table = scale_of(arena) < 1 && contains(box, whole(arena));
@@ -325,6 +327,7 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in, boo
     // The largest part that covers enough, or the whole.
     const auto best_part = [&](Choice choice) {
         const Rated whole_box = rate(choice);
+        if (is_narrow(in.free_area)) return whole_box;
         choice.part = least_part;
         Rated best = rate(choice);
         float enough = least_part, too_much = 1;
@@ -351,7 +354,7 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in, boo
         return r.share >= enough - (rests_ && r.choice.sources == choice_.sources ? share_of_rest : 0);
     };
     Rated best = best_with(Sources::all);
-    if (is_enough(best, enough_with_all) || now.sources.empty()) return best.choice;
+    if (is_narrow(in.free_area) || is_enough(best, enough_with_all) || now.sources.empty()) return best.choice;
     const auto take_if_larger = [&](const Rated& other) {
         if (other.share > best.share + 0.02f) best = other;
     };
@@ -374,6 +377,7 @@ float Framing::fulfilment(const Snapshot& now, FramingInput in) const {
 
 // True if the choice must be made anew. `has_changed`: the box around the action, or the nearest source.
 bool Framing::must_choose(const Snapshot& now, const FramingInput& in, bool has_changed) const {
+    if (is_narrow(in.free_area)) return false;
     if (has_changed && choice_.sources != Sources::all) return true;
     const std::uint64_t rested = now.tick < chosen_at_ ? ticks_of_rest : now.tick - chosen_at_;
     if (!has_changed && rested < ticks_if_far) return false;
@@ -409,6 +413,10 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
                         in.close_up.has_value(),
                         std::min(now.vehicles.size(), few_vehicles + 1)};
     const bool is_new = !shown_ || !before || !(reason == reason_);
+    if (!in.paused) glides_ = false;
+    if (in.paused && is_new) glides_ = true;
+    if (in.paused && !glides_ && contains(with_border(*shown_, scale_of(arena) * left_free), action))
+        return speed_ = {}, turning_ = 0, *shown_;
     const bool has_changed = before != grown_ || nearest_ != nearest;
     nearest_ = nearest;
     if (is_new || must_choose(now, in, has_changed)) {
@@ -423,12 +431,13 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     const bool has_crossed = place && place_ && crosses_seam(*place_, *place, arena);
     place_ = place;
     if (!shown_ || in.seconds <= 0 || has_crossed) {
-        speed_ = {}, turning_ = 0, elevation_ = choice_.elevation;
+        speed_ = {}, turning_ = 0, elevation_ = choice_.elevation, glides_ = false;
         return *(shown_ = goal);
     }
     glide(shown_->low, speed_.low, goal.low, in.seconds);
     glide(shown_->high, speed_.high, goal.high, in.seconds);
     glide(elevation_, turning_, choice_.elevation, in.seconds);
+    if (*shown_ == goal && elevation_ == choice_.elevation) glides_ = false;
     return *shown_;
 }
 

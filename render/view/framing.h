@@ -22,6 +22,7 @@ struct FramingInput {
     std::optional<FloorBox> other_run{};  // where a run is that is drawn beside this one
     float seconds = 0;                    // since the last frame; 0: no glide, the box changes at once
     bool held = false;                    // the user holds something: the box stays
+    bool paused = false;                  // the box stays as long as vehicles and sources stay in it
     std::optional<FloorBox> close_up{};   // framed in place of the action
 };
 
@@ -36,7 +37,8 @@ float floor_cover(const CameraView&, const Arena&, Rect free_area);
 // small or the floor would not cover enough, the box is a part of that, in which the present vehicles and the sources
 // near them are; the paths behind them may then leave the picture. While the user has zoomed or moved the camera, the
 // box stays. A camera that the user has not turned is lower over a box that is deep for the free area and higher over
-// one that is wide for it.
+// one that is wide for it. In an area that is narrow for its height, as between two cards of a small window, the box is
+// never a part of the action: what the vehicle drives to stays in the picture.
 class Framing {
 public:
     // The box of this frame.
@@ -80,7 +82,8 @@ private:
     std::optional<FloorBox> driven_;         // where vehicles and sources have been
     std::optional<maths::vec2> place_;       // of the selected vehicle in the last frame, in scenes of few vehicles
     Choice choice_;
-    bool rests_ = false;  // the present choice stays unless another one is clearly better
+    bool rests_ = false;   // the present choice stays unless another one is clearly better
+    bool glides_ = false;  // in a pause: to a box that is wanted for a new reason
     Reason reason_;
     float elevation_ = Camera{}.elevation;  // displayed
     FloorBox speed_{};                      // of the displayed box, m/s

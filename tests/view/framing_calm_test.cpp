@@ -20,12 +20,14 @@ namespace fs = std::filesystem;
 constexpr int frames = 3600;
 constexpr float frame_seconds = 1.0f / 60;
 
-// The part of a window that two open cards or the bars of a lecture leave free.
+// The part of a window that two open cards, also of a small window, or the bars of a lecture leave free.
 constexpr struct {
     const char* name;
     Rect free_area;
     float least_share;
-} places[]{{"two open cards", {336, 84, 576, 610}, 0.05f}, {"a lecture", {16, 95, 1248, 499}, 0.08f}};
+} places[]{{"two open cards", {336, 84, 576, 610}, 0.05f},
+           {"two open cards of a small window", {256, 122, 276, 380}, 0.05f},
+           {"a lecture", {16, 95, 1248, 499}, 0.08f}};
 
 std::optional<Scene> shipped(const std::string& name) {
     const fs::path folder = fs::path(BRAITENLAB_SOURCE) / "exercises";

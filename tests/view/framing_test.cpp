@@ -403,6 +403,31 @@ TEST(Framing, StaysWhileTheUserHoldsSomethingOrHasMovedTheCamera) {
     }
 }
 
+TEST(Framing, RestsInAPauseUnlessAVehicleIsOutsideOrAnotherPictureIsWanted) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -2, 0, 0);
+    hand_made::add_source(now, Channel::light, 2, 0);
+    Framing framing;
+    FramingInput in = input();
+    framing.follow(now, in);
+    in.seconds = 1.0f / 60;
+    const auto follow_for = [&](int frames) {
+        FloorBox box;
+        for (int i = 0; i < frames; ++i) box = framing.follow(now, in);
+        return box;
+    };
+    now.vehicles[0].x = -6, now.tick = 1;
+    const FloorBox gliding = follow_for(90);  // the vehicle is in the picture, the glide has not ended
+    in.paused = true;
+    EXPECT_EQ(follow_for(300), gliding);
+    in.free_area.w *= 0.8f;
+    const FloorBox narrower = follow_for(300);
+    EXPECT_FALSE(narrower == gliding);
+    EXPECT_EQ(follow_for(1), narrower);
+    now.vehicles[0].x = 8;
+    EXPECT_TRUE(holds(follow_for(300), {8, 0}));
+}
+
 TEST(Framing, BeginsAgainWithAnotherRunOrScene) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, -8, 0, 0);
