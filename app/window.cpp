@@ -26,7 +26,7 @@ using namespace std::string_view_literals;
 
 namespace {
 
-constexpr int least_width = 940, least_height = 570;  // window pixels; the toolbar needs them
+constexpr int least_width = 780, least_height = 560;  // window pixels; the toolbar and the cards need them
 constexpr int smooth_samples = 4;                     // of multisampling
 constexpr const char* program_id = "org.braitenlab.braitenlab";
 

@@ -222,16 +222,25 @@ OpenCards open_cards(const LabView& view, const PanelState& state) {
     if (asked(view)) open.question = state.lecture.question_height;
     if (view.pages && view.pages->notes) open.notes = state.lecture.notes_height;
     for (const CardTraits& row : cards()) {
-        if (row.column == Column::none || state.cards[static_cast<std::size_t>(row.card)].folded) continue;
-        (row.column == Column::left ? open.left : open.right) |= row.shown(view);
+        if (row.column == Column::none || !row.shown(view)) continue;
+        const bool is_left = row.column == Column::left;
+        if (state.cards[static_cast<std::size_t>(row.card)].folded)
+            ++(is_left ? open.folded_left : open.folded_right);
+        else
+            (is_left ? open.left : open.right) = true;
     }
+    if (open.left) open.folded_left = 0;
+    if (open.right) open.folded_right = 0;
     return open;
 }
 
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ui.keyboard = &state.keyboard;
     ui.still = view.program.reduce_motion;
-    if (view.program.title_page) return draw_title_page(view, state, ui, layout.window);
+    if (view.program.title_page) {
+        state.tooltips.hidden = true;  // the pointer that begins lies where a tooltip would be
+        return draw_title_page(view, state, ui, layout.window);
+    }
     ui.decimal_mark = decimal_mark(ui.strings);
     ui.tooltips = &state.tooltips;
     ui.quiet = view.lecture;

@@ -26,6 +26,9 @@ constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, o
 constexpr float metre_labels = 16;                                 // below the arena
 constexpr float wide_window = 1600;                                // has room for both columns and a watched canvas
 constexpr float narrow_window = 1200;                              // a narrower window has narrower cards and margins
+constexpr float least_window = 900;                                // below: as narrow as their texts allow
+constexpr float tab_width = 156, tab_pitch = 44;                   // of a folded card of a column without an open one
+constexpr float scene_aspect = 1.4f;                               // width by height, of most arenas
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
 constexpr float narrow_scene = 480, above_scene = 4;
@@ -34,7 +37,8 @@ struct ColumnWidths {
     float margin, left, right;
 };
 
-ColumnWidths column_widths(float layout_width) {
+ColumnWidths column_widths(float layout_width, bool lecture) {
+    if (layout_width < least_window && !lecture) return {8, 252, 276};
     if (layout_width < narrow_window) return {12, 264, 316};
     return {16, 304, 336};
 }
@@ -107,6 +111,33 @@ bool has_caption(const LabView& view) {
     return page && page->shows(PagePart::caption) && !page->current().caption.empty() && !hides_open_title(view);
 }
 
+// Narrows a column whose cards are all folded, and gives the scene the room beside or below them, whichever shows more.
+void fold_columns(WindowLayout& l, OpenCards open, float margin) {
+    const float end = l.window.w - margin, wide = tab_width * l.scale;
+    const auto below = [&](int folded) { return l.scene.y + static_cast<float>(folded) * tab_pitch * l.scale; };
+    const auto shown = [](const Rect& r) { return std::min(r.w, scene_aspect * r.h); };
+    const auto cut = [](Rect r, float from, float top, float until) {
+        const float bottom = r.y + r.h;
+        return Rect{from, top, std::max(0.0f, until - from), std::max(0.0f, bottom - top)};
+    };
+    if (open.folded_left > 0 && l.left.w > wide) {
+        l.left.w = wide;
+        const float until = l.scene.x + l.scene.w;
+        const Rect beside = cut(l.scene, 2 * margin + wide, l.scene.y, until);
+        const Rect under = cut(l.scene, margin, below(open.folded_left), until);
+        l.scene = shown(under) > shown(beside) ? under : beside;
+    }
+    const bool has_guest = open.left && l.left.w <= 0;  // a card of the left column, above those of the right one
+    if (open.folded_right > 0 && l.right.w > wide && !has_guest) {
+        l.right = {end - wide, l.right.y, wide, l.right.h};
+        const Rect beside = cut(l.scene, l.scene.x, l.scene.y, l.right.x - margin);
+        const Rect under =
+            cut(l.scene, l.scene.x,
+                std::max(l.scene.y, l.right.y + static_cast<float>(open.folded_right) * tab_pitch * l.scale), end);
+        l.scene = shown(under) > shown(beside) ? under : beside;
+    }
+}
+
 // The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
 // exercise takes the place of the question, as the sliders do once it is answered; before, an open card is below the
 // question. The values below are shown on request only, and so are the notes, which take the place of the values.
@@ -173,7 +204,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.toolbar = {0, l.menu_bar.h, width, toolbar_height * scale};
     l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
 
-    const ColumnWidths c = column_widths(width / scale);
+    const ColumnWidths c = column_widths(width / scale, view.lecture);
     const bool is_narrow = width / scale < (view.lesson ? narrow_window : wide_window);
     l.card_replaces_diagram = is_narrow && has_asked_card(view);
     const bool watches = view.settings.watching && view.mode != Mode::wiring && !l.card_replaces_diagram;
@@ -204,6 +235,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float from_left = l.left.w > 0 ? 2 * margin + left : margin;
     l.scene = {from_left, top, width - 2 * margin - right - from_left, column};
 
+    if (view.mode != Mode::wiring && !view.lecture) fold_columns(l, open, margin);
     if (open.charts && view.mode != Mode::wiring && !view.lecture) {
         const float strip = std::min(charts_height * scale, column * 0.45f);
         l.charts = {l.scene.x, bottom - strip, l.scene.w, strip};

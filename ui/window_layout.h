@@ -25,11 +25,12 @@ struct WindowLayout {
 
 // The cards that take space of the scene while they are open.
 struct OpenCards {
-    bool charts = false;  // the chart card
-    bool left = false;    // any card of the left column
-    bool right = false;   // any card of the right column
-    float notes = 0;      // wanted height of the lecturer's notes, window pixels; 0: they are not shown
-    float question = 0;   // wanted height of the page's question, window pixels
+    bool charts = false;                    // the chart card
+    bool left = false;                      // any card of the left column
+    bool right = false;                     // any card of the right column
+    int folded_left = 0, folded_right = 0;  // how many folded cards a column has of which no card is open
+    float notes = 0;     // wanted height of the lecturer's notes, window pixels; 0: they are not shown
+    float question = 0;  // wanted height of the page's question, window pixels
 };
 
 // The scale, window pixels per layout pixel, reduced until bars and cards fit into the window. In steps of an eighth,
@@ -37,8 +38,9 @@ struct OpenCards {
 float fitting_scale(float scale, Rect window, bool lecture);
 
 // `scale`: window pixels per layout pixel. The layout fits windows of at least 1024 × 768 layout pixels. In
-// smaller windows the scene is narrower, but at least a quarter of the width. In a lecture open cards leave it half of
-// the width, or of the height where the diagram is shown, too.
+// smaller windows the cards and the scene are narrower; the scene has at least a quarter of the width. A column whose
+// cards are all folded is as wide as their headings, and the scene is beside or below them. In a lecture open cards
+// leave it half of the width, or of the height where the diagram is shown, too.
 WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, OpenCards = {});
 
 }  // namespace braitenlab::ui

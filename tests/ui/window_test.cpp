@@ -102,6 +102,42 @@ INSTANTIATE_TEST_SUITE_P(Windows, WindowAtEverySize,
                          ::testing::Values(Size{1024, 768, 1}, Size{1280, 800, 1}, Size{2048, 1536, 2},
                                            Size{1920, 1080, 1}));
 
+TEST(Window, AColumnWhoseCardsAreAllFoldedLeavesItsRoomToTheScene) {
+    for (const auto& [width, height] : {std::pair{800.0f, 600.0f}, {1024.0f, 768.0f}, {1280.0f, 800.0f}}) {
+        SCOPED_TRACE(width);
+        Desk desk(width, height, 1, true);
+        desk.frame(5);
+        const float between = desk.layout.scene.w;
+        const auto fold = [&](std::initializer_list<Card> folded) {
+            for (const Card card : folded) desk.panels.card(card).folded = true;
+            desk.frame(5);
+            for (const char* id : {"card.scene", "card.sensors", "card.brain", "card.information"})
+                EXPECT_FALSE(overlap(desk.where(id), desk.where("viewport"))) << id;
+        };
+        fold({Card::scene, Card::sensors});
+        const float without_left = desk.layout.scene.w;
+        EXPECT_GT(without_left, between + 80);
+        fold({Card::brain, Card::information});
+        EXPECT_GT(desk.layout.scene.w, without_left + 80);
+        desk.panels.card(Card::scene).folded = desk.panels.card(Card::brain).folded = false;
+        desk.frame(5);
+        EXPECT_EQ(desk.layout.scene.w, between);
+    }
+}
+
+TEST(Window, NoTooltipFollowsTheTitlePageUntilThePointerMoves) {
+    Desk desk(800, 600, 1, true);
+    desk.point(200, 300);
+    desk.view.program.title_page = true;
+    desk.frame(2);
+    desk.view.program.title_page = false;
+    desk.frame(5);
+    EXPECT_TRUE(desk.panels.tooltips.hidden);
+    desk.point(300, 300);
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.tooltips.hidden);
+}
+
 TEST(Window, FramesTheSceneInAnInsetWhileWiring) {
     Desk desk;
     desk.view.mode = Mode::wiring;

@@ -57,7 +57,8 @@ constexpr float names_width = 28;  // of the widest dial: all tracks begin at on
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
 // Of an offered slider: the least length of its track, and the room of its knob at both ends.
-constexpr float least_track = 96, around_track = 16;
+constexpr float least_track = 72, around_track = 16;
+constexpr float room_for_two = 250;  // layout pixels, of both biases in one row
 
 // Where no more sliders are offered, there is room for what their letters mean.
 constexpr std::size_t few_offers = 2;
@@ -110,10 +111,11 @@ public:
         const float window_height = ImGui::GetIO().DisplaySize.y;
         const bool is_low = window_height < ui_.px(low_window) ||
                             (window_height < ui_.px(low_window_of_graph) && !sketch::is_four_wires(brain_, pair_));
-        const float bias_width = is_low ? (width - gap) / 2 : width;
+        const bool share_row = is_low && width >= ui_.px(room_for_two);
+        const float bias_width = share_row ? (width - gap) / 2 : width;
         for (const DialSlider& bias : bias_sliders) {
             turn(bias.dial, bias.anchor, bias_width, bias_look(bias));
-            if (is_low && bias.dial == Dial::LM) ImGui::SameLine();
+            if (share_row && bias.dial == Dial::LM) ImGui::SameLine();
         }
         ImGui::PopStyleVar();
     }

@@ -29,6 +29,7 @@ void start_pictures(const LabView&, Ui&);                            // precondi
 void median_rows(const LessonView&, Ui&);                     // nothing without LessonView::shipped_grade and a grade
 void note_field(const LabView&, PanelState&, Ui&);            // the student's notes, while they are unfolded
 void note_button(const LabView&, PanelState&, Ui&);           // unfolds them
+float note_button_width(const LabView&, const Ui&);           // window pixels
 void breeding_button(const LabView&, PanelState&, Ui&);       // nothing unless the exercise offers a breeding
 void chart_card(const LabView&, PanelState&, Ui&, Rect);      // while ChartsState::open; folding closes it
 void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that the chart card shows; chart_card.cpp

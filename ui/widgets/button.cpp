@@ -216,7 +216,8 @@ float key_cap(const Ui& ui, ImVec2 at, std::string_view words, Face face) {
 
 bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how,
                std::string_view key) {
-    const float width = card_width(ui), left = ui.px(34), top = ui.px(7);
+    constexpr float narrow = 230;  // layout pixels: such a card is low, too
+    const float width = card_width(ui), left = ui.px(34), top = ui.px(width < ui.px(narrow) ? 4 : 7);
     ImFont* f = font(ui, Face::text);
     const float cap = key.empty() ? 0 : key_cap_width(ui, key) + ui.px(8);
     const float wrap = width - left - ui.px(10) - cap;

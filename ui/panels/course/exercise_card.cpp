@@ -29,6 +29,7 @@ namespace {
 
 constexpr float gauge_height = 12;             // layout pixels
 constexpr float least_height_with_head = 400;  // layout pixels, of the card: below it title and goal scroll
+constexpr float narrow_foot = 230;             // layout pixels: its buttons are small
 
 std::string numbered(const char* stem, std::size_t index) { return stem + std::to_string(index + 1); }
 
@@ -239,11 +240,12 @@ void show_me_button(const LessonView& lesson, Ui& ui) {
     tooltip(ui, at, ui.strings(look.enabled ? "exercise.show_me_how" : "exercise.hint_wait"));
 }
 
-void hint_button(const LessonView& lesson, Ui& ui) {
+void hint_button(const LessonView& lesson, bool compact, Ui& ui) {
     const std::size_t count = lesson.exercise->hints.size();
     const bool left = static_cast<std::size_t>(lesson.attempt.answers.hints_shown) < count;
     if (!left) return show_me_button(lesson, ui);
     ButtonLook look{icon::hint, ui.strings("exercise.hint")};
+    look.compact = compact;
     look.enabled = lesson.attempt.answers.hint_ready;
     const Item at = button(ui, "exercise.hint", look);
     if (at.pressed) ui.outbox.push_back(Action::hint);
@@ -252,10 +254,12 @@ void hint_button(const LessonView& lesson, Ui& ui) {
 }
 
 // Opens the next exercise, or the list of files after the last one.
-void next_button(const LabView& view, PanelState& state, Ui& ui) {
+void next_button(const LabView& view, PanelState& state, Ui& ui, bool compact = false) {
     const CatalogueEntry* next = next_exercise(view);
     const Emphasis emphasis = has_passed(*view.lesson) ? Emphasis::primary : Emphasis::plain;
-    const Item at = button(ui, "exercise.next", {{}, ui.strings(next_exercise_key(view)), emphasis});
+    ButtonLook look{{}, ui.strings(next_exercise_key(view)), emphasis};
+    look.compact = compact;
+    const Item at = button(ui, "exercise.next", look);
     tooltip(ui, at, next ? entry_words(view, ui, *next) : std::string(ui.strings("exercise.more_how")),
             key_name({key::enter}, ui.strings));
     if (!at.pressed) return;
@@ -266,19 +270,20 @@ void next_button(const LabView& view, PanelState& state, Ui& ui) {
 
 // Of the foot of the card, which does not scroll: the next step, and what the student hands in.
 void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float width) {
-    const bool passed = has_passed(*view.lesson);
+    const bool passed = has_passed(*view.lesson), narrow = width < ui.px(narrow_foot);
     const float right = ImGui::GetCursorScreenPos().x + width;
     if (passed)
         next_button(view, state, ui);
     else
-        hint_button(*view.lesson, ui);
+        hint_button(*view.lesson, narrow, ui);
     if (!passed && view.lesson->standing.passed_before) {  // with another brain, or at another time
-        const ButtonLook next{{}, ui.strings(next_exercise(view) ? "exercise.next" : "exercise.more")};
+        ButtonLook next{{}, ui.strings(next_exercise(view) ? "exercise.next" : "exercise.more")};
+        next.compact = narrow;
         beside_or_below(ui, button_width(ui, next), right);
-        next_button(view, state, ui);
+        next_button(view, state, ui, narrow);
     }
     ButtonLook reset{{}, ui.strings("exercise.reset")};  // sentences of the card name it by its words
-    reset.compact = ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) > right;
+    reset.compact = narrow || ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) > right;
     beside_or_below(ui, button_width(ui, reset), right);
     const Item at = button(ui, "exercise.reset", reset);
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
@@ -380,7 +385,9 @@ bool shows_title(const LabView& view) {
 // the goal is below the result and scrolls.
 void head(const LabView& view, PanelState& state, Ui& ui) {
     if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
-    if (!has_passed(*view.lesson) && view.lesson->standing.passed_before) passed_mark(ui);
+    // The answers to a question need the room.
+    const bool has_room = card_width(ui) >= ui.px(narrow_foot) || !view.may.open_prediction;
+    if (!has_passed(*view.lesson) && view.lesson->standing.passed_before && has_room) passed_mark(ui);
     if (!has_passed(*view.lesson)) goal(*view.lesson, state, ui);
 }
 

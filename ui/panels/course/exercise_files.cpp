@@ -17,6 +17,8 @@ namespace braitenlab::ui {
 
 namespace {
 
+constexpr float narrow_row = 230;  // layout pixels: the notes are beside the buttons above, where they fit
+
 // The name in the view, else the typed one without spaces at its ends.
 std::string student_of(const LabView& view, const HandInState& state) {
     const std::string& typed = view.documents.student.empty() ? state.name.text : view.documents.student;
@@ -82,6 +84,7 @@ void refused_hand_in(const LabView& view, const HandInState& state, Ui& ui, floa
 
 void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width) {
     HandInState& asked = state.exercise.hand_in;
+    const float top = ImGui::GetCursorScreenPos().y;
     const float right = ImGui::GetCursorScreenPos().x + width;
     const bool is_shown = view.lesson->attempt.work.has_run;
     if (is_shown && asked.asks && view.documents.student.empty()) {
@@ -92,6 +95,12 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width)
     }
     if (is_shown) written_file(*view.lesson, ui, width);
     if (is_shown) refused_hand_in(view, asked, ui, width);
+    const bool follows_buttons = ImGui::GetCursorScreenPos().y == top;
+    if (width < ui.px(narrow_row) && follows_buttons) {
+        beside_or_below(ui, note_button_width(view, ui), right);
+        const bool is_beside = ImGui::GetCursorScreenPos().y < top;
+        if (is_beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px((button_height - small_button_height) / 2));
+    }
     note_button(view, state, ui);
     if (!is_shown) return;
     const SmallButton give{"exercise.hand_in", {}, ui.strings("exercise.hand_in")};

@@ -24,11 +24,22 @@ void note_field(const LabView& view, PanelState& state, Ui& ui) {
     gap(ui, 12);
 }
 
-void note_button(const LabView& view, PanelState& state, Ui& ui) {
+namespace {
+
+SmallButton look_of_notes(const LabView& view, const Ui& ui, bool open) {
     const bool empty = view.lesson->attempt.notes.empty();
-    const Item at = small_button(
-        ui, {"exercise.note", empty ? std::string_view{} : icon::check,
-             ui.strings(empty || has_icons(ui) ? "exercise.note" : "exercise.note_written"), state.exercise.note_open});
+    return {"exercise.note", empty ? std::string_view{} : icon::check,
+            ui.strings(empty || has_icons(ui) ? "exercise.note" : "exercise.note_written"), open};
+}
+
+}  // namespace
+
+float note_button_width(const LabView& view, const Ui& ui) {
+    return small_button_width(ui, look_of_notes(view, ui, false), true);
+}
+
+void note_button(const LabView& view, PanelState& state, Ui& ui) {
+    const Item at = small_button(ui, look_of_notes(view, ui, state.exercise.note_open));
     tooltip(ui, at, ui.strings("exercise.note_how"));
     if (at.pressed) state.exercise.note_open = state.exercise.note_begins = !state.exercise.note_open;
 }
