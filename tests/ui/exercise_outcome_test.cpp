@@ -82,6 +82,24 @@ TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
     EXPECT_FALSE(desk.says("still open"));
 }
 
+TEST(ExerciseOutcome, TheReasonIsToldOnceItIsKnown) {
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.opened.why = "Because.";
+    desk.frame(3);
+    desk.lesson.attempt.answers.prediction = 0;
+    desk.lesson.attempt.work.has_run = true;
+    desk.frame(3);
+    desk.lesson.at_start = false;
+    desk.panels.exercise.why_open = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("Because."));
+    EXPECT_TRUE(desk.anchors.find("exercise.why"));
+    desk.lesson.attempt.work.outcome_known = true;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("Because."));
+}
+
 TEST(ExerciseOutcome, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfTheCard) {
     for (const bool passed : {false, true}) {
         Desk desk(1024, 768, 1, true);

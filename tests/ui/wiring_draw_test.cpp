@@ -101,7 +101,7 @@ TEST_F(WiringDraw, TheSumOfANodeNeverCoversItsCard) {
         }
 }
 
-TEST_F(WiringDraw, TheSumOfANodeCoversNoOtherCard) {
+TEST_F(WiringDraw, TheSumOfANodeCoversNoOtherCardAndNoButton) {
     BrainGraph graph = make_graph({.LL = 1, .LR = 1.5f, .RL = 1.5f, .RR = 1});
     for (int i = 0; i < 6; ++i) {
         Node neuron;
@@ -122,6 +122,8 @@ TEST_F(WiringDraw, TheSumOfANodeCoversNoOtherCard) {
             const Rect* sum = anchors.find("canvas.sum");
             if (!sum) continue;
             ++shown;
+            for (const char* button : {"canvas.fit", "canvas.arrange"})
+                EXPECT_FALSE(sum->overlaps(*anchors.find(button))) << height << ": " << node.name << " over " << button;
             for (const Node& other : graph.nodes) {
                 const Rect* card = anchors.find("node." + other.name);
                 if (!card) continue;

@@ -393,10 +393,15 @@ void head(const LabView& view, PanelState& state, Ui& ui) {
 
 void reason(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
-    if (!lesson.exercise->why.empty() && shows_title(view) &&
-        fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.exercise.why_open,
-                 ui.strings("exercise.why_how")))
-        why(translated(ui, lesson.exercise->why), state, ui);
+    const bool has_reason = !lesson.exercise->why.empty() && shows_title(view);
+    if (!has_reason && card_width(ui) < ui.px(narrow_foot)) return;
+    if (has_reason && fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.exercise.why_open,
+                               ui.strings("exercise.why_how"))) {
+        // It tells the answer to the prediction: the run shows that first.
+        const bool is_open = is_asked(lesson.exercise->prediction) && !lesson.attempt.work.outcome_known;
+        why(is_open && !has_passed(lesson) ? ui.strings("exercise.why_later") : translated(ui, lesson.exercise->why),
+            state, ui);
+    }
     gap(ui, 12);
 }
 
