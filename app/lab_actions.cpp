@@ -40,7 +40,8 @@ void change_type_size(Lab& lab, float by) {
 void switch_camera(Lab& lab, CameraMode mode) {
     lab.view.orbits = false;
     if (rides(mode) && lab.view.camera.mode != mode && !selected_vehicle(lab))
-        return say(lab, {NoticeKind::failure, "notice.no_vehicle"});
+        return say(lab, {NoticeKind::failure,
+                         shown_snapshot(lab).vehicles.empty() ? "unavailable.no_vehicles" : "notice.no_vehicle"});
     lab.view.camera.mode = lab.view.camera.mode == mode ? CameraMode::overview : mode;
     if (!rides(lab.view.camera.mode)) return;
     lab.view.camera.zoom = 1;  // the overview's zoom is wrong for a camera that moves with a vehicle

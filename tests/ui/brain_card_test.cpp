@@ -530,6 +530,31 @@ TEST(BrainCard, SetsAClassicBrainFromItsPresets) {
     EXPECT_NE(desk.edits()[0].gesture, 0u);
 }
 
+TEST(BrainCard, AsksForAClickOnAVehicleOnlyWhereThereIsOne) {
+    for (const Mode mode : {Mode::paused, Mode::playing, Mode::wiring}) {
+        Desk desk(800, 600, 1, true);
+        desk.view.mode = mode;
+        desk.view.settings.selection.vehicle = no_vehicle;
+        const auto said = [&](std::string_view key) {
+            std::string all;
+            for (const Written& each : desk.written) all += each.words + ' ';
+            const std::string words(desk.strings(key).substr(0, 20));
+            return all.find(words) != std::string::npos;
+        };
+        desk.frame(3);
+        EXPECT_TRUE(said("brain.no_vehicle"));
+        EXPECT_FALSE(said("brain.empty_scene"));
+        desk.now.vehicles.clear();
+        desk.view.settings.sensors = false;
+        desk.frame(3);
+        EXPECT_TRUE(said("brain.empty_scene"));
+        EXPECT_TRUE(said("hint.empty_scene"));
+        for (const char* key : {"brain.no_vehicle", "hint.no_vehicle", "hint.wiring"}) EXPECT_FALSE(said(key)) << key;
+        for (const Written& each : desk.written)
+            EXPECT_TRUE(each.rect.x >= 0 && each.rect.x + each.rect.w <= 801) << each.words;
+    }
+}
+
 TEST(BrainCard, HasNoSlidersWithoutASelectedVehicle) {
     Desk desk;
     desk.view.settings.selection.vehicle = no_vehicle;

@@ -393,6 +393,12 @@ void driver_panel(PanelState& state, Ui& ui, const VehicleView& vehicle) {
     driver_note(state, ui, vehicle, width);
 }
 
+// The string key of what the card says without a vehicle.
+std::string_view no_brain_text(const LabView& view) {
+    if (is_subject_gone(view)) return "brain.gone";
+    return view.now->vehicles.empty() ? "brain.empty_scene" : "brain.no_vehicle";
+}
+
 }  // namespace
 
 void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle, std::string_view id, std::string_view how) {
@@ -435,8 +441,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     const std::size_t first = vehicle && !offers_some(view) && has_controls ? 0 : 2, last = view.lecture ? 3 : 2;
     const bool open = open_card(state, ui, Card::brain, place, std::span(buttons).subspan(first, last - first));
     if (buttons[2].pressed) state.lecture.controls = !state.lecture.controls;
-    if (open && !vehicle)
-        paragraph(ui, ui.strings(is_subject_gone(view) ? "brain.gone" : "brain.no_vehicle"), ui.palette.second_text);
+    if (open && !vehicle) paragraph(ui, ui.strings(no_brain_text(view)), ui.palette.second_text);
     const bool unrevealed = !view.settings.revealed.brain;
     if (open && vehicle && (unrevealed || is_brain_secret(view, vehicle->kind))) {
         title_row(view, state, ui, *vehicle);

@@ -221,7 +221,10 @@ private:
     }
     // In the row of a graph, or of a pair beside its right eye.
     float room_of_name() const {
-        if (is_graph_) return ui_.px(parts_.sensor_radius / 0.36f - 4);
+        const auto& sensors = parts_.sensors;
+        const float least = ui_.px(parts_.sensor_radius / 0.36f - 4);
+        if (is_graph_ && sensors.size() > 1) return std::max(least, sensors[1].at.x - sensors[0].at.x - ui_.px(4));
+        if (is_graph_) return least;
         const float from = parts_.sensors.back().at.x + unit_ * from_eye_to_its_name;
         return all_.x + all_.w - ui_.px(spacing::hair) - from;
     }

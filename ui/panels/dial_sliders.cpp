@@ -127,14 +127,15 @@ private:
                            [&](const DialSlider& each) { return at(values_, each.dial) != 0; });
     }
 
-    // What the letters of the first two weights mean.
+    // What the letters of the weights mean: of each one, or of all where there are more than two.
     void say_letters(const std::vector<Offer>& offers) {
         constexpr std::size_t most = 2;
-        std::size_t said = 0;
+        std::vector<std::string_view> words;
         for (const Offer& offer : offers)
             for (const Dial dial : offer.dials)
-                if (is_weight(dial) && said++ < most)
-                    paragraph(ui_, ui_.strings(slider_of(dial).tooltip), ui_.palette.second_text, Face::label);
+                if (is_weight(dial)) words.push_back(ui_.strings(slider_of(dial).tooltip));
+        if (words.size() > most) words = {ui_.strings("dial.letters")};
+        for (const std::string_view each : words) paragraph(ui_, each, ui_.palette.second_text, Face::label);
     }
 
     // The heading of the weights; at its right end the buttons that edit both sides, and the one that unfolds the

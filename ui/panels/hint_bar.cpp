@@ -172,10 +172,13 @@ std::string mode_hint(const LabView& view, const Ui& ui) {
 
 // The hint when there is no prompt.
 std::string_view usual_hint(const LabView& view) {
-    if (view.mode == Mode::wiring) return view.lesson ? "hint.wiring_exercise" : "hint.wiring";
+    if (view.now->vehicles.empty()) return "hint.empty_scene";
+    const bool has_none = view.settings.selection.vehicle == no_vehicle;
+    if (view.mode == Mode::wiring)
+        return has_none ? "hint.no_vehicle" : view.lesson ? "hint.wiring_exercise" : "hint.wiring";
     if (view.mode == Mode::playing)
         return view.settings.camera.mode == CameraMode::follow ? "hint.following" : "hint.playing";
-    return view.settings.selection.vehicle == no_vehicle ? "hint.no_vehicle" : "hint.paused";
+    return has_none ? "hint.no_vehicle" : "hint.paused";
 }
 
 // The key that brings the focus to the slider that pulses, in brackets.

@@ -20,7 +20,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::size_t most_recent = 5;
-constexpr float longest_name = 260, longest_exercise = 520;  // of a recent file and an exercise, layout pixels
+constexpr float longest_name = 260, longest_exercise = 620;  // of a recent file and an exercise, layout pixels
 
 struct MenuNames {
     std::string_view name, words;  // words: key of the string

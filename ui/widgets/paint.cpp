@@ -133,7 +133,7 @@ std::string shortened_first_sentence(const Ui& ui, std::string_view words, Face 
          end = words.find_last_of(",:;", end - 1)) {
         std::string part = std::string(words.substr(0, end)) + " …";
         if (words.substr(end + 1, 1) != " " || !fits(part)) continue;
-        if (text_width(ui, face, part) < width / 3) break;
+        if (text_width(ui, face, part) < width / 4) break;
         if (ui.shortened) ++*ui.shortened;
         return part;
     }

@@ -182,7 +182,11 @@ void draw_menu_on_cover(const Pen& canvas, CanvasMenu& menu) {
 
 // `why`: key of the reason why there is no brain to show.
 void draw_no_brain(const Ui& ui, Rect area, std::string_view why) {
-    put_centred(ui, {area.x + area.w / 2, area.y + area.h / 2}, ui.strings(why), ui.palette.second_text);
+    const float room = area.w - 2 * ui.px(spacing::wide), line = line_height(ui, Face::text);
+    const std::vector<std::string> lines = lines_of_words(ui, ui.strings(why), Face::text, room);
+    float y = area.y + (area.h - static_cast<float>(lines.size()) * line) / 2;
+    for (const std::string& words : lines)
+        put_centred(ui, {area.x + area.w / 2, y}, words, ui.palette.second_text), y += line;
 }
 
 void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& state, Ui& ui, Rect area, bool over) {
@@ -287,7 +291,11 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
         const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state.camera, area, ui.scale)};
         draw_ground(pen, area);
         const bool asks_first = hidden && hides_outcome(view) && !is_brain_secret(view, vehicle->kind);
-        draw_no_brain(ui, area, asks_first ? "wiring.answer_first" : hidden ? "wiring.hidden" : "wiring.no_vehicle");
+        draw_no_brain(ui, area,
+                      asks_first                   ? "wiring.answer_first"
+                      : hidden                     ? "wiring.hidden"
+                      : view.now->vehicles.empty() ? "brain.empty_scene"
+                                                   : "wiring.no_vehicle");
         state.drag = {};
         state.menu = {};
         state.actions.clear();
