@@ -56,8 +56,9 @@ void add_fields(Drawing& drawing, const Subject& s) {
         const Colour channel = colour_of(drawing.colours, sensor.channel);
         // With many vehicles idle fields are fainter, because many overlapping colours turn grey.
         const bool chosen = s.selected || s.hovered;
-        const float idle =
-            (chosen ? 0.30f : 0.20f * std::max(0.2f, drawing.crowd * drawing.crowd)) * (light ? 0.6f : 1.2f);
+        const float idle = (chosen ? 0.30f : 0.20f * std::max(0.2f, drawing.crowd * drawing.crowd)) * (!light   ? 1.2f
+                                                                                                       : chosen ? 1.0f
+                                                                                                                : 0.6f);
         const float strong = (chosen ? 0.56f : 0.46f) + (light ? 0.04f : 0.12f);
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;

@@ -236,6 +236,17 @@ TEST_F(DrawInsight, ThePredictionHasNoTimeWhereItEndsNow) {
     EXPECT_TRUE(desk.anchors.find("stage.prediction"));
 }
 
+TEST_F(DrawInsight, ThePredictionHasNoTimeWhereTheVehicleRests) {
+    std::fill(path.begin(), path.end(), path.front());
+    path.back().x += 0.1f;
+    desk.view.features.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.frame(2);
+    EXPECT_FALSE(desk.says("in 8 s"));
+    path.back().x += 1;
+    desk.frame(2);
+    EXPECT_TRUE(desk.says("in 8 s"));
+}
+
 TEST_F(DrawInsight, TheLettersOfTwoBrainsAreNearerToTheirOwnVehicles) {
     desk.now.vehicles.resize(1);
     VehicleView& vehicle = desk.now.vehicles[0];

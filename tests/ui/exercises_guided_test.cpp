@@ -506,6 +506,9 @@ TEST(ExercisesGuided, NoWidgetMovesWhenAllStartsAreShownAtOnce) {
             if (const Rect* at = it.desk.anchors.find(each.id)) before[each.id] = *at;
         ASSERT_TRUE(before.count("exercise.together")) << exercise.id;
         it.desk.lesson.together = true;
+        VehicleView other = *it.subject();  // from another start
+        other.id = 1000;
+        it.desk.now.vehicles.push_back(other);
         it.desk.frame(12);
         for (const auto& [id, was] : before) {
             const Rect* now = it.desk.anchors.find(id);

@@ -399,11 +399,20 @@ std::string_view no_brain_text(const LabView& view) {
     return view.now->vehicles.empty() ? "brain.empty_scene" : "brain.no_vehicle";
 }
 
+// True if a vehicle alone of its kind is shown from several starts at once: no row appears then.
+bool is_alone_in_exercise(const LabView& view, const VehicleView& vehicle) {
+    if (!view.lesson || !view.lesson->together) return false;
+    const std::vector<Start>& starts = view.lesson->exercise->scene.starts;
+    const std::string& kind = kind_of(*view.now, vehicle).name;
+    return std::count_if(starts.begin(), starts.end(), [&](const Start& start) { return start.kind == kind; }) == 1;
+}
+
 }  // namespace
 
 void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle, std::string_view id, std::string_view how) {
     const auto same = [&](const VehicleView& other) { return other.kind == vehicle.kind; };
     if (std::count_if(view.now->vehicles.begin(), view.now->vehicles.end(), same) < 2) return;
+    if (is_alone_in_exercise(view, vehicle)) return;
     const std::string kind = kind_of(*view.now, vehicle).name;
     const std::array words{ui.strings("scope.one"), ui.strings.find("kind_all." + kind, ui.strings("scope.all"))};
     const int chosen = segments(ui, id, words, view.settings.selection.whole_kind ? 1 : 0, card_width(ui), how);

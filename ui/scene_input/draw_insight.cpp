@@ -22,6 +22,7 @@ using maths::vec2;
 namespace {
 
 constexpr std::size_t ticks_per_point = 6;
+constexpr float least_named = 0.3f;  // m, in an arena of full scale: a shorter path has no words at its end
 
 // The part of a path that is still to come, `first` being the tick of its first pose.
 std::vector<vec2> coming(const std::vector<Pose>& path, std::uint64_t first, std::uint64_t now) {
@@ -84,7 +85,9 @@ void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const Predictio
     draw_coming_dots(frame, ui, {shown.path, shown.tick, now}, colour);
     const std::uint64_t end = shown.tick + shown.path->size() - 1;
     const auto seconds = static_cast<int>(std::lround(static_cast<double>(end - now) / 60));
-    if (seconds > 0)
+    const bool moves =
+        maths::distance(points.front(), points.back()) > least_named * scale_of(frame.view.now->scene->arena);
+    if (seconds > 0 && moves)
         name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour,
                  side);
     if (const auto at = project(frame.camera_view, points.back())) {
