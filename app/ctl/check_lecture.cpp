@@ -40,12 +40,10 @@ int check_lecture(const std::filesystem::path& path, bool json) {
     for (const std::size_t page : json ? std::vector<std::size_t>{} : long_questions)
         std::cout << format_lines(
             "{}: warning: page {}: a window of 1024x768 cannot show all options of the question "
-            "without scrolling; use fewer or shorter ones
-",
+            "without scrolling; use fewer or shorter ones\n",
             path.string(), page);
     if (!json)
-        std::cout << format_lines("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}
-", lecture->id,
+        std::cout << format_lines("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,
                                   lecture->pages.size(), sum, lecture->minutes, fits ? "good" : "wrong");
     return fits ? exit_code::done : exit_code::failed;
 }
