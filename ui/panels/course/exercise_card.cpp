@@ -268,6 +268,13 @@ void next_button(const LabView& view, PanelState& state, Ui& ui, bool compact = 
     state.sheet = Sheet::files;
 }
 
+// True while the question stands first: it can be answered. Else the steps do, so that an outcome, which comes by
+// itself, moves no row above it.
+bool is_question_first(const LabView& view) {
+    return is_asked(view.lesson->exercise->prediction) && view.may.open_prediction &&
+           !view.lesson->attempt.work.outcome_known && !has_passed(*view.lesson);
+}
+
 // Of the foot of the card, which does not scroll: the next step, and what the student hands in.
 void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float width) {
     const bool passed = has_passed(*view.lesson), narrow = width < ui.px(narrow_foot);
@@ -284,10 +291,14 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
     }
     ButtonLook reset{{}, ui.strings("exercise.reset")};  // sentences of the card name it by its words
     reset.compact = narrow || ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) > right;
+    const float above = ImGui::GetItemRectMin().y;
     beside_or_below(ui, button_width(ui, reset), right);
-    const Item at = button(ui, "exercise.reset", reset);
-    if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
-    tooltip(ui, at, ui.strings("exercise.reset_how"));
+    // The answers to a question need the room of another row; the menu has this action, too.
+    if (!narrow || !is_question_first(view) || ImGui::GetCursorScreenPos().y <= above) {
+        const Item at = button(ui, "exercise.reset", reset);
+        if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
+        tooltip(ui, at, ui.strings("exercise.reset_how"));
+    }
     exercise_files(view, state, ui, width);
 }
 
@@ -403,13 +414,6 @@ void reason(const LabView& view, PanelState& state, Ui& ui) {
             state, ui);
     }
     gap(ui, 12);
-}
-
-// True while the question stands first: it can be answered. Else the steps do, so that an outcome, which comes by
-// itself, moves no row above it.
-bool is_question_first(const LabView& view) {
-    return is_asked(view.lesson->exercise->prediction) && view.may.open_prediction &&
-           !view.lesson->attempt.work.outcome_known && !has_passed(*view.lesson);
 }
 
 }  // namespace

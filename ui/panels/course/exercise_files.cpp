@@ -99,6 +99,9 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width)
     if (width < ui.px(narrow_row) && follows_buttons) {
         beside_or_below(ui, note_button_width(view, ui), right);
         const bool is_beside = ImGui::GetCursorScreenPos().y < top;
+        // The answers to a question need the room of another row.
+        const bool asks = is_asked(view.lesson->exercise->prediction) && !view.lesson->attempt.work.outcome_known;
+        if (!is_beside && !is_shown && asks) return;
         if (is_beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px((button_height - small_button_height) / 2));
     }
     note_button(view, state, ui);
