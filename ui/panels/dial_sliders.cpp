@@ -57,7 +57,7 @@ constexpr float names_width = 28;  // of the widest dial: all tracks begin at on
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
 // Of an offered slider: the least length of its track, and the room of its knob at both ends.
-constexpr float least_track = 72, around_track = 16;
+constexpr float least_track = 96, around_track = 16;
 constexpr float room_for_two = 250;  // layout pixels, of both biases in one row
 
 // Where no more sliders are offered, there is room for what their letters mean.
