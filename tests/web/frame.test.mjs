@@ -68,6 +68,7 @@ test("A telephone that is held upright is asked to be turned", limit, () =>
 
 test("A page 400 pixels wide shows the whole window reduced", limit, () =>
     withLab("?open=01-drive", async (lab) => {
+        await lab.page.tap("#turn-stay");
         await lab.frames(6);
         const anchors = await lab.anchors();
         for (const name of ["card.exercise", "card.brain", "button.play"]) {
