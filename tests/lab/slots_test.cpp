@@ -146,7 +146,8 @@ TEST_F(SlotsTest, InALectureTheRunPausesAtTheEndOfTheComparison) {
         handle(lab, Action::compare);
         compute();
         const auto end = static_cast<std::uint64_t>(std::lround(shown().seconds * 60));
-        for (int frame = 0; frame < 1000 && lab.document.session.snapshot().tick < end + 20; ++frame)
+        const auto now = [&] { return lab.document.session.snapshot().tick; };
+        for (int frame = 0; frame < 1000 && lab.playback.mode == Mode::playing && now() < end + 20; ++frame)
             advance(lab, 0.02);
         EXPECT_EQ(lab.playback.mode, lecture ? Mode::paused : Mode::playing);
         EXPECT_EQ(lab.document.session.snapshot().tick == end, lecture);

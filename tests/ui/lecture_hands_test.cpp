@@ -240,10 +240,11 @@ TEST_F(LectureHands, TheReasonsOfALectureAreBelowAllOptionsAndHaveOneSize) {
                 if (asked.options.empty()) continue;
                 SCOPED_TRACE(std::string(name) + " " + std::to_string(page + 1) + " at " + std::to_string(width));
                 const Rect last = desk.where("lecture.count." + std::to_string(asked.options.size()));
-                const auto reason = std::find_if(desk.written.begin(), desk.written.end(), [&](const Written& w) {
-                    return !w.words.empty() && asked.why.starts_with(w.words);
-                });
-                ASSERT_NE(reason, desk.written.end());
+                const Written* reason = nullptr;  // its first line, of those that begin as it does
+                for (const Written& w : desk.written)
+                    if (asked.why.starts_with(w.words) && (!reason || w.words.size() > reason->words.size()))
+                        reason = &w;
+                ASSERT_TRUE(reason);
                 EXPECT_GT(reason->rect.y, last.y);
                 sizes.insert(reason->size);
             }

@@ -52,20 +52,6 @@ TEST_F(WiringView, ZoomKeepsThePointUnderThePointer) {
     }
 }
 
-TEST_F(WiringView, AFittedBrainStaysFittedWhenAPartOfItIsRevealed) {
-    const Rect area{20, 30, 500, 400};
-    CanvasCamera camera;
-    fit(camera, layout, area, 1);
-    const vec2 middle = camera.middle;
-    for (const NodeShape& node : layout.nodes) reveal(camera, area, 1, node.centre);
-    EXPECT_EQ(camera.middle, middle);
-    EXPECT_FALSE(camera.by_user) << "it is fitted again when its place changes";
-    camera.middle += vec2{1000, 0}, camera.by_user = true;
-    reveal(camera, area, 1, layout.nodes.front().centre);
-    const vec2 seen = view_of(camera, area, 1).to_window(layout.nodes.front().centre);
-    EXPECT_TRUE(area.contains(seen.x, seen.y));
-}
-
 TEST_F(WiringView, FitKeepsEveryCardClearOfTheButtonsAtAnySize) {
     CanvasCamera camera;
     for (const Rect room : {Rect{0, 0, 900, 640}, Rect{40, 90, 1200, 300}, Rect{10, 10, 300, 900}})

@@ -311,10 +311,12 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     // In a lecture file the number of the page says enough where the title has hardly any room.
     std::string title = title_of_bar(view, ui);
     if (view.pages && room < ui.px(least_title) && text_width(ui, Face::title, title) > room) title.clear();
+    Ui cuts = ui;
+    cuts.shortened = nullptr;  // a title that gives way is no text that is cut by mistake
     if (state.lecture.marks.drawing)
         sign_of_pen(ui, {from, bar.y, room, bar.h});
     else if (view.notice.empty())
-        put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, title, Face::title, room),
+        put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(cuts, title, Face::title, room),
             ui.palette.second_text, Face::title);
     else
         bar_notice(view, ui, from, room, bar);

@@ -29,7 +29,7 @@ using insight::CompareNumbers;
 constexpr std::array<std::string_view, 2> letters{"A", "B"};
 constexpr std::array<std::string_view, 2> slot_anchors{"slot.a", "slot.b"};
 constexpr std::array<std::string_view, 2> store_anchors{"slot.a.store", "slot.b.store"};
-constexpr float column_space = spacing::small, row_gap = spacing::tight;  // layout pixels
+constexpr float column_space = spacing::small, row_gap = spacing::tight, height_of_all = 380;  // layout pixels
 
 // "aggressor", "empty".
 std::string content_of(const LabView& view, const Ui& ui, const SlotView& slot) {
@@ -160,14 +160,16 @@ void compare_row(const LabView& view, Ui& ui) {
 
 }  // namespace
 
-void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
+void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect rest) {
     std::array close{HeadingButton{"slots.close", ui.strings("slots.close"), ui.strings("slots.close_how")}};
     const bool open = open_card(state, ui, Card::slots, place, std::span(close).first(view.lecture ? 0 : 1));
     if (close[0].pressed) ui.outbox.emplace_back(EmptySlotsRequest{});
     if (open) {
         const SlotsView& slots = view.features.slots;
         const bool has_numbers = slots.slots[0].numbers && slots.slots[1].numbers;
-        const bool is_short = has_numbers && view.lecture;  // type is large: the numbers have the room
+        // Where type is large and the column low, the numbers have the room of the buttons that store, of the
+        // differences and of the note.
+        const bool is_short = has_numbers && view.lecture && rest.h < ui.px(height_of_all);
         if (is_short) both_slots(view, ui);
         for (std::size_t slot = 0; slot < 2 && !is_short; ++slot) slot_row(view, ui, slot);
         gap(ui, 4);

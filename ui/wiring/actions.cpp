@@ -69,7 +69,12 @@ void step(CanvasState& state, const CanvasFrame& frame, Outbox&) {
     if (state.menu.open()) return step_in_menu(state.menu, direction);
     state.focus = next_in(direction, frame.layout, state.focus, state.joining.has_value());
     if (!state.joining && state.focus.part != Part::nothing) select(state, state.focus, false);
-    if (const auto at = centre_of(frame.layout, state.focus)) reveal(state.camera, frame.area, frame.ui_scale, *at);
+    const auto at = centre_of(frame.layout, state.focus);
+    if (!at) return;
+    // A fitted brain is in sight, and stays fitted.
+    const maths::vec2 pixel = view_of(state.camera, frame.area, frame.ui_scale).to_window(*at);
+    if (state.camera.by_user || !frame.area.contains(pixel.x, pixel.y))
+        reveal(state.camera, frame.area, frame.ui_scale, *at);
 }
 
 void begin_joining(CanvasState& state, const CanvasFrame& frame, Outbox&) {

@@ -356,11 +356,10 @@ std::string words_below(const Pen& pen, const Picture& picture, const NodeShape&
     return words;
 }
 
-// Below the card, else above it: where the words cover no card, no label and no other such words; else nowhere.
-void draw_words_below(const Pen& pen, const Picture& picture, std::size_t index, OccupiedBoxes& taken) {
-    const NodeShape& shape = picture.layout.nodes[index];
-    const std::string words = words_below(pen, picture, shape, picture.readings.nodes[index]);
-    if (words.empty()) return;
+// Draws the words below the card, else above it, where they cover no card, no label and no other such words. False if
+// there is no such place.
+bool draw_beside(const Pen& pen, const Picture& picture, const NodeShape& shape, const std::string& words,
+                 OccupiedBoxes& taken) {
     const float height = pen.least_type() / pen.view.scale, own = compat::size_of(font(pen.ui, Face::text));
     const vec2 extent{text_width(pen.ui, Face::text, words) * height / own + 6, height};
     const float away = shape.size.y / 2 + height / 2 + 2;
@@ -374,8 +373,18 @@ void draw_words_below(const Pen& pen, const Picture& picture, std::size_t index,
         const Rect rect = pen.text(at, height, 0.5f, words, pen.palette().text);
         if (picture.view.mode != Mode::wiring)
             pen.ui.anchors.record("below." + picture.graph.nodes[shape.node].name, rect);
-        return;
+        return true;
     }
+    return false;
+}
+
+// Of words without room only the value.
+void draw_words_below(const Pen& pen, const Picture& picture, std::size_t index, OccupiedBoxes& taken) {
+    const NodeShape& shape = picture.layout.nodes[index];
+    const std::string words = words_below(pen, picture, shape, picture.readings.nodes[index]);
+    if (words.empty() || draw_beside(pen, picture, shape, words, taken)) return;
+    if (const std::size_t end = words.find(" ("); end != std::string::npos)
+        draw_beside(pen, picture, shape, words.substr(0, end), taken);
 }
 
 // True for a pin that the dragged wire can be joined to.

@@ -139,7 +139,6 @@ void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale, 
 }
 
 void reveal(CanvasCamera& camera, Rect area, float ui_scale, vec2 point) {
-    if (!camera.by_user && camera.zoom > least_zoom) return;  // a fitted brain is in sight, and is fitted again
     const View view = view_of(camera, area, ui_scale);
     const vec2 at = view.to_window(point);
     const vec2 rim{std::min(96 * ui_scale, area.w / 3), std::min(72 * ui_scale, area.h / 3)};

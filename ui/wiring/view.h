@@ -39,8 +39,7 @@ void zoom_at(CanvasCamera&, Rect area, float ui_scale, maths::vec2 pixel, float 
 // Shows all nodes at a zoom of at most 1.4; with `has_buttons` below the area's buttons or beside them.
 void fit(CanvasCamera&, const Layout&, Rect area, float ui_scale, bool has_buttons = true);
 
-// Moves the camera by the least distance that shows the canvas point away from the area's rim. A fitted brain stays
-// where it is.
+// Moves the camera by the least distance that shows the canvas point away from the area's rim.
 void reveal(CanvasCamera&, Rect area, float ui_scale, maths::vec2 point);
 
 // A small picture of the whole brain in the lower right corner of the area.

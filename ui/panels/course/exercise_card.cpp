@@ -434,7 +434,8 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
     const bool passed = has_passed(lesson);
     follow_exercise(lesson, state);
     CardState& card = state.card(Card::exercise);
-    card.footer = std::max(card.footer, ui.px(button_height + 8));
+    const bool asks = state.lecture.asks_prediction;  // then the question has the room of the buttons
+    if (!asks) card.footer = std::max(card.footer, ui.px(button_height + 8));
     const bool is_low = place.h < ui.px(least_height_with_head);
     const bool steps_on_top = is_low && view.mode == Mode::wiring && !passed;
     if (is_low)
@@ -469,7 +470,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         scroll_to_aim(ui, rows);
         begin_footer(ui, card, place);
         if (!hides_outcome(view)) selection_button(view, state, ui), breeding_button(view, state, ui);
-        exercise_buttons(view, state, ui, card_width(ui, place));
+        if (!asks) exercise_buttons(view, state, ui, card_width(ui, place));
         end_footer(ui, card);
     }
     end_card(ui, card);

@@ -23,7 +23,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float caption_side = 20, caption_above = spacing::tight, page_padding = spacing::medium;  // layout pixels
-constexpr float hands_field = 44, hands_button = 28, bar_thickness = 16, between_answers = spacing::small,
+constexpr float hands_field = 44, hands_button = 29, bar_thickness = 16, between_answers = spacing::small,
                 count_width = 48;
 constexpr float letter_column = 36, small_letter_column = 24;  // of "A", at the caption's size, and beside notes
 constexpr float card_around = 60;                              // heading and padding of the card, in height
