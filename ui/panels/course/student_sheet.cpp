@@ -89,12 +89,11 @@ void student_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     SheetState& sheet = open_sheet(state, ui, Sheet::students, window);
     paragraph(ui, ui.strings(view.program.uploads ? "students.what_page" : "students.what"), ui.palette.second_text);
     naming(view, state, ui);
-    gap(ui, 4);
-    student_rows(view, ui);
-    gap(ui, 4);
     if (push_button(ui, "students.save_progress", {{}, ui.strings("students.save_progress")},
                     ui.strings("students.save_progress_how")))
         ui.outbox.emplace_back(StudentRequest{StudentEdit::save_progress});
+    gap(ui, 4);
+    student_rows(view, ui);
     sheet_buttons(ui, sheet);
     const bool closed = close_button(ui, "students.close");
     keeping(view, ui);
