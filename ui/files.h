@@ -34,10 +34,10 @@ struct FolderListing {
 
 // Unsaved work of the last session, offered at the next start after a crash or a signal.
 struct RecoveryOffer {
-    std::string title;   // of the scene or exercise
-    std::string file;    // path; empty: it has no file
-    std::string when;    // time of the autosave, "2026-03-01 10:42:05"
-    bool ended = false;  // ended by a signal, not by a crash
+    std::string title;     // of the scene or exercise
+    std::string file;      // path; empty: it has no file
+    std::string when;      // time of the autosave, "2026-03-01 10:42:05"
+    bool ended = false;    // ended by a signal, not by a crash
     bool has_work = true;  // changes of a person, or a population with a history; else nothing is asked
 };
 
