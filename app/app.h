@@ -174,7 +174,8 @@ private:
         ui::Anchors anchors, anchors_before;  // of this frame, and of the last one before it that was shown
         std::vector<ui::Written> written;     // texts, recorded for the file of the state only
         Outbox outbox;
-        Snapshot shown;  // interpolated between the last two ticks
+        std::vector<Rect> opaque;  // see Ui::opaque
+        Snapshot shown;            // interpolated between the last two ticks
         bool got_input = false;
         bool held_back = false;                  // it was not shown, because a card or a sheet had the wrong height
         bool is_drawn = false;                   // it was neither held back nor equal to the last picture

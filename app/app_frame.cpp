@@ -169,7 +169,7 @@ void App::frame(float passed) {
 
     if (!frame_.held_back) std::swap(frame_.anchors, frame_.anchors_before);
     frame_.anchors.begin();
-    frame_.written.clear();
+    frame_.written.clear(), frame_.opaque.clear();
     int shortened = 0;
     ui::Ui ui{.strings = words_.strings,
               .palette = palette(view.program.theme),
@@ -179,7 +179,8 @@ void App::frame(float passed) {
               .outbox = frame_.outbox,
               .pulse = seconds_since(times_.change) < pulse_seconds ? ui::pulse(view) : 1,
               .written = reports_.state.wanted() ? &frame_.written : nullptr,
-              .shortened = &shortened};
+              .shortened = &shortened,
+              .opaque = &frame_.opaque};
     ui::draw_window(view, panels_, ui, layout);
     if (bool& asked = panels_.sheets.unsaved.recovery_asked; asked && panels_.sheet != ui::Sheet::recovery)
         autosave_.pass_over(), asked = false;  // "Not now": the next one
@@ -315,7 +316,9 @@ bool App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& la
     picture.camera_view.window = window_.area();
     if (!title_) {
         picture.covered = covered_parts(layout);
-        picture.written = panels_.scene_input.labels.labels();
+        const auto& labels = panels_.scene_input.labels.labels();
+        picture.covered.insert(picture.covered.end(), labels.begin(), labels.end());
+        picture.opaque = frame_.opaque;
     }
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.resolution = resolution();

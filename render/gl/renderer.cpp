@@ -320,14 +320,14 @@ struct Renderer::Parts {
         glDepthMask(GL_TRUE);
     }
 
-    // Nothing passes the depth test below opaque cards. On a software renderer, they cover nearly half of the pixels of
-    // a small window. `share`: pixels drawn per pixel of the window, in width and in height.
-    void leave_out_covered(const Picture& picture, float share) {
+    // Nothing passes the depth test below what is opaque, such as cards, which cover nearly half of the pixels of a
+    // small window. `share`: pixels drawn per pixel of the window, in width and in height.
+    void leave_out_hidden(const Picture& picture, float share) {
         const Rect& window = picture.camera_view.window;
         const float inside = 5 * picture.pixel_scale;  // round corners are not opaque
         glEnable(GL_SCISSOR_TEST);
         clear_depth_to(0);
-        for (const Rect& r : picture.covered) {
+        for (const Rect& r : picture.opaque) {
             const auto pixel = [share](float at) { return static_cast<GLint>(std::lround(at * share)); };
             const GLint left = pixel(r.x + inside), right = pixel(r.x + r.w - inside);
             const GLint low = pixel(window.h - r.y - r.h + inside), high = pixel(window.h - r.y - inside);
@@ -352,7 +352,7 @@ struct Renderer::Parts {
         glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         // The copy comes before all draw calls: a software renderer waits for those before it.
         if (in_backdrop) backdrop.copy();
-        leave_out_covered(picture, coarse ? resolution : 1);
+        leave_out_hidden(picture, coarse ? resolution : 1);
         draw_solids(picture.quality);
         if (!in_backdrop) draw_ground_below();
         draw_flat();
@@ -441,7 +441,7 @@ bool Renderer::draw(const Snapshot& now, const Picture& picture) {
     const bool has_single_samples = p.resampling.samples_of_window() == 0;
     const bool may_rest = picture.copied_at_rest && has_single_samples && p.seconds == now.seconds;
     p.seconds = now.seconds;
-    const std::uint64_t instances = p.upload_list(frame, may_rest) + hash_of(picture.covered);
+    const std::uint64_t instances = p.upload_list(frame, may_rest) + hash_of(picture.opaque);
     const auto content = may_rest ? p.whole.look(frame, instances) : StoredPicture::Content::moves;
     p.resolution = content == StoredPicture::Content::moves ? picture.resolution : 1;
     p.reused = content == StoredPicture::Content::kept;

@@ -13,7 +13,6 @@ void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& la
     for (const Label& label : labels) in_order.push_back(&label);
     std::stable_sort(in_order.begin(), in_order.end(), [](auto* a, auto* b) { return a->rank < b->rank; });
     for (const Rect& covered : picture.covered) space.take(covered);
-    for (const Rect& words : picture.written) space.take(words);
     const Rect& window = picture.camera_view.window;
     const auto height = static_cast<float>(lettering.pixels());
     for (const Label* label : in_order) {

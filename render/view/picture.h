@@ -37,8 +37,8 @@ struct Picture {
     float pixel_scale = 1;            // display pixels per layout pixel, for line widths
     const NameMap* names = nullptr;   // null: sources and zones have the names of the file
     char decimal_mark = '.';          // of the language, for the numbers at contour lines
-    std::vector<Rect> covered;        // opaque cards over the scene, display pixels: nothing is drawn below them
-    std::vector<Rect> written;        // words over the scene, display pixels: no label is below them or a card
+    std::vector<Rect> covered;        // cards and words over the scene, display pixels: no label is under them
+    std::vector<Rect> opaque;         // display pixels over which something opaque is drawn later: nothing is below
 };
 
 }  // namespace braitenlab

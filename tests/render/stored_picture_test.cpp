@@ -222,18 +222,18 @@ TEST_F(StoredPictureTest, LeavesOutWhatIsBelowCards) {
     for (const auto& [quality, resolution] :
          {std::pair{Quality::medium, 1.0f}, {Quality::low, 0.5f}, {Quality::high, 1.0f}}) {
         picture.quality = quality, picture.resolution = resolution;
-        picture.covered.clear();
+        picture.opaque.clear();
         drawn_afresh(now);
         const float shown = brightness(patch(vehicle));
         const Pixels whole = stage.pixels();
-        picture.covered = {{vehicle.x - 60, vehicle.y - 60, 120, 120}};
+        picture.opaque = {{vehicle.x - 60, vehicle.y - 60, 120, 120}};
         for (int frame = 0; frame < 4; ++frame) {
             renderer->draw(now, picture);
             EXPECT_GT(std::fabs(brightness(patch(vehicle)) - shown), 0.05f) << "frame " << frame;
             const bool is_coarser = renderer->resolution() != resolution;
-            EXPECT_TRUE(is_coarser || same_outside(picture.covered.front(), whole)) << "frame " << frame;
+            EXPECT_TRUE(is_coarser || same_outside(picture.opaque.front(), whole)) << "frame " << frame;
         }
-        picture.covered.clear();
+        picture.opaque.clear();
         EXPECT_TRUE(alike(drawn(now), drawn_afresh(now))) << "the card has gone";
     }
 }
@@ -251,7 +251,7 @@ TEST_F(StoredPictureTest, StaysOnlyWhileTheSceneRests) {
     now.vehicles[0].x += 0.1f;
     EXPECT_TRUE(renderer->draw(now, picture)) << "a vehicle is elsewhere";
     EXPECT_TRUE(stays());
-    picture.covered = {{0, 0, 50, 50}};
+    picture.opaque = {{0, 0, 50, 50}};
     EXPECT_TRUE(renderer->draw(now, picture)) << "a card has come";
     picture.may_stay = false;
     EXPECT_FALSE(stays()) << "something over the scene has changed";

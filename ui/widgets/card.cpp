@@ -131,6 +131,7 @@ void card_ground(const Ui& ui, Rect r, Corner corner) {
     draw.PushClipRectFullScreen();
     shadow_box(ui, draw, r, corner, {3, 2, 0.10f});
     fill_box(ui, r, ui.palette.panel, corner);
+    if (ui.opaque) ui.opaque->push_back(r);
     line_box(ui, r, ui.palette.line, corner);
     draw.PopClipRect();
 }

@@ -77,6 +77,7 @@ struct Ui {
     bool* reveals = nullptr;                  // true until the card has scrolled to `highlight`; null: it does not
     int* shortened = nullptr;                 // null: not counted; texts that were cut with an ellipsis
     std::vector<Shown>* shown = nullptr;      // null: not recorded
+    std::vector<Rect>* opaque = nullptr;      // null: not recorded; what cards, bars and sheets cover, window pixels
     PointedOut* pointed_out = nullptr;        // null: not recorded
     Tooltips* tooltips = nullptr;             // set by draw_window; null: each waits for itself
 
