@@ -153,7 +153,7 @@ TEST(LabRequests, RefuseACameraThatRidesWithoutAVehicle) {
         Lab lab = opened_lab("2a-coward");
         handle(lab, EditRequest{RemoveVehicle{0}});
         handle(lab, way);
-        EXPECT_EQ(lab.notice.key, "notice.no_vehicle");
+        EXPECT_EQ(lab.notice.key, "unavailable.no_vehicles");
         handle(lab, Action::undo);
         ASSERT_EQ(lab.view.selection.vehicle, 0);
         EXPECT_EQ(lab.view.camera.mode, CameraMode::overview) << "the key does not act later";

@@ -353,28 +353,26 @@ TEST_F(LecturePages, AnExerciseThatAsksHasTheRoomOfTheSlidersUntilThePredictionI
     desk.lesson.exercise = &*exercise;
     desk.lesson.at_start = desk.lesson.as_given = true;
     desk.now = first_moment_of(exercise->scene);
-    for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {800.0f, 600.0f}})
-        for (const std::string& code : shipped_codes()) {
-            ImGui::GetIO().DisplaySize = {width, height};
-            desk.strings = speaking(code);
-            desk.lesson.attempt.answers.prediction = -1;
-            desk.panels.exercise.id.clear();
-            pages.page = 0;
-            desk.view.pages = nullptr;
-            desk.frame(2);
-            desk.view.pages = &pages;
-            show(0, 0);
-            desk.frame(6);
-            EXPECT_TRUE(desk.panels.card(Card::brain).folded);
-            for (std::size_t i = 1; i <= exercise->prediction.options.size(); ++i) {
-                const Rect option = desk.where("exercise.predict." + std::to_string(i));
-                EXPECT_GT(option.h, 20) << code << width << " option " << i;
-                EXPECT_TRUE(is_inside(option, desk.where("card.exercise")));
-            }
-            desk.lesson.attempt.answers.prediction = 0;
-            desk.frame(4);
-            EXPECT_FALSE(desk.panels.card(Card::brain).folded);
+    for (const std::string& code : shipped_codes()) {
+        desk.strings = speaking(code);
+        desk.lesson.attempt.answers.prediction = -1;
+        desk.panels.exercise.id.clear();
+        pages.page = 0;
+        desk.view.pages = nullptr;
+        desk.frame(2);
+        desk.view.pages = &pages;
+        show(0, 0);
+        desk.frame(6);
+        EXPECT_TRUE(desk.panels.card(Card::brain).folded);
+        for (std::size_t i = 1; i <= exercise->prediction.options.size(); ++i) {
+            const Rect option = desk.where("exercise.predict." + std::to_string(i));
+            EXPECT_GT(option.h, 20) << code << " option " << i;
+            EXPECT_TRUE(is_inside(option, desk.where("card.exercise")));
         }
+        desk.lesson.attempt.answers.prediction = 0;
+        desk.frame(4);
+        EXPECT_FALSE(desk.panels.card(Card::brain).folded);
+    }
 }
 
 TEST_F(LecturePages, OptionsThatAreNotLongNeedNoScrolling) {
