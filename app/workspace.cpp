@@ -31,7 +31,8 @@ void say(Workspace& space, Notice notice, double least_seconds) {
     const double seconds =
         std::max({least_seconds, least, static_cast<double>(notice.words.size()) / letters_a_second});
     std::string& words = notice.words;
-    if (notice.key.empty() && !words.empty() && words[0] >= 'a' && words[0] <= 'z')
+    const bool begins_with_file = notice.error && !notice.error->file.empty();
+    if (notice.key.empty() && !begins_with_file && !words.empty() && words[0] >= 'a' && words[0] <= 'z')
         words[0] = static_cast<char>(words[0] - 'a' + 'A');
     space.notice = std::move(notice);
     space.notice_until = space.wall_seconds + seconds;

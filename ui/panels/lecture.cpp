@@ -156,7 +156,7 @@ std::string title_of_scene(const LabView& view, const Ui& ui) {
 std::string title_of_bar(const LabView& view, const Ui& ui) {
     if (!view.settings.revealed.title) return {};
     if (view.pages) return std::string(translated(ui, view.pages->lecture->title));
-    const std::string title = title_of_scene(view, ui);
+    std::string title = title_of_scene(view, ui);
     const SlotsView& slots = view.features.slots;
     const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle || !slots.slots[0].design || !slots.slots[1].design) return title;
