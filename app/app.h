@@ -117,7 +117,7 @@ private:
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
     // Returns false if the last picture stays. `hidden_brains`: by kind.
-    bool draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout&);
+    bool draw_scene(std::vector<bool> hidden_brains);
     // True if the last picture has the same widgets and is still in the window. Call once per frame.
     bool may_stay();
     // The lab whose scene is shown: behind the title page another one.
@@ -135,7 +135,6 @@ private:
     Picture scene_picture(std::vector<bool> hidden_brains) const;
     // Of the last frame, window pixels; empty outside a lecture.
     std::vector<Rect> cards_of_lecture() const;
-    std::vector<Rect> covered_parts(const ui::WindowLayout&) const;  // of the window, display pixels
 
     // ── Pictures and clips, app_pictures.cpp ──
     std::optional<Error> write_picture(const std::filesystem::path&);

@@ -205,7 +205,7 @@ void App::frame(float passed) {
     if (frame_.held_back || !draws_scene())
         renderer_.remember(shown_snapshot(shown_lab()));
     else
-        frame_.is_drawn = draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view), layout);
+        frame_.is_drawn = draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view));
     const ImGuiIO& io = ImGui::GetIO();
     frame_.got_input = has_input(keys, io) || held;
     ++facts_.frames;
@@ -290,17 +290,6 @@ std::vector<Rect> App::cards_of_lecture() const {
     return places;
 }
 
-std::vector<Rect> App::covered_parts(const ui::WindowLayout& layout) const {
-    std::vector<Rect> parts;
-    const auto add = [&](const Rect& r) {
-        if (r.w > 0) parts.push_back(r);
-    };
-    for (const ui::CardTraits& row : ui::cards())
-        if (const Rect* card = frame_.anchors.find(row.anchor)) add(*card);
-    for (const Rect& bar : {layout.menu_bar, layout.toolbar, layout.hint_bar, layout.timeline}) add(bar);
-    return parts;
-}
-
 bool App::may_stay() {
     const bool is_lost = window_.take_loss_of_picture(), is_redirected = window_.is_redirected();
     const auto widgets = moves() || is_redirected ? std::nullopt : ui::hash_of_drawn(*ImGui::GetDrawData());
@@ -308,14 +297,14 @@ bool App::may_stay() {
     return widgets && widgets == before && !is_lost && !options_.only_draws() && !lab_.window.screenshot;
 }
 
-bool App::draw_scene(std::vector<bool> hidden_brains, const ui::WindowLayout& layout) {
+bool App::draw_scene(std::vector<bool> hidden_brains) {
     const Lab& lab = shown_lab();
     Picture picture = scene_picture(std::move(hidden_brains));
     picture.may_stay = may_stay();
     picture.camera_view = viewport_.camera_view;
     picture.camera_view.window = window_.area();
     if (!title_) {
-        picture.covered = covered_parts(layout);
+        picture.covered = frame_.opaque;
         const auto& labels = panels_.scene_input.labels.labels();
         picture.covered.insert(picture.covered.end(), labels.begin(), labels.end());
         picture.opaque = frame_.opaque;
