@@ -94,7 +94,7 @@ bool has_words_of(const std::string& text, std::string_view name) {
 
 bool counts(const ClassRow& row) { return !row.problem && row.grade; }
 
-// True for two rows of one person, also where a file that names nobody is in that person's folder.
+// True for two rows of one person, also where a file without a name is in that person's folder.
 bool is_of(const ClassRow& row, const ClassRow& other) {
     const bool is_nameless = row.submitter.person.empty() && !row.hand_in && !row.submitter.folder.empty();
     return is_same_person(row, other) || (is_nameless && row.submitter.folder == other.submitter.folder);

@@ -224,7 +224,7 @@ struct Guided {
 
 }  // namespace
 
-// A run that nobody has changed is the same after a reset. So while it fails, and at the start after it, neither Reset
+// A run without a change is the same after a reset. So while it fails, and at the start after it, neither Reset
 // nor Play is what is next, but a control that makes the next run another one. Reset brings back a vehicle that is
 // gone.
 TEST(ExercisesGuided, AfterARunThatFailedUnchangedTheNextStepIsAChange) {

@@ -422,7 +422,7 @@ TEST_F(LessonPrompts, AskToThinkWhereAHintAsks) {
     }
 }
 
-// A run that began at the start, seen, with a brain that the snapshot shares with nobody.
+// A run that began at the start, seen, with a brain that no other vehicle of the snapshot has.
 TEST_F(LessonPrompts, PointToASliderAfterARunThatFailedUnchanged) {
     desk.opened.seconds = 20;
     desk.lesson.attempt.answers.hint_ready = false;
