@@ -28,7 +28,7 @@ int check_lecture(const std::filesystem::path& path, bool json) {
     std::vector<std::size_t> long_questions;  // numbers of pages
     for (std::size_t i = 0; i < lecture->pages.size(); ++i)
         if (is_long(lecture->pages[i].question)) long_questions.push_back(i + 1);
-    if (json)
+    if (json) {
         std::cout << io::json_text(nlohmann::ordered_json{{"lecture", lecture->id},
                                                           {"pages", lecture->pages.size()},
                                                           {"minutes", lecture->minutes},
@@ -37,14 +37,15 @@ int check_lecture(const std::filesystem::path& path, bool json) {
                                                           {"sound", fits}},
                                    2)
                   << "\n";
-    for (const std::size_t page : json ? std::vector<std::size_t>{} : long_questions)
-        std::cout << format_lines(
-            "{}: warning: page {}: a window of 1024x768 cannot show all options of the question "
-            "without scrolling; use fewer or shorter ones\n",
-            path.string(), page);
-    if (!json)
+    } else {
+        for (const std::size_t page : long_questions)
+            std::cout << format_lines(
+                "{}: warning: page {}: a window of 1024x768 cannot show all options of the question without "
+                "scrolling; use fewer or shorter ones\n",
+                path.string(), page);
         std::cout << format_lines("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,
                                   lecture->pages.size(), sum, lecture->minutes, fits ? "good" : "wrong");
+    }
     return fits ? exit_code::done : exit_code::failed;
 }
 
