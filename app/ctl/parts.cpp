@@ -24,7 +24,7 @@ struct PartRunner::Running {
 };
 
 PartRunner::PartRunner(int threads)
-    : running_(new Running{threads, Jobs(threads_for(threads > 0 ? threads : threads_of_rank()))}) {}
+    : running_(new Running{threads, Jobs(has_ranks() ? worker_threads_of_rank(threads) : threads_for(threads))}) {}
 PartRunner::~PartRunner() = default;
 
 int PartRunner::threads() const {

@@ -23,6 +23,8 @@ bool has_ranks();
 
 // Threads that this rank may use, so that the ranks of a computer have one for each of its processors; 0 without ranks.
 int threads_of_rank();
+// The same without the one that looks for messages, which computes as well; `wanted` instead, if that is not 0.
+int worker_threads_of_rank(int wanted);
 // Of all ranks; `wanted` in each, if that is not 0.
 int threads_of_ranks(int wanted);
 

@@ -117,7 +117,7 @@ struct Jobs::Impl {
                 work.begun.pop_front();
             }
             work.queued = !work.begun.empty() || work.next < work.parts();
-            if (work.queued) enqueue(part.work);
+            if (work.queued) enqueue_again(part.work);
             return part;
         }
         return std::nullopt;
@@ -126,15 +126,22 @@ struct Jobs::Impl {
     // Caller holds the mutex.
     void put_back(const Part& part) {
         part.work->begun.push_back(part.index);
-        if (!std::exchange(part.work->queued, true)) enqueue(part.work);
+        if (!std::exchange(part.work->queued, true)) enqueue_again(part.work);
     }
 
-    // Caller holds the mutex.
+    // A job that is new. Caller holds the mutex.
     void enqueue(Work work) {
-        if (work->comes_first)
+        if (work->order == jobs::Order::first)
             queue.push_front(std::move(work));
         else
             queue.push_back(std::move(work));
+    }
+    // A job that has had its turn. Caller holds the mutex.
+    void enqueue_again(Work work) {
+        if (work->order == jobs::Order::in_turns)
+            queue.push_back(std::move(work));
+        else
+            queue.push_front(std::move(work));
     }
 
     // One step of the job whose turn it is; false when there is none. Caller holds the mutex, which is free meanwhile.
@@ -229,9 +236,16 @@ bool Jobs::work(std::chrono::nanoseconds budget) {
     return !impl_->queue.empty();
 }
 
+bool Jobs::step() {
+    std::unique_lock lock(impl_->mutex);
+    return impl_->run_step(lock);
+}
+
+void Jobs::publish() { impl_->publish(); }
+
 void Jobs::deliver(std::chrono::nanoseconds budget) {
     work(budget);
-    impl_->publish();
+    publish();
 }
 
 void Jobs::finish() {
@@ -241,7 +255,7 @@ void Jobs::finish() {
         }
     }
     impl_->wait();
-    impl_->publish();
+    publish();
 }
 
 }  // namespace braitenlab

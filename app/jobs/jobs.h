@@ -37,6 +37,10 @@ struct JobProgress {
 // Implementation of jobs.h, shared with jobs.cpp; not for use elsewhere.
 namespace jobs {
 
+// When the steps of a job come: in turn with other jobs, before them, or after those of the jobs submitted before it and
+// then without a turn of others, so that such jobs end one after the other.
+enum class Order { in_turns, first, one_by_one };
+
 // A job without its types. Each part is stepped by one thread at a time.
 class Work {
 public:
@@ -58,7 +62,7 @@ public:
     std::atomic<std::size_t> done = 0;     // complete parts
     std::atomic<bool> is_reduced = false;  // the result exists
 
-    bool comes_first = false;  // its steps come before those of other jobs
+    Order order = Order::in_turns;
 
     // Guarded by the mutex of Jobs.
     bool queued = true;             // in the queue of jobs with parts that wait
@@ -230,31 +234,37 @@ public:
     // constants.
     template <class Begin, class Reduce>
     auto submit(std::size_t parts, Begin begin, Reduce reduce) {
-        return submit_parts(parts, std::move(begin), std::move(reduce), false);
+        return submit_parts(parts, std::move(begin), std::move(reduce), jobs::Order::in_turns);
     }
 
     // The result is the std::vector of the parts' results.
     template <class Begin>
     auto submit(std::size_t parts, Begin begin) {
-        return submit(parts, std::move(begin), [](auto values) { return values; });
+        return submit(parts, std::move(begin), all_values);
+    }
+
+    // The same; of jobs submitted so, each begins when no part of those before it waits. Other jobs wait meanwhile.
+    template <class Begin>
+    auto submit_one_by_one(std::size_t parts, Begin begin) {
+        return submit_parts(parts, std::move(begin), all_values, jobs::Order::one_by_one);
     }
 
     // The same; its steps come before those of other jobs.
     template <class Begin, class Reduce>
     auto submit_first(std::size_t parts, Begin begin, Reduce reduce) {
-        return submit_parts(parts, std::move(begin), std::move(reduce), true);
+        return submit_parts(parts, std::move(begin), std::move(reduce), jobs::Order::first);
     }
 
     // A job of one part, which is this step. The result is the step's.
     template <std::invocable Step>
     auto submit(Step step) {
-        return submit_step(std::move(step), false);
+        return submit_step(std::move(step), jobs::Order::in_turns);
     }
 
     // The same; its steps come before those of other jobs.
     template <std::invocable Step>
     auto submit_first(Step step) {
-        return submit_step(std::move(step), true);
+        return submit_step(std::move(step), jobs::Order::first);
     }
 
     // Call once per frame. Without threads, runs steps, at least one, until another one as long as the last would end
@@ -265,24 +275,31 @@ public:
     // steps wait.
     bool work(std::chrono::nanoseconds budget);
 
+    // The two halves of deliver() for a thread that is not the window's: runs one step on the calling thread, beside
+    // worker threads, too, and returns false where none waits; publishes progress and results without a step.
+    bool step();
+    void publish();
+
     // Runs every job to its end and delivers it.
     void finish();
 
 private:
+    static constexpr auto all_values = [](auto values) { return values; };
+
     template <class Step>
-    auto submit_step(Step step, bool comes_first) {
+    auto submit_step(Step step, jobs::Order order) {
         using Value = typename jobs::PartTraits<Step>::Value;
         const auto begin = [held = std::make_shared<Step>(std::move(step))](std::size_t) { return std::move(*held); };
         const auto reduce = [](std::vector<Value> values) -> Value { return std::move(values.front()); };
-        return submit_parts(1, begin, reduce, comes_first);
+        return submit_parts(1, begin, reduce, order);
     }
 
     template <class Begin, class Reduce>
-    auto submit_parts(std::size_t parts, Begin begin, Reduce reduce, bool comes_first) {
+    auto submit_parts(std::size_t parts, Begin begin, Reduce reduce, jobs::Order order) {
         using Value = typename jobs::PartTraits<std::invoke_result_t<const Begin&, std::size_t>>::Value;
         using T = std::invoke_result_t<Reduce&, std::vector<Value>>;
         auto work = std::make_shared<jobs::WorkOf<Begin, Reduce, T>>(parts, std::move(begin), std::move(reduce));
-        work->comes_first = comes_first;
+        work->order = order;
         add(work);
         return Job<T>(work);
     }

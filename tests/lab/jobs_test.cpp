@@ -277,6 +277,40 @@ TEST(Jobs, RunAllStepsOfAJobSubmittedFirstBeforeThoseOfOthers) {
     EXPECT_EQ(*order, "acccbabab");
 }
 
+TEST(Jobs, EndOneByOneWhereSubmittedSoAndTakeATurnEachBesideOthers) {
+    Jobs jobs(0);
+    const auto order = std::make_shared<std::string>();
+    const auto part = [order](char name) { return [order, name](std::size_t) { return *order += name, 0; }; };
+    auto a = jobs.submit_one_by_one(3, part('a')), b = jobs.submit_one_by_one(2, part('b'));
+    jobs.deliver(0ns);
+    auto other = jobs.submit(2, part('o'));
+    auto c = jobs.submit_one_by_one(2, part('c'));
+    jobs.finish();
+    EXPECT_EQ(*order, "aaabbocco");
+}
+
+TEST(Jobs, RunAStepOnTheCallingThreadBesideWorkers) {
+    if (Jobs::default_threads() == 0) GTEST_SKIP() << "a build without threads";
+    Jobs jobs(1);
+    const auto caller = std::this_thread::get_id();
+    const auto others = std::make_shared<std::atomic<int>>(0);
+    const auto is_held = std::make_shared<std::atomic<bool>>(true);
+    auto job = jobs.submit(3, [=](std::size_t) {
+        if (std::this_thread::get_id() == caller) return true;
+        ++*others;
+        return !becomes_true([&] { return !*is_held; });
+    });
+    ASSERT_TRUE(becomes_true([&] { return *others == 1; }));
+    EXPECT_TRUE(jobs.step());
+    EXPECT_TRUE(jobs.step());
+    EXPECT_FALSE(jobs.step()) << "the third part is the worker's";
+    jobs.publish();
+    EXPECT_EQ(job.progress().done, 2u);
+    *is_held = false;
+    jobs.finish();
+    EXPECT_EQ(**job.take(), (std::vector<bool>{false, true, true}));
+}
+
 TEST(Jobs, BeginNoStepThatWouldEndAfterTheBudget) {
     Jobs jobs(0);
     auto steps = std::make_shared<int>(0);
