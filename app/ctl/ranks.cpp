@@ -76,6 +76,7 @@ public:
         MPI_Isend(sent.bytes.data(), static_cast<int>(sent.bytes.size()), MPI_BYTE, rank, tag, MPI_COMM_WORLD,
                   &sent.request);  // NOLINT(*MPI-Checker)
     }
+    // False while a message is on its way. Call often, so that MPI goes on.
     bool is_empty() {
         std::erase_if(sent_, [](Sent& sent) {
             int done = 0;
@@ -127,9 +128,8 @@ public:
 
     void add(Chunk chunk) {
         running_.push_back(
-            {chunk, jobs_.submit_one_by_one(chunk.count, [part = part_, first = chunk.first](std::size_t i) {
-                 return part(first + i);
-             })});
+            {chunk, jobs_.submit_one_by_one(
+                        chunk.count, [part = part_, first = chunk.first](std::size_t i) { return part(first + i); })});
     }
     std::size_t size() const { return running_.size(); }
 

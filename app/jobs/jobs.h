@@ -37,8 +37,8 @@ struct JobProgress {
 // Implementation of jobs.h, shared with jobs.cpp; not for use elsewhere.
 namespace jobs {
 
-// When the steps of a job come: in turn with other jobs, before them, or after those of the jobs submitted before it and
-// then without a turn of others, so that such jobs end one after the other.
+// When the steps of a job come: in turn with other jobs, before them, or after those of the jobs submitted before it
+// and then without a turn of others, so that such jobs end one after the other.
 enum class Order { in_turns, first, one_by_one };
 
 // A job without its types. Each part is stepped by one thread at a time.
