@@ -9,7 +9,7 @@
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
 #include "core/scene/scene_file.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

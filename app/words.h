@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/view/picture.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

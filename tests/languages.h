@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::tests {
 

@@ -35,7 +35,7 @@
 #include "ui/breeding_view.h"
 #include "ui/files.h"
 #include "ui/request.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

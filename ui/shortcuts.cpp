@@ -4,7 +4,7 @@
 #include <array>
 #include <initializer_list>
 
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

@@ -6,7 +6,7 @@
 
 #include "app/platform/platform.h"
 #include "ui/lab_view.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

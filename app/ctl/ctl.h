@@ -17,7 +17,7 @@
 #include "core/scene/nearest.h"
 #include "core/scene/translatable.h"
 #include "core/world/world.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

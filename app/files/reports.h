@@ -7,7 +7,7 @@
 
 #include "app/lab.h"
 #include "core/lesson/hand_in.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

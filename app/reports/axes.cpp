@@ -7,7 +7,7 @@
 
 #include "app/reports/html.h"
 #include "core/utf8.h"
-#include "ui/number_text.h"
+#include "ui/words/number_text.h"
 
 namespace braitenlab {
 

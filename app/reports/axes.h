@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/map_look.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

@@ -7,7 +7,7 @@
 
 #include "core/brain/graph.h"
 #include "core/scene/scene.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

@@ -8,7 +8,7 @@
 
 #include "app/reports/axes.h"
 #include "app/reports/svg_file.h"
-#include "ui/number_text.h"
+#include "ui/words/number_text.h"
 
 namespace braitenlab {
 

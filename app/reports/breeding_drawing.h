@@ -6,7 +6,7 @@
 #include "app/reports/breeding_table.h"
 #include "app/reports/map_file.h"
 #include "core/evolve/tournament.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

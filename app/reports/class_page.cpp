@@ -8,7 +8,7 @@
 #include "app/reports/html.h"
 #include "app/reports/path_picture.h"
 #include "app/reports/texts.h"
-#include "ui/number_text.h"
+#include "ui/words/number_text.h"
 
 namespace braitenlab {
 

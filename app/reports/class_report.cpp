@@ -14,7 +14,7 @@
 #include "core/messages.h"
 #include "core/plain_letters.h"
 #include "core/scene/scene_file.h"
-#include "ui/measure_text.h"
+#include "ui/words/measure_text.h"
 
 namespace braitenlab {
 

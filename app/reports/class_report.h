@@ -11,7 +11,7 @@
 #include "core/lesson/hand_in.h"
 #include "core/lesson/submitter.h"
 #include "core/maths/spread.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

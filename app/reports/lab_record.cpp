@@ -8,7 +8,7 @@
 #include "app/reports/html.h"
 #include "app/reports/path_picture.h"
 #include "app/reports/texts.h"
-#include "ui/measure_text.h"
+#include "ui/words/measure_text.h"
 
 namespace braitenlab {
 

@@ -7,7 +7,7 @@
 
 #include "core/lesson/grade.h"
 #include "core/lesson/submission.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

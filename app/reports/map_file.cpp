@@ -14,8 +14,8 @@
 #include "core/insight/axis_value.h"
 #include "core/scene/sensor_pairs.h"
 #include "ui/map_look.h"
-#include "ui/measure_text.h"
-#include "ui/number_text.h"
+#include "ui/words/measure_text.h"
+#include "ui/words/number_text.h"
 
 namespace braitenlab {
 

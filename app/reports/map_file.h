@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/insight/map.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

@@ -14,7 +14,7 @@
 #include "app/reports/svg_file.h"
 #include "core/maths/angle.h"
 #include "core/session/recorded_run.h"
-#include "ui/number_text.h"
+#include "ui/words/number_text.h"
 
 namespace braitenlab {
 

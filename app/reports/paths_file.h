@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/session/recording.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

@@ -6,7 +6,7 @@
 
 #include "app/reports/map_file.h"
 #include "core/insight/study_table.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 

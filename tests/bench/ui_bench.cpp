@@ -13,9 +13,9 @@
 #include "tests/bench/own_memory.h"
 #include "tests/render/stage.h"
 #include "ui/panels/prompts.h"
-#include "ui/strings.h"
 #include "ui/widgets/theme.h"
 #include "ui/window.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 namespace {

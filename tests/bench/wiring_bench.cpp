@@ -3,9 +3,9 @@
 #include <imgui.h>
 
 #include "tests/ui/large_brain.h"
-#include "ui/strings.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/canvas.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab {
 namespace {

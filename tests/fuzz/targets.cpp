@@ -18,7 +18,7 @@
 #include "core/scene/scene_file.h"
 #include "tests/fuzz/commands.h"
 #include "tests/fuzz/promise.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::fuzz {
 

@@ -11,7 +11,7 @@
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "desk.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::tests::shipped_words_test {
 

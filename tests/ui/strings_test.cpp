@@ -1,4 +1,4 @@
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -12,8 +12,8 @@
 #include "core/brain/four_neurons.h"
 #include "tests/ui/found.h"
 #include "tests/ui/large_brain.h"
-#include "ui/strings.h"
 #include "ui/wiring/input.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::wiring {
 

@@ -6,11 +6,11 @@
 
 #include "ui/panels/breeding_parts.h"
 #include "ui/panels/course/scene_picture.h"
-#include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

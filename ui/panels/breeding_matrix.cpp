@@ -6,12 +6,12 @@
 #include <imgui.h>
 
 #include "ui/panels/breeding_parts.h"
-#include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -8,12 +8,12 @@
 
 #include "core/evolve/tournament.h"
 #include "ui/panels/breeding_parts.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

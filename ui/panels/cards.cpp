@@ -9,9 +9,9 @@
 #include "ui/panels/map_parts.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

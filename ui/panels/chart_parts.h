@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

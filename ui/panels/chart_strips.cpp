@@ -10,13 +10,13 @@
 #include "ui/panels/chart_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/signal_drag.h"
-#include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

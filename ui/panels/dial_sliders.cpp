@@ -11,11 +11,11 @@
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -13,11 +13,11 @@
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

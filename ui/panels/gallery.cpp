@@ -10,12 +10,12 @@
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/scene_picture.h"
 #include "ui/panels/file_lists.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -13,13 +13,13 @@
 #include "ui/panels/prompts.h"
 #include "ui/scene_input/path_drawing.h"
 #include "ui/shortcuts.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -13,13 +13,13 @@
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/brain_sketch.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -6,16 +6,16 @@
 
 #include <imgui.h>
 
-#include "ui/number_text.h"
 #include "ui/panels/map_parts.h"
 #include "ui/panels/value_choice.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/number_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

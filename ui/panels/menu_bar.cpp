@@ -12,8 +12,8 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/trail_legend.h"
 #include "ui/scene_input/edits.h"
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

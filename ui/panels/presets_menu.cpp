@@ -9,13 +9,13 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sensor_changes.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -9,11 +9,11 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/chart_data.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

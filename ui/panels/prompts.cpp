@@ -14,10 +14,10 @@
 #include "render/view/pick.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

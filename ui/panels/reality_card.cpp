@@ -10,7 +10,6 @@
 
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
@@ -18,6 +17,7 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -9,12 +9,12 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/robot_state.h"
 #include "ui/panels/sheets.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

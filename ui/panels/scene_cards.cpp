@@ -18,7 +18,6 @@
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
@@ -26,6 +25,7 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -14,12 +14,12 @@
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/shortcuts.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/menu_bar.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

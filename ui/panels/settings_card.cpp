@@ -9,10 +9,10 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -4,7 +4,7 @@
 
 #include "ui/panels/course/author_state.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -10,10 +10,10 @@
 #include "core/brain/brain.h"
 #include "ui/imgui_compat.h"
 #include "ui/panels/chart_strips.h"
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

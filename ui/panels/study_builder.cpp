@@ -4,15 +4,15 @@
 #include <imgui.h>
 
 #include "core/utf8.h"
-#include "ui/number_text.h"
 #include "ui/panels/study_draft.h"
 #include "ui/panels/value_choice.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/number_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

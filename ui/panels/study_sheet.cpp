@@ -13,7 +13,6 @@
 #include "ui/panels/sheets.h"
 #include "ui/panels/study_draft.h"
 #include "ui/panels/value_choice.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
@@ -21,6 +20,7 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

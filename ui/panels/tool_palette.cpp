@@ -9,11 +9,11 @@
 #include "core/maths/angle.h"
 #include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -7,11 +7,11 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -5,11 +5,11 @@
 
 #include <imgui.h>
 
-#include "ui/measure_text.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
+#include "ui/words/measure_text.h"
 
 namespace braitenlab::ui {
 

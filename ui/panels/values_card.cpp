@@ -10,13 +10,13 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/kind_editor.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

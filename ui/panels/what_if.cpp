@@ -13,10 +13,10 @@
 #include "ui/panels/panels.h"
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/interaction.h"
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -14,11 +14,11 @@
 #include "render/view/drawing.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/draw.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

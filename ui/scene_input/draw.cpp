@@ -15,10 +15,10 @@
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/scene_input/tools.h"
 #include "ui/scene_input/under_pointer.h"
-#include "ui/strings.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -12,8 +12,8 @@
 #include "ui/map_look.h"
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/floor_lines.h"
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

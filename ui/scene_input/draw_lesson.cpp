@@ -10,9 +10,9 @@
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/floor_lines.h"
 #include "ui/scene_input/path_drawing.h"
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -5,8 +5,8 @@
 
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/point_handles.h"
-#include "ui/strings.h"
 #include "ui/widgets/number.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -8,10 +8,10 @@
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/sensor_handles.h"
 #include "ui/scene_input/under_pointer.h"
-#include "ui/strings.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "ui/imgui_compat.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "ui/imgui_compat.h"
-#include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

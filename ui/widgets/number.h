@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "ui/number_text.h"
 #include "ui/widgets/ui.h"
+#include "ui/words/number_text.h"
 
 namespace braitenlab::ui {
 

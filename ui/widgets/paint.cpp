@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "ui/imgui_compat.h"
-#include "ui/strings.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -5,12 +5,12 @@
 
 #include <imgui.h>
 
-#include "ui/number_text.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/words/number_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

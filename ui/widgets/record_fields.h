@@ -20,10 +20,10 @@
 #include "core/maths/degrees.h"
 #include "core/scene/enums.h"
 #include "core/scene/schema.h"
-#include "ui/strings.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/ui.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

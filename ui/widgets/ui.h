@@ -13,7 +13,7 @@ struct ImFont;
 
 namespace braitenlab {
 
-class Strings;  // ui/strings.h
+class Strings;  // ui/words/strings.h
 
 namespace ui {
 

@@ -7,12 +7,12 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
-#include "ui/strings.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/input.h"
 #include "ui/wiring/menu.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::wiring {
 

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "ui/imgui_compat.h"
-#include "ui/strings.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/edits.h"
 #include "ui/wiring/node_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::wiring {
 

@@ -5,11 +5,11 @@
 #include "core/maths/portable.h"
 #include "core/utf8.h"
 #include "ui/imgui_compat.h"
-#include "ui/strings.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/node_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::wiring {
 

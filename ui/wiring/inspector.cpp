@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/number.h"
@@ -15,6 +14,7 @@
 #include "ui/widgets/theme.h"
 #include "ui/wiring/menu.h"
 #include "ui/wiring/node_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::wiring {
 

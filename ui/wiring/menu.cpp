@@ -5,11 +5,11 @@
 #include <string>
 
 #include "ui/shortcuts.h"
-#include "ui/strings.h"
 #include "ui/widgets/menu_bar.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/inspector.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::wiring {
 

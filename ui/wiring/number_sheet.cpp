@@ -7,13 +7,13 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/inspector.h"
 #include "ui/wiring/menu.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::wiring {
 

@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
-#include "ui/measure_text.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/exercise_rows.h"
@@ -16,12 +15,13 @@
 #include "ui/panels/course/prediction.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
+#include "ui/words/measure_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -2,8 +2,8 @@
 
 #include <tuple>
 
-#include "ui/strings.h"
 #include "ui/widgets/paint.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

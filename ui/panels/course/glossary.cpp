@@ -9,13 +9,13 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/panel_state.h"
 #include "ui/shortcuts.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -8,11 +8,11 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

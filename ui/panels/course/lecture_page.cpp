@@ -11,12 +11,12 @@
 #include "ui/panels/cards.h"
 #include "ui/panels/course/lecture_time.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ui/lab_view.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

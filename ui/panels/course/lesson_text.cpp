@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/measure_text.h"
+#include "ui/words/measure_text.h"
 
 namespace braitenlab::ui {
 

@@ -8,10 +8,10 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/shortcuts.h"
-#include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

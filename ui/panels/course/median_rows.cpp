@@ -5,13 +5,13 @@
 
 #include <imgui.h>
 
-#include "ui/measure_text.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/measure_text.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -9,7 +9,6 @@
 #include "ui/panels/course/glossary.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/path_drawing.h"
-#include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
@@ -18,6 +17,7 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

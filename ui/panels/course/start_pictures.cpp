@@ -9,10 +9,10 @@
 #include "ui/panels/course/path_picture.h"
 #include "ui/panels/course/scene_picture.h"
 #include "ui/panels/panels.h"
-#include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -5,7 +5,7 @@
 
 #include "core/insight/axis_value.h"
 #include "core/lesson/goals.h"
-#include "ui/strings.h"
+#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/number_text.h"
+#include "ui/words/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "ui/measure_text.h"
+#include "ui/words/measure_text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 
-#include "ui/number_text.h"
+#include "ui/words/number_text.h"
 
 namespace braitenlab::ui {
 
