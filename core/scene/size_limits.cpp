@@ -79,30 +79,82 @@ std::optional<Fault> density_fault(const Scene& scene) {
                  message_of("too_dense", vehicles, std::llround(covered), std::llround(floor), most)};
 }
 
+// Where the file places vehicles: squares of the floor as long as the longest vehicle, and how many stand in each.
+class PlacedVehicles {
+public:
+    explicit PlacedVehicles(const Scene& scene) {
+        for (const Kind& kind : scene.kinds) {
+            side_ = std::max({side_, kind.body.length, kind.body.width});
+            smallest_ = std::min(smallest_, floor_area(kind.body));
+        }
+        const auto place = [&](const auto& own) {
+            squares_.push_back({{std::llround(own.x / side_), std::llround(own.y / side_)}, 1});
+        };
+        for (const Start& start : scene.starts) place(start);
+        for (const Member& member : scene.members)
+            if (member.placed) place(member);
+        std::sort(squares_.begin(), squares_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+        std::size_t unique = 0;
+        for (std::size_t i = 1; i < squares_.size(); ++i)
+            if (squares_[i].at == squares_[unique].at)
+                ++squares_[unique].vehicles;
+            else
+                squares_[++unique] = squares_[i];
+        if (!squares_.empty()) squares_.resize(unique + 1);
+        for (const Square& square : squares_) most_ = std::max(most_, square.vehicles);
+    }
+
+    float side() const { return side_; }  // m
+    int most() const { return most_; }    // in one square
+    // How many times as many as find room side by side, where most are; at least 1.
+    double crowding() const { return std::max(1.0, most_ / room()); }
+
+    // Calls each(vehicles, others) for the vehicles of each square and those of the nine squares around, less those
+    // that find room there side by side, where physics keeps them: these overlap.
+    void for_each_overlap(const auto& each) const {
+        if (most_ <= room()) return;
+        for (const Square& square : squares_) {
+            double near = 0;
+            for (std::int64_t x = square.at.first - 1; x <= square.at.first + 1; ++x) {
+                const std::pair from{x, square.at.second - 1};
+                auto other = std::lower_bound(squares_.begin(), squares_.end(), from,
+                                              [](const Square& s, const auto& at) { return s.at < at; });
+                for (; other != squares_.end() && other->at.first == x && other->at.second <= square.at.second + 1;
+                     ++other)
+                    near += other->vehicles;
+            }
+            if (near > 9 * room()) each(static_cast<double>(square.vehicles), near - 9 * room());
+        }
+    }
+
+private:
+    double room() const { return static_cast<double>(side_) * static_cast<double>(side_) / smallest_; }  // of a square
+
+    struct Square {
+        std::pair<std::int64_t, std::int64_t> at;  // in sides
+        int vehicles = 0;
+    };
+    float side_ = 0;
+    double smallest_ = std::numeric_limits<double>::max();  // m², floor of the smallest vehicle
+    std::vector<Square> squares_;                           // ascending
+    int most_ = 0;
+};
+
 // The same for vehicles that the file places: only so many on the floor of one.
 std::optional<Fault> crowd_fault(const Scene& scene) {
-    constexpr std::size_t most = 32;
-    float side = 0;  // m
-    for (const Kind& kind : scene.kinds) side = std::max({side, kind.body.length, kind.body.width});
-    std::vector<std::pair<std::int64_t, std::int64_t>> squares;
-    const auto place = [&](const auto& own) {
-        squares.emplace_back(std::llround(own.x / side), std::llround(own.y / side));
-    };
-    for (const Start& start : scene.starts) place(start);
-    for (const Member& member : scene.members)
-        if (member.placed) place(member);
-    if (squares.size() <= most) return std::nullopt;
-    std::sort(squares.begin(), squares.end());
-    for (std::size_t i = most; i < squares.size(); ++i)
-        if (squares[i - most] == squares[i])
-            return Fault{"", message_of("too_crowded", most, fmt::format("{:.3g}", side))};
-    return std::nullopt;
+    constexpr int most = 32;
+    if (scene.starts.size() + scene.members.size() <= most) return std::nullopt;
+    const PlacedVehicles placed(scene);
+    if (placed.most() <= most) return std::nullopt;
+    return Fault{"", message_of("too_crowded", most, fmt::format("{:.3g}", placed.side()))};
 }
 
 // What parts of a tick cost, each measured in scenes that consist of it (tests/core/size_limits_test.cpp). The unit is
 // the comparison of a sensor with a stimulus, 2.5 ns on a core of 2.1 GHz.
 namespace cost {
 constexpr double vehicle = 350, pair = 600, movable_pair = 1200;  // pair: of bodies that may touch
+constexpr double fixed_pair = 10;    // of obstacles that overlap, which the first tick finds
+constexpr double contact = 1;        // of a body, for each new one: Box2D compares it with those that the body has
 constexpr double impact = 10;        // of vehicles that zones push: for each vehicle that may hit something meanwhile
 constexpr double slow_stimulus = 6;  // of a photocell or a table, or on a torus
 constexpr double hiding_side = 0.4;  // of an obstacle that may be before a stimulus
@@ -124,11 +176,11 @@ double area_of(const std::vector<maths::vec2>& corners) {
     return static_cast<double>(twice / 2);
 }
 
-// Pairs of obstacles that are near each other, of which one can be pushed. A drag of an obstacle asks at each of its
-// steps, so only those are compared that overlap along one axis.
-class MovablePairs {
+// Pairs of obstacles that are near each other. A drag of an obstacle asks at each of its steps, so only those are
+// compared that overlap along one axis.
+class ObstaclePairs {
 public:
-    explicit MovablePairs(const std::vector<Obstacle>& obstacles) {
+    explicit ObstaclePairs(const std::vector<Obstacle>& obstacles) {
         maths::vec2 low{std::numeric_limits<float>::max(), std::numeric_limits<float>::max()}, high = -low;
         for (const Obstacle& each : obstacles) {
             low = {std::min(low.x, each.x), std::min(low.y, each.y)};
@@ -149,8 +201,15 @@ public:
         std::sort(areas_.begin(), areas_.end());
     }
 
-    // At most, wherever vehicles push them.
-    double most() const { return reaches_.empty() ? 0 : std::max(in_place(), when_pushed()); }
+    double work() const {
+        double all = 0, movable = 0;  // at the places of the scene, where obstacles may overlap
+        each_near(all_, 0, [&](std::size_t i, std::size_t j) {
+            ++all;
+            movable += all_[i].is_movable || all_[j].is_movable;
+        });
+        if (!reaches_.empty()) movable = std::max(movable, when_pushed());
+        return cost::fixed_pair * all + cost::movable_pair * movable;
+    }
 
 private:
     static constexpr float margin = 0.1f;  // m, by which Box2D grows a body in its search for pairs
@@ -173,13 +232,8 @@ private:
             }
         }
     }
-    // At the places of the scene, where obstacles may overlap.
-    double in_place() const {
-        double pairs = 0;
-        each_near(all_, 0, [&](std::size_t i, std::size_t j) { pairs += all_[i].is_movable || all_[j].is_movable; });
-        return pairs;
-    }
-    // Physics keeps those apart that are pushed: the smaller ones near one, whole, find room in thrice its circle.
+    // At most, wherever vehicles push them. Physics keeps those apart that are pushed: the smaller ones near one,
+    // whole, find room in thrice its circle.
     double when_pushed() const {
         std::vector<double> of_smallest = areas_;  // of the first, the first two …
         for (std::size_t i = 1; i < of_smallest.size(); ++i) of_smallest[i] += of_smallest[i - 1];
@@ -210,7 +264,7 @@ private:
 class WorkOfATick {
 public:
     WorkOfATick(const Scene& scene, const PresentParts& parts)
-        : scene_(scene), parts_(parts), vehicles_(vehicle_count(scene)) {
+        : scene_(scene), parts_(parts), placed_(scene), vehicles_(vehicle_count(scene)) {
         const auto force = [](const Zone& z) { return std::fabs(z.wind_x) + std::fabs(z.wind_y) + std::fabs(z.pull); };
         float push = 0, fastest = 0;  // N, m/s
         double beyond = 0;            // wheels beside a chassis, which are bodies of their own
@@ -236,12 +290,15 @@ public:
         touched_ *= 1 + beyond / 4;
         for (const Obstacle& obstacle : scene.obstacles) {
             hiding_sides_ += static_cast<double>(corners_of(obstacle).size());
-            touched_ += share_in(extent_of(corners_of(obstacle)), body);
+            touched_ += (1 + beyond) * share_in(extent_of(corners_of(obstacle)), body);
         }
+        const float post = source_radius(scene.arena);
+        for (const Source& source : scene.sources)
+            if (source.solid) touched_ += (1 + beyond) * share_in({post, post}, body);
         for (const Zone& zone : scene.zones) {
             const maths::vec2 extent = extent_of(corners_of(zone));
             zones_ += share_in(extent, cell) * images(maths::length(extent));
-            if (force(zone) > 0) touched_ += cost::impact / cost::pair * vehicles_ * share_in(extent, 0);
+            if (force(zone) > 0) impacts_ += vehicles_ * share_in(extent, 0);
         }
         const std::size_t walls = scene.arena.round ? round_corners(scene.arena).size() : 4;
         sides_ = hiding_sides_ + static_cast<double>(has_walls(scene.arena.edge) ? walls : 0);
@@ -268,16 +325,23 @@ public:
             largest = std::max(largest, of(kind.sensors) + of(*parts_.of_kinds[k]) +
                                             cost::in_zone * zones_ * static_cast<double>(kind.body.wheels.size() + 2));
         }
-        return vehicles_ * (cost::vehicle + cost::pair * touched_ + largest) + own +
-               cost::movable_pair * MovablePairs(scene_.obstacles).most();
+        return vehicles_ * (cost::vehicle + of_touched(touched_) + cost::impact * impacts_ + largest) + own +
+               of_overlaps() + ObstaclePairs(scene_.obstacles).work();
     }
 
 private:
+    static double of_touched(double bodies) { return cost::pair * bodies + cost::contact * bodies * bodies; }
+    // Of vehicles that the file places in each other. Two share a pair.
+    double of_overlaps() const {
+        double sum = 0;
+        placed_.for_each_overlap([&](double vehicles, double others) { sum += vehicles * of_touched(others / 2); });
+        return sum;
+    }
     double floor() const { return static_cast<double>(scene_.arena.width) * static_cast<double>(scene_.arena.height); }
     // The share of the vehicles that find room in this rectangle, grown by `margin` (m).
     double share_in(maths::vec2 extent, float margin) const {
         const auto area = static_cast<double>((2 * extent.x + margin) * (2 * extent.y + margin));
-        return std::min(1.0, area / (smallest_ * vehicles_));
+        return std::min(1.0, placed_.crowding() * area / (smallest_ * vehicles_));
     }
     // How often something within `reach` (m) is found across the seams of a torus.
     double images(float reach) const {
@@ -316,10 +380,11 @@ private:
 
     const Scene& scene_;
     const PresentParts& parts_;
+    PlacedVehicles placed_;
     double vehicles_;
     float side_ = 0;                                                // m, longest of any vehicle
     double smallest_ = std::numeric_limits<double>::max();          // m², floor of the smallest vehicle
-    double touched_ = 0, zones_ = 0;                                // bodies beside a vehicle, zones below it
+    double touched_ = 0, impacts_ = 0, zones_ = 0;                  // bodies beside a vehicle, zones below it
     double sides_ = 0, hiding_sides_ = 0, marks_ = 0;               // of all outlines, of obstacles; of a memory
     std::array<double, channel_table.size()> fixed_{}, carried_{};  // stimuli by channel; of one vehicle
 };
