@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "core/io/run_file.h"
 #include "core/lesson/submission.h"
 #include "core/messages.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/folder_entries.h"
 
 namespace braitenlab {
@@ -35,12 +35,7 @@ std::string local_time() {
     return text;
 }
 
-std::string autosave_text(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return std::move(text).str();
-}
+Result<std::string> autosave_text(const fs::path& path) { return read_text(path, io::most_run_bytes, "run_too_large"); }
 
 // The array or object with which the text begins; empty if there is none, or if it is too deep for nlohmann's dump(),
 // which recurses.
@@ -225,12 +220,12 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
     });
     for_each_leftover(folder_, [&](const fs::path& file) {
         if (is_too_old(file)) return remove_with_lock(file);
-        const std::string text = autosave_text(file);
-        const auto keys = read_keys(text, file.string());
+        const auto text = autosave_text(file);
+        const auto keys = text ? read_keys(*text, file.string()) : text.error();
         std::optional<Error> fault = keys ? std::nullopt : std::optional(keys.error());
         bool work = true;
-        if (keys && text.size() <= most_at_start) {
-            const auto opened = open_autosave(text, file.string());
+        if (keys && text->size() <= most_at_start) {
+            const auto opened = open_autosave(*text, file.string());
             opened ? void(work = has_work(opened->document)) : void(fault = opened.error());
         }
         if (fault) {
@@ -251,7 +246,9 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
 
 Result<Document> Autosave::recover() const {
     if (!leftover_) return error_of(message_of("nothing_to_recover"));
-    auto opened = open_autosave(autosave_text(leftover_->file), leftover_->file.string());
+    const auto text = autosave_text(leftover_->file);
+    if (!text) return text.error();
+    auto opened = open_autosave(*text, leftover_->file.string());
     if (!opened) return opened.error();
     return std::move(opened->document);
 }
@@ -277,7 +274,8 @@ void Autosave::set_aside() {
 void Autosave::forget_work_on(const fs::path& saved) {
     if (folder_.empty()) return;
     for_each_leftover(folder_, [&](const fs::path& file) {
-        const auto keys = read_keys(autosave_text(file), file.string());
+        const auto text = autosave_text(file);
+        const auto keys = text ? read_keys(*text, file.string()) : text.error();
         if (!keys || keys->path != absolute_path(saved)) return;
         std::erase_if(older_, [&](const Leftover& each) { return each.file == file; });
         if (leftover_ && leftover_->file == file) pass_over();

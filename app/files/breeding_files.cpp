@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
@@ -133,15 +132,8 @@ void drop_oldest_breedings(const fs::path& all, std::size_t most, std::uintmax_t
 
 Result<evolve::BreedingState> read_breeding_state(const BreedingBase& base, const fs::path& folder) {
     const fs::path path = state_in(folder);
-    std::error_code problem;
-    const std::uintmax_t bytes = fs::file_size(path, problem);
-    if (problem) return error_of(message_of("cannot_open", problem.message()), path.string());
-    if (bytes > most_bytes) return error_of(message_of("run_too_large", most_bytes >> 20U), path.string());
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) return error_of(message_of("unreadable"), path.string());
-    return evolve::read_state(base, text.str(), path.string());
+    const auto text = read_text(path, most_bytes, "run_too_large");
+    return text ? evolve::read_state(base, *text, path.string()) : text.error();
 }
 
 }  // namespace braitenlab

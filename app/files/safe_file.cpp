@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/platform/platform.h"
+#include "core/maths/fnv.h"
 #include "core/messages.h"
 
 namespace braitenlab {
@@ -99,7 +100,10 @@ std::optional<Error> replacement_fault(const fs::path& path) { return fault_of(p
 FileWriter::FileWriter(const fs::path& path, bool flush) : wanted_(path), path_(behind_links(path)), flush_(flush) {
     error_ = fault_of(wanted_, path_);
     if (error_) return;
-    beside_ = path_.parent_path() / fmt::format(".{}.{}.new", path_.filename().string(), process_number());
+    constexpr std::size_t most = 200;  // bytes; a file system allows 255
+    std::string name = path_.filename().string();
+    if (name.size() > most) name = fmt::format("{:016x}", maths::fnv(name));
+    beside_ = path_.parent_path() / fmt::format(".{}.{}.new", name, process_number());
     file_.reset(open_for_writing(beside_));
     if (!file_) fail(errno);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 #include <thread>
@@ -11,6 +10,7 @@
 #include "app/files/safe_file.h"
 #include "core/lesson/hand_in.h"
 #include "core/messages.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/folder_entries.h"
 
 namespace braitenlab {
@@ -21,11 +21,14 @@ namespace {
 
 constexpr const char* nameless_stem = "this-computer";
 constexpr const char* progress_extension = ".json";
+constexpr std::uintmax_t most_bytes = 64U << 20U;  // of a student; a brain has at most 1 MB
 
-std::string progress_text(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
+// Fails as read_text() and read_progress().
+Result<StudentProgress> progress_in(const Result<std::string>& text, const fs::path& path) {
+    return text ? read_progress(*text, path.string()) : text.error();
 }
+
+Result<std::string> progress_text(const fs::path& path) { return read_text(path, most_bytes, "too_large"); }
 
 // Renames the file, so that it is reported once and its text is kept. An earlier broken file is not replaced.
 Error keep_aside(const fs::path& path, const Error& error) {
@@ -83,8 +86,8 @@ std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& curr
     files_ = {{nameless_stem}};
     if (folder_.empty()) return errors;
     for (const fs::path& path : progress_files(folder_)) {
-        std::string text = progress_text(path);
-        auto progress = read_progress(text, path.string());
+        auto text = progress_text(path);
+        auto progress = progress_in(text, path);
         if (!progress) {
             errors.push_back(keep_aside(path, progress.error()));
             continue;
@@ -93,12 +96,12 @@ std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& curr
         if (stem == nameless_stem) {
             progress->name.clear();
             book.all.front() = files_.front().written = std::move(*progress);
-            files_.front().text = std::move(text);
+            files_.front().text = std::move(*text);
         } else if (auto error = unused(path, *progress, book)) {
             errors.push_back(std::move(*error));
         } else {
             if (stem == current) book.current = book.all.size();
-            files_.push_back({stem, *progress, std::move(text)}), book.all.push_back(std::move(*progress));
+            files_.push_back({stem, *progress, std::move(*text)}), book.all.push_back(std::move(*progress));
         }
     }
     return errors;
@@ -123,7 +126,7 @@ std::string StudentFiles::stem_for(const std::string& name) const {
         const bool is_ours =
             std::any_of(files_.begin(), files_.end(), [&](const OnDisk& each) { return each.stem == stem; });
         if (is_ours || stem == nameless_stem) continue;
-        const auto progress = read_progress(progress_text(path), path.string());
+        const auto progress = progress_in(progress_text(path), path);
         if (progress && is_same_student(progress->name, name)) return stem;
     }
     return free_stem(name);
@@ -147,9 +150,9 @@ std::optional<Error> StudentFiles::merge(OnDisk& file, StudentProgress& progress
     const fs::path path = path_of(file);
     std::error_code none;
     if (!fs::exists(path, none)) return std::nullopt;
-    const std::string text = progress_text(path);
-    if (text == file.text) return std::nullopt;
-    auto found = read_progress(text, path.string());
+    const auto text = progress_text(path);
+    if (text && *text == file.text) return std::nullopt;
+    auto found = progress_in(text, path);
     if (!found) {
         const Error error = keep_aside(path, found.error());
         if (fs::exists(path, none)) return error;

@@ -1,7 +1,5 @@
 #include "app/files/study_files.h"
 
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -79,12 +77,9 @@ std::string StudyTable::name_line() const { return fmt::format("# study {:016x}\
 std::string StudyTable::take_lines(const fs::path& path, const std::string& first) {
     rows_.clear();
     std::string kept = first;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return kept;
-    std::ostringstream all;
-    all << in.rdbuf();
-    const std::string text = all.str();
-    if (!text.starts_with(kept)) return kept;
+    const auto read = read_text(path, std::uintmax_t{1} << 30U, "too_large");
+    if (!read || !read->starts_with(kept)) return kept;
+    const std::string& text = *read;
     // A run that was cut off while it was written has no complete line.
     for (std::size_t at = kept.size(), end;
          rows_.size() < base_->study().runs() && (end = text.find('\n', at)) != std::string::npos; at = end + 1) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <variant>
 
@@ -22,7 +21,7 @@ namespace io {
 namespace {
 
 constexpr int version = 1;
-constexpr std::size_t most_bytes = std::size_t{256} << 20U, most_commands = 100000;
+constexpr std::size_t most_commands = 100000;
 constexpr int deepest = 32;       // nesting depth of arrays and objects
 constexpr double largest = 1e30;  // absolute value of a number; fits in a float
 
@@ -112,7 +111,7 @@ void hide_brains(SavedRun& run, const std::vector<std::string>& kinds) {
 }
 
 Result<SavedRun> read_run(std::string_view text, std::string file) {
-    if (text.size() > most_bytes) return refused(message_of("run_too_large", most_bytes >> 20U), file);
+    if (text.size() > most_run_bytes) return refused(message_of("run_too_large", most_run_bytes >> 20U), file);
     if (const std::string_view format = foreign_format(text); !format.empty() && format != "JSON")
         return refused(message_of("other_file", format), file);
     Guard guard;
@@ -131,15 +130,8 @@ Result<SavedRun> read_run(std::string_view text, std::string file) {
 }
 
 Result<SavedRun> load_run(const std::filesystem::path& path) {
-    std::error_code problem;
-    const auto bytes = std::filesystem::file_size(path, problem);
-    if (problem) return error_of(message_of("cannot_open", problem.message()), path.string());
-    if (bytes > most_bytes) return refused(message_of("run_too_large", most_bytes >> 20U), path.string());
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) return error_of(message_of("unreadable_run"), path.string());
-    return read_run(text.str(), path.string());
+    const auto text = read_text(path, most_run_bytes, "run_too_large");
+    return text ? read_run(*text, path.string()) : text.error();
 }
 
 }  // namespace io

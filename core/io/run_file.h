@@ -4,6 +4,7 @@
 // and the number of ticks since. Where the brain of a kind is hidden, all of it is sealed (core/scene/sealed.h).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 namespace braitenlab::io {
 
 inline constexpr std::string_view run_ending = ".run";
+inline constexpr std::uintmax_t most_run_bytes = std::uintmax_t{256} << 20U;  // of a run or an autosave
 
 // always: sealed also where no kind is hidden, as for an exercise that hides a brain.
 enum class Seals { hidden_kinds, always };
@@ -27,6 +29,6 @@ void hide_brains(SavedRun&, const std::vector<std::string>& kinds);
 
 // Returns an error with the reason for a file that write_run() cannot have written. A missing value is an error.
 Result<SavedRun> read_run(std::string_view text, std::string file_name);
-Result<SavedRun> load_run(const std::filesystem::path&);
+Result<SavedRun> load_run(const std::filesystem::path&);  // fails as read_text() and read_run()
 
 }  // namespace braitenlab::io

@@ -58,7 +58,7 @@ std::string_view foreign_format(std::string_view content) {
                                            Signature{"<!DOCTYPE html", "HTML"},
                                            Signature{"<!doctype html", "HTML"},
                                            Signature{"<html", "HTML"},
-                                           Signature{"<", "XML"}};
+                                           Signature{"<?xml", "XML"}};
     const auto found = std::find_if(signatures.begin(), signatures.end(), [content](const Signature& signature) {
         return content.starts_with(signature.bytes);
     });
@@ -66,17 +66,21 @@ std::string_view foreign_format(std::string_view content) {
 }
 
 Result<std::string> read_text(const std::filesystem::path& path) {
+    return read_text(path, limits::file_bytes, "too_large");
+}
+
+Result<std::string> read_text(const std::filesystem::path& path, std::uintmax_t most, const MessageId<1>& too_large) {
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
     if (!std::filesystem::exists(status)) return error_of(message_of("no_file"), path.string());
     if (!std::filesystem::is_regular_file(status)) return error_of(message_of("not_a_file"), path.string());
-    if (std::filesystem::file_size(path, problem) > limits::file_bytes)
-        return error_of(message_of("too_large", limits::file_bytes >> 20u), path.string());
+    if (std::filesystem::file_size(path, problem) > most)
+        return error_of(message_of(too_large, most >> 20u), path.string());
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
     if (!in) return error_of(message_of("unreadable"), path.string());
-    return text.str();
+    return std::move(text).str();
 }
 
 }  // namespace braitenlab

@@ -1,6 +1,8 @@
 // What a file contains, and its text.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,6 +11,9 @@
 #include "core/result.h"
 
 namespace braitenlab {
+
+template <std::size_t values>
+class MessageId;  // core/messages.h
 
 enum class FileKind { scene, exercise, brain, run, lecture, study, breeding };
 inline constexpr int file_kinds = 7;
@@ -27,7 +32,10 @@ inline FileKind detect_kind(const std::filesystem::path& path, std::string_view 
 // for any other text.
 std::string_view foreign_format(std::string_view content);
 
-// The text of a TOML file. Fails if it is absent, no regular file, unreadable, or larger than limits::file_bytes.
+// The content of a file. Fails if it is absent, no regular file (a pipe may wait for ever, a device may have no end),
+// unreadable, or larger than limits::file_bytes or `most`; then with the message `too_large`, whose value is `most` in
+// MB.
 Result<std::string> read_text(const std::filesystem::path&);
+Result<std::string> read_text(const std::filesystem::path&, std::uintmax_t most, const MessageId<1>& too_large);
 
 }  // namespace braitenlab

@@ -427,6 +427,16 @@ TEST_F(AutosaveTest, RenamesABrokenFileAndReportsIt) {
     }
 }
 
+TEST_F(AutosaveTest, SetsAsideWhatIsNoFile) {
+    if (!fs::exists("/dev/null")) GTEST_SKIP() << "a system without devices in its folders";
+    fs::create_symlink("/dev/null", folder.path / "1-1.autosave");
+    const Autosave next(folder.path, complaints);
+    EXPECT_FALSE(next.leftover());
+    ASSERT_EQ(complaints.size(), 1u);
+    EXPECT_NE(complaints[0].text().find(message_of("not_a_file").text), std::string::npos) << complaints[0].text();
+    EXPECT_TRUE(fs::is_symlink(folder.path / "1-1.autosave.broken"));
+}
+
 TEST_F(AutosaveTest, OffersALargeFileBeforeItReadsTheRun) {
     crash_with(1);
     const auto file = files_in(folder.path)[0];

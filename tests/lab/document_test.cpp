@@ -11,6 +11,15 @@
 namespace braitenlab::tests::document_test {
 namespace {
 
+TEST(Document, HasNoContentWhereItsFileHasBecomeADevice) {
+    if (!std::filesystem::exists("/dev/null")) GTEST_SKIP() << "a system without devices in its folders";
+    const Folder folder;
+    put_text(folder / "a.toml", "");
+    EXPECT_TRUE(content_of(folder / "a.toml"));
+    std::filesystem::create_symlink("/dev/null", folder / "b.toml");
+    EXPECT_FALSE(content_of(folder / "b.toml"));
+}
+
 TEST(Document, OpensASavedRunAtItsTick) {
     Lab lab = opened_lab("predator-prey");
     for (int i = 0; i < 400; ++i) tick(lab);

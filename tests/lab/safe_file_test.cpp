@@ -27,6 +27,15 @@ TEST(SafeFile, WritesTheTextAndCreatesMissingFolders) {
     EXPECT_EQ(names_in(file.parent_path()), std::set<std::string>{"scene.toml"}) << "no temporary file is left";
 }
 
+TEST(SafeFile, WritesANameOfEachLengthThatTheSystemAllows) {
+    const Folder folder;
+    for (const std::size_t length : {199u, 201u, 255u}) {
+        const auto file = folder / std::string(length, 'n');
+        EXPECT_FALSE(write_whole(file, "text"));
+        EXPECT_EQ(text_of(file), "text") << length;
+    }
+}
+
 TEST(SafeFile, DoesNotChangeTheTextOfAnOpenReader) {
     if (fs::path::preferred_separator == '\\') GTEST_SKIP() << "Windows does not replace files that are open";
     const Folder folder;

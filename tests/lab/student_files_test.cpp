@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/messages.h"
 #include "tests/folder.h"
 
 namespace braitenlab::tests::student_files_test {
@@ -45,6 +46,18 @@ TEST(StudentFiles, KeepABrokenFileAsideAndReportIt) {
     EXPECT_EQ(text_of(folder / "students/ben.json.broken2"), "{\n oh");
     EXPECT_EQ(text_of(folder / "students/ben.json.broken"), "earlier");
     EXPECT_EQ(book, StudentBook{});
+}
+
+TEST(StudentFiles, KeepAsideWhatIsNoFile) {
+    if (!fs::exists("/dev/null")) GTEST_SKIP() << "a system without devices in its folders";
+    const Folder folder;
+    fs::create_directories(folder / "students");
+    fs::create_symlink("/dev/null", folder / "students/ben.json");
+    StudentBook book;
+    const auto errors = StudentFiles(folder / "students").read(book, "ben");
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_NE(errors[0].text().find(message_of("not_a_file").text), std::string::npos) << errors[0].text();
+    EXPECT_TRUE(fs::is_symlink(folder / "students/ben.json.broken"));
 }
 
 TEST(StudentFiles, GiveEachStudentAFileAndWriteOnlyWhatHasChanged) {
