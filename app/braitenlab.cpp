@@ -1,4 +1,5 @@
 // The program with a window: reads the command line, opens a document and a window, and runs the main loop.
+#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -171,5 +172,8 @@ int main(int argc, char** argv) {
     braitenlab::use_utf8(argc, argv);
     const braitenlab::InertOutput inert;
     const auto line = braitenlab::read_command_line(argc, argv);
-    return line.exit_code ? *line.exit_code : braitenlab::open_and_run(line.options);
+    if (!line.exit_code) return braitenlab::open_and_run(line.options);
+    std::cout.flush();
+    if (std::cout) return *line.exit_code;
+    return braitenlab::complain({"standard output could not be written; check that it has room"});
 }

@@ -10,8 +10,8 @@
 
 namespace braitenlab {
 
-// The text without what a terminal acts upon: control characters other than tab and line feed, and marks that change
-// the direction of writing, are U+FFFD.
+// The text without what a terminal acts upon: control characters other than tab and line feed, and marks that end a
+// line or change the direction of writing, are U+FFFD.
 std::string terminal_text(std::string_view);
 
 // The same for a text that is one line or a part of it: a line feed is a space.

@@ -117,10 +117,13 @@ void add_table(CLI::App& command, TableOptions& table, const std::string& also =
     add_value(command, "--lang", table.language, "CODE", "language of --excel" + also + "; default: en");
 }
 
-void add_labels(CLI::App& command, FigureLabels& labels) {
-    add_value(command, "--title", labels.title, "TEXT", "title of the drawing");
-    add_value(command, "--x-label", labels.x, "TEXT", "words at the horizontal axis, with the unit");
-    add_value(command, "--y-label", labels.y, "TEXT", "words at the vertical axis, with the unit");
+// `drawing`: the option that writes what the labels are for; null if there are several.
+void add_labels(CLI::App& command, FigureLabels& labels, CLI::Option* drawing) {
+    for (auto* label :
+         {add_value(command, "--title", labels.title, "TEXT", "title of the drawing"),
+          add_value(command, "--x-label", labels.x, "TEXT", "words at the horizontal axis, with the unit"),
+          add_value(command, "--y-label", labels.y, "TEXT", "words at the vertical axis, with the unit")})
+        if (drawing) label->needs(drawing);
 }
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings, const std::string& what) {
@@ -207,9 +210,9 @@ void add_map(CLI::App& command, MapOptions& options) {
     add_threads(command, options.threads);
     command.add_flag("--json", options.json, "print the map as one JSON object");
     add_value(command, "--csv", options.csv, "FILE", "write a row per cell; -: to standard output");
-    add_value(command, "--svg", options.svg, "FILE", "write a drawing with axes, legend and title");
+    auto* svg = add_value(command, "--svg", options.svg, "FILE", "write a drawing with axes, legend and title");
     add_value(command, "--png", options.png, "FILE", "write the cells alone as a picture");
-    add_labels(command, options.labels);
+    add_labels(command, options.labels, svg);
     add_table(command, options.table, " and of the words in the drawing");
 }
 
@@ -303,9 +306,9 @@ void add_study(CLI::App& command, StudyOptions& options) {
     command.add_option("STUDY", options.file, "a path, or the bare name of a shipped study")->required();
     add_value(command, "--csv", options.csv, "FILE",
               "write a row per run; -: to standard output; after an interruption the same command continues");
-    add_value(command, "--svg", options.svg, "FILE",
-              "write a drawing: medians and quartiles over the value with most levels");
-    add_labels(command, options.labels);
+    auto* svg = add_value(command, "--svg", options.svg, "FILE",
+                          "write a drawing: medians and quartiles over the value with most levels");
+    add_labels(command, options.labels, svg);
     add_table(command, options.table, " and of the words in the drawing");
     command.add_flag("--json", options.json, "print medians, quartiles and paired differences as JSON");
     add_threads(command, options.threads);
@@ -323,21 +326,29 @@ void add_breed(CLI::App& command, BreedOptions& options) {
     add_threads(command, options.threads);
     command.add_flag("--continue", options.goes_on, "go on with the results in the folder");
     command.add_flag("--json", options.json, "print the last generation as one JSON object");
-    command.add_option("--matrix", options.matrix,
-                       "of a folder: champions of all generations against each other (master), or each against its "
-                       "ancestors' opponents (ciao)");
-    add_value(command, "--csv", options.csv, "FILE",
-              "of a folder: write a row per pair of the matrix, or without --matrix per number of each generation; "
-              "-: to standard output");
-    add_value(command, "--svg", options.svg, "FILE",
-              "of a folder: write a drawing of the matrix, or without --matrix of the scores by generation");
-    add_value(command, "--report", options.report, "FOLDER",
-              "of a folder: write all tables and drawings into another folder, as JSON, CSV and SVG");
-    add_labels(command, options.labels);
+    // What a folder is asked for: a champion, a match, a report, or the matrix or the scores, each alone.
+    auto* matrix =
+        command.add_option("--matrix", options.matrix,
+                           "of a folder: champions of all generations against each other (master), or each against its "
+                           "ancestors' opponents (ciao)");
+    auto* csv =
+        add_value(command, "--csv", options.csv, "FILE",
+                  "of a folder: write a row per pair of the matrix, or without --matrix per number of each generation; "
+                  "-: to standard output");
+    auto* svg =
+        add_value(command, "--svg", options.svg, "FILE",
+                  "of a folder: write a drawing of the matrix, or without --matrix of the scores by generation");
+    auto* report = add_value(command, "--report", options.report, "FOLDER",
+                             "of a folder: write all tables and drawings into another folder, as JSON, CSV and SVG");
+    add_labels(command, options.labels, nullptr);
     add_table(command, options.table, " and of the words in the drawing");
-    command.add_option("--champion", options.champion, "of a folder: write the brain of a champion, like predator:30");
-    command.add_option("--match", options.match,
-                       "of a folder: write the scene of two champions, PREDATOR:PREY, like 30:12");
+    auto* champion = command.add_option("--champion", options.champion,
+                                        "of a folder: write the brain of a champion, like predator:30");
+    auto* match = command.add_option("--match", options.match,
+                                     "of a folder: write the scene of two champions, PREDATOR:PREY, like 30:12");
+    for (CLI::Option* alone : {report, champion, match})
+        for (CLI::Option* other : {matrix, csv, svg, report, champion, match})
+            if (other != alone) alone->excludes(other);
 }
 
 struct Subcommand {

@@ -50,6 +50,10 @@ int open_link(const LinkOptions& options) {
 
 }  // namespace
 
-int link(const LinkOptions& options) { return io::is_link(options.what) ? open_link(options) : print_link(options); }
+int link(const LinkOptions& options) {
+    if (io::is_link(options.what)) return open_link(options);
+    if (!options.out.empty()) return complain({"only the scene of a link is written; a link is printed", "--out"});
+    return print_link(options);
+}
 
 }  // namespace braitenlab

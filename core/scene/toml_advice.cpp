@@ -142,10 +142,17 @@ Advice of_decimal_comma(const KeyLine& line) {
     return message_of("advice_decimal_point", std::string(whole) + "." + std::string(fraction));
 }
 
+// "e400", of a number that is too large.
+bool is_exponent(std::string_view text) {
+    if (text[0] != 'e' && text[0] != 'E') return false;
+    const std::string_view number = number_at_begin(text.substr(1));
+    return !number.empty() && number.size() + 1 == text.size();
+}
+
 Advice of_unit(const KeyLine& line) {
     const std::string_view number = number_at_begin(line.value);
     const std::string_view unit = trimmed_of(line.value.substr(number.size()));
-    if (number.empty() || unit.empty()) return std::nullopt;
+    if (number.empty() || unit.empty() || is_exponent(unit)) return std::nullopt;
     const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || (c & 0x80); };
     if (!is_letter(unit[0]) && unit[0] != '%') return std::nullopt;
     return message_of("advice_no_unit", number);
@@ -194,7 +201,10 @@ constexpr std::array causes{of_no_break_space, of_typographic_minus, of_typograp
 Message toml_advice(std::string_view text, int line) {
     const bool is_utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
     const std::string_view found = line_of(text, line);
-    if (is_utf16 || !is_utf8(found) || found.find('\0') != std::string_view::npos) return message_of("advice_utf8");
+    // Text of two or four bytes a character has a zero beside each letter.
+    const auto zeros = std::count(found.begin(), found.end(), '\0');
+    if (is_utf16 || !is_utf8(found) || zeros > 1) return message_of("advice_utf8");
+    if (zeros > 0) return message_of("advice_no_zero");
     const KeyLine parts = key_line_of(found);
     for (const auto cause : causes)
         if (auto advice = cause(parts)) return *advice;

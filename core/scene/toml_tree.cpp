@@ -302,7 +302,7 @@ void check_format(TomlFile& file) {
     const TomlNode* format = file.root.get("format");
     if (!format) {
         file.add("format", error_of(message_of("no_format"), file.name, 1));
-    } else if (!format->as_whole()) {
+    } else if (!format->as_whole() || *format->as_whole() < 1) {
         file.fail("format", format, message_of("format_whole"));
     } else if (*format->as_whole() != 1) {
         file.fail("format", format, message_of("other_format"));

@@ -34,7 +34,8 @@ TEST(FileKind, KnowsFilesOfOtherProgramsByTheirFirstBytes) {
     EXPECT_EQ(foreign_format("\x7F"
                              "ELF"),
               "ELF");
-    for (const char* text : {"", "P", "PK = 1\n", "# %PDF-\n", "format = 1\n", "[arena]\n"})
+    EXPECT_EQ(foreign_format("<?xml version=\"1.0\"?>"), "XML");
+    for (const char* text : {"", "P", "<<<<<<< HEAD\n", "PK = 1\n", "# %PDF-\n", "format = 1\n", "[arena]\n"})
         EXPECT_EQ(foreign_format(text), "") << text;
 }
 

@@ -58,6 +58,11 @@ TEST(TomlAdvice, NamesAHeadingOrAKeyThatStandsTwice) {
     EXPECT_EQ(toml_advice("[a]\nx = 1\n[b]\nx = 1.2.3", 4).text, "") << "the other x is in another table";
 }
 
+TEST(TomlAdvice, KnowsANumberThatIsTooLargeAndAZeroByte) {
+    EXPECT_TRUE(complaint("width = 1e400\n").ends_with("could not be interpreted as a value"));
+    EXPECT_TRUE(complaint(std::string("width = 1\0\n", 11)).ends_with(message_of("advice_no_zero").text));
+}
+
 TEST(TomlAdvice, AsksForUtf8InAFileOfUtf16) {
     const std::string text(
         "\xFF\xFE"

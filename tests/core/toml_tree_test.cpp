@@ -82,6 +82,7 @@ TEST(TomlTree, AsksForAWholeFormatNumberAndForAnotherProgramOnlyWhereThatHelps) 
         EXPECT_EQ(fault(std::string("format = ") + value),
                   "f.toml:1: 'format' should be the whole number 1; write format = 1");
     EXPECT_NE(fault("format = 2").find("may be from a newer one"), std::string::npos);
+    EXPECT_NE(fault("format = -1").find("write format = 1"), std::string::npos);
     EXPECT_EQ(fault("format = 1"), "");
 }
 

@@ -283,14 +283,30 @@ TEST(CtlOutput, InJsonIsUtf8WhateverAFileIsCalled) {
     EXPECT_NE(ran.out.find("\"exercise\": \"ex\uFFFD\""), std::string::npos) << ran.out;
 }
 
+TEST(CtlOutput, ThatWouldNotBeWrittenIsRefused) {
+    const Folder folder;
+    const std::string study = "study " + study_in(folder).string(), bred = "breed " + (folder / "bred").string();
+    ASSERT_EQ(ctl("breed flee --generations 1 --out " + (folder / "bred").string()).code, 0);
+    const Refusals refused{folder.path};
+    refused.expect({"link 2a-coward --out l.toml"}, "only the scene of a link is written");
+    refused.expect({study + " --title T", "map 2a-coward --size 2 --seconds 1 --x-label x"}, "requires --svg");
+    const std::string champion = " --champion prey:1", match = " --match 1:1", report = " --report r", out = " --out o";
+    refused.expect(
+        {bred + champion + out + " --csv c.csv", bred + champion + match + out, bred + report + " --svg s.svg",
+         bred + match + out + " --matrix ciao", bred + report + champion + out},
+        "excludes");
+    EXPECT_EQ(ctl(bred + " --title T --report " + (folder / "r").string()).code, 0) << "a title of all drawings";
+}
+
 TEST(CtlOutput, HasNothingThatATerminalActsUpon) {
     const Folder folder;
     put_text(folder / "s.toml",
              "format = 1\ntitle = \"a\\u001b[2Jb\\u009bc\\u202Ed "
-             "\u00e4\\tz\\rP\"\nstory = \"\\u0007\"\n");
+             "\u00e4\\tz\\rP\\u2028Q\"\nstory = \"\\u0007\"\n");
     const Ran shown = ctl("show " + (folder / "s.toml").string());
     EXPECT_EQ(shown.code, 0) << shown.out;
-    EXPECT_NE(shown.out.find("a\uFFFD[2Jb\uFFFDc\uFFFDd \u00e4\tz\uFFFDP\n\uFFFD\n"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("a\uFFFD[2Jb\uFFFDc\uFFFDd \u00e4\tz\uFFFDP\uFFFDQ\n\uFFFD\n"), std::string::npos)
+        << shown.out;
     const Ran refused = ctl("show \"$(printf 'x\\033]0;y.toml')\"");
     EXPECT_EQ(refused.code, 2);
     EXPECT_EQ(refused.out.find('\033'), std::string::npos) << refused.out;

@@ -333,6 +333,9 @@ TEST(LabWindow, AnswersVersionAndHelpWithoutADisplay) {
     const Ran help = shell("env -u DISPLAY " + program("braitenlab") + " --help");
     EXPECT_EQ(help.code, 0);
     EXPECT_NE(help.out.find("--screenshot"), std::string::npos);
+    if (!std::filesystem::exists("/dev/full")) return;
+    for (const char* option : {"--version", "--help"})
+        EXPECT_EQ(shell(program("braitenlab") + " " + option + " > /dev/full").code, 2) << "exit code 0 means written";
 }
 
 TEST(LabWindow, OpensWithABrokenSceneAndReportsFileAndLine) {
