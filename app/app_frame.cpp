@@ -40,7 +40,8 @@ Rect without_metre_labels(Rect scene, float scale) {
 // A title may tell the outcome of an exercise, or what a lecture asks first: until it is known, the page has the
 // program's.
 DocumentOnPage document_on_page(const Lab& lab, const LabView& view, const Strings& strings) {
-    DocumentOnPage on_page{.name = lab.document.name};
+    const Document& open = lab.document;
+    DocumentOnPage on_page{.document = open.path.empty() ? "#" + std::to_string(open.run_id) : open.path.string()};
     if (lab.pages) {
         on_page.lecture = lab.pages->lecture->path.string();
         on_page.page = lab.pages->page + 1, on_page.revealed = lab.pages->step;

@@ -18,7 +18,7 @@ std::string page_address();
 
 // What the page has in its title and its address, and what a reload opens again.
 struct DocumentOnPage {
-    std::string name{};          // of the document's file
+    std::string document{};      // its file, or a number of its own after a # if it has none: it came by a link
     std::string title{};         // empty: that of the program
     std::string lecture{};       // file of the open lecture; empty: none
     int page = 1, revealed = 0;  // of the lecture, the first page is 1; steps that are shown

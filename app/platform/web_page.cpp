@@ -23,8 +23,8 @@ std::map<std::string, std::function<std::string()>>& offered() {
 EM_JS(void, tell_page_of_first_picture, (), { if (Module.onFirstPicture) Module.onFirstPicture(); });
 EM_JS(void, tell_page_of_end, (), { if (Module.onEnd) Module.onEnd(); });
 EM_JS(void, tell_page_of_document,
-      (const char* title, const char* lecture, int page, int revealed, const char* name), {
-    Module.onDocument(UTF8ToString(title), UTF8ToString(lecture), page, revealed, UTF8ToString(name));
+      (const char* title, const char* lecture, int page, int revealed, const char* document), {
+    Module.onDocument(UTF8ToString(title), UTF8ToString(lecture), page, revealed, UTF8ToString(document));
 });
 // Calls braitenlab_work() in a task of its own, so that pictures and input come before it. A message, because a browser
 // lets setTimeout(0) wait for 4 ms from the fifth call on (HTML standard, 8.6 Timers).
@@ -97,7 +97,7 @@ void tell_page(const DocumentOnPage& now) {
     static DocumentOnPage told;
     if (now == told) return;
     told = now;
-    tell_page_of_document(now.title.c_str(), now.lecture.c_str(), now.page, now.revealed, now.name.c_str());
+    tell_page_of_document(now.title.c_str(), now.lecture.c_str(), now.page, now.revealed, now.document.c_str());
 }
 
 void work_between_turns(std::function<bool()> work) { background = std::move(work); }

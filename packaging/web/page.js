@@ -235,10 +235,18 @@ const address = {
     opening: true,  // the next document is that of the address
     open: undefined,
 
-    follow(name) {
-        if (name === address.open) return;
-        address.open = name;
-        if (address.opening) return void (address.opening = false);
+    // Whether the address may have opened this document: its file, or "#" and a number of one that came by a link.
+    fits(document) {
+        const exercise = /^#e\d+\.(.*)$/.exec(location.hash)?.[1];
+        if (exercise) return document.endsWith(`/${exercise}.toml`);
+        return !isLink(location.hash) || document.startsWith("#");
+    },
+
+    follow(document) {
+        if (document === address.open) return;
+        const wasOpening = address.opening;
+        address.open = document, address.opening = false;
+        if (wasOpening && address.fits(document)) return;
         const kept = new URLSearchParams(location.search);
         for (const key of ["open", "seed", "camera", "play"]) kept.delete(key);
         history.replaceState(null, "", `${location.pathname}?${kept}`.replace(/\?$/, ""));
@@ -280,9 +288,9 @@ var Module = {
     takeOver: files.takeOver,
     keepFiles: files.keep,
     openPage: files.openPage,
-    onDocument(title, lecture, page, revealed, name) {
+    onDocument(title, lecture, page, revealed, document) {
         lectures.follow(title, lecture, page, revealed);
-        address.follow(name);
+        address.follow(document);
     },
     copyText,
     chooseFiles: files.choose,

@@ -211,3 +211,54 @@ test("The address names the open document or none, and a link opens again", limi
         await lab.frames(3);
         assert.equal(await at(), "?lang=en#e1.05-aggressor");
     }));
+
+test("A document of the name of another one does not take over its address", limit, async () => {
+    const at = (lab) => lab.page.evaluate(() => location.search + location.hash);
+    const text = (await readFile(path.join(root, "exercises/scenes/2a-coward.toml"), "utf8")).replace(/^title = .*$/m, 'title = "Hers"');
+    const titled = (lab, title) => lab.page.waitForFunction((wanted) => document.title === wanted, `${title} – Braitenlab`, { timeout: 10000 });
+    await withLab("?open=2a-coward&lang=en", async (lab) => {
+        await lab.drop("2a-coward.toml", text);
+        await titled(lab, "Hers");
+        assert.equal(await at(lab), "?lang=en");
+    });
+    await withLab("?lang=en", async (lab) => {
+        await lab.drop("one.toml", text);
+        await titled(lab, "Hers");
+        const copied = async () => {
+            await lab.page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+            await lab.click("menu.file");
+            await lab.click("menu.file.copy_link");
+            await lab.until((state) => /^\d+$/.test(state.notice));
+            return new URL(await lab.page.evaluate(() => navigator.clipboard.readText())).hash;
+        };
+        const first = await copied();
+        for (const link of [first]) {
+            await lab.page.evaluate((hash) => (location.hash = hash), link);
+            await titled(lab, "Hers");
+            await lab.frames(4);
+            assert.equal(await at(lab), `?lang=en${link}`);
+        }
+        await lab.drop("two.toml", text);  // of the same title and as the link, a file of its own
+        await lab.until((state) => state.opened === "two");
+        await lab.frames(4);
+        assert.equal(await at(lab), "?lang=en");
+    });
+});
+
+test("A link that is not opened, to keep unsaved work, does not name the next document", limit, () =>
+    withLab("?open=2a-coward&lang=en", async (lab) => {
+        const [x, y, w, h] = await lab.rectangle("slider.LL");
+        await lab.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+        await lab.page.evaluate(() => (location.hash = "#e1.05-aggressor"));
+        await lab.rectangle("leaving.discard");
+        await lab.frames(3);
+        await lab.page.keyboard.press("Escape");
+        await lab.frames(3);
+        await lab.drop("mine.toml", await readFile(path.join(root, "exercises/scenes/2b-aggressor.toml"), "utf8"));
+        await lab.rectangle("leaving.discard");
+        await lab.frames(3);
+        await lab.click("leaving.discard");
+        await lab.until((state) => state.opened === "mine");
+        await lab.frames(3);
+        assert.equal(await lab.page.evaluate(() => location.search + location.hash), "?lang=en");
+    }));
