@@ -193,7 +193,7 @@ void App::frame(float passed) {
     CameraKeys held = keys_move_camera ? camera_keys(arrows_move_camera) : CameraKeys{};
     if (view.pages) held.zoom = 0;  // Page Up and Page Down turn the pages
     if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
-    window_.want_text(ImGui::GetIO().WantTextInput);
+    window_.want_text(!ImGui::GetIO().WantTextInput ? ui::TextKind::none : ui::awaited_text(panels_));
     const float twist = window_.take_twist();
     if (twist != 0 && !title_ && !ImGui::GetIO().WantCaptureMouse && !rides(lab_.view.camera.mode))
         orbit(lab_.view.camera = viewport_.framing.raised(lab_.view.camera), -twist, 0);

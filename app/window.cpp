@@ -397,7 +397,7 @@ std::vector<std::string> Window::take_dropped_files() { return std::exchange(nat
 bool Window::is_touched() const { return false; }
 float Window::finger() const { return 0; }
 float Window::take_twist() { return 0; }
-void Window::want_text(bool) {}
+void Window::want_text(ui::TextKind) {}
 bool Window::holds(int glfw_key) const {
     const auto is_down = [this](int each) { return glfwGetKey(native_->window, each) == GLFW_PRESS; };
     if (is_down(glfw_key)) return true;

@@ -75,7 +75,7 @@ public:
     // The angle by which two fingers have turned since the last call, rad, counter-clockwise.
     float take_twist();
     // Tells the browser whether characters are typed, for its keyboard on the screen and its input methods.
-    void want_text(bool wanted);
+    void want_text(ui::TextKind);
 
     // True while the key is held.
     bool holds(int glfw_key) const;

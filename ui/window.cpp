@@ -338,6 +338,13 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
 bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
     if (vehicle == no_vehicle || !ImGui::GetIO().MouseDown[0]) return false;
+TextKind awaited_text(const PanelState& state) {
+    const auto& hands = state.lecture.hands;
+    const bool counts = std::any_of(hands.begin(), hands.end(), [](const TextField& field) { return field.active; });
+    const bool is_number = !state.sliders.typed.empty() || state.values.seed.active || counts;
+    return is_number ? TextKind::number : TextKind::text;
+}
+
     return !state.sliders.dragged.empty() || state.brain.stick_held || state.map.drags ||
            state.scene_input.drag.on.object == vehicle_object(vehicle);
 }

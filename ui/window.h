@@ -18,4 +18,7 @@ OpenCards open_cards(const LabView&, const PanelState&);
 // True while the user drags the vehicle, one of its sliders or its stick. Precondition: it is the selected one.
 bool drags_vehicle(const PanelState&, VehicleId);
 
+// What the open text field takes. Precondition: one is open.
+TextKind awaited_text(const PanelState&);
+
 }  // namespace braitenlab::ui

@@ -33,7 +33,7 @@ EM_JS(char*, pasted_on_page, (), {
     stringToUTF8(text, bytes, size);
     return bytes;
 });
-EM_JS(void, want_text_on_page, (bool wanted), { Module.typing.want(wanted); });
+EM_JS(void, want_text_on_page, (bool wanted, bool number), { Module.typing.want(wanted, number); });
 EM_JS(void, place_text_on_page, (int x, int y), { Module.typing.place(x, y); });
 EM_JS(void, toggle_full_page, (), {
     if (document.fullscreenElement) document.exitFullscreen();
@@ -112,7 +112,7 @@ struct Window::Native {
     double last_frame = 0;  // ms
     float twist = 0;        // rad, since take_twist()
     bool touched = false;   // the last pointer was a finger
-    bool wants_text = false;
+    ui::TextKind wanted_text = ui::TextKind::none;
     ImGuiMouseCursor cursor = ImGuiMouseCursor_COUNT;
     std::string clipboard;
     std::optional<Canvas> redirected;  // drawn into in place of the page's
@@ -361,8 +361,9 @@ std::vector<std::string> Window::take_dropped_files() { return std::exchange(nat
 bool Window::is_touched() const { return native_->touched; }
 float Window::finger() const { return static_cast<float>(44 * density()); }
 float Window::take_twist() { return std::exchange(native_->twist, 0.0f); }
-void Window::want_text(bool wanted) {
-    if (wanted != std::exchange(native_->wants_text, wanted)) want_text_on_page(wanted);
+void Window::want_text(ui::TextKind wanted) {
+    if (wanted == std::exchange(native_->wanted_text, wanted)) return;
+    want_text_on_page(wanted != ui::TextKind::none, wanted == ui::TextKind::number);
 }
 bool Window::holds(int glfw_key) const { return native_->held.has(glfw_key); }
 

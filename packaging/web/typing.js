@@ -20,8 +20,10 @@ const typing = {
     },
 
     // The lab awaits text, or no longer. A browser may show its keyboard only while it handles a touch: see follow().
-    want(wanted) {
+    // `number`: the keyboard with digits and the decimal mark of the language.
+    want(wanted, number) {
         typing.wanted = wanted;
+        typing.field().inputMode = number ? "decimal" : "text";
         if (!wanted) return element("canvas").focus();
         typing.empty();
         typing.field().focus({ preventScroll: true });

@@ -359,6 +359,34 @@ test("A text field asks for the keyboard on the screen, whose characters are typ
         await page.waitForFunction(() => document.activeElement.id === "canvas");
     }, { hasTouch: true }));
 
+test("A number asks for the keyboard of digits, takes a decimal comma, and Enter or another place closes the keyboard", limit, () =>
+    withLab("?open=2a-coward&lang=de", async (lab) => {
+        const { page } = lab;
+        const typing = () => page.evaluate(() => (document.activeElement.id === "typing" ? document.activeElement.inputMode : ""));
+        const waitFor = (mode) => page.waitForFunction((wanted) =>
+            (document.activeElement.id === "typing" ? document.activeElement.inputMode : "") === wanted, mode);
+        const tapNumber = async () => {
+            const [x, y, w, h] = await lab.rectangle("slider.LL");
+            await page.touchscreen.tap(x + w - 12, y + h / 2);
+            await waitFor("decimal");
+        };
+        await page.touchscreen.tap(...await lab.middle("viewport"));
+        await lab.frames(4);
+        assert.equal(await typing(), "");
+        await tapNumber();
+        await page.keyboard.insertText("0,75");  // as a keyboard on the screen
+        await lab.frames(2);
+        await page.keyboard.press("Enter");
+        await lab.until((state) => state.weights.LL === 0.75);
+        await waitFor("");
+        await tapNumber();
+        await page.touchscreen.tap(...await lab.middle("viewport"));
+        await waitFor("");
+        await page.keyboard.press("Control+s");
+        await lab.until((state) => state.focus === "files.path");
+        await waitFor("text");
+    }, { hasTouch: true, viewport: { width: 1024, height: 768 } }));
+
 test("The lab fills the screen and leaves it again", limit, () =>
     withLab("?open=2a-coward", async (lab) => {
         const fills = () => lab.page.evaluate(() => document.fullscreenElement !== null);

@@ -15,6 +15,9 @@ namespace braitenlab::ui {
 // Text input: none, to a text field that becomes active in one of the next frames, or to an active one.
 enum class TextInput { none, awaited, open };
 
+// What the open text field takes: of a number a screen shows the keys of digits.
+enum class TextKind { none, text, number };
+
 struct Keyboard {
     std::string focus;              // anchor of the focused widget; empty: the viewport
     std::vector<KeyPress> presses;  // for the focused widget, since the last frame
