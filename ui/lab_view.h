@@ -307,6 +307,10 @@ inline const LectureView* asked(const LabView& view) { return view.pages ? view.
 // Factors on the reach and the drawn size of pins and handles: a finger covers about 40 layout pixels.
 inline float finger_reach(const LabView& view) { return view.program.touch ? 1.75f : 1.0f; }
 inline float finger_size(const LabView& view) { return view.program.touch ? 1.5f : 1.0f; }
+// The height of a control that a finger needs, layout pixels; 0 while the mouse is used: Ui::finger.
+inline float finger_height(const LabView& view, float scale) {
+    return view.program.touch ? view.program.finger / scale : 0;
+}
 
 // Null when no vehicle is selected.
 inline const VehicleView* selected_vehicle(const LabView& view) {

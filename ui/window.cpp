@@ -244,6 +244,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.decimal_mark = decimal_mark(ui.strings);
     ui.tooltips = &state.tooltips;
     ui.quiet = view.lecture;
+    ui.finger = finger_height(view, ui.scale);
     ui.least_type = view.lecture ? lecture_type_share * layout.window.h : 0;
     if (const ImVec2 moved = ImGui::GetIO().MouseDelta; moved.x != 0 || moved.y != 0) {
         state.tooltips.moved_at = ImGui::GetTime();
@@ -260,6 +261,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (highlight.anchor != prompt.anchor) highlight.anchor = prompt.anchor, highlight.reveals = true;
     ui.reveals = &highlight.reveals;
     pass_keys_to_rows(state);
+    scroll_by_finger(state.finger_scroll, ui, state.sliders.dragged.empty() && !state.playhead_held);
     begin_keyboard(state.keyboard);
     end_text_by_press(state.keyboard);
     // A click into the scene removes the focus from the cards.
@@ -336,8 +338,6 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     execute_chosen(view, state, ui.outbox);
 }
 
-bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
-    if (vehicle == no_vehicle || !ImGui::GetIO().MouseDown[0]) return false;
 TextKind awaited_text(const PanelState& state) {
     const auto& hands = state.lecture.hands;
     const bool counts = std::any_of(hands.begin(), hands.end(), [](const TextField& field) { return field.active; });
@@ -345,6 +345,8 @@ TextKind awaited_text(const PanelState& state) {
     return is_number ? TextKind::number : TextKind::text;
 }
 
+bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
+    if (vehicle == no_vehicle || !ImGui::GetIO().MouseDown[0]) return false;
     return !state.sliders.dragged.empty() || state.brain.stick_held || state.map.drags ||
            state.scene_input.drag.on.object == vehicle_object(vehicle);
 }

@@ -30,7 +30,10 @@ constexpr float least_window = 900;                                // below: as 
 constexpr float tab_width = 156, tab_pitch = 44;                   // of a folded card of a column without an open one
 constexpr float scene_aspect = 1.4f;                               // width by height, of most arenas
 constexpr float inset_height = 232;
-constexpr float charts_height = 248, tools_row = 44;
+constexpr float upright_scene = 0.4f, upright_diagram = 0.55f;  // of the height between the bars
+constexpr float upright_cards = 300;                            // at least, below the diagram
+constexpr float two_row_toolbar = 720;                          // a narrower upright window has two rows of buttons
+constexpr float charts_height = 248, below_tools = 12;
 constexpr float narrow_scene = 480, above_scene = 4;
 
 struct ColumnWidths {
@@ -51,8 +54,8 @@ bool has_asked_card(const LabView& view) {
 }
 
 // Takes the strip for the timeline from the bottom of the middle column.
-Rect take_timeline(Rect& middle, float scale) {
-    const float strip = timeline_height * scale;
+Rect take_timeline(Rect& middle, float scale, float height) {
+    const float strip = height * scale;
     middle.h = std::max(0.0f, middle.h - strip - above_timeline * scale);
     return {middle.x, middle.y + middle.h + above_timeline * scale, middle.w, strip};
 }
@@ -178,6 +181,36 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
     s.x = from, s.w = std::max(0.25f * l.window.w, until - from);
 }
 
+// The scene above all cards. In Mode::wiring the diagram is above, the scene and the cards share the rest.
+void stand_up(WindowLayout& l, const LabView& view, OpenCards open, float margin) {
+    const float top = l.right.y, column = l.right.h, wide = l.window.w - 2 * margin;
+    const bool is_folded = !open.left && !open.right;
+    const float headings = static_cast<float>(open.folded_left + open.folded_right) * tab_pitch * l.scale;
+    const float upper = view.mode == Mode::wiring ? upright_diagram * column
+                        : is_folded               ? std::max(0.0f, column - headings)
+                                                  : upright_scene * column;
+    const float below = top + upper + margin, rest = std::max(0.0f, column - upper - margin);
+    l.left = {}, l.left_on_right = true;
+    if (view.mode == Mode::wiring) {
+        const float cards = std::min(std::max(wide / 2, upright_cards * l.scale), 0.8f * wide),
+                    inset = wide - cards - margin;
+        l.canvas = {margin, top, wide, upper};
+        l.scene = {margin, below, inset, rest};
+        l.right = {margin + inset + margin, below, cards, rest};
+    } else {
+        l.scene = {margin, top, wide, upper};
+        l.right = {margin, below, wide, rest};
+    }
+}
+
+// The tools in columns at the left of a scene that is wider than its arena needs.
+void tools_beside(WindowLayout& l, float size, float margin) {
+    const float in_a_column = std::max(1.0f, std::floor((l.scene.h / l.scale - 2 * tool_pad) / size));
+    const float wide = (std::ceil(tool_words.size() / in_a_column) * size + 2 * tool_pad) * l.scale;
+    l.tools = {l.scene.x, l.scene.y, wide, l.scene.h};
+    l.scene.x += wide + margin, l.scene.w -= wide + margin;
+}
+
 // In a lecture open cards of both columns are in one, so that the scene keeps half of the width.
 void share_column(WindowLayout& l, float margin) {
     const float half = (l.window.w - 3 * margin) / 2;
@@ -190,8 +223,12 @@ void share_column(WindowLayout& l, float margin) {
 }  // namespace
 
 float fitting_scale(float scale, Rect window, bool lecture) {
-    constexpr float steps = 8;
-    const float least_width = lecture ? 730.0f : 940.0f, least_height = lecture ? 540.0f : 570.0f;  // layout pixels
+    constexpr float steps = 8, least_upright = 400;  // layout pixels
+    const bool stands = !lecture && window.h > 1.2f * window.w;
+    const float least_width = lecture  ? 730.0f
+                              : stands ? least_upright
+                                       : 940.0f,
+                least_height = lecture ? 540.0f : 570.0f;  // layout pixels
     const float most = std::min(window.w / least_width, window.h / least_height);
     return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
 }
@@ -200,8 +237,12 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     WindowLayout l;
     l.scale = scale;
     l.window = {0, 0, width, height};
-    l.menu_bar = {0, 0, width, menu_bar_height * scale};
-    l.toolbar = {0, l.menu_bar.h, width, toolbar_height * scale};
+    const float finger = finger_height(view, scale);
+    const float timeline = std::max(timeline_height, finger);
+    l.menu_bar = {0, 0, width, std::max(menu_bar_height, finger) * scale};
+    const bool upright = !view.lecture && is_upright(width / scale, height / scale);
+    const float toolbar_rows = upright && width < two_row_toolbar * scale ? 2.0f : 1.0f;
+    l.toolbar = {0, l.menu_bar.h, width, toolbar_rows * std::max(toolbar_height, finger) * scale};
     l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
 
     const ColumnWidths c = column_widths(width / scale, view.lecture);
@@ -235,18 +276,22 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float from_left = l.left.w > 0 ? 2 * margin + left : margin;
     l.scene = {from_left, top, width - 2 * margin - right - from_left, column};
 
-    if (view.mode != Mode::wiring && !view.lecture) fold_columns(l, open, margin);
+    if (upright)
+        stand_up(l, view, open, margin);
+    else if (view.mode != Mode::wiring && !view.lecture)
+        fold_columns(l, open, margin);
     if (open.charts && view.mode != Mode::wiring && !view.lecture) {
         const float strip = std::min(charts_height * scale, column * 0.45f);
-        l.charts = {l.scene.x, bottom - strip, l.scene.w, strip};
+        l.charts = {l.scene.x, l.scene.y + l.scene.h - strip, l.scene.w, strip};
         l.scene.h -= strip + margin;
         l.tools = l.scene;
-        l.scene.y += tools_row * scale, l.scene.h -= tools_row * scale;
+        const float row = (std::max(tool_size, finger) + below_tools) * scale;
+        l.scene.y += row, l.scene.h -= row;
     }
     // Between two cards of a small window the tools are above the scene, so that they cover none of it.
     const bool is_scene_narrow = l.scene.w < narrow_scene * scale;
-    if (is_scene_narrow && !view.lecture && !watches && view.mode != Mode::wiring && l.tools.w <= 0) {
-        const float strip = (tool_palette_height(l.scene.w / scale) + above_scene) * scale;
+    if (is_scene_narrow && !upright && !view.lecture && !watches && view.mode != Mode::wiring && l.tools.w <= 0) {
+        const float strip = (tool_palette_height(l.scene.w / scale, finger) + above_scene) * scale;
         l.tools = l.scene;
         l.scene.y += strip, l.scene.h = std::max(0.0f, l.scene.h - strip);
     }
@@ -258,7 +303,9 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     if (asked(view) && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
     if (view.lecture && open.left && open.right && l.left.w > 0 && view.mode != Mode::wiring) share_column(l, margin);
 
-    if (view.mode == Mode::wiring) {
+    if (upright && view.mode == Mode::wiring) {
+        l.timeline = take_timeline(l.canvas, scale, timeline);
+    } else if (view.mode == Mode::wiring) {
         // There is no left column in a narrow window and without an exercise.
         if (!view.lesson || width / scale < narrow_window || (view.pages && !open.left)) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
@@ -271,12 +318,13 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         const float inset_width = view.lecture ? std::min(l.right.w, inset * lecture_inset_aspect) : l.right.w;
         l.scene = {width - margin - inset_width, bottom - inset, inset_width, inset};
         l.canvas = {from, top, l.scene.x - margin - from, column};
-        if (!view.lecture) l.timeline = take_timeline(l.canvas, scale);
+        if (!view.lecture) l.timeline = take_timeline(l.canvas, scale, timeline);
         l.right.h = column - inset - margin;
         if (view.lecture && open.right) l.canvas.w = std::min(l.canvas.w, l.right.x - margin - l.canvas.x);
     } else if (!view.lecture) {
-        l.timeline = take_timeline(l.scene, scale);
+        l.timeline = take_timeline(l.scene, scale, timeline);
     }
+    if (upright && view.mode != Mode::wiring && l.tools.w <= 0) tools_beside(l, std::max(tool_size, finger), margin);
     if (watches) split_for_canvas(l, view, margin, open.right);
     if (l.tools.w <= 0) l.tools = l.scene;
     l.exercise_on_right = view.lesson && l.left.w <= 0 && !view.lecture;

@@ -35,6 +35,7 @@ EM_JS(char*, pasted_on_page, (), {
 });
 EM_JS(void, want_text_on_page, (bool wanted, bool number), { Module.typing.want(wanted, number); });
 EM_JS(void, place_text_on_page, (int x, int y), { Module.typing.place(x, y); });
+EM_JS(bool, is_for_fingers, (), { return matchMedia("(pointer: coarse)").matches; });
 EM_JS(void, toggle_full_page, (), {
     if (document.fullscreenElement) document.exitFullscreen();
     else document.documentElement.requestFullscreen().catch(() => {});
@@ -79,11 +80,11 @@ const char* css_cursor(ImGuiMouseCursor cursor) {
 }
 
 // Window pixels per pixel of the page: those of the display. A page smaller than the least window, as of a telephone,
-// shows that window reduced.
+// shows that window reduced. That of an upright telephone is narrower.
 double density() {
-    constexpr double least_width = 640, least_height = 480;
     double width = 0, height = 0;
     emscripten_get_element_css_size(canvas, &width, &height);
+    const double least_width = height > width ? 512 : 640, least_height = 480;
     const double enlarged = std::max({1.0, least_width / std::max(1.0, width), least_height / std::max(1.0, height)});
     return emscripten_get_device_pixel_ratio() * enlarged;
 }
@@ -111,7 +112,9 @@ struct Window::Native {
     web::Touches touches;
     double last_frame = 0;  // ms
     float twist = 0;        // rad, since take_twist()
-    bool touched = false;   // the last pointer was a finger
+    // The last pointer was a finger: as the widgets know it, and by the last event. Their size stays until the finger
+    // is lifted, so that what it has pressed stays below it.
+    bool touched = is_for_fingers(), is_finger = touched;
     ui::TextKind wanted_text = ui::TextKind::none;
     ImGuiMouseCursor cursor = ImGuiMouseCursor_COUNT;
     std::string clipboard;
@@ -170,6 +173,7 @@ void Window::Native::follow_fingers() {
         mouse.release(1);
     }
     const auto touch = touches.take();
+    if (!touch && !mouse.any_down() && mouse.shown_changes() == mouse.changes()) touched = is_finger;
     if (!touch) return;
     constexpr int left = 0, middle = 2;
     place_pointer(touch->x, touch->y);
@@ -185,7 +189,7 @@ void Window::Native::follow_fingers() {
 void Window::Native::listen_to_mouse() {
     const auto press = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
         Native& self = of(user);
-        self.touched = false;
+        self.is_finger = false;
         self.place_pointer(e->clientX, e->clientY);
         self.press_button(button_of(e->button));
         return EM_FALSE;  // the canvas gets the focus
@@ -200,7 +204,7 @@ void Window::Native::listen_to_mouse() {
         Native& self = of(user);
         self.place_pointer(e->clientX, e->clientY);
         if (e->buttons == 0) self.mouse.release_all();  // released outside the browser
-        self.touched = false;
+        self.is_finger = false;
         return EM_FALSE;
     };
     const auto leave = [](int, const EmscriptenMouseEvent*, void* user) -> EM_BOOL {
@@ -251,7 +255,7 @@ void Window::Native::listen_to_touch() {
     const auto listen = [](int type, const EmscriptenTouchEvent* e, void* user) -> EM_BOOL {
         Native& self = of(user);
         self.touches.follow(type, *e);
-        self.touched = true;
+        self.is_finger = true;
         return EM_TRUE;  // no mouse events for it
     };
     emscripten_set_touchstart_callback(canvas, this, false, listen);

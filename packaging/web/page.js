@@ -23,7 +23,6 @@ const texts = {
         sandbox: "The page that contains this one does not let it load its files: its frame needs sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". Or open the lab in a window of its own.",
         lost: "The browser has taken the graphics from the lab, for example after a fault of the driver. Your work is kept: start again.",
-        turn: "The lab is wider than this screen: turn the device.", stay: "Go on all the same",
         ended_notes: "These notes no longer follow the lecture: the page of the lab was closed or loaded again. Shift+N in the lab opens them anew.",
     },
     de: {
@@ -47,7 +46,6 @@ const texts = {
         sandbox: "Die Seite, die diese enthält, lässt sie ihre Dateien nicht laden: ihr Rahmen braucht sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". Oder öffnen Sie das Labor in einem eigenen Fenster.",
         lost: "Der Browser hat dem Labor die Grafik entzogen, zum Beispiel nach einem Fehler des Treibers. Ihre Arbeit ist gespeichert: starten Sie neu.",
-        turn: "Das Labor ist breiter als dieser Bildschirm: Drehen Sie das Gerät.", stay: "Trotzdem weiter",
         ended_notes: "Diese Notizen folgen dem Vortrag nicht mehr: die Seite des Labors wurde geschlossen oder neu geladen. Umschalt+N im Labor öffnet sie neu.",
     },
     es: {
@@ -71,7 +69,6 @@ const texts = {
         sandbox: "La página que contiene esta no le permite cargar sus archivos: su marco necesita sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". O abra el laboratorio en una ventana propia.",
         lost: "El navegador ha retirado los gráficos al laboratorio, por ejemplo tras un fallo del controlador. Su trabajo está guardado: inicie de nuevo.",
-        turn: "El laboratorio es más ancho que esta pantalla: gire el dispositivo.", stay: "Continuar así",
         ended_notes: "Estas notas ya no siguen la clase: la página del laboratorio se cerró o se cargó de nuevo. Mayús+N en el laboratorio las abre otra vez.",
     },
 };
@@ -136,11 +133,6 @@ const notice = {
 };
 element("notice-close").setAttribute("aria-label", words.close);
 element("notice-close").onclick = notice.hide;
-
-// A telephone that is held upright shows the lab too small to read: page.html hides this elsewhere.
-element("turn-text").textContent = words.turn;
-element("turn-stay").textContent = words.stay;
-element("turn-stay").onclick = () => element("turn").remove();
 
 // ── Loading ──
 

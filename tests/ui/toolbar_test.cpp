@@ -127,4 +127,22 @@ TEST(Toolbar, UndoesOnlyWhereThereIsAnEdit) {
     EXPECT_TRUE(desk.actions().empty());
 }
 
+// Speed and status are in a second row; all buttons that are shown are in the window, and the menus' titles.
+TEST(Toolbar, HasTwoRowsInAnUprightWindow) {
+    for (const std::string& code : shipped_codes())
+        for (const float width : {410.0f, 512.0f, 640.0f}) {
+            Desk desk(width, 2 * width, 1, true);
+            desk.strings = speaking(code);
+            desk.view.program.touch = true, desk.view.program.finger = 44;
+            desk.frame(3);
+            const Rect play = desk.where("button.play");
+            for (const char* below : {"button.slower", "button.faster", "time", "mode"})
+                EXPECT_GE(desk.where(below).y + desk.where(below).h / 2, play.y + play.h) << below;
+            for (const char* id : {"button.reset", "button.wiring", "time", "mode", "menu.file", "menu.help"}) {
+                const Rect at = desk.where(id);
+                EXPECT_TRUE(at.x >= 0 && at.x + at.w <= width) << code << " " << id << " " << width;
+            }
+        }
+}
+
 }  // namespace braitenlab::tests::toolbar_test

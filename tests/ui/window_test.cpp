@@ -423,6 +423,39 @@ TEST(WindowLayout, TheToolsOfASmallWindowCoverNothingOfTheScene) {
     }
 }
 
+TEST(WindowLayout, HasTheCardsOfAnUprightWindowBelowTheSceneAndTheDiagram) {
+    for (const bool exercise : {false, true})
+        for (const Mode mode : {Mode::paused, Mode::wiring}) {
+            Desk desk(512, 1024, 1, true);
+            if (exercise) desk.open_exercise();
+            desk.view.mode = mode;
+            desk.frame(6);
+            const WindowLayout& l = desk.layout;
+            const Rect above = mode == Mode::wiring ? l.canvas : l.scene;
+            EXPECT_GE(l.right.y, above.y + above.h);
+            EXPECT_GE(l.right.w, 280);
+            for (const Rect& part : {l.scene, l.right, l.timeline, l.tools, l.canvas})
+                EXPECT_TRUE(part.x >= 0 && part.x + part.w <= 512 && part.y + part.h <= l.hint_bar.y);
+            EXPECT_TRUE(desk.anchors.find("card.brain.fold"));
+            EXPECT_EQ(desk.anchors.find("card.exercise.fold") != nullptr, exercise);
+        }
+    EXPECT_EQ(fitting_scale(2, {0, 0, 512, 1024}, false), 1.25f) << "its type can be larger";
+}
+
+TEST(WindowLayout, FoldsWhatHasNoRoomInAnUprightWindowAndOpensWhatIsPressed) {
+    Desk desk(512, 1024, 1, true);
+    desk.view.program.touch = true, desk.view.program.finger = 56;
+    desk.open_exercise();
+    desk.frame(6);
+    EXPECT_FALSE(desk.panels.card(Card::exercise).folded);
+    EXPECT_TRUE(desk.panels.card(Card::brain).folded);
+    desk.click("card.brain.fold");
+    desk.frame(6);
+    EXPECT_FALSE(desk.panels.card(Card::brain).folded);
+    EXPECT_TRUE(desk.panels.card(Card::exercise).folded);
+    EXPECT_GT(desk.where("card.brain").h, 200);
+}
+
 TEST(WindowLayout, LimitsTheScaleToWhatFitsIntoTheWindow) {
     EXPECT_EQ(fitting_scale(1, {0, 0, 1024, 768}, false), 1);
     EXPECT_EQ(fitting_scale(3, {0, 0, 1024, 768}, false), 1);

@@ -406,6 +406,32 @@ TEST_P(EveryLanguage, FitsAtTwiceTheSize) {
     }
 }
 
+// The sheets of a study, of a breeding, of hidden brains and of a selection by hand have tables and pictures that are
+// wider than a telephone, and a lecture is shown on a large display.
+bool needs_a_tablet(std::string_view screen) {
+    constexpr std::string_view wide[]{"study",    "breeding",   "mystery",
+                                      "children", "lecture on", "slots A and B in a lecture"};
+    return std::any_of(std::begin(wide), std::end(wide), [&](auto stem) { return screen.starts_with(stem); });
+}
+
+// With controls as high as a finger needs: on a tablet, and on an upright telephone with its smallest and largest type.
+TEST_P(EveryLanguage, FitsAFinger) {
+    struct Glass {
+        float width, height, finger;
+    };
+    for (const Glass glass : {Glass{1024, 768, 44}, Glass{512, 1024, 56}, Glass{410, 820, 45}})
+        for (const Screen& screen : screens()) {
+            if (glass.width < 600 && needs_a_tablet(screen.name)) continue;
+            Desk desk(glass.width, glass.height, 1, true);
+            desk.strings = speaking(GetParam());
+            desk.view.program.touch = true, desk.view.program.finger = glass.finger;
+            desk.frame(3);
+            screen.set(desk);
+            desk.frame(5);
+            expect_words_to_fit(desk, std::to_string(static_cast<int>(glass.width)) + " " + screen.name);
+        }
+}
+
 TEST_P(EveryLanguage, FitsTheBrainCardInALecture) {
     for (const char* name : {"2b-aggressor", "3c-values"}) {
         Desk desk(1024, 1400, 1.4f, true);  // high, so that nothing of the card is scrolled away

@@ -55,32 +55,67 @@ test("The page can be enlarged by fingers, and Ctrl with the wheel is the scene'
         assert.deepEqual(taken, [true, true]);
     }));
 
-test("A telephone that is held upright is asked to be turned", limit, () =>
-    withLab("?open=01-drive", async (lab) => {
-        assert.match(await lab.page.innerText("#turn"), /turn the device/);
-        await lab.page.setViewportSize({ width: 800, height: 400 });
-        assert.equal(await lab.page.isVisible("#turn"), false);
-        await lab.page.setViewportSize({ width: 400, height: 800 });
-        await lab.page.tap("#turn-stay");
-        await lab.page.touchscreen.tap(...await lab.middle("exercise.predict.2"));
-        await lab.until((state) => state.exercise.predicted === 1);
-    }, { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true }));
+// Anchors of what is no control, or of a word or a part of a picture.
+const noControl = /^(mode|time|hint|term|lesion|stage|brain|viewport|exercise\.(step|predict$)|menu\.rows)/;
 
-test("A page 400 pixels wide shows the whole window reduced", limit, () =>
+test("While a finger is used each control is 44 pixels high, and as before once the mouse moves", limit, () =>
     withLab("?open=01-drive", async (lab) => {
-        await lab.page.tap("#turn-stay");
-        await lab.frames(6);
-        const anchors = await lab.anchors();
-        for (const name of ["card.exercise", "card.brain", "button.play"]) {
-            const [x, y, w, h] = anchors[name];
-            assert.ok(x >= 0 && y >= 0 && x + w <= 401 && y + h <= 801, `${name}: ${anchors[name]}`);
-        }
-        const [left, , width] = anchors["card.exercise"];
-        assert.ok(left + width <= anchors["card.brain"][0], "the cards do not overlap");
-        await lab.page.screenshot({ path: path.join(root, "build/web-tests/narrow.png") });
+        const height = async () => (await lab.rectangle("bias.RM"))[3];
+        await lab.page.mouse.move(500, 400);
+        await lab.frames(4);
+        const before = await height();
+        assert.ok(before < 40, `${before}`);
         await lab.page.touchscreen.tap(...await lab.middle("exercise.predict.2"));
         await lab.until((state) => state.exercise.predicted === 1);
-    }, { viewport: { width: 400, height: 800 }, hasTouch: true }));
+        await lab.frames(4);
+        const low = async () => Object.entries(await lab.anchors()).filter(([name, [, , , h]]) => h < 43.5 && !noControl.test(name));
+        assert.deepEqual(await low(), []);
+        await lab.page.touchscreen.tap(...await lab.middle("menu.view"));
+        await lab.rectangle("menu.view.trails");
+        await lab.frames(4);
+        const [, top, , height_of_menu] = await lab.rectangle("menu.rows");
+        const whole = Object.entries(await lab.anchors()).filter(([name, [, y, , h]]) =>
+            /^menu\.view\./.test(name) && y + h < top + height_of_menu - 8);  // the last one may be cut
+        assert.ok(whole.length > 10);
+        for (const [name, [, , , h]] of whole) assert.ok(h > 43.5, `${name}: ${h}`);
+        await lab.page.keyboard.press("Escape");
+        await lab.page.mouse.move(500, 400);
+        await lab.frames(4);
+        assert.equal(await height(), before);
+    }, { viewport: { width: 1024, height: 768 }, hasTouch: true }));
+
+test("An upright telephone has its cards below the scene, and larger type keeps all in the page", limit, () =>
+    withLab("?open=01-drive", async (lab) => {
+        const tap = async (anchor) => {
+            await lab.page.touchscreen.tap(...await lab.middle(anchor));
+            await lab.frames(4);
+        };
+        const inside = async () => {
+            const anchors = await lab.anchors();
+            for (const [name, [x, y, w, h]] of Object.entries(anchors))
+                assert.ok(x >= -1 && y >= -1 && x + w <= 401 && y + h <= 801, `${name}: ${[x, y, w, h]}`);
+            const [, y, , h] = anchors.viewport;
+            for (const card of ["card.exercise", "card.brain"]) assert.ok(anchors[card][1] >= y + h, `${card} is below the scene`);
+            return anchors;
+        };
+        await tap("card.exercise");
+        const before = await inside();
+        await lab.page.screenshot({ path: path.join(root, "build/web-tests/narrow.png") });
+        await tap("exercise.predict.1");
+        await lab.until((state) => state.exercise.predicted === 0);
+        const type = (await lab.state()).type_size;
+        await tap("menu.view");
+        const [x, y, w, h] = await lab.rectangle("menu.rows");
+        for (let swipes = 0; swipes < 4 && !(await lab.anchors())["menu.view.larger"]; ++swipes)
+            await lab.touch([0.8, 0.6, 0.4, 0.2].map((share) => [[x + w / 2, y + h * share]]));
+        await tap("menu.view.larger");
+        await lab.until((state, old) => state.type_size > old, type);
+        await lab.page.keyboard.press("Escape");
+        await lab.frames(8);
+        const after = await inside();
+        assert.ok(after["card.brain.fold"][3] >= 43, `${after["card.brain.fold"]}`);
+        assert.ok(after.time[3] > 1.1 * before.time[3], `larger type: ${before.time} and ${after.time}`);
+    }, { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true }));
 
 test("In small windows no tool is below a card, and the hint bar is in the window", limit, async () => {
     for (const [width, height] of [[640, 480], [800, 600]])
@@ -121,10 +156,7 @@ test("A finger that rests, or taps twice, opens the menu of a right click, with 
         await lab.page.keyboard.press("Escape");
         await lab.frames(4);
         assert.equal((await lab.anchors()).menu, undefined);
-        for (let tap = 0; tap < 2; ++tap) {
-            await send("touchStart", [place]);
-            await send("touchEnd", []);
-        }
+        await Promise.all([1, 2].flatMap(() => [send("touchStart", [place]), send("touchEnd", [])]));  // quickly
         await lab.rectangle("menu");
     }, { hasTouch: true }));
 
@@ -221,7 +253,7 @@ test("A document of the name of another one does not take over its address", lim
         await titled(lab, "Hers");
         assert.equal(await at(lab), "?lang=en");
     });
-    await withLab("?lang=en", async (lab) => {
+    await withLab("?open=2b-aggressor&lang=en", async (lab) => {
         await lab.drop("one.toml", text);
         await titled(lab, "Hers");
         const copied = async () => {
@@ -232,12 +264,11 @@ test("A document of the name of another one does not take over its address", lim
             return new URL(await lab.page.evaluate(() => navigator.clipboard.readText())).hash;
         };
         const first = await copied();
-        for (const link of [first]) {
-            await lab.page.evaluate((hash) => (location.hash = hash), link);
-            await titled(lab, "Hers");
-            await lab.frames(4);
-            assert.equal(await at(lab), `?lang=en${link}`);
-        }
+        await lab.page.evaluate((hash) => (location.hash = hash), first);
+        await lab.until((state) => state.opened !== "one");
+        await titled(lab, "Hers");
+        await lab.frames(4);
+        assert.equal(await at(lab), `?lang=en${first}`);
         await lab.drop("two.toml", text);  // of the same title and as the link, a file of its own
         await lab.until((state) => state.opened === "two");
         await lab.frames(4);

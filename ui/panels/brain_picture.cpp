@@ -240,7 +240,7 @@ private:
         if (view_.lecture) return false;
         const float width = small_button_width(ui_, look_of_button(), false);
         ImGui::SetCursorScreenPos(
-            {all_.x + (all_.w - width) / 2, all_.y + all_.h - ui_.px(small_button_height + spacing::hair)});
+            {all_.x + (all_.w - width) / 2, all_.y + all_.h - ui_.px(ui_.tall(small_button_height) + spacing::hair)});
         const Item at = small_button(ui_, look_of_button(), false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
         if (at.pressed) state_.chosen.push_back(Action::watch);

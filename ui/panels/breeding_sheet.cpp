@@ -83,7 +83,7 @@ void scene_choice(const LabView& lab, evolve::MayChange& may, Ui& ui, float righ
                            {"breeding.may_eyes", &evolve::MayChange::eyes}};
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string_view words = ui.strings("breeding.may");
-    const float height = ui.px(small_button_height), width = text_width(ui, Face::small, words);
+    const float height = ui.px(ui.tall(small_button_height)), width = text_width(ui, Face::small, words);
     put(ui, {at.x, at.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text, Face::small);
     ImGui::Dummy({width, height});
     for (const Part& each : parts) {
@@ -103,7 +103,7 @@ std::string_view how_of(evolve::Opponents which, const Ui& ui) {
 void opponents_choice(const Breeding& now, Ui& ui, float right) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string_view words = ui.strings("breeding.opponents");
-    const float height = ui.px(small_button_height), width = text_width(ui, Face::small, words);
+    const float height = ui.px(ui.tall(small_button_height)), width = text_width(ui, Face::small, words);
     put(ui, {at.x, at.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text, Face::small);
     ImGui::Dummy({width, height});
     for (const evolve::OpponentsTraits& row : evolve::opponents_table) {
@@ -141,7 +141,7 @@ void numbers_of_breeding(const LabView& lab, const Breeding& now, SliderState& s
         const std::string id = "breeding." + std::string(number.id);
         const auto step = static_cast<float>(i);
         ImGui::SetCursorScreenPos(is_wide ? ImVec2{at.x + step * (width + space), at.y}
-                                          : ImVec2{at.x, at.y + step * ui.px(slider_height)});
+                                          : ImVec2{at.x, at.y + step * ui.px(ui.tall(slider_height))});
         const std::string_view words = ui.strings(id);
         SliderLook look{.words = words,
                         .tooltip = ui.strings(id + "_how"),
@@ -169,7 +169,7 @@ void numbers_of_breeding(const LabView& lab, const Breeding& now, SliderState& s
         if (i == 1) choice.population = std::max(wanted, now.parents);
         if (i == 2) choice.seed = static_cast<std::uint64_t>(wanted);
     }
-    ImGui::SetCursorScreenPos({at.x, at.y + (is_wide ? 1 : 3) * ui.px(slider_height) + ui.px(spacing::tight)});
+    ImGui::SetCursorScreenPos({at.x, at.y + (is_wide ? 1 : 3) * ui.px(ui.tall(slider_height)) + ui.px(spacing::tight)});
     ImGui::Dummy({1, 1});
     if (choice.generations != now.generations || choice.population != now.population || choice.seed != now.seed)
         choose(choice, ui);

@@ -138,6 +138,39 @@ const CardTraits* fold_when_cramped(const Ui& ui, PanelState& state, const Stack
     return nullptr;
 }
 
+// In an upright window one column has all cards.
+bool has_all_cards(const LabView& view, IsGuest is_guest) {
+    return !view.lecture && is_guest && is_guest(traits(Card::scene));
+}
+
+// Folds cards until the open ones have room; `kept` stays open, or the one that the user has opened, or the most
+// important one.
+void fold_for_room(const Ui& ui, PanelState& state, const Stack& stack, Rect column, const CardTraits* kept) {
+    constexpr float useful = 220;  // layout pixels
+    const auto is_open = [&](const CardTraits* row) { return !state.card(row->card).folded; };
+    const auto find = [&](auto&& wanted) {
+        const auto end = stack.rows + stack.count, found = std::find_if(stack.rows, end, wanted);
+        return found == end ? nullptr : *found;
+    };
+    if (!kept) kept = find([&](auto* row) { return is_open(row) && state.card(row->card).opened_by_user; });
+    if (!kept) kept = find([&](auto* row) { return is_open(row) && row->card == Card::exercise; });
+    if (!kept) kept = find([&](auto* row) { return is_open(row) && row->card == Card::brain; });
+    const auto needed = [&] {
+        float sum = -ui.px(between_cards);
+        for (const CardTraits* row : std::span(stack.rows, stack.count))
+            sum += ui.px(between_cards) + (is_open(row)
+                                               ? std::max(least_of(ui, state, *row, column),
+                                                          std::min(wanted_of(ui, state, *row, column), ui.px(useful)))
+                                               : folded_height(ui));
+        return sum;
+    };
+    while (needed() > column.h) {
+        const CardTraits* next = find([&](auto* row) { return is_open(row) && row != kept; });
+        if (!next) return;
+        state.card(next->card).folded = true, state.card(next->card).opened_by_user = false;
+    }
+}
+
 }  // namespace
 
 std::array<CardState, card_count> initial_cards() {
@@ -167,7 +200,9 @@ void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, R
     const float space = ui.px(between_cards);
     const Stack stack = stack_of(which, view, is_guest);
     const bool is_shared = shares_column(view, is_guest);
-    const CardTraits* folded_now = is_shared ? nullptr : fold_when_cramped(ui, state, stack, column);
+    const bool has_all = has_all_cards(view, is_guest);
+    if (has_all) fold_for_room(ui, state, stack, column, nullptr);
+    const CardTraits* folded_now = is_shared || has_all ? nullptr : fold_when_cramped(ui, state, stack, column);
     std::array<float, card_count> heights = heights_of(ui, state, stack, column, is_shared);
     fix_heights(ui, view, state, stack, column, heights);
     Rect rest = column;
@@ -184,6 +219,7 @@ void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, R
         state.is_unsettled |= !card.folded && card.is_cut;
         const bool changed = card.folded != was_folded;
         if (changed) card.opened_by_user = was_folded;
+        if (changed && was_folded && has_all) fold_for_room(ui, state, stack, column, &row);
         if (&row == folded_now && !changed) card.folded = false;
         rest.y += place.h + space;
         rest.h -= place.h + space;

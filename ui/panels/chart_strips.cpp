@@ -34,7 +34,7 @@ struct RowButton {
 };
 
 bool row_button(Ui& ui, Rect row, const RowButton& look) {
-    const float size = ui.px(least_row);
+    const float size = ui.px(ui.tall(least_row));
     ImGui::SetCursorScreenPos({row.x + row.w - size, row.y + (row.h - size) / 2});
     const Item at = item(ui, look.anchor, {size, size});
     const Colour colour = look.on ? ui.palette.accent : mix(ui.palette.second_text, ui.palette.text, at.warmth);

@@ -142,7 +142,7 @@ private:
     // thresholds.
     void captions(float width, bool thresholds) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float height = ui_.px(22), y = at.y + (height - line_height(ui_, Face::small)) / 2;
+        const float height = ui_.px(ui_.tall(22)), y = at.y + (height - line_height(ui_, Face::small)) / 2;
         const std::string_view weight = ui_.strings("brain.weight");
         put(ui_, {at.x, y}, weight, ui_.palette.second_text, Face::small);
         const SmallButton mirror{"button.mirror", icon::mirror, ui_.strings("button.mirror")};

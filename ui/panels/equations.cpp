@@ -302,8 +302,8 @@ void explanation_row(Ui& ui, const std::string& words, std::span<const Analysis>
     if (!fits || buttons.empty()) return;
     const ImVec2 after = ImGui::GetCursorScreenPos();
     // The buttons are higher than the line beside them.
-    ImVec2 corner{at.x + card_width(ui) - width, at.y - (ui.px(small_button_height) - line) / 2};
-    const float bottom_of_buttons = corner.y + ui.px(small_button_height);
+    ImVec2 corner{at.x + card_width(ui) - width, at.y - (ui.px(ui.tall(small_button_height)) - line) / 2};
+    const float bottom_of_buttons = corner.y + ui.px(ui.tall(small_button_height));
     for (const Analysis& each : buttons) {
         ImGui::SetCursorScreenPos(corner);
         const Item shown = small_button(ui, each.look, !has_icons(ui));

@@ -86,7 +86,8 @@ void search_row(const LabView& view, const FilesState& files, Ui& ui) {
     if (files.search_selected && !empty)
         fill_box(ui, {words.x, words.y, text_width(ui, Face::text, typed), line_height(ui, Face::text)},
                  ui.palette.accent.with_alpha(0.4f), Corner::square);
-    put(ui, words, empty ? std::string(ui.strings("files.search_how")) : typed,
+    put(ui, words,
+        empty ? shortened(ui, ui.strings("files.search_how"), Face::text, box.w - 2 * ui.px(spacing::small)) : typed,
         empty ? ui.palette.second_text : ui.palette.text);
     mark(ui, "files.search", box);
     ImGui::Dummy({box.w, box.h});
@@ -123,7 +124,8 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
     const float name_height = static_cast<float>(name_lines) * line_height(ui, Face::text);
     const float words_height =
         name_height + static_cast<float>(lines_below) * line_height(ui, Face::small) + ui.px(spacing::medium);
-    const float height = has_picture ? std::max(words_height, picture_height + ui.px(8)) : words_height;
+    const float height =
+        std::max(ui.px(ui.finger), has_picture ? std::max(words_height, picture_height + ui.px(8)) : words_height);
     const Item at = item(ui, row.id, {card_width(ui), height});
     fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
     if (row.current)

@@ -116,7 +116,7 @@ void named_field(Ui& ui, std::string_view name, TextField& field, std::string_vi
     float aside = 0;
     for (const char* each : {"files.name_label", "files.title", "files.story"})
         aside = std::max(aside, text_width(ui, Face::text, ui.strings(each)) + ui.px(12));
-    put(ui, {at.x, at.y + (ui.px(button_height) - line_height(ui, Face::text)) / 2}, ui.strings(name),
+    put(ui, {at.x, at.y + (ui.px(ui.tall(button_height)) - line_height(ui, Face::text)) / 2}, ui.strings(name),
         ui.palette.second_text);
     ImGui::SetCursorScreenPos({at.x + aside, at.y});
     text_field(ui, field, anchor, card_width(ui) - aside, ui.strings(what), ui.strings(how));

@@ -107,7 +107,7 @@ void energy_caption(PanelState& state, Ui& ui, ImVec2 at, std::string_view words
     constexpr std::array turns{Order{}, Order{Order::By::energy, true}, Order{Order::By::energy, false},
                                Order{Order::By::kind, false}};
     ImGui::SetCursorScreenPos(at);
-    const Item caption = item(ui, "info.energy.sort", {text_width(ui, Face::small, words), ui.px(24)});
+    const Item caption = item(ui, "info.energy.sort", {text_width(ui, Face::small, words), ui.px(ui.tall(24))});
     put(ui, {at.x, at.y + ui.px(3)}, words, mix(ui.palette.second_text, ui.palette.text, caption.warmth), Face::small);
     tooltip(ui, caption, ui.strings("info.sort"));
     if (!caption.pressed) return;

@@ -319,7 +319,7 @@ FieldRows rows_for(const LabView& view, PanelState& state, Ui& ui) {
 std::optional<std::string> colour_row(const FieldRows& rows, const std::string& anchor, const std::string& now,
                                       Role role) {
     Ui& ui = rows.ui;
-    const float size = ui.px(24), left = ui.px(rows.words_width);
+    const float size = ui.px(ui.tall(24)), left = ui.px(rows.words_width);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     put(ui, {at.x, at.y + (size - line_height(ui, Face::text)) / 2}, ui.strings("values.colour"), ui.palette.text);
     const int per_row = std::max(1, static_cast<int>((card_width(ui) - left) / size));

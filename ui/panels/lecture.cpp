@@ -94,7 +94,7 @@ float page_number(const LabView& view, Ui& ui, float free_from, float right, Rec
     };
     const ButtonLook previous_look = look(icon::previous, "<"), next_look = look(icon::next, ">");
     const auto page_button = [&](std::string_view anchor, const ButtonLook& its_look, Action action, float x) {
-        ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
+        ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(ui.tall(button_height))) / 2});
         if (push_button(ui, anchor, its_look, ui.strings("action." + std::string(name(action))),
                         key_name(action, ui.strings)))
             ui.outbox.push_back(action);
@@ -122,7 +122,7 @@ float home_button(const LabView& view, Ui& ui, float free_from, float right, Rec
     const ButtonLook look{icon::enlarge, has_icons(ui) ? std::string_view{} : words, Emphasis::quiet};
     const float x = right - ui.px(spacing::small) - button_width(ui, look);
     if (x < free_from) return right;
-    ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
+    ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(ui.tall(button_height))) / 2});
     if (push_button(ui, "lecture.home", look, words, key_name(Action::home, ui.strings)))
         ui.outbox.push_back(Action::home);
     return x;
@@ -137,7 +137,7 @@ float back_button(const LabView& view, Ui& ui, float free_from, float right, Rec
     ButtonLook look{icon::undo, words};
     if (right - ui.px(spacing::small) - button_width(ui, look) < free_from) look.words = few;
     const float x = right - ui.px(spacing::small) - button_width(ui, look);
-    ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(button_height)) / 2});
+    ImGui::SetCursorScreenPos({x, bar.y + (bar.h - ui.px(ui.tall(button_height))) / 2});
     if (push_button(ui, "lecture.back", look,
                     fill(ui.strings("lecture.resume"), {translated(ui, left.lecture->title), page}), key))
         ui.outbox.emplace_back(back_to_page(view));
@@ -280,7 +280,7 @@ OpenRequest back_to_page(const LabView& view) {
 void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "lecture", bar);
     const bool playing = view.mode == Mode::playing;
-    const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
+    const float y = bar.y + (bar.h - ui.px(ui.tall(button_height))) / 2;
     ImGui::SetCursorScreenPos({bar.x + ui.px(12), y});
     ButtonLook play{playing ? icon::pause : icon::play, ui.strings(playing ? "button.pause" : "button.play"),
                     Emphasis::primary};

@@ -24,7 +24,8 @@ void draw_map(const MapFrame& frame, float room) {
     const Ui& ui = frame.ui;
     const bool in_lecture = frame.view.lecture;
     const float width = card_width(ui), ends = map_ends_width(frame);
-    constexpr float heading_and_gaps = 108, rows = 2 * (small_button_height + 4);  // layout pixels
+    constexpr float heading_and_gaps = 108;  // layout pixels
+    const float rows = 2 * (ui.tall(small_button_height) + 4);
     const bool has_kinds = frame.map.measure == insight::MapMeasure::behaviour;
     const float legend = map_legend_width(frame);
     // In a lecture, where type is large and the height is little, as far as the words leave room for the field.

@@ -150,7 +150,7 @@ void map_upper_row(const MapFrame& frame, float width) {
     const SmallButton shown = opener_look(frame, "map.measure", MapList::measure, measure);
     const float right = small_button_width(ui, shown, true);
     opener(frame, opener_look(frame, "map.y", MapList::y, axis), MapList::y, "map.up_how", at);
-    const float row = ui.px(small_button_height + 4);
+    const float row = ui.px(ui.tall(small_button_height) + 4);
     opener(frame, shown, MapList::measure, "map.shows_how", {at.x + width - right, at.y});
     ImGui::SetCursorScreenPos({at.x, at.y + row});
     if (frame.state.open == MapList::y) axes(frame, width);
@@ -187,7 +187,7 @@ void map_lower_row(const MapFrame& frame, Rect field, float left, float width) {
     put_end(ui, "map.x.low", ends.low, field.x + text_width(ui, Face::small, ends.low), numbers);
     put_end(ui, "map.x.high", ends.high, field.x + row, numbers);
     opener(frame, x, MapList::x, "map.across_how", {field.x + (row - room) / 2, y});
-    ImGui::SetCursorScreenPos({left, y + ui.px(small_button_height + 4)});
+    ImGui::SetCursorScreenPos({left, y + ui.px(ui.tall(small_button_height) + 4)});
     if (frame.state.open != MapList::x) return;
     const float top = ImGui::GetCursorScreenPos().y;
     axes(frame, width);

@@ -239,7 +239,6 @@ void menu_bar(PanelState& state, Ui& ui, Rect bar) { menu_titles(ui, state.menu_
 
 void lab_menu(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
     if (state.menu_bar.open.empty()) return state.menu_bar.drawn.clear();
-    state.menu_bar.for_finger = view.program.touch;
     const std::vector<LabMenuRow> rows = rows_of(view, state, ui, menu_named(state.menu_bar.open));
     std::vector<MenuEntry> entries;
     for (const LabMenuRow& row : rows) entries.push_back(row.entry);

@@ -22,6 +22,7 @@
 #include "ui/panels/study_draft.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/finger_scroll.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/menu_bar.h"
 #include "ui/widgets/record_fields.h"
@@ -271,6 +272,7 @@ struct PanelState {
     Sheet sheet = Sheet::none;
     SheetStates sheets;
     MenuBarState menu_bar;
+    FingerScroll finger_scroll;
     std::vector<Action> chosen;  // with toolbar and menus, executed at the end of the frame
     bool playhead_held = false;  // true while the playhead is dragged; the simulation is paused
 };

@@ -46,7 +46,13 @@ void toolbar(const LabView&, PanelState&, Ui&, Rect);
 void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect, std::string_view hint);  // `hint`: key of a prompt's words, or empty
 void tool_palette(const LabView&, PanelState&, Ui&, Rect area);   // in the upper left corner of the area
-float tool_palette_height(float width);                           // of its rows in an area of this width, layout pixels
+// A small window that is higher than wide, as of a telephone or a tablet. `width`, `height`: layout pixels.
+inline bool is_upright(float width, float height) { return width < 900 && height > 1.2f * width; }
+
+// The height of its rows in an area of this width, and the size of a tool for the mouse; layout pixels. `finger`: see
+// Ui.
+float tool_palette_height(float width, float finger);
+inline constexpr float tool_size = 32, tool_pad = 4;
 // Where it is drawn; width 0 where it is not.
 Rect place_of_tool_palette(const LabView&, const Ui&, Rect area);
 void scene_menu(const LabView&, PanelState&, Ui&, Rect window);  // menu of an object or of the floor

@@ -24,36 +24,48 @@ namespace {
 constexpr float preset_width = 396, preset_padding = spacing::medium;  // layout pixels
 
 // Draws a preset; pressed: the user has chosen it. A bar marks the current brain of the vehicle.
-Item preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
+Item preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at, float width) {
     const std::string key(preset.name);
     ImGui::SetCursorScreenPos(at);
-    const Item row =
-        item(ui, "preset." + key,
-             {ui.px(preset_width), line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding)});
+    const Item row = item(ui, "preset." + key,
+                          {width, line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding)});
     fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
     if (current)
         fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent,
                  Corner::bar);
     const float x = row.rect.x + ui.px(spacing::medium);
     put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
-    put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)}, ui.strings.find("preset_story." + key, ""),
-        ui.palette.second_text, Face::small);
+    const std::string story(ui.strings.find("preset_story." + key, ""));
+    put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)},
+        shortened(ui, story, Face::small, row.right() - x - ui.px(spacing::tight)), ui.palette.second_text,
+        Face::small);
     tooltip(ui, row, ui.strings("tooltip.presets"));
     return row;
 }
 
-// In two columns.
+// In two columns; in an upright window in one, which may be narrower and scrolls.
+struct PresetColumns {
+    std::size_t count;
+    float width;  // window pixels
+};
+PresetColumns preset_columns(const Ui& ui) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    if (!is_upright(window.x / ui.px(1), window.y / ui.px(1))) return {2, ui.px(preset_width)};
+    return {1, std::min(window.x - ui.px(4 * spacing::small), ui.px(preset_width))};
+}
+
 void preset_rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const BrainGraph& brain = *brain_of(*view.now, vehicle);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float height = line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding + 2);
-    const std::size_t count = presets().size(), half = (count + 1) / 2;
+    const PresetColumns columns = preset_columns(ui);
+    const std::size_t count = presets().size(), half = (count + columns.count - 1) / columns.count;
     for (std::size_t i = 0; i < count; ++i) {
         const Preset& preset = presets()[i];
-        const ImVec2 at{start.x + (i < half ? 0.0f : ui.px(preset_width + 8)),
+        const ImVec2 at{start.x + (i < half ? 0.0f : columns.width + ui.px(8)),
                         start.y + height * static_cast<float>(i < half ? i : i - half)};
         BrainGraph made = graft(brain, preset.brain);
-        const Item row = preset_row(ui, preset, same_wiring(made, brain), at);
+        const Item row = preset_row(ui, preset, same_wiring(made, brain), at, columns.width);
         if (row.hovered) state.brain.what_if = {SetBrain{target_of(view, vehicle), made}};
         if (!row.pressed) continue;
         if (!lacking_for(kind_of(*view.now, vehicle).sensors, preset).empty()) {
@@ -88,9 +100,9 @@ void ask_for_sensors(const LabView& view, PanelState& state, Ui& ui, const Vehic
     ImGui::SetCursorScreenPos({start.x + ui.px(spacing::medium), start.y + ui.px(4)});
     ImGui::BeginGroup();
     const std::string key(preset.name);
-    paragraph(ui, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong, ui.px(preset_width));
+    paragraph(ui, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong, preset_columns(ui).width);
     paragraph(ui, fill(ui.strings("own_brain.ask"), {names_by_channel(ui, lacking_for(sensors, preset))}),
-              ui.palette.second_text, Face::text, ui.px(preset_width));
+              ui.palette.second_text, Face::text, preset_columns(ui).width);
     gap(ui, 6);
     BrainGraph made = graft(*brain_of(*view.now, vehicle), preset.brain);
     const auto chosen = [&](std::string_view id, std::string_view words, Emphasis emphasis) {
@@ -156,6 +168,11 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
         ui.keyboard->focus = "preset." + std::string(presets().front().name);
     const float lowest = ImGui::GetIO().DisplaySize.y - ui.px(spacing::small);
     corner.y = std::max(ui.px(spacing::small), std::min(corner.y, lowest - state.brain.presets.height));
+    const PresetColumns columns = preset_columns(ui);
+    if (columns.count == 1) {
+        corner.x = std::max(corner.x, columns.width + ui.px(3 * spacing::small));
+        ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, lowest - ui.px(spacing::small)});
+    }
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::tight), ui.px(spacing::hair)});

@@ -211,7 +211,7 @@ private:
         fill_box(ui_, whole, ui_.palette.raised, Corner::bar);
         fill_box(ui_, {whole.x, whole.y, width * std::max(0.02f, robots_.progress), whole.h}, ui_.palette.accent,
                  Corner::bar);
-        ImGui::Dummy({width, ui_.px(small_button_height)});
+        ImGui::Dummy({width, ui_.px(ui_.tall(small_button_height))});
     }
 
     void buttons() {

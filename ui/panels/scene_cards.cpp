@@ -63,7 +63,7 @@ std::optional<SliderEdit> turn(const LabView& view, PanelState& state, Ui& ui, c
 
 // A round spot in a channel's colour; true when it was pressed.
 bool channel_swatch(Ui& ui, Channel channel, bool chosen) {
-    const float size = ui.px(28);
+    const float size = ui.px(ui.tall(28));
     const Item at = item(ui, "thing.channel." + std::string(word(channel)), {size, size});
     const ImVec2 middle{at.middle_x(), at.middle_y()};
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -133,7 +133,7 @@ void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) 
 
 // A square in a surface's colour; true when it was pressed.
 bool surface_swatch(Ui& ui, Surface surface, bool chosen) {
-    const float size = ui.px(28), half = ui.px(8), frame = ui.px(12);
+    const float size = ui.px(ui.tall(28)), half = ui.px(8), frame = ui.px(12);
     const std::string name(word(surface));
     const Item at = item(ui, "thing.surface." + name, {size, size});
     const auto square = [&](float reach) {

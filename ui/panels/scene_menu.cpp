@@ -171,15 +171,11 @@ private:
     std::vector<SceneMenuRow> rows_;
 };
 
-// Window pixels: of the menu without its rows, and of a row, for a finger as high as there is room for.
+// Of the menu without its rows, window pixels.
 float menu_frame_height(const Ui& ui, const std::vector<SceneMenuRow>& rows) {
     float height = 2 * ui.px(scene_menu_pad);
     for (const SceneMenuRow& row : rows) height += row.rule_above ? ui.px(rule_height) : 0;
     return height;
-}
-float scene_row_of(const Ui& ui, bool for_finger, float fits) {
-    const float least = ui.px(scene_row_height);
-    return for_finger ? std::floor(std::clamp(fits, least, ui.px(finger_row))) : least;
 }
 
 // `indented`: leaves room for the signs of other rows.
@@ -250,7 +246,7 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     const std::vector<SceneMenuRow> rows = SceneMenuRows(view, menu, ui).of_page();
     const float w = ui.px(scene_menu_width), most = window.h - ui.px(16), frame = menu_frame_height(ui, rows);
     const float count = static_cast<float>(rows.size());
-    const float row_height = scene_row_of(ui, view.program.touch, (most - frame) / std::max(1.0f, count));
+    const float row_height = ui.px(ui.tall(scene_row_height));
     const float h = std::min(frame + count * row_height, most);
     const auto within = [](float at, float low, float size, float room) {
         return std::clamp(at, low, std::max(low, low + room - size));

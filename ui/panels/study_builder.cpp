@@ -114,7 +114,7 @@ void value_row(const LabView& view, StudyDraft& draft, SliderState& sliders, Ui&
                              static_cast<float>(value.levels), each, view.wall_seconds))
             value.levels = static_cast<int>(std::lround(*edit));
     }
-    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(slider_height + 4)});
+    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(ui.tall(slider_height) + 4)});
     if (!open) return;
     if (which > 0 && !value.id.empty() &&
         choice_in_row(ui, begin + ".none", std::string(ui.strings("study.no_value")), false, true, at.x + width))
@@ -226,7 +226,7 @@ std::optional<Study> study_builder(const LabView& view, StudyDraft& draft, Slide
     ImGui::SetCursorScreenPos({at.x + each + 2 * ui.px(column_gap_of_draft), at.y});
     if (const auto edit = draft_number(ui, sliders, "study.seconds", seconds, draft.seconds, each, view.wall_seconds))
         draft.seconds = *edit;
-    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(slider_height + 8)});
+    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(ui.tall(slider_height) + 8)});
     auto study = study_of(draft, ui, view, vehicle, values);
     if (study)
         paragraph(ui,

@@ -48,7 +48,7 @@ void timeline_button(Ui& ui, ImVec2 at, std::string_view id, std::string_view si
                      Action action, bool enabled) {
     ImGui::SetCursorScreenPos(at);
     ButtonLook look{sign, has_icons(ui) ? std::string_view{} : fallback, Emphasis::quiet};
-    look.min_width = button_height;
+    look.min_width = ui.tall(button_height);
     look.enabled = enabled;
     const Item button_item = button(ui, id, look);
     if (button_item.pressed) ui.outbox.push_back(action);
@@ -126,21 +126,21 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     begin_bar(ui, "timeline", strip, false, Corner::box);
     const bool is_roomy = strip.w >= ui.px(roomy);
     // All parts are on one line; the flags of bookmarks stand on the track.
-    const float middle = strip.y + strip.h / 2, button_top = middle - ui.px(button_height) / 2;
+    const float middle = strip.y + strip.h / 2, button_top = middle - ui.px(ui.tall(button_height)) / 2;
     float left = strip.x + ui.px(timeline_margin), right = strip.x + strip.w - ui.px(timeline_margin);
     if (is_roomy) {
         left = strip.x + ui.px(4);
         timeline_button(ui, {left, button_top}, "timeline.rewind", icon::slower, "<<", Action::rewind,
                         view.now->tick > view.timeline.earliest);
-        left += ui.px(button_height + 8);
-        right = strip.x + strip.w - ui.px(4 + button_height);
+        left += ui.px(ui.tall(button_height) + 8);
+        right = strip.x + strip.w - ui.px(4 + ui.tall(button_height));
         timeline_button(ui, {right, button_top}, "timeline.bookmark", icon::bookmark, "+", Action::set_bookmark, true);
         right -= ui.px(reading_width + 6);
-        reading(view, ui, {right, button_top, ui.px(reading_width), ui.px(button_height)});
+        reading(view, ui, {right, button_top, ui.px(reading_width), ui.px(ui.tall(button_height))});
         right -= ui.px(8);
     }
     const std::uint64_t latest = view.timeline.latest;
-    const float reach = std::min(ui.px(spacing::large), strip.h / 2);
+    const float reach = std::min(ui.px(ui.tall(2 * spacing::large)), strip.h) / 2;
     const TimelineTrack track{{left, middle - reach, right - left, 2 * reach},
                               latest > recorded_ticks ? latest - recorded_ticks : 0};
     bookmarks(view, ui, track, std::max(strip.y, middle - ui.px(flag_side)));

@@ -18,7 +18,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float title_inset = 72, narrow_title_inset = 40, narrow_title_window = 1200;  // layout pixels
-constexpr float title_words_width = 400, below_name = 6, above_button = 28, begin_width = 150;
+constexpr float title_words_width = 400, below_name = 6, above_button = 28, begin_width = 150, least_begin_height = 44;
 
 // The colour of the table around the arena (faded_floor() in shaders/common.glsl), nearly opaque up to `words_end`, so
 // that no line of the scene crosses the words; it ends at `until`. Both: x, window pixels.
@@ -60,7 +60,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     shade_words(ui, window, x + widest, std::min(window.x + window.w, x + widest + 2.0f * inset));
     const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
     // For a finger, before one has touched the window: a telephone shows it reduced.
-    const float button = std::max(finger_row, view.program.finger / ui.px(1));
+    const float button = std::max(least_begin_height, view.program.finger / ui.px(1));
     const float height =
         name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button + button);
     float y = window.y + (window.h - height) / 2;

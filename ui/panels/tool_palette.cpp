@@ -19,8 +19,6 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float tool_size = 32, tool_pad = 4;  // layout pixels
-
 struct ToolLook {
     SceneInputTool tool;
     std::string_view anchor, words, how;
@@ -74,32 +72,33 @@ void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
 }
 
 // Tools in a row: all, or those that a narrow area has room for. `width`: layout pixels.
-std::size_t tools_in_a_row(float width) {
-    const float fitting = (width - 2 * tool_pad) / tool_size;
+std::size_t tools_in_a_row(float width, float size) {
+    const float fitting = (width - 2 * tool_pad) / size;
     return static_cast<std::size_t>(std::clamp(fitting, 1.0f, static_cast<float>(tool_looks.size())));
 }
 
 }  // namespace
 
-float tool_palette_height(float width) {
-    const std::size_t in_a_row = tools_in_a_row(width), rows = (tool_looks.size() + in_a_row - 1) / in_a_row;
-    return static_cast<float>(rows) * tool_size + 2 * tool_pad;
+float tool_palette_height(float width, float finger) {
+    const float size = std::max(tool_size, finger);
+    const std::size_t in_a_row = tools_in_a_row(width, size), rows = (tool_looks.size() + in_a_row - 1) / in_a_row;
+    return static_cast<float>(rows) * size + 2 * tool_pad;
 }
 
 Rect place_of_tool_palette(const LabView& view, const Ui& ui, Rect area) {
     if (!view.camera_view || view.mode == Mode::wiring || view.lecture) return {};
-    const float width = area.w / ui.px(1);
-    const float row = static_cast<float>(tools_in_a_row(width)) * tool_size + 2 * tool_pad;
-    return {area.x, area.y, ui.px(row), ui.px(tool_palette_height(width))};
+    const float width = area.w / ui.px(1), size = ui.tall(tool_size);
+    const float row = static_cast<float>(tools_in_a_row(width, size)) * size + 2 * tool_pad;
+    return {area.x, area.y, ui.px(row), ui.px(tool_palette_height(width, ui.finger))};
 }
 
 void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
     const Rect bar = place_of_tool_palette(view, ui, area);
     if (bar.w <= 0) return;
-    const float size = ui.px(tool_size), inset = ui.px(tool_pad);
+    const float size = ui.px(ui.tall(tool_size)), inset = ui.px(tool_pad);
     begin_bar(ui, "tools", bar, false, Corner::box);
     const Palette& p = ui.palette;
-    const std::size_t in_a_row = tools_in_a_row(area.w / ui.px(1));
+    const std::size_t in_a_row = tools_in_a_row(area.w / ui.px(1), ui.tall(tool_size));
     for (std::size_t i = 0; i < tool_looks.size(); ++i) {
         const ToolLook& look = tool_looks[i];
         ImGui::SetCursorScreenPos({bar.x + inset + static_cast<float>(i % in_a_row) * size,

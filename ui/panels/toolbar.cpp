@@ -1,6 +1,6 @@
-// The bar of buttons below the menu bar. In a narrow window, first the type and the gaps are smaller, then words are
-// left out, the least important group first, and at last the buttons at the end, which the menus have, too. Tooltips
-// always show the words.
+// The bar of buttons below the menu bar; in an upright window it has two rows, and speed and status are in the second
+// one. In a narrow window, first the type and the gaps are smaller, then words are left out, the least important group
+// first, and at last the buttons at the end, which the menus have, too. Tooltips always show the words.
 #include <array>
 #include <string>
 #include <vector>
@@ -67,12 +67,14 @@ ButtonLook tool_look(const Ui& ui, const Tool& tool, int narrowness) {
 
 float width_of_status(int narrowness) { return narrowness < compact_step ? status_width : compact_status; }
 
-float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
+// `alone`: without speed and status.
+float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness, bool alone) {
     float width = 2 * ui.px(toolbar_margin);
     for (const Tool& tool : all)
         width += button_width(ui, tool_look(ui, tool, narrowness)) +
                  ui.px(tool.first_of_group ? toolbar_group_gap : between_buttons);
-    return width + ui.px(toolbar_group_gap + 2 * 34 + speed_width + 2 * between_buttons + toolbar_group_gap +
+    if (alone) return width;
+    return width + ui.px(toolbar_group_gap + 2 * ui.tall(34) + speed_width + 2 * between_buttons + toolbar_group_gap +
                          width_of_status(narrowness));
 }
 
@@ -106,7 +108,7 @@ std::string speed_words(const Ui& ui, float time_scale) {
 
 // Slower, the speed, faster. Returns the right end.
 float speed_control(const LabView& view, Ui& ui, float x, Rect bar) {
-    const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
+    const float y = bar.y + (bar.h - ui.px(ui.tall(button_height))) / 2;
     const auto end = [&](std::string_view id, std::string_view sign, std::string_view fallback, Action action,
                          bool enabled) {
         ImGui::SetCursorScreenPos({x, y});
@@ -119,7 +121,7 @@ float speed_control(const LabView& view, Ui& ui, float x, Rect bar) {
         x = at.right();
     };
     end("button.slower", icon::slower, "−", Action::slower, view.time_scale > 0.126f);
-    const Rect value{x, y, ui.px(speed_width), ui.px(button_height)};
+    const Rect value{x, y, ui.px(speed_width), ui.px(ui.tall(button_height))};
     put_centred(ui, {x + value.w / 2, bar.y + bar.h / 2 - line_height(ui, Face::text) / 2},
                 speed_words(ui, view.time_scale), ui.palette.text);
     mark(ui, "speed", value);
@@ -167,17 +169,20 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "toolbar", bar);
     std::vector<Tool> all = tools(view, state);
     int narrowness = 0;
-    while (narrowness < narrowest_step && width_of(ui, all, narrowness) > bar.w) ++narrowness;
-    while (all.back().action != Action::follow && width_of(ui, all, narrowness) > bar.w) all.pop_back();
+    const bool has_two_rows = bar.h >= 2 * ui.px(ui.tall(button_height));
+    while (narrowness < narrowest_step && width_of(ui, all, narrowness, has_two_rows) > bar.w) ++narrowness;
+    while (all.back().action != Action::follow && width_of(ui, all, narrowness, has_two_rows) > bar.w) all.pop_back();
+    const Rect whole = bar, last{bar.x, bar.y + bar.h / 2, bar.w, bar.h / 2};
+    if (has_two_rows) bar.h /= 2;
 
-    const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
+    const float y = bar.y + (bar.h - ui.px(ui.tall(button_height))) / 2;
     float x = bar.x + ui.px(toolbar_margin);
     const auto next_group = [&] {
         x += ui.px(toolbar_group_gap - between_buttons);
         rule(ui, x - ui.px((toolbar_group_gap - between_buttons) / 2 + between_buttons / 2), bar);
     };
     for (const Tool& tool : all) {
-        if (tool.action == Action::follow) {
+        if (tool.action == Action::follow && !has_two_rows) {
             next_group();
             x = speed_control(view, ui, x, bar) + ui.px(between_buttons);
         }
@@ -187,7 +192,9 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
         x += button_width(ui, tool_look(ui, tool, narrowness)) + ui.px(between_buttons);
     }
     const float status = width_of_status(narrowness);
-    status_pill(view, ui, bar.x + bar.w - ui.px(toolbar_margin + status), status, bar);
+    const Rect of_status = has_two_rows ? last : whole;
+    if (has_two_rows) speed_control(view, ui, bar.x + ui.px(toolbar_margin), last);
+    status_pill(view, ui, bar.x + bar.w - ui.px(toolbar_margin + status), status, of_status);
     end_bar();
 }
 

@@ -148,7 +148,7 @@ void start_row(const LabView& view, PanelState& state, Ui& ui) {
     if (!was_active) field.text = std::to_string(view.now->seed);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = text_width(ui, Face::text, ui.strings("values.seed")) + ui.px(10);
-    put(ui, {at.x, at.y + (ui.px(button_height) - line_height(ui, Face::text)) / 2}, ui.strings("values.seed"),
+    put(ui, {at.x, at.y + (ui.px(ui.tall(button_height)) - line_height(ui, Face::text)) / 2}, ui.strings("values.seed"),
         ui.palette.text);
     ImGui::SetCursorScreenPos({at.x + left, at.y});
     text_field(ui, field, "seed", ui.px(seed_width), {}, ui.strings("values.seed_how"));
@@ -157,7 +157,7 @@ void start_row(const LabView& view, PanelState& state, Ui& ui) {
         if (const auto seed = typed_seed(field.text); seed && *seed != view.now->seed)
             ui.outbox.push_back(SeedRequest{*seed});
     }
-    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(button_height + 8)});
+    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(ui.tall(button_height) + 8)});
     const auto press = [&](std::string_view id, std::string_view words, std::string_view how, Action action) {
         if (small_push_button(ui, {id, {}, ui.strings(words)}, ui.strings(how), key_name(action, ui.strings)))
             ui.outbox.push_back(action);

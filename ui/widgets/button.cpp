@@ -92,7 +92,7 @@ float button_width(const Ui& ui, const ButtonLook& look) {
     float width = 2 * ui.px(button_padding(look));
     if (shows_icon(ui, look)) width += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(button_icon_gap(look)));
     width += text_width(ui, face_of(look), look.words);
-    return std::max(width, ui.px(look.min_width));
+    return std::max(width, ui.px(ui.tall(look.min_width)));
 }
 
 float least_width_for(const Ui& ui, ButtonLook look, std::initializer_list<std::string_view> keys) {
@@ -105,7 +105,7 @@ float least_width_for(const Ui& ui, ButtonLook look, std::initializer_list<std::
 }
 
 Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
-    const float height = ui.px(std::max(button_height, look.min_height));
+    const float height = ui.px(std::max(ui.tall(button_height), look.min_height));
     const Item at = item(ui, id, {button_width(ui, look), height}, look.enabled);
     const ButtonColours c = colours(ui, look, at);
     fill_box(ui, at.rect, c.fill);
@@ -130,12 +130,12 @@ bool push_button(Ui& ui, std::string_view id, const ButtonLook& look, std::strin
 }
 
 float small_button_width(const Ui& ui, const SmallButton& look, bool words) {
-    if (!words && has_icons(ui)) return ui.px(28);
+    if (!words && has_icons(ui)) return ui.px(ui.tall(28));
     return ui.px(14) + sign_room(ui, look) + text_width(ui, Face::small, look.words);
 }
 
 Item small_button(Ui& ui, const SmallButton& look, bool words) {
-    const Item at = item(ui, look.id, {small_button_width(ui, look, words), ui.px(small_button_height)});
+    const Item at = item(ui, look.id, {small_button_width(ui, look, words), ui.px(ui.tall(small_button_height))});
     const Palette& p = ui.palette;
     fill_box(ui, at.rect,
              look.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth));
@@ -168,7 +168,7 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
              std::string_view how) {
     const Segments segments = lay_out_segments(ui, words, width);
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const Rect all{start.x, start.y, width, ui.px(30)};
+    const Rect all{start.x, start.y, width, ui.px(ui.tall(30))};
     fill_box(ui, all, ui.palette.ground.with_alpha(0.6f));
     line_box(ui, all, ui.palette.line);
     const Face face = face_of_segments(ui, words, segments);
@@ -217,13 +217,14 @@ float key_cap(const Ui& ui, ImVec2 at, std::string_view words, Face face) {
 bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how,
                std::string_view key) {
     constexpr float narrow = 230;  // layout pixels: such a card is low, too
-    const float width = card_width(ui), left = ui.px(34), top = ui.px(width < ui.px(narrow) ? 4 : 7);
+    const float width = card_width(ui), left = ui.px(34);
     ImFont* f = font(ui, Face::text);
     const float cap = key.empty() ? 0 : key_cap_width(ui, key) + ui.px(8);
     const float wrap = width - left - ui.px(10) - cap;
     const std::string lines = wrapped_at_spaces(ui, Face::text, words, wrap);
     const char *begin = lines.c_str(), *end = begin + lines.size();
     const ImVec2 text = f->CalcTextSizeA(compat::size_of(f), 1e9f, wrap, begin, end);
+    const float top = std::max(ui.px(width < ui.px(narrow) ? 4 : 7), (ui.px(ui.finger) - text.y) / 2);
     const Item at = item(ui, id, {width, text.y + 2 * top}, enabled);
     const Palette& p = ui.palette;
     fill_box(ui, at.rect, chosen ? mix(p.panel, p.accent, 0.16f) : mix(p.panel, p.line, at.warmth * 0.6f));
@@ -243,7 +244,7 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
 }
 
 bool fold_row(Ui& ui, std::string_view id, std::string_view words, bool& open, std::string_view how) {
-    const Item at = item(ui, id, {card_width(ui), ui.px(24)});
+    const Item at = item(ui, id, {card_width(ui), ui.px(ui.tall(24))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, at.warmth);
     const WholeLines whole(at.middle_y() - line_height(ui, Face::text) / 2, line_height(ui, Face::text));
     put_icon(ui, {at.rect.x + ui.px(8), at.middle_y()}, open ? icon::unfolded : icon::folded, colour);

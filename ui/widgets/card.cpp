@@ -17,8 +17,8 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float bottom_padding = spacing::medium, above_footer = spacing::small, below_head = spacing::small;
-constexpr float card_heading = 36;      // layout pixels
-constexpr float unmeasured_head = 200;  // at most, layout pixels
+constexpr float card_heading = 36, heading_button_height = 24;  // layout pixels
+constexpr float unmeasured_head = 200;                          // at most, layout pixels
 constexpr ImGuiWindowFlags plain_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
@@ -39,13 +39,16 @@ float heading_button(Ui& ui, HeadingButton& extra, float left, float right, floa
     const float with_words = text_width(ui, Face::small, extra.words) + ui.px(spacing::large);
     const bool by_icon = has_icons(ui) && !extra.icon.empty() && right - with_words < left;
     const std::string_view shown = by_icon ? extra.icon : extra.words;
-    const float w = by_icon ? ui.px(24) : with_words;
-    ImGui::SetCursorScreenPos({right - w, y + ui.px(6)});
-    const Item at = item(ui, extra.id, {w, ui.px(24)});
+    const float w = by_icon ? ui.px(ui.tall(heading_button_height)) : with_words;
+    const float h = ui.px(ui.tall(heading_button_height));
+    ImGui::SetCursorScreenPos({right - w, y + (ui.px(ui.tall(card_heading)) - h) / 2});
+    const Item at = item(ui, extra.id, {w, h});
     const Palette& p = ui.palette;
-    fill_box(ui, at.rect,
-             extra.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth));
-    line_box(ui, at.rect, extra.on ? p.accent.with_alpha(0.8f) : p.line);
+    // The room for a finger is as high as the heading; the box is not.
+    const float inset = std::max(0.0f, (h - ui.px(ui.tall(card_heading)) + 2 * ui.px(spacing::tight)) / 2);
+    const Rect box{at.rect.x, at.rect.y + inset, at.rect.w, at.rect.h - 2 * inset};
+    fill_box(ui, box, extra.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth));
+    line_box(ui, box, extra.on ? p.accent.with_alpha(0.8f) : p.line);
     put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, Face::small) / 2}, shown, ui.palette.text,
                 Face::small);
     tooltip(ui, at, extra.tooltip, extra.shortcut);
@@ -61,9 +64,9 @@ void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::
     if (!state.folded)
         for (HeadingButton& extra : extras) right = heading_button(ui, extra, left, right, r.y) - ui.px(6);
     ImGui::SetCursorScreenPos({r.x, r.y});
-    const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(card_heading))});
+    const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(ui.tall(card_heading)))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
-    const float y = row.rect.y + ui.px(card_heading) / 2;
+    const float y = row.rect.y + ui.px(ui.tall(card_heading)) / 2;
     put(ui, {r.x + ui.px(side_padding), y - line_height(ui, Face::small) / 2}, words, colour, Face::small);
     put_icon(ui, {r.x + r.w - ui.px(side_padding + 4), y}, state.folded ? icon::folded : icon::unfolded, colour);
     const bool on_a_button = std::any_of(extras.begin(), extras.end(), [](const auto& extra) { return extra.hovered; });
@@ -90,7 +93,8 @@ float end_part() {
 float width_of_parts(const Ui& ui, Rect card) { return card.w - ui.px(side_padding) - ui.px(card_scrollbar_inset); }
 
 void begin_body(const Ui& ui, CardState& state, Rect r) {
-    const float top = ui.px(card_heading) + state.head.value_or(0.0f), bottom = ui.px(bottom_padding) + state.footer;
+    const float top = ui.px(ui.tall(card_heading)) + state.head.value_or(0.0f),
+                bottom = ui.px(bottom_padding) + state.footer;
     ImGui::SetCursorPos({ui.px(side_padding), top});
     // Dear ImGui moves the line below a text to a whole pixel before it subtracts the spacing, so a measured height is
     // up to a pixel less than that of its texts.
@@ -117,13 +121,13 @@ void end_body(const Ui& ui, CardState& state) {
 
 }  // namespace
 
-float folded_height(const Ui& ui) { return ui.px(card_heading); }
+float folded_height(const Ui& ui) { return ui.px(ui.tall(card_heading)); }
 
 float wanted_height(const Ui& ui, const CardState& state) {
     if (state.folded) return folded_height(ui);
     // Before a body below a head is measured it needs room: Dear ImGui does not lay out what is outside the card.
     const float head = state.head ? *state.head + (state.content > 0 ? 0 : ui.px(unmeasured_head)) : 0;
-    return ui.px(card_heading + bottom_padding) + head + state.content + state.footer;
+    return ui.px(ui.tall(card_heading) + bottom_padding) + head + state.content + state.footer;
 }
 
 void card_ground(const Ui& ui, Rect r, Corner corner) {
@@ -148,7 +152,7 @@ bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view 
     if (state.folded) return false;
     state.in_head = state.head.has_value();
     if (!state.in_head) return begin_body(ui, state, r), true;
-    ImGui::SetCursorPos({ui.px(side_padding), ui.px(card_heading)});
+    ImGui::SetCursorPos({ui.px(side_padding), ui.px(ui.tall(card_heading))});
     begin_part(ui, "head", {width_of_parts(ui, r), std::max(1.0f, *state.head)},
                ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     return true;

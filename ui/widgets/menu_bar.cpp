@@ -38,10 +38,10 @@ bool has_signs(std::span<const MenuEntry> entries) {
     return std::any_of(entries.begin(), entries.end(), [](const MenuEntry& e) { return e.on.has_value() || e.open; });
 }
 
-float panel_width(const Ui& ui, std::span<const MenuEntry> entries) {
+float panel_width(const Ui& ui, std::span<const MenuEntry> entries, bool with_keys) {
     float widest = 0;
     for (const MenuEntry& e : entries) {
-        const float keys = e.keys.empty() ? 0 : ui.px(before_keys) + text_width(ui, Face::small, e.keys);
+        const float keys = e.keys.empty() || !with_keys ? 0 : ui.px(before_keys) + text_width(ui, Face::small, e.keys);
         widest = std::max(widest, text_width(ui, e.heading ? Face::small : Face::text, e.words) + keys);
     }
     const float signs = has_signs(entries) ? ui.px(menu_sign_room) : 0;
@@ -53,15 +53,19 @@ float rules_height(const Ui& ui, std::span<const MenuEntry> entries) {
     return ui.px(menu_rule) * static_cast<float>(rules);
 }
 
-// Lower rows in a low window; below the least height the panel scrolls.
-float entry_height(const Ui& ui, std::span<const MenuEntry> entries, float room, float tallest) {
+// Lower rows in a low window; below the least height, or that for a finger, the panel scrolls.
+float entry_height(const Ui& ui, std::span<const MenuEntry> entries, float room) {
     const float count = static_cast<float>(std::max<std::size_t>(1, entries.size()));
     const float fits = (room - 2 * ui.px(menu_pad) - rules_height(ui, entries)) / count;
-    const float least = std::max(ui.px(lowest_entry), 0.82f * line_height(ui, Face::text));
-    return std::floor(std::clamp(fits, least, std::max(least, ui.px(tallest))));
+    const float least = std::max(ui.px(ui.tall(lowest_entry)), 0.82f * line_height(ui, Face::text));
+    return std::floor(std::clamp(fits, least, std::max(least, ui.px(tallest_entry))));
 }
 
-void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, bool signs) {
+struct EntryLook {
+    bool signs, keys;  // with room for signs before the words, with keys after them
+};
+
+void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, EntryLook look) {
     const Palette& p = ui.palette;
     const bool by_key = ui.keyboard && ui.keyboard->shown;
     if (entry.enabled && (by_key ? at.focused : at.hovered)) fill_box(ui, at.rect, p.line.with_alpha(0.6f));
@@ -76,15 +80,18 @@ void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, bool signs
     if (entry.open)  // not the check mark: that of an exercise says that it is passed
         ImGui::GetWindowDrawList()->AddCircleFilled({x + ui.px(menu_sign_room) / 2 - ui.px(5), at.middle_y()}, ui.px(4),
                                                     paint(p.accent));
-    if (signs) x += ui.px(menu_sign_room);
+    if (look.signs) x += ui.px(menu_sign_room);
     const Colour colour = entry.enabled ? p.text : p.second_text.with_alpha(0.6f);
-    put(ui, {x, at.middle_y() - line_height(ui, Face::text) / 2}, entry.words, colour);
+    const float room = at.right() - ui.px(entry_pad) - x;
+    const Face face = text_width(ui, Face::text, entry.words) <= room ? Face::text : Face::small;
+    put(ui, {x, at.middle_y() - line_height(ui, face) / 2}, shortened(ui, entry.words, face, room), colour, face);
+    if (!look.keys) return;
     put_right(ui, {at.right() - ui.px(entry_pad), at.middle_y() - line_height(ui, Face::small) / 2}, entry.keys,
               entry.enabled ? p.second_text : colour, Face::small);
 }
 
 // Draws a row at the cursor. True when it was chosen.
-bool menu_entry(Ui& ui, const MenuEntry& entry, ImVec2 size, bool signs) {
+bool menu_entry(Ui& ui, const MenuEntry& entry, ImVec2 size, EntryLook look) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (entry.heading) {
         put(ui, {at.x + ui.px(entry_pad), at.y + (size.y - line_height(ui, Face::small)) / 2}, entry.words,
@@ -93,7 +100,7 @@ bool menu_entry(Ui& ui, const MenuEntry& entry, ImVec2 size, bool signs) {
         return false;
     }
     const Item here = item(ui, entry.anchor, size, entry.enabled);
-    draw_entry(ui, entry, here, signs);
+    draw_entry(ui, entry, here, look);
     if (here.hovered && entry.enabled && pointer_moves() && ui.keyboard) {
         ui.keyboard->focus = entry.anchor;  // arrow keys continue from the row under the pointer
         ui.keyboard->shown = false;
@@ -103,9 +110,10 @@ bool menu_entry(Ui& ui, const MenuEntry& entry, ImVec2 size, bool signs) {
 }
 
 // `opens`: in the first frame of the menu, which then shows the row of the open file, else the first rows.
-int draw_entries(Ui& ui, std::span<const MenuEntry> entries, float width, float height, bool opens) {
+int draw_entries(Ui& ui, std::span<const MenuEntry> entries, ImVec2 size, bool with_keys, bool opens) {
     int chosen = -1;
-    const bool signs = has_signs(entries);
+    const auto [width, height] = size;
+    const EntryLook look{has_signs(entries), with_keys};
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     if (opens) ImGui::SetScrollY(0);
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -115,11 +123,28 @@ int draw_entries(Ui& ui, std::span<const MenuEntry> entries, float width, float 
                      Corner::square);
             ImGui::Dummy({width, ui.px(menu_rule)});
         }
-        if (menu_entry(ui, entries[i], {width, height}, signs)) chosen = static_cast<int>(i);
+        if (menu_entry(ui, entries[i], size, look)) chosen = static_cast<int>(i);
         if (opens && entries[i].open) ImGui::SetScrollHereY();
     }
     ImGui::PopStyleVar();
     return chosen;
+}
+
+struct TitleType {
+    Face face;
+    float pad;  // on both sides of the words, window pixels
+};
+
+// The largest face in which all titles fit; first they move together.
+TitleType type_of_titles(const Ui& ui, std::span<const MenuTitle> titles, float room) {
+    const float least = ui.px(spacing::tight), count = 2 * static_cast<float>(titles.size());
+    for (const Face face : {Face::text, Face::small, Face::label}) {
+        float words = 0;
+        for (const MenuTitle& title : titles) words += text_width(ui, face, title.words);
+        const float pad = (room - words) / count;
+        if (pad >= least || face == Face::label) return {face, std::clamp(pad, 0.0f, ui.px(title_pad))};
+    }
+    return {Face::label, 0};
 }
 
 // Follows the pointer to the other titles and closes the menu after a click beside the panel.
@@ -144,14 +169,16 @@ void menu_titles(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles,
     Keyboard* const keyboard = std::exchange(ui.keyboard, nullptr);
     begin_bar(ui, "menu bar", bar);
     float x = bar.x + ui.px(menu_pad);
+    const TitleType type = type_of_titles(ui, titles, bar.w - 2 * ui.px(menu_pad));
     for (const MenuTitle& title : titles) {
-        const float width = text_width(ui, Face::text, title.words) + 2 * ui.px(title_pad);
+        const float width = text_width(ui, type.face, title.words) + 2 * type.pad;
         ImGui::SetCursorScreenPos({x, bar.y});
         const Item at = item(ui, title_anchor(title), {width, bar.h});
         const bool open = state.open == title.name;
         fill_box(ui, {at.rect.x, at.rect.y + ui.px(2), at.rect.w, at.rect.h - ui.px(4)},
                  ui.palette.line.with_alpha(open ? 0.8f : 0.6f * at.warmth), Corner::box);
-        put(ui, {x + ui.px(title_pad), at.middle_y() - line_height(ui, Face::text) / 2}, title.words, ui.palette.text);
+        put(ui, {x + type.pad, at.middle_y() - line_height(ui, type.face) / 2}, title.words, ui.palette.text,
+            type.face);
         if (!open) tooltip(ui, at, title.how, title.keys);
         if (at.pressed) state.open = title.name;
         x += width;
@@ -169,10 +196,11 @@ int menu_panel(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles, s
     }
     const float top = bar.y + bar.h + ui.px(2), margin = ui.px(menu_margin), pad = ui.px(menu_pad);
     const float room = window.y + window.h - margin - top;
-    const float height = entry_height(ui, entries, room, state.for_finger ? finger_row : tallest_entry);
+    const float height = entry_height(ui, entries, room);
     const float content = height * static_cast<float>(entries.size()) + rules_height(ui, entries);
     const float scrollbar = content + 2 * pad > room ? ImGui::GetStyle().ScrollbarSize : 0;
-    const float width = std::min(panel_width(ui, entries) + scrollbar, window.w - 2 * margin);
+    const bool with_keys = panel_width(ui, entries, true) + scrollbar <= window.w - 2 * margin;
+    const float width = std::min(panel_width(ui, entries, with_keys) + scrollbar, window.w - 2 * margin);
     state.panel = {std::max(margin, std::min(opener->x, window.x + window.w - margin - width)), top, width,
                    std::min(content + 2 * pad, room)};
     begin_bar(ui, "open menu", window, true);
@@ -187,7 +215,7 @@ int menu_panel(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles, s
     ImGui::SetCursorScreenPos({panel.x + pad, panel.y + pad});
     const float inner = panel.w - 2 * pad;
     compat::begin_child(("rows of " + state.open).c_str(), {inner, panel.h - 2 * pad}, ImGuiWindowFlags_NoNav);
-    const int chosen = draw_entries(ui, entries, inner - scrollbar, height, opens);
+    const int chosen = draw_entries(ui, entries, {inner - scrollbar, height}, with_keys, opens);
     compat::end_child();
     follow_pointer(ui, state, titles);
     if (chosen >= 0 && !entries[static_cast<std::size_t>(chosen)].stays_open) state.open.clear();

@@ -33,15 +33,12 @@ struct MenuEntry {
 struct MenuBarState {
     std::string open;               // name of the open menu; empty: none
     std::string drawn;              // name of the menu drawn in the last frame
-    bool for_finger = false;        // rows have the height for a finger
     Rect panel;                     // of the open menu, window pixels
     std::vector<KeyPress> presses;  // for the rows of the open menu
 };
 
 // The height of the bar, layout pixels.
 inline constexpr float menu_bar_height = 26;
-// The height of a row of any menu for a finger, where the window has room for it; layout pixels.
-inline constexpr float finger_row = 44;
 
 // Draws the titles. A click on a title opens its menu.
 void menu_titles(Ui&, MenuBarState&, std::span<const MenuTitle>, Rect bar);

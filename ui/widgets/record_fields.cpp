@@ -144,7 +144,7 @@ std::optional<std::string> FieldRows::text(const char* key, const std::string& n
     const CloseRows close;
     space(ui, above_choice);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float left = ui.px(words_width), height = ui.px(button_height);
+    const float left = ui.px(words_width), height = ui.px(ui.tall(button_height));
     field_label(ui, ui.strings(words + key), left, height);
     text_field(ui, field, id, card_width(ui) - left, {}, ui.strings(words + key + "_how"));
     ImGui::SetCursorScreenPos({at.x, at.y + height});

@@ -24,7 +24,7 @@ namespace {
 constexpr float sheet_pad = spacing::large, least_margin = spacing::medium, sheet_scrollbar_inset = 3;  // layout pixels
 
 float sheet_heading(const Ui& ui) { return line_height(ui, Face::title) + ui.px(sheet_pad); }
-float sheet_row(const Ui& ui) { return ui.px(button_height + sheet_pad); }
+float sheet_row(const Ui& ui) { return ui.px(ui.tall(button_height) + sheet_pad); }
 
 }  // namespace
 
@@ -42,7 +42,10 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
     card_ground(ui, r);
     fill_box(ui, r, ui.palette.panel);  // opaque, so that words below do not show through
     line_box(ui, r, ui.palette.line);
-    put(ui, {r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad)}, heading, ui.palette.text, Face::title);
+    const float room = w - 2 * ui.px(sheet_pad);
+    const Face face = text_width(ui, Face::title, heading) <= room ? Face::title : Face::strong;
+    put(ui, {r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad)}, shortened(ui, heading, face, room), ui.palette.text,
+        face);
     mark(ui, id, r);
     state.rect = r;
     ImGui::SetCursorScreenPos({r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad) + sheet_heading(ui)});
@@ -64,7 +67,7 @@ void sheet_buttons(Ui& ui, SheetState& state, std::string_view problem) {
     ImGui::PopStyleVar();
     compat::end_child();
     const Rect& r = state.rect;
-    const ImVec2 buttons{r.x + ui.px(sheet_pad), r.y + r.h - ui.px(sheet_pad + button_height)};
+    const ImVec2 buttons{r.x + ui.px(sheet_pad), r.y + r.h - ui.px(sheet_pad + ui.tall(button_height))};
     const float width = r.w - 2 * ui.px(sheet_pad), line = line_height(ui, Face::text);
     const auto lines = problem.empty() ? std::vector<std::string>{} : lines_of_words(ui, problem, Face::text, width);
     float y = buttons.y - state.footer;

@@ -57,7 +57,7 @@ void finish_text_box(Ui& ui, TextField& field, const TextBox& shown, std::string
 
 void text_field(Ui& ui, TextField& field, std::string_view id, float width, std::string_view what,
                 std::string_view how) {
-    const float height = ui.px(button_height);
+    const float height = ui.px(ui.tall(button_height));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, width, height};
     const ImVec2 pad{ui.px(spacing::small), (height - line_height(ui, Face::text)) / 2};

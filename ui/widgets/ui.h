@@ -1,6 +1,7 @@
 // The context of every widget: palette, fonts and scale, the anchors, and the outbox for requests.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,6 +73,7 @@ struct Ui {
     bool still = false;                       // set by draw_window; true: no easing
     bool quiet = false;                       // set by draw_window; true: no tooltips
     float least_type = 0;                     // set by draw_window; least height of letters in diagrams, window pixels
+    float finger = 0;                         // set by draw_window; height that a finger needs; 0: the mouse is used
     char decimal_mark = '.';                  // set by draw_window; of the language
     std::vector<Written>* written = nullptr;  // null: not recorded
     bool* reveals = nullptr;                  // true until the card has scrolled to `highlight`; null: it does not
@@ -83,6 +85,9 @@ struct Ui {
 
     // Layout pixels to window pixels.
     float px(float layout_pixels) const { return layout_pixels * scale; }
+    // The height of a control, and the width of one that shows a sign only, in layout pixels: as given for the mouse,
+    // enough for a finger while one is used. Every widget takes its height from here.
+    float tall(float layout_pixels) const { return std::max(layout_pixels, finger); }
 };
 
 }  // namespace ui

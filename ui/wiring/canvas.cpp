@@ -121,7 +121,7 @@ std::vector<CornerButton> corner_buttons(const Ui& ui, Rect area, Pointer& point
     float right = area.x + area.w - ui.px(spacing::medium);
     for (CornerButton& button : buttons) {
         const float width = text_width(ui, Face::text, button.words) + ui.px(spacing::wide);
-        button.rect = {right - width, area.y + ui.px(spacing::medium), width, ui.px(32)};
+        button.rect = {right - width, area.y + ui.px(spacing::medium), width, ui.px(ui.tall(32))};
         right -= width + ui.px(spacing::small);
         button.hovered = pointer.over && button.rect.contains(pointer.at.x, pointer.at.y);
         button.pressed = button.hovered && pointer.left_pressed;
@@ -247,7 +247,7 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     for (const CornerButton& button : buttons) draw_button(ui, button);
     draw_minimap(pen, picture, area);
     draw_cursor(pen, picture, after);
-    state.menu.for_finger = view.program.touch;
+    state.menu.finger = ui.finger;
     draw_menu_on_cover(pen, state.menu);
     set_cursor(state);
 }

@@ -109,8 +109,8 @@ struct CanvasMenu {
     Hit loose;                       // pin that a dropped wire starts from; Part::nothing: no wire
     Rect rect;                       // window pixels; set by place_menu()
     float ui_scale = 1;
-    bool for_finger = false;  // rows have the height for a finger
-    float row_height = 0;     // layout pixels; set by place_menu()
+    float finger = 0;      // Ui::finger
+    float row_height = 0;  // layout pixels; set by place_menu()
     bool open() const { return !rows.empty(); }
 };
 

@@ -188,7 +188,7 @@ void place_menu(CanvasMenu& menu, Rect window, float ui_scale, float width) {
     for (const MenuRow& row : menu.rows) height += row.begins_group ? menu_group_gap * ui_scale : 0;
     const float count = static_cast<float>(std::max<std::size_t>(1, menu.rows.size()));
     const float fits = (window.h - 2 * room - height) / count / ui_scale;
-    menu.row_height = std::clamp(fits, least_menu_row, menu.for_finger ? finger_row : menu_row_height);
+    menu.row_height = std::clamp(fits, least_menu_row, std::max(menu_row_height, menu.finger));
     height += count * menu.row_height * ui_scale;
     const auto within = [room](float at, float size, float low, float extent) {
         return std::clamp(at, low + room, std::max(low + room, low + extent - size - room));

@@ -86,7 +86,8 @@ constexpr float curves_width = static_cast<float>(curve_columns) * kind_width + 
                 room_for_plot = 680;
 
 bool curve_button(Ui& ui, std::size_t index, const Curve& curve) {
-    const Item at = item(ui, "inspector.kind." + std::to_string(index + 1), {ui.px(kind_width), ui.px(kind_height)});
+    const Item at =
+        item(ui, "inspector.kind." + std::to_string(index + 1), {ui.px(kind_width), ui.px(ui.tall(kind_height))});
     const Palette& p = ui.palette;
     const Response response = responses[index].value;
     const bool on = curve.response == response;
@@ -239,9 +240,9 @@ void NumberSheet::curve_numbers(Curve& curve, bool has_threshold) {
 float sheet_height(const Ui& ui, float width) {
     constexpr float around = 48, between = spacing::small;  // of the card, layout pixels
     constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
-    const float curves = 44 + rows * (kind_height + spacing::tight);
+    const float curves = 44 + rows * (ui.tall(kind_height) + spacing::tight);
     const float numbers = is_one_column(ui, room_for_sliders(ui, width)) ? numbers_of_a_wire : 2.0f;
-    return ui.px(around + std::max(curves, numbers * (slider_height + between) - between));
+    return ui.px(around + std::max(curves, numbers * (ui.tall(slider_height) + between) - between));
 }
 
 void lesion_button(Inspected& in, bool lesioned, std::string_view lesion_words) {

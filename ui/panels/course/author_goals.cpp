@@ -169,7 +169,7 @@ void option(const AuthorFields& page, std::size_t i) {
     const SmallButton look{
         id_of_answer, {}, page.words("author.answer"), state.draft.prediction.answer == static_cast<int>(i)};
     const float y = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(y + ui.px(button_height - small_button_height) / 2);
+    ImGui::SetCursorPosY(y + ui.px(ui.tall(button_height) - ui.tall(small_button_height)) / 2);
     if (small_push_button(ui, look, page.words("author.answer_how")))
         state.draft.prediction.answer = static_cast<int>(i);
     const float aside = small_button_width(ui, look, true) + ui.px(8);
@@ -265,9 +265,9 @@ void author_wrong_page(const AuthorFields& page) {
         const std::string_view how = page.words("author.wrong_name_how");
         text_field(ui, state.wrong_names[i], id, card_width(ui) - aside, how, how);
         ImGui::SameLine(0, ui.px(spacing::small));
-        ImGui::SetCursorPosY(y + ui.px(button_height - small_button_height) / 2);
+        ImGui::SetCursorPosY(y + ui.px(ui.tall(button_height) - ui.tall(small_button_height)) / 2);
         const bool pressed = small_push_button(ui, remove, page.words("author.remove_wrong_how"));
-        ImGui::SetCursorPosY(y + ui.px(button_height + 6));
+        ImGui::SetCursorPosY(y + ui.px(ui.tall(button_height) + 6));
         if (pressed) return remove_wrong(state, i);
     }
     const BrainGraph* brain = brain_in_window(page);

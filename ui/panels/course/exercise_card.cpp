@@ -328,7 +328,7 @@ void steps(const LabView& view, PanelState& state, Ui& ui) {
         if (!fold_row(ui, "exercise.steps", words, state.exercise.steps_open, ui.strings("exercise.steps_how"))) return;
         heading = ImGui::GetCursorScreenPos();
         // The row stays while all starts are shown at once, which cannot be compared.
-        if (can_compare(view) || lesson.together) gap(ui, small_button_height + spacing::small);
+        if (can_compare(view) || lesson.together) gap(ui, ui.tall(small_button_height) + spacing::small);
     } else {
         subheading(ui, ui.strings("exercise.steps"));
     }
@@ -435,7 +435,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
     follow_exercise(lesson, state);
     CardState& card = state.card(Card::exercise);
     const bool asks = state.lecture.asks_prediction;  // then the question has the room of the buttons
-    if (!asks) card.footer = std::max(card.footer, ui.px(button_height + 8));
+    if (!asks) card.footer = std::max(card.footer, ui.px(ui.tall(button_height) + 8));
     const bool is_low = place.h < ui.px(least_height_with_head);
     const bool steps_on_top = is_low && view.mode == Mode::wiring && !passed;
     if (is_low)

@@ -44,7 +44,7 @@ void written_file(const LessonView& lesson, Ui& ui, float width) {
     const float beside = width - small_button_width(ui, copy, true) - ui.px(8);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string name = written.substr(written.find_last_of('/') + 1);
-    put(ui, {at.x, at.y + (ui.px(small_button_height) - line_height(ui, Face::small)) / 2},
+    put(ui, {at.x, at.y + (ui.px(ui.tall(small_button_height)) - line_height(ui, Face::small)) / 2},
         shortened(ui, name, Face::small, beside), ui.palette.second_text, Face::small);
     ImGui::SetCursorScreenPos({at.x + beside + ui.px(8), at.y});
     const Item button = small_button(ui, copy);
@@ -96,13 +96,15 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width)
     if (is_shown) written_file(*view.lesson, ui, width);
     if (is_shown) refused_hand_in(view, asked, ui, width);
     const bool follows_buttons = ImGui::GetCursorScreenPos().y == top;
-    if (width < ui.px(narrow_row) && follows_buttons) {
+    if ((width < ui.px(narrow_row) || ui.finger > 0) && follows_buttons) {
         beside_or_below(ui, note_button_width(view, ui), right);
         const bool is_beside = ImGui::GetCursorScreenPos().y < top;
         // The answers to a question need the room of another row.
         const bool asks = is_asked(view.lesson->exercise->prediction) && !view.lesson->attempt.work.outcome_known;
         if (!is_beside && !is_shown && asks) return;
-        if (is_beside) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px((button_height - small_button_height) / 2));
+        if (is_beside)
+            ImGui::SetCursorPosY(ImGui::GetCursorPosY() +
+                                 ui.px((ui.tall(button_height) - ui.tall(small_button_height)) / 2));
     }
     note_button(view, state, ui);
     if (!is_shown) return;

@@ -22,7 +22,7 @@ constexpr float list_width = 190, row_height = 24;  // layout pixels
 
 void term_row(Ui& ui, GlossaryState& state, const GlossaryTerm& term, bool focus_chooses) {
     const std::string name(ui.strings("glossary." + std::string(term.id) + ".name"));
-    const Item at = item(ui, "glossary." + std::string(term.id), {ui.px(list_width), ui.px(row_height)});
+    const Item at = item(ui, "glossary." + std::string(term.id), {ui.px(list_width), ui.px(ui.tall(row_height))});
     const bool chosen = state.shown == term.id;
     if (chosen || at.warmth > 0)
         fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, chosen ? 0.25f : 0.15f * at.warmth),

@@ -98,7 +98,7 @@ float gap_of_text(Face of_options) { return of_options == Face::strong ? spacing
 
 // Of the options of a question, each with a row for its hands below it. `indent`: of the words, window pixels.
 float height_of_options(const Ui& ui, const LectureQuestion& asked, Face face, float width, float indent) {
-    const float row = ui.px(button_height + gap_of_options(face) + 2 * spacing::tight);
+    const float row = ui.px(ui.tall(button_height) + gap_of_options(face) + 2 * spacing::tight);
     float used = 0;
     for (const std::string& option : asked.options)
         used += height_of(ui, translated(ui, option), face, width - indent) + row;
@@ -145,7 +145,7 @@ void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t
     lettered_option(page, ui, option, ui.palette.accent, ui.palette.text, face);
     count_row(page, state, ui, option);
     ImGui::SameLine();
-    share_bar(page, ui, option, ui.palette.accent, ui.px(button_height));
+    share_bar(page, ui, option, ui.palette.accent, ui.px(ui.tall(button_height)));
     gap(ui, gap_of_options(face));
 }
 
@@ -166,7 +166,7 @@ void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face
     lettered_option(page, ui, option, right ? colour : ui.palette.accent, colour, face);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (right) mark(ui, "lecture.right", {words.x, words.y, card_width(ui), at.y - words.y});
-    const float row = ui.px(button_height), width = ui.px(hands_field + 2 * hands_button + 2 * spacing::small);
+    const float row = ui.px(ui.tall(button_height)), width = ui.px(hands_field + 2 * hands_button + 2 * spacing::small);
     const float line = line_height(ui, Face::title);
     const Rect count{at.x, at.y + (row - line) / 2, width, line};
     const ImVec2 sign{count.x + ui.px(hands_button) / 2, at.y + row / 2};

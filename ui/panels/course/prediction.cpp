@@ -207,7 +207,7 @@ void comparison(const LabView& view, Ui& ui, ImVec2 heading) {
     const ImVec2 below = ImGui::GetCursorScreenPos();
     const SmallButton look{"exercise.compare", icon::outlines, ui.strings("exercise.compare"),
                            lesson.attempt.work.compares};
-    const float w = small_button_width(ui, look, true), h = ui.px(small_button_height);
+    const float w = small_button_width(ui, look, true), h = ui.px(ui.tall(small_button_height));
     ImGui::SetCursorScreenPos({heading.x + card_width(ui) - w, heading.y + (line_height(ui, Face::small) - h) / 2});
     const Item at = small_button(ui, look);
     if (at.pressed) ui.outbox.push_back(CompareRequest{!lesson.attempt.work.compares});

@@ -84,7 +84,7 @@ void start_pictures(const LabView& view, Ui& ui) {
     const FloorArea area = pictured_area(*view.lesson->exercise, *view.lesson->grade);
     const float gap = ui.px(between_pictures);
     const float width = (card_width(ui) - gap * static_cast<float>(per_row - 1)) / static_cast<float>(per_row);
-    const float least = ui.px(24);  // of a target
+    const float least = ui.px(ui.tall(24));  // of a target
     const float height =
         std::max(least, width * std::clamp((area.high.y - area.low.y) / (area.high.x - area.low.x), 0.5f, 1.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
