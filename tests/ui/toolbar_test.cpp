@@ -127,6 +127,22 @@ TEST(Toolbar, UndoesOnlyWhereThereIsAnEdit) {
     EXPECT_TRUE(desk.actions().empty());
 }
 
+// No time passes while a sheet is open.
+TEST(Toolbar, TellsOfAPauseWhileASheetIsOpenAndOfTheClipThatIsWritten) {
+    Desk desk(1280, 800, 1, true);
+    desk.view.mode = Mode::playing;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says(desk.strings("mode.playing")));
+    desk.panels.sheet = Sheet::take;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says(desk.strings("mode.playing")));
+    EXPECT_TRUE(desk.says(desk.strings("mode.paused")));
+    desk.view.program.clip_progress = 0.437f;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says(desk.strings("mode.paused")));
+    EXPECT_TRUE(desk.says(fill(desk.strings("mode.clip"), {"43"})));
+}
+
 // Speed and status are in a second row; all buttons that are shown are in the window, and the menus' titles.
 TEST(Toolbar, HasTwoRowsInAnUprightWindow) {
     for (const std::string& code : shipped_codes())

@@ -2,6 +2,8 @@
 // one. In a narrow window, first the type and the gaps are smaller, then words are left out, the least important group
 // first, and at last the buttons at the end, which the menus have, too. Tooltips always show the words.
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -131,11 +133,18 @@ float speed_control(const LabView& view, Ui& ui, float x, Rect bar) {
 }
 
 // The state as a coloured word with its sign, and the simulated time.
-void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect bar) {
+// No time passes while a sheet is open.
+void status_pill(const LabView& view, const PanelState& state, Ui& ui, float x, float layout_width, Rect bar) {
     const Palette& p = ui.palette;
-    const bool playing = view.mode == Mode::playing, wiring = view.mode == Mode::wiring;
+    const bool playing = view.mode == Mode::playing && state.sheet == Sheet::none, wiring = view.mode == Mode::wiring;
     const Colour colour = legible(playing ? p.accent : wiring ? p.memory : p.text, p.panel, p.text);
-    const std::string_view words = ui.strings(playing ? "mode.playing" : wiring ? "mode.wiring" : "mode.paused");
+    const std::optional<float> clip = view.program.clip_progress;
+    const std::string percent = std::to_string(static_cast<int>(std::floor(100 * clip.value_or(0))));
+    const std::string words = fill(ui.strings(clip      ? "mode.clip"
+                                              : playing ? "mode.playing"
+                                              : wiring  ? "mode.wiring"
+                                                        : "mode.paused"),
+                                   {percent});
     const float middle = bar.y + bar.h / 2;
     const Rect pill{x, middle - ui.px(13), ui.px(104), ui.px(26)};
     fill_box(ui, pill, colour.with_alpha(0.14f), Corner::round);
@@ -144,9 +153,10 @@ void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect 
     const Face face = fits ? Face::small : Face::label;
     const float left = pill.x + (pill.w - icon_room - text_width(ui, face, words)) / 2;
     put_icon(ui, {left + ui.px(5), middle},
-             playing  ? icon::play
-             : wiring ? icon::wiring
-                      : icon::pause,
+             clip      ? icon::save
+             : playing ? icon::play
+             : wiring  ? icon::wiring
+                       : icon::pause,
              colour, Face::small);
     put(ui, {left + icon_room, middle - line_height(ui, face) / 2}, words, colour, face);
     mark(ui, "mode", pill);
@@ -194,7 +204,7 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     const float status = width_of_status(narrowness);
     const Rect of_status = has_two_rows ? last : whole;
     if (has_two_rows) speed_control(view, ui, bar.x + ui.px(toolbar_margin), last);
-    status_pill(view, ui, bar.x + bar.w - ui.px(toolbar_margin + status), status, of_status);
+    status_pill(view, state, ui, bar.x + bar.w - ui.px(toolbar_margin + status), status, of_status);
     end_bar();
 }
 
