@@ -325,7 +325,7 @@ bool finds_shipped(const LabView& view, const Ui& ui, const std::string& search)
 }
 
 // Exercises on the left, scenes and lectures on the right. Each list scrolls; if one is empty, the other one has the
-// whole width.
+// whole width. A narrow sheet has one list of all.
 void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     search_row(view, files, ui);
     const std::string search = plain_letters(files.search, Umlauts::as_vowels);
@@ -341,17 +341,21 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
     }
     if (ui.keyboard && is_new && !search.empty()) focus_best_hit(view, ui, listed, lectures, search, *ui.keyboard);
     constexpr float exercises_share = 0.66f;  // of the width
+    constexpr float two_lists = 560;          // at least, layout pixels
     const auto exercises = std::count_if(listed.begin(), listed.end(), is_exercise);
     const bool has_others = exercises < std::ssize(listed) || !lectures.empty(), has_both = exercises > 0 && has_others;
+    const bool is_one_list = has_both && card_width(ui) < ui.px(two_lists);
     const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
     const std::string before = files.listed;  // both lists are of one place
     leave_right_list(listed, ui);
     if (exercises > 0) {
-        begin_list(files, ui, "shipped", bottom, "exercises", has_both ? left : all);
+        begin_list(files, ui, "shipped", bottom, "exercises", has_both && !is_one_list ? left : all);
         list_heading(ui, "open.exercises");
         exercise_gallery(view, listed, first_of_right_list(listed, lectures), files, ui);
+        if (is_one_list) shipped_scenes(view, listed, files, ui), shipped_lectures(view, lectures, files, ui);
         end_list(ui);
     }
+    if (is_one_list) return;
     if (has_both) ImGui::SameLine(0, between), files.listed = before;
     if (has_others) {
         begin_list(files, ui, "shipped", bottom, "scenes", has_both ? all - between - left : all);
