@@ -363,7 +363,7 @@ ui::KeysOfAFrame Window::take_keys(ui::TextInput text) {
 }
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 bool Window::is_touched() const { return native_->touched; }
-float Window::finger() const { return static_cast<float>(44 * density()); }
+float Window::finger() const { return static_cast<float>(std::ceil(44 * density())); }
 float Window::take_twist() { return std::exchange(native_->twist, 0.0f); }
 void Window::want_text(ui::TextKind wanted) {
     if (wanted == std::exchange(native_->wanted_text, wanted)) return;
