@@ -144,7 +144,6 @@ private:
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ui_.px(ui_.tall(22)), y = at.y + (height - line_height(ui_, Face::small)) / 2;
         const std::string_view weight = ui_.strings("brain.weight");
-        put(ui_, {at.x, y}, weight, ui_.palette.second_text, Face::small);
         const SmallButton mirror{"button.mirror", icon::mirror, ui_.strings("button.mirror")};
         const SmallButton cross{"button.cross", icon::cross_over, ui_.strings("button.cross")};
         const SmallButton unfold{"button.thresholds", thresholds ? icon::unfolded : icon::folded,
@@ -154,6 +153,8 @@ private:
         const bool words = small_button_width(ui_, mirror, true) + small_button_width(ui_, cross, true) + space <= room;
         const float cross_x = unfold_x - space - small_button_width(ui_, cross, words);
         const float mirror_x = cross_x - space - small_button_width(ui_, mirror, words);
+        if (at.x + text_width(ui_, Face::small, weight) + space <= mirror_x)
+            put(ui_, {at.x, y}, weight, ui_.palette.second_text, Face::small);
         if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_, pair_));
         if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_, pair_));
         if (small(unfold, unfold_x, at.y, true, "tooltip.thresholds")) state_.brain.thresholds_open = !thresholds;
