@@ -12,7 +12,8 @@ namespace braitenlab {
 enum class Umlauts { as_vowels, spelled };  // ä as "a", or as "ae" as German spells it without umlauts
 
 // "Über" becomes "uber" or "ueber", "Straße" "strasse", "Łukasz" "lukasz"; "-" stands for the signs × and ÷. Letters
-// beyond Latin Extended-A stay.
+// beyond Latin Extended-A stay. An accent may be a character of its own behind its letter, as in names of files that
+// macOS has written.
 inline std::string plain_letters(std::string_view text, Umlauts umlauts) {
     // U+00E0 .. U+00FF; U+00C0 .. U+00DF are their capitals, but for ß.
     constexpr std::array<std::string_view, 32> latin{"a",  "a", "a", "a", "ae", "a", "ae", "c", "e",  "e", "e",
@@ -34,6 +35,10 @@ inline std::string plain_letters(std::string_view text, Umlauts umlauts) {
             plain += is_umlaut && umlauts == Umlauts::as_vowels ? letters.substr(0, 1) : letters;
         } else if (code >= 0x100 && code < 0x180) {
             plain += extended[code - 0x100];
+        } else if (code >= 0x300 && code < 0x370) {
+            constexpr std::string_view vowels = "aou";
+            const bool is_umlaut = code == 0x308 && !plain.empty() && vowels.find(plain.back()) != vowels.npos;
+            if (is_umlaut && umlauts == Umlauts::spelled) plain += 'e';
         } else if (code >= 'A' && code <= 'Z') {
             plain += static_cast<char>(code - 'A' + 'a');
         } else {

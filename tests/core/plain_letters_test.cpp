@@ -16,6 +16,12 @@ TEST(PlainLetters, SpellUmlautsWhereAsked) {
     EXPECT_EQ(plain_letters("Übermäßig Öl Åse", Umlauts::spelled), "uebermaessig oel ase");
 }
 
+TEST(PlainLetters, AreTheSameWhereTheAccentIsACharacterOfItsOwn) {
+    const std::string decomposed = "U\u0308ber Mu\u0308ller A\u030Ase\u0301 \u0308";
+    EXPECT_EQ(plain_letters(decomposed, Umlauts::as_vowels), plain_letters("Über Müller Åsé ", Umlauts::as_vowels));
+    EXPECT_EQ(plain_letters(decomposed, Umlauts::spelled), plain_letters("Über Müller Åsé ", Umlauts::spelled));
+}
+
 TEST(PlainLetters, LeaveOtherLettersAndBytesAsTheyAre) {
     EXPECT_EQ(plain_letters("Ж→\xC3", Umlauts::spelled), "Ж→\xC3");
 }

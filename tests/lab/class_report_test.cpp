@@ -60,6 +60,24 @@ const BrainGraph as_at_first = make_graph({.LL = 1.5f, .RR = 1.5f, .LM = 0.1f, .
 
 }  // namespace
 
+TEST(ClassReport, AHandInWithoutTheTablesOfItsSensorsIsNotGraded) {
+    HandIn made = hand_in("A", good);
+    made.submission.sensors.clear();
+    const ClassReport report = graded({row("a", made), row("b", hand_in("B", good))});
+    ASSERT_TRUE(report.rows[0].problem);
+    EXPECT_EQ(report.rows[0].problem->key, "report.no_sensors");
+    EXPECT_FALSE(report.rows[0].grade);
+    EXPECT_FALSE(report.rows[1].problem);
+}
+
+TEST(ClassReport, ANameOfAFolderInDecomposedLettersIsTheSameName) {
+    for (const char* folder : {"M\u00FCller Anna", "Mu\u0308ller Anna"}) {
+        ClassRow made = row("a", hand_in("Anna M\u00FCller", good));
+        made.submitter.name = folder;
+        EXPECT_EQ(other_name(made), "") << folder;
+    }
+}
+
 TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
     const ClassReport report =
         graded({row("a", hand_in("A", good)), row("b", hand_in("B", four_wires)), row("c", hand_in("C", as_at_first))});
