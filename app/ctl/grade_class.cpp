@@ -19,6 +19,7 @@
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -137,6 +138,8 @@ int write_marks(const ClassReport& report, const Strings& strings, const ClassOp
         auto list = read_text(options.list);
         if (!list) return complain(list.error());
         wanted.list = std::move(*list);
+        if (!is_utf8(wanted.list))  // names with umlauts would not be found
+            return complain({"is not in UTF-8; export it again, or save it as “CSV UTF-8”", options.list});
     }
     const auto book = gradebook(report, strings, wanted);
     if (!book) return complain(book.error());
@@ -145,7 +148,8 @@ int write_marks(const ClassReport& report, const Strings& strings, const ClassOp
     else if (const auto error = write_whole(options.marks, book->table))
         return complain(*error);
     std::cerr << fill(strings("report.marks"), {std::to_string(book->marked)}) << '\n';
-    if (!book->unmarked.empty()) std::cerr << one_line(with_names(strings("report.unmarked"), book->unmarked)) << '\n';
+    const std::string_view unmarked = strings(options.list.empty() ? "report.unmarked_of_files" : "report.unmarked");
+    if (!book->unmarked.empty()) std::cerr << one_line(with_names(unmarked, book->unmarked)) << '\n';
     if (book->not_in_list.empty()) return exit_code::done;
     return complain({with_names(strings("report.not_in_list"), book->not_in_list)});
 }

@@ -33,6 +33,14 @@ std::string names_outside(const Exercise& exercise, const Submission& submission
     return names;
 }
 
+// True where the brain has sensors and the file none: its tables of the sensors are lost.
+bool lacks_sensors(const Exercise& exercise, const Submission& submission) {
+    const auto& nodes = submission.brain.nodes;
+    const bool has_nodes =
+        std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::sensor; });
+    return has_nodes && submission.sensors.empty() && !as_shipped(exercise).sensors.empty();
+}
+
 std::optional<RowProblem> submission_problem(const Exercise& exercise, const ClassRow& row) {
     if (auto fault = check_scene(scene_with(exercise, *row.submission)))
         return RowProblem{{}, {}, error_of(message_of(*fault), row.file)};
@@ -100,8 +108,9 @@ bool is_of(const ClassRow& row, const ClassRow& other) {
     return is_same_person(row, other) || (is_nameless && row.submitter.folder == other.submitter.folder);
 }
 
-// People who have rows, none of which counts.
-int people_without(const std::vector<ClassRow>& rows) {
+}  // namespace
+
+std::vector<const ClassRow*> people_without(const std::vector<ClassRow>& rows) {
     std::vector<const ClassRow*> people;
     for (const ClassRow& row : rows) {
         if (counts(row)) continue;
@@ -111,8 +120,10 @@ int people_without(const std::vector<ClassRow>& rows) {
             std::any_of(people.begin(), people.end(), [&](const ClassRow* o) { return is_of(row, *o); });
         if (!is_counted && !is_known) people.push_back(&row);
     }
-    return static_cast<int>(people.size());
+    return people;
 }
+
+namespace {
 
 // The problem for the student, without the platform's folders.
 std::string own_problem_text(const ClassRow& row, const Strings& strings) {
@@ -122,6 +133,9 @@ std::string own_problem_text(const ClassRow& row, const Strings& strings) {
         return (is_of_folder ? "" : file + ": ") + text_of(*row.problem, strings);
     }
     Error error = *row.problem->error;
+    const bool is_syntax = !error.phrases.empty() && error.phrases.front().id == "not_toml";
+    if (is_syntax)  // the words of the parser are for who grades
+        return fill(strings("report.unreadable_line"), {file, std::to_string(error.line)});
     if (!error.file.empty()) error.file = file;
     return text_of(error, strings);
 }
@@ -175,6 +189,8 @@ ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const
     row.fingerprint = write_hand_in(std::move(nameless));
     if (!is_for_exercise(row.hand_in->exercise, exercise.id))
         row.problem = RowProblem{"report.other_exercise", row.hand_in->exercise, {}};
+    else if (lacks_sensors(exercise, row.hand_in->submission))
+        row.problem = RowProblem{"report.no_sensors", "", {}};
     else
         row.submission = row.hand_in->submission;
     return row;
@@ -282,7 +298,7 @@ ClassSummary summary_of(const ClassReport& report) {
             if (const std::size_t step = failed_step(start); step < summary.failed.size() && !start.passed)
                 ++summary.failed[step];
     }
-    summary.without = people_without(report.rows);
+    summary.without = static_cast<int>(people_without(report.rows).size());
     summary.students = summary.counted + summary.without;
     summary.starts = maths::spread_of(passed_starts);
     const auto worst = std::max_element(summary.failed.begin(), summary.failed.end());

@@ -93,6 +93,9 @@ void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::v
 // Number of starts from which the step was done.
 int starts_done(const Grade&, std::size_t step);
 
+// The first row of each person none of whose files can be graded.
+std::vector<const ClassRow*> people_without(const std::vector<ClassRow>&);
+
 struct ClassSummary {
     int students = 0;                       // people of the class: `counted` and `without`
     int counted = 0;                        // rows without a problem

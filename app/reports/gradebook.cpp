@@ -246,11 +246,14 @@ struct Writer {
         return std::nullopt;
     }
 
-    void ilias_without_list() {
+    std::optional<Error> ilias_without_list() {
+        const auto is_of_ilias = [](const ClassRow& row) { return !row.submitter.login.empty(); };
+        if (std::none_of(report.rows.begin(), report.rows.end(), is_of_ilias))
+            return Error{"no name of a file or folder has a login of ILIAS; export status.csv and give it with --list"};
         const Cells header(status_columns.begin(), status_columns.end());
         add(header, ',');
         for (const ClassRow* row : people.marked()) {
-            if (row->submitter.id.empty()) {
+            if (!is_of_ilias(*row)) {
                 book.not_in_list.push_back(row->file);
                 continue;
             }
@@ -262,16 +265,21 @@ struct Writer {
             add(cells, ',');
             ++book.marked;
         }
+        for (const ClassRow* row : people_without(report.rows)) book.unmarked.push_back(row->student);
+        return std::nullopt;
     }
 
     void plain() {
         add({"student", "id", "folder", "mark", "points", "passed", "feedback"}, ',');
-        for (const ClassRow* row : people.marked()) {
-            add({io::table_text(row->student), row->submitter.id, io::table_text(row->submitter.folder),
-                 mark_text(mark(*row)), mark_text(points), row->passed ? "yes" : "no", told(*row)},
+        const auto line = [&](const ClassRow& row, const std::string& mark, std::string_view passed) {
+            add({io::table_text(row.student), row.submitter.id, io::table_text(row.submitter.folder), mark,
+                 mark_text(points), std::string(passed), told(row)},
                 ',');
-            ++book.marked;
-        }
+        };
+        for (const ClassRow* row : people.marked())
+            line(*row, mark_text(mark(*row)), row->passed ? "yes" : "no"), ++book.marked;
+        for (const ClassRow* row : people_without(report.rows))
+            line(*row, "", ""), book.unmarked.push_back(row->student);
     }
 };
 
@@ -287,7 +295,7 @@ Result<Gradebook> gradebook(const ClassReport& report, const Strings& strings, c
     if (options.platform == Platform::csv) {
         writer.plain();
     } else if (options.list.empty()) {
-        writer.ilias_without_list();
+        error = writer.ilias_without_list();
     } else {
         const io::CsvTable list = io::parse_csv(options.list);
         if (list.rows.empty()) return writer.wrong_columns("it is empty");

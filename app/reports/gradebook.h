@@ -28,10 +28,12 @@ struct GradebookOptions {
 struct Gradebook {
     std::string table;
     int marked = 0;
-    std::vector<std::string> unmarked;     // people of the list who have no graded hand-in
+    std::vector<std::string> unmarked;     // people of the list, or without one of the files, without a graded hand-in
     std::vector<std::string> not_in_list;  // files with a grade for which the list has no person, or one with a mark
 };
 
+// Without a list, csv has a line for everybody, also without a mark, with the reason as feedback; ilias only for those
+// with a mark, whose names must be from ILIAS.
 // The list with marks and, where the platform takes it, feedback; all other cells are as they were. In that of Moodle
 // who has handed in nothing that can be graded gets the reason as feedback, where there was none. People are found by
 // the platform's number or, for files without one, by a name that only one of the list has, in any order of its words.

@@ -185,6 +185,40 @@ TEST(CtlGradebook, WritesTheStatusFileOfIlias) {
         << filled.out;
 }
 
+TEST(CtlGradebook, APlainTableNamesThoseWithoutAMarkAndTheReason) {
+    const Folder folder;
+    put_text(folder / "s" / "Mueller Anna_101_assignsubmission_file_" / "a.toml", handed_in("Anna", Work::solved));
+    put_text(folder / "s" / "Mueller Anna_101_assignsubmission_file_" / "a.pdf", "%PDF");
+    put_text(folder / "s" / "Nowak Jan_102_assignsubmission_file_" / "a.pdf", "%PDF");
+    put_text(folder / "s" / "Zola Zoe_103_assignsubmission_file_" / "a.toml", "format = 1\nstudent\n");
+    const Ran ran = grade_in(folder, "s --gradebook csv --marks marks.csv");
+    const std::string marks = text_of(folder / "marks.csv");
+    EXPECT_EQ(std::count(marks.begin(), marks.end(), '\n'), 4) << marks;
+    EXPECT_NE(marks.find("\nNowak Jan,102,Nowak Jan_102_assignsubmission_file_,,10,,"), std::string::npos) << marks;
+    EXPECT_NE(marks.find("PDF"), std::string::npos);
+    EXPECT_NE(marks.find("a.toml, line 2"), std::string::npos) << "not in words of the parser: " << marks;
+    EXPECT_EQ(marks.find("TOML:"), std::string::npos) << marks;
+    EXPECT_NE(ran.out.find("2: Nowak Jan; Zola Zoe"), std::string::npos) << ran.out;
+}
+
+TEST(CtlGradebook, ATableForIliasNeedsItsListWhereTheNamesAreOfAnotherPlatform) {
+    const Folder folder;
+    put_text(folder / "s" / "Mueller Anna_101_assignsubmission_file_" / "a.toml", handed_in("Anna", Work::solved));
+    const Ran ran = grade_in(folder, "s --gradebook ilias --marks marks.csv");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("--list"), std::string::npos) << ran.out;
+    EXPECT_FALSE(fs::exists(folder / "marks.csv"));
+}
+
+TEST(CtlGradebook, AListMustBeUtf8) {
+    const Folder folder;
+    put_class(folder);
+    put_text(folder / "list.csv", "Identifier,Full name,Grade\nParticipant 101,M\xFCller Anna,\n");
+    const Ran ran = grade_in(folder, "class.zip --gradebook moodle --list list.csv --marks marks.csv");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("list.csv: is not in UTF-8"), std::string::npos) << ran.out;
+}
+
 TEST(CtlGradebook, FindsPeopleByNameWhereTheFilesHaveNoNumber) {
     const Folder folder;
     put_text(folder / "c" / "1.toml", handed_in("Anna Mueller", Work::solved));
