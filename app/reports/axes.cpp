@@ -33,6 +33,12 @@ std::string words_at(float x, float y, std::string_view words, std::string_view 
                        more, xml_text(words));
 }
 
+float PlotFrame::Axis::share(double value) const {
+    if (cells.empty()) return static_cast<float>((value - from) / (to - from));
+    const auto place = std::lower_bound(cells.begin(), cells.end(), value) - cells.begin();
+    return static_cast<float>(place) / static_cast<float>(std::max<std::size_t>(1, cells.size() - 1));
+}
+
 std::string frame_svg(const PlotFrame& frame, std::string_view x_label, std::string_view y_label,
                       const Strings& strings) {
     std::string out = fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", frame.width,
@@ -41,8 +47,12 @@ std::string frame_svg(const PlotFrame& frame, std::string_view x_label, std::str
     const auto for_each_tick = [&](const PlotFrame::Axis& axis, const auto& each) {
         const auto from = static_cast<float>(axis.from), to = static_cast<float>(axis.to);
         const float step = std::max(axis.least_step, tick_step(std::fabs(to - from)));
+        const auto is_place = [&](float value) {
+            return axis.cells.empty() ||
+                   std::binary_search(axis.cells.begin(), axis.cells.end(), static_cast<double>(value));
+        };
         for (const float value : axis_ticks(from, to, step))
-            each(static_cast<double>(value), tick_text(value, step, strings));
+            if (is_place(value)) each(static_cast<double>(value), tick_text(value, step, strings));
     };
     for_each_tick(frame.x, [&](double value, const std::string& number) {
         marks += fmt::format("M{:.1f} {}v6", frame.x_of(value), frame.height);

@@ -28,8 +28,9 @@ std::string words_at(float x, float y, std::string_view words, std::string_view 
 struct PlotFrame {
     struct Axis {
         double from = 0, to = 1;
-        float least_step = 0;  // between ticks: 1 for whole numbers
-        float share(double value) const { return static_cast<float>((value - from) / (to - from)); }
+        float least_step = 0;         // between ticks: 1 for whole numbers
+        std::vector<double> cells{};  // where not empty: the only values, ascending, at equal distances
+        float share(double value) const;
     };
     float width = 0, height = 0;  // px
     Axis x, y;                    // from the left to the right, from the bottom to the top

@@ -147,7 +147,9 @@ std::string curves_drawing(const BreedingBase& base, const BreedingState& state,
 
 std::string matrix_drawing(const BreedingBase& base, const Tournament& tournament, MatrixKind kind,
                            const FigureLabels& labels, const Strings& strings) {
-    const auto axis = generation_axis(tournament.generations.front(), tournament.generations.back());
+    const int all = tournament.generations.back() + 1;
+    auto axis = generation_axis(tournament.generations.front(), tournament.generations.back());
+    axis.cells.assign(tournament.generations.begin(), tournament.generations.end());
     const PlotFrame frame{matrix_side, matrix_side, axis, axis,
                           matrix_side / static_cast<float>(tournament.size()) / 2};
     std::string drawn;
@@ -174,7 +176,11 @@ std::string matrix_drawing(const BreedingBase& base, const Tournament& tournamen
                       fill(strings(kind == MatrixKind::ciao ? "report.breeding_ciao" : "report.breeding_master"),
                            {std::to_string(evolve::tournament_trials)}));
     drawn += words_at(drawing_left, drawing_top + matrix_side + 96, counted_text(base.breeding(), strings));
-    return svg_file(title_of(base.breeding(), labels, strings), legend + 180, drawing_top + matrix_side + 116, drawn);
+    if (static_cast<int>(tournament.size()) < all)
+        drawn +=
+            words_at(drawing_left, drawing_top + matrix_side + 116,
+                     fill(strings("report.breeding_chosen"), {std::to_string(tournament.size()), std::to_string(all)}));
+    return svg_file(title_of(base.breeding(), labels, strings), legend + 180, drawing_top + matrix_side + 136, drawn);
 }
 
 }  // namespace braitenlab

@@ -32,7 +32,7 @@ inline constexpr int tournament_trials = 4;  // of each pair
 std::vector<Trial> trials_of_match(const BreedingBase&, const BreedingState&, int predator, int prey);
 float score_of_match(const BreedingBase&, const std::vector<float>& numbers);
 
-// At most this many generations of each side, at equal distances. Precondition: a generation is complete.
+// At most this many generations of each side, spread evenly. Precondition: a generation is complete.
 std::vector<Trial> trials_of_tournament(const BreedingBase&, const BreedingState&, int most);
 // `numbers`: run_of() each of these trials in their order.
 Tournament tournament_of(const BreedingBase&, const BreedingState&, int most, const std::vector<float>& numbers);

@@ -195,6 +195,17 @@ TEST(BrainFile, WiresAndBiasesAreAsInTheWindow) {
 }
 
 // What a browser and Inkscape draw is tried with librsvg where it is installed.
+TEST(PlotFrame, TicksOfCellsAreAtTheirMiddlesAndOnlyWhereThereIsACell) {
+    PlotFrame frame{400, 400, {0, 5, 1}, {0, 5, 1}, 50};
+    frame.x.cells = {0, 1, 3, 5};  // cells of 100 px
+    EXPECT_EQ(frame.x_of(0), 50);
+    EXPECT_EQ(frame.x_of(3), 250);
+    EXPECT_EQ(frame.x_of(5), 350);
+    const std::string svg = frame_svg(frame, "x", "y", speaking("en"));
+    EXPECT_NE(svg.find("M250.0 400"), std::string::npos);
+    EXPECT_EQ(count(svg, ">2</text>"), 1U) << "on the other axis only";
+}
+
 TEST(PathsFile, IsDrawnByLibrsvg) {
     if (std::system("rsvg-convert --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "rsvg-convert is not installed";
     const Folder folder;
