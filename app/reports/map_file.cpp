@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ using insight::MapCells;
 using insight::MapMeasure;
 using insight::MapQuestion;
 
-constexpr float map_side = 560, map_left = 92, map_top = 56, map_bottom = 86,
+constexpr float map_side = 560, map_left = 92, map_top = 56, map_bottom = 106,
                 map_right = 220;               // px, the map and what is around it
 constexpr float legend_row = 24, swatch = 16;  // of the legend
 
@@ -105,10 +106,50 @@ std::string value_label(const MapQuestion& question, const MapAxis& axis, const 
     return "";
 }
 
+// "LL=RR": "weight LL = RR"; as the path where it is no wire of an eye.
+std::string dials_label(const MapAxis& axis, const Strings& strings) {
+    const bool are_weights = !axis.dials.empty() && std::all_of(axis.dials.begin(), axis.dials.end(), [](Dial dial) {
+        return std::find(weight_dials.begin(), weight_dials.end(), dial) != weight_dials.end();
+    });
+    if (!are_weights) return "";
+    std::string names;
+    for (const Dial dial : axis.dials) names += (names.empty() ? "" : " = ") + std::string(name(dial));
+    return fill(strings("report.map_weight"), {names});
+}
+
+// What the scene has on this axis; nullopt if the axis is of several values that differ, or of none of the list.
+std::optional<float> own_value(const MapQuestion& question, const Snapshot& now, const MapAxis& axis) {
+    const VehicleView* vehicle = find_vehicle(now, question.vehicle);
+    if (!vehicle) return std::nullopt;
+    for (const insight::AxisValue& value : insight::axis_values({now, *vehicle, question.target, question.pair}))
+        if (axis.dials.empty() ? value.paths == axis.values : value.dials == axis.dials)
+            return value.is_one ? std::optional(value.now) : std::nullopt;
+    return std::nullopt;
+}
+
+// A ring at the values of the scene, with its words at (0, map_side + 92); empty where they are not on the map.
+std::string own_mark(const MapQuestion& question, const PlotFrame& frame, const Strings& strings) {
+    const auto world = World::create(question.scene, question.seed);
+    if (!world) return "";
+    const Snapshot now = snapshot_of(*world);
+    const auto x = own_value(question, now, question.x), y = own_value(question, now, question.y);
+    const auto is_on = [](const PlotFrame::Axis& axis, float value) {
+        return static_cast<double>(value) >= axis.from && static_cast<double>(value) <= axis.to;
+    };
+    if (!x || !y || !is_on(frame.x, *x) || !is_on(frame.y, *y)) return "";
+    const auto ring = [](float at_x, float at_y) {
+        const std::string place = fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\" fill=\"none\" ", at_x, at_y);
+        return place + "stroke=\"#fff\" stroke-width=\"5\"/>\n" + place + "stroke=\"#111\" stroke-width=\"2\"/>\n";
+    };
+    return ring(frame.x_of(static_cast<double>(*x)), frame.y_of(static_cast<double>(*y))) + ring(8, map_side + 88) +
+           words_at(22, map_side + 92, strings("report.map_own"));
+}
+
 std::string axis_label(const MapQuestion& question, const MapAxis& axis, const MapAxis& other, const std::string& given,
                        const Strings& strings) {
     if (!given.empty()) return given;
-    const std::string named = value_label(question, axis, strings);
+    const std::string of_dials = dials_label(axis, strings);
+    const std::string named = of_dials.empty() ? value_label(question, axis, strings) : of_dials;
     return named.empty() ? short_path(axis.path, other.path) : named;
 }
 
@@ -120,7 +161,8 @@ std::string axes_svg(const MapQuestion& question, int size, const FigureLabels& 
     const PlotFrame frame{map_side, map_side, ends(question.x), ends(question.y),
                           map_side / static_cast<float>(size) / 2};
     return frame_svg(frame, axis_label(question, question.x, question.y, labels.x, strings),
-                     axis_label(question, question.y, question.x, labels.y, strings), strings);
+                     axis_label(question, question.y, question.x, labels.y, strings), strings) +
+           own_mark(question, frame, strings);
 }
 
 std::string kinds_legend(const MapCells& cells, const Strings& strings) {

@@ -64,6 +64,8 @@ public:
         const bool is_positive = low >= 0;
         low -= room, high += room;
         if (is_positive) low = std::max(low, 0.0);
+        constexpr double small_difference = 0.25;  // of the numbers: from 0 on, a small difference looks small
+        if (is_positive && high - low < small_difference * high) low = 0;
         const PlotFrame frame{panel_width, panel_height, {from_, to_}, {low, high}};
         std::string out = frame_svg(frame, x_label, y_label, strings_);
         for (std::size_t i = 0; i < series.size(); ++i) {
@@ -153,8 +155,11 @@ private:
 std::string study_drawing(const Study& study, const std::vector<insight::StudyRow>& rows, const FigureLabels& given,
                           const Strings& strings) {
     const StudyPanels panels(study, rows, strings);
-    const auto first_of = [](const std::string& one, const std::string& other) { return one.empty() ? other : one; };
-    const FigureLabels labels{given.title, first_of(given.x, study.axis.x), first_of(given.y, study.axis.y)};
+    const auto first_of = [](const std::string& one, std::string_view other) {
+        return one.empty() ? std::string(other) : one;
+    };
+    const auto own = [&](const std::string& words) { return strings.find(words, words); };
+    const FigureLabels labels{given.title, first_of(given.x, own(study.axis.x)), first_of(given.y, own(study.axis.y))};
     const std::string x_label = first_of(labels.x, panels.x_label());
     std::string drawn;
     for (std::size_t i = 0; i < study.measures.size(); ++i) {
@@ -168,7 +173,9 @@ std::string study_drawing(const Study& study, const std::vector<insight::StudyRo
     drawn += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", panel_left + panel_width + 24, panel_top,
                          panels.legend());
     const float below = panel_top + panel_step * static_cast<float>(study.measures.size());
-    drawn += words_at(panel_left, below - 18, fill(strings("report.study_bars"), {std::to_string(study.seeds)}));
+    drawn += words_at(
+        panel_left, below - 18,
+        fill(strings("report.study_bars"), {std::to_string(study.seeds), tick_text(study.seconds, 1, strings)}));
     return svg_file(labels.title.empty() ? strings.find(study.title, study.title) : labels.title,
                     panel_left + panel_width + panel_legend, below + 10, drawn);
 }

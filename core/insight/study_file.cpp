@@ -198,6 +198,8 @@ std::vector<TranslatableText> texts_of(const Study& study) {
     if (!study.story.empty()) texts.push_back({begin + "story", study.story});
     for (std::size_t i = 0; i < study.values.size(); ++i)
         texts.push_back({fmt::format("{}value.{}", begin, i + 1), study.values[i].name});
+    if (!study.axis.x.empty()) texts.push_back({begin + "axis.x", study.axis.x});
+    if (!study.axis.y.empty()) texts.push_back({begin + "axis.y", study.axis.y});
     return texts;
 }
 
