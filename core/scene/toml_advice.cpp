@@ -212,4 +212,18 @@ Message toml_advice(std::string_view text, int line) {
     return of_repetition(above, parts).value_or(Message());
 }
 
+int line_of_open_list(std::string_view text, int line) {
+    const KeyLine next = key_line_of(line_of(text, line));
+    if (!next.has_value && heading_name(next).empty()) return 0;
+    std::ptrdiff_t open = 0;
+    for (int at = line - 1; at > 0; --at) {
+        const KeyLine before = key_line_of(line_of(text, at));
+        const std::string outside = outside_quotes(before.has_value ? before.value : before.whole);
+        open += std::count(outside.begin(), outside.end(), '[') - std::count(outside.begin(), outside.end(), ']');
+        if (before.has_value) return before.value.starts_with('[') && open > 0 ? at : 0;
+        if (!heading_name(before).empty()) return 0;
+    }
+    return 0;
+}
+
 }  // namespace braitenlab

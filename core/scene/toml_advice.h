@@ -10,4 +10,8 @@ namespace braitenlab {
 // "; write 0.6, with a point", or empty where the cause is not known. `line`: of the error, from 1.
 Message toml_advice(std::string_view text, int line);
 
+// The line of a list that is not closed although the next key or heading, at `line`, begins: there the parser finds the
+// error. 0: there is none.
+int line_of_open_list(std::string_view text, int line);
+
 }  // namespace braitenlab

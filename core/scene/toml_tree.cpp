@@ -277,6 +277,9 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
         return TomlFile{file_name, node_from(tree)};
     } catch (const toml::parse_error& mistake) {
         const int line = static_cast<int>(mistake.source().begin.line);
+        if (const int open = line_of_open_list(text, line))
+            return error_of(message_of("not_toml", mistake.description()) + message_of("advice_closing_bracket"),
+                            std::move(file_name), open);
         return error_of(message_of("not_toml", mistake.description()) + toml_advice(text, line), std::move(file_name),
                         line);
     }

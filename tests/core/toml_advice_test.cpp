@@ -63,6 +63,18 @@ TEST(TomlAdvice, KnowsANumberThatIsTooLargeAndAZeroByte) {
     EXPECT_TRUE(complaint(std::string("width = 1\0\n", 11)).ends_with(message_of("advice_no_zero").text));
 }
 
+TEST(TomlAdvice, AListThatIsNotClosedIsToldAtItsLine) {
+    for (const char* text :
+         {"a = 1\noptions = [\"x\", \"y\"\nb = 2\n", "a = 1\noptions = [\n  \"x\",\n  \"y\"\n\nb = 2\n",
+          "a = 1\noptions = [\"x\", \"[y]\"  # why\n[next]\nb = 2\n"}) {
+        const std::string told = complaint(text);
+        EXPECT_TRUE(told.starts_with("f.toml:2: not TOML: ")) << told;
+        EXPECT_TRUE(told.ends_with("; a bracket ] is missing")) << told;
+    }
+    EXPECT_EQ(line_of_open_list("a = [1]\nb = 1.2.3\n", 2), 0);
+    EXPECT_EQ(line_of_open_list("a = \"[\"\nb = 1.2.3\n", 2), 0) << "a bracket of a text";
+}
+
 TEST(TomlAdvice, AsksForUtf8InAFileOfUtf16) {
     const std::string text(
         "\xFF\xFE"
