@@ -13,6 +13,18 @@
 
 namespace braitenlab {
 
+namespace {
+
+// Of the key `minutes` of the lecture, from 1.
+std::size_t line_of_minutes(std::string_view text) {
+    std::size_t line = 1;
+    for (; !text.starts_with("minutes") && text.find('\n') != text.npos; ++line)
+        text.remove_prefix(text.find('\n') + 1);
+    return line;
+}
+
+}  // namespace
+
 int check_lecture(const std::filesystem::path& path, bool json) {
     constexpr float tolerated = 0.1f;  // of the lecture's minutes
     const auto data = data_folder();
@@ -45,6 +57,10 @@ int check_lecture(const std::filesystem::path& path, bool json) {
                 path.string(), page);
         std::cout << format_lines("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,
                                   lecture->pages.size(), sum, lecture->minutes, fits ? "good" : "wrong");
+        if (!fits)
+            std::cout << format_lines(
+                "{}:{}: write minutes = {:g}, or change the minutes of the pages; the sum may differ by a tenth\n",
+                path.string(), line_of_minutes(*text), sum);
     }
     return fits ? exit_code::done : exit_code::failed;
 }
