@@ -1,4 +1,5 @@
 // braitenctl breed: predators and prey that evolve against each other.
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <filesystem>
@@ -25,6 +26,7 @@
 #include "core/evolve/breeding_json.h"
 #include "core/evolve/tournament.h"
 #include "core/io/checked_json.h"
+#include "core/evolve/verdict.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
@@ -224,11 +226,21 @@ int breed_into(const BreedOptions& options, const Base& base, const fs::path& fo
 }
 
 std::string matrix_text(const evolve::Tournament& tournament) {
+std::string verdict_text(const evolve::Verdict& verdict) {
+    std::string course(word(verdict.course));
+    std::replace(course.begin(), course.end(), '_', ' ');
+    if (verdict.course == evolve::Course::too_early) return course;
+    return fmt::format("{}; against the opponents of generations {} to {} the champions of {} to {} gain {:+.2f}",
+                       course, verdict.earlier.first, verdict.earlier.last, verdict.late.first, verdict.late.last,
+                       verdict.gain);
+}
+
     std::string text;
     for (const Side side : evolve::both_sides) {
         std::vector<float> scores;
         for (std::size_t own = 0; own < tournament.size(); ++own) scores.push_back(tournament.master_score(side, own));
-        text += fmt::format("{} against all generations: {}\n", word(side), trend_text(scores));
+        text += fmt::format("{0} against all generations: {1}\n{0} in a word: {2}\n", word(side), trend_text(scores),
+                            verdict_text(evolve::verdict_of(tournament, side)));
     }
     return text;
 }
