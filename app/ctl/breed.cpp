@@ -25,8 +25,8 @@
 #include "core/evolve/breeding.h"
 #include "core/evolve/breeding_json.h"
 #include "core/evolve/tournament.h"
-#include "core/io/checked_json.h"
 #include "core/evolve/verdict.h"
+#include "core/io/checked_json.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
@@ -110,8 +110,8 @@ Result<Bred> breed_on(const Base& base, BreedingState state, int generations, in
         return static_cast<std::size_t>(complete_generations(*base, s)) + s.panel.generations.front().size();
     };
     const int of_panel = base->breeding().panel > 0 ? base->breeding().panel_generations + 1 : 0;
-    Progress progress("generations, those of the panel included", static_cast<std::size_t>(generations + 1 + of_panel),
-                      done(state), std::cerr);
+    Progress progress = progress_of("generations, those of the panel included",
+                                    static_cast<std::size_t>(generations + 1 + of_panel), done(state));
     Bred bred{.state = std::move(state)};
     bool is_written = true;
     std::optional<Error> error;
@@ -225,7 +225,6 @@ int breed_into(const BreedOptions& options, const Base& base, const fs::path& fo
     return exit_code::done;
 }
 
-std::string matrix_text(const evolve::Tournament& tournament) {
 std::string verdict_text(const evolve::Verdict& verdict) {
     std::string course(word(verdict.course));
     std::replace(course.begin(), course.end(), '_', ' ');
@@ -235,6 +234,7 @@ std::string verdict_text(const evolve::Verdict& verdict) {
                        verdict.gain);
 }
 
+std::string matrix_text(const evolve::Tournament& tournament) {
     std::string text;
     for (const Side side : evolve::both_sides) {
         std::vector<float> scores;
@@ -247,6 +247,7 @@ std::string verdict_text(const evolve::Verdict& verdict) {
 
 Result<evolve::Tournament> run_tournament(const BreedOptions& options, const Base& base, const BreedingState& state) {
     PartRunner runner(options.threads);
+    if (is_terminal(stderr)) std::cerr << "braitenctl: all champions meet; this takes some seconds\n";
     const auto numbers = run_trials(runner, base, state, {.is_tournament = true});
     if (!numbers) return numbers.error();
     if (numbers->empty()) return evolve::Tournament{};

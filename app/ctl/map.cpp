@@ -11,6 +11,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/parts.h"
+#include "app/ctl/progress.h"
 #include "app/ctl/report.h"
 #include "app/ctl/table_file.h"
 #include "app/files/png.h"
@@ -109,11 +110,14 @@ Result<MapCells> compute(const MapOptions& options, const std::shared_ptr<const 
     MapCells cells(size);
     PartRunner runner(options.threads);
     const auto levels = insight::map_levels(size);
+    Progress progress = progress_of("cells", static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    std::size_t done = 0;
     for (std::size_t level = 0; level < levels.size(); ++level) {
         const auto results = runner.run(
             {levels[level].size(), part_of_level(base, level), [&] { return text_of_level(options, level); }});
         if (!results) return results.error();
         for (std::size_t i = 0; i < results->size(); ++i) cells.at(levels[level][i]) = cell_of_numbers((*results)[i]);
+        progress.at(done += results->size());
     }
     return cells;
 }

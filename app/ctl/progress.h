@@ -13,9 +13,11 @@ public:
     using Clock = std::chrono::steady_clock;
 
     // `what`: the parts, "runs"; `all` of them, of which `before` were complete when the command began. The first line
-    // comes after `pause`, the next ones at most as often.
+    // comes after `first`, the next ones after 10 s each.
     Progress(std::string what, std::size_t all, std::size_t before, std::ostream&, Clock::time_point now = Clock::now(),
-             std::chrono::seconds pause = std::chrono::seconds(10));
+             std::chrono::seconds first = pause);
+
+    static constexpr std::chrono::seconds pause{10};
 
     // Writes "braitenctl: 24 of 240 runs, about 90 s left" when it is time. `done`: parts that are complete.
     void at(std::size_t done, Clock::time_point now = Clock::now());
@@ -25,7 +27,9 @@ private:
     std::size_t all_, before_;
     std::ostream& out_;
     Clock::time_point begun_, next_;
-    std::chrono::seconds pause_;
 };
+
+// Of a command that begins now, on standard error. A person at a terminal gets the first line after a second.
+Progress progress_of(std::string what, std::size_t all, std::size_t before = 0);
 
 }  // namespace braitenlab

@@ -44,7 +44,7 @@ Part part_of_runs(const std::shared_ptr<const StudyBase>& base, std::size_t firs
 Result<bool> compute(const fs::path& path, const std::shared_ptr<const StudyBase>& base, int threads,
                      StudyTable& table) {
     PartRunner runner(threads);
-    Progress progress("runs", base->study().runs(), table.rows().size(), std::cerr);
+    Progress progress = progress_of("runs", base->study().runs(), table.rows().size());
     const std::size_t batch = 4 * static_cast<std::size_t>(std::max(1, runner.threads()));
     while (table.rows().size() < base->study().runs()) {
         const std::size_t first = table.rows().size();

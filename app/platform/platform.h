@@ -34,6 +34,9 @@ UserFolders user_folders();
 // Opens a file for writing binary data; null on failure, with the reason in errno.
 std::FILE* open_for_writing(const std::filesystem::path&);
 
+// True if a person reads what is written to the stream.
+bool is_terminal(std::FILE*);
+
 // Returns once the content of the file is on the disk. False on failure, with the reason in errno.
 bool flush_to_disk(std::FILE*);
 

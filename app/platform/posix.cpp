@@ -81,6 +81,8 @@ UserFolders user_folders() {
 
 std::FILE* open_for_writing(const std::filesystem::path& path) { return std::fopen(path.c_str(), "wb"); }
 
+bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) != 0; }
+
 bool flush_to_disk(std::FILE* file) { return fsync(fileno(file)) == 0; }
 
 void flush_folder_to_disk(const std::filesystem::path& folder) {

@@ -58,6 +58,8 @@ FileLock::~FileLock() {
 
 bool is_told_to_end() { return false; }
 
+bool is_terminal(std::FILE*) { return false; }
+
 void let_requests_interrupt(bool) {}
 
 double thread_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // the only thread

@@ -103,6 +103,8 @@ UserFolders user_folders() {
 
 std::FILE* open_for_writing(const std::filesystem::path& path) { return _wfopen(path.c_str(), L"wb"); }
 
+bool is_terminal(std::FILE* stream) { return _isatty(_fileno(stream)) != 0; }
+
 bool flush_to_disk(std::FILE* file) { return _commit(_fileno(file)) == 0; }
 
 void flush_folder_to_disk(const std::filesystem::path&) {}  // NTFS writes names to its journal
