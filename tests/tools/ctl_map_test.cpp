@@ -74,7 +74,8 @@ TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
     EXPECT_EQ(kinds.code, 0) << kinds.out;
     EXPECT_EQ(kinds.out, "") << "the file has the map";
     std::string text = shell("cat " + svg).out;
-    for (const char* part : {">LR=RL</text>", ">LL=RR</text>", ">−1</text>", ">Verhalten</text>", "<title>"})
+    for (const char* part : {">Gewicht LR = RL</text>", ">Gewicht LL = RR</text>", ">das Gehirn der Szene</text>",
+                             ">−1</text>", ">Verhalten</text>", "<title>"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
     EXPECT_NE(text.find("2 Läufe von 5 s mit den Startwerten 1 bis 2"), std::string::npos);
     EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
@@ -87,7 +88,7 @@ TEST(CtlMap, WritesADrawingWithAxesAndLegend) {
     text = shell("cat " + svg).out;
     for (const char* label : {">Two eyes</text>", ">angle (°)</text>", ">mass (kg)</text>"})
         EXPECT_NE(text.find(label), std::string::npos) << label << text;
-    EXPECT_EQ(text.find("LL=RR"), std::string::npos) << text;
+    EXPECT_EQ(text.find("LL = RR"), std::string::npos) << text;
     ASSERT_EQ(ctl("map 2b-aggressor --size 2 --seconds 1 --x "
                   "kind.aggressor.sensor.SL.angle=-kind.aggressor.sensor.SR.angle=0:90 --svg " +
                   svg)
@@ -110,7 +111,7 @@ TEST(CtlMap, AxesOfADrawingHaveNamesAndUnitsInTheLanguage) {
     };
     const std::string mass = "2b-aggressor --x kind.aggressor.body.mass=5:20 --measure closest";
     const std::string english = drawn(mass), german = drawn(mass + " --lang de");
-    for (const char* part : {">mass (kg)</text>", ">LR=RL</text>", ">Vehicle 2b: Aggressor</text>"})
+    for (const char* part : {">mass (kg)</text>", ">weight LR = RL</text>", ">Vehicle 2b: Aggressor</text>"})
         EXPECT_NE(english.find(part), std::string::npos) << part << english;
     for (const char* part : {">Masse (kg)</text>", ">Fahrzeug 2b: Angreifer</text>", ">kleinster Abstand (m)</text>"})
         EXPECT_NE(german.find(part), std::string::npos) << part << german;
