@@ -55,9 +55,13 @@ void switch_orbit(Lab& lab) {
     lab.view.orbits = orbits;
 }
 
-// Hides or reveals a part of a lecture.
+constexpr std::string_view hidden_notice = "notice.asks_first";
+
+// Hides or reveals a part of a lecture. A notice that says what is hidden ends.
 void hide_or_reveal(Lab& lab, bool& part) {
-    if (lab.before_lecture) part = !part;
+    if (!lab.before_lecture) return;
+    part = !part;
+    if (lab.notice.key == hidden_notice) lab.notice = {};
 }
 
 // Shows or hides the cause of the selected vehicle's turn.
@@ -108,11 +112,15 @@ void cancel(Lab& lab) {
     end_lecture(lab);
 }
 
+// After a reveal it hides all again; it ends while all is hidden.
 void ask_first(Lab& lab) {
     if (!lab.before_lecture) return;
-    lab.view.revealed = lab.view.revealed.asks_first ? Revealed{} : hidden_until_asked;
-    if (lab.view.revealed.asks_first && !lab.pages && !lab.lectures.tally)
-        say(lab, {NoticeKind::notice, "notice.asks_first"});
+    Revealed& revealed = lab.view.revealed;
+    revealed = revealed == hidden_until_asked ? Revealed{} : hidden_until_asked;
+    if (!revealed.asks_first)
+        say(lab, {NoticeKind::notice, "notice.asks_no_more"});
+    else if (!lab.pages && !lab.lectures.tally)
+        say(lab, {NoticeKind::notice, std::string(hidden_notice)});
 }
 
 // Shows the intensity of the next channel that has one in this scene; after the last, none.

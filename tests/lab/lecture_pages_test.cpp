@@ -551,6 +551,21 @@ TEST_F(LabLecturePages, AskFirstHidesTitleCharacterAndBrainOfEachSceneThatIsOpen
     EXPECT_EQ(lab.view.revealed, Revealed{}) << "it ends with the lecture";
 }
 
+TEST_F(LabLecturePages, AfterARevealAskFirstHidesAllAgainAndItsEndIsSaid) {
+    handle(lab, Action::lecture);
+    press({'F', false, true});
+    EXPECT_EQ(lab.notice.key, "notice.asks_first");
+    press({'B', false, true});
+    EXPECT_TRUE(lab.notice.empty()) << "the brain is shown";
+    for (const char letter : {'T', 'C'}) press({letter, false, true});
+    press({'F', false, true});
+    EXPECT_EQ(lab.view.revealed, hidden_until_asked);
+    EXPECT_EQ(lab.notice.key, "notice.asks_first");
+    press({'F', false, true});
+    EXPECT_EQ(lab.view.revealed, Revealed{});
+    EXPECT_EQ(lab.notice.key, "notice.asks_no_more");
+}
+
 TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhyThereIsNone) {
     set_mode(lab, Mode::wiring);
     handle(lab, Action::map);
