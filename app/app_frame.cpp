@@ -191,7 +191,7 @@ void App::frame(float passed) {
     const bool arrows_move_camera =
         arrows_are_free && !ui::takes_arrows(view, panels_.scene_input, ImGui::GetIO().KeyCtrl);
     CameraKeys held = keys_move_camera ? camera_keys(arrows_move_camera) : CameraKeys{};
-    if (view.pages) held.zoom = 0;  // Page Up and Page Down turn the pages
+    if (view.lecture) held.zoom = 0;  // Page Up and Page Down are the keys of a clicker
     if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
     window_.want_text(!ImGui::GetIO().WantTextInput ? ui::TextKind::none : ui::awaited_text(panels_));
     const float twist = window_.take_twist();

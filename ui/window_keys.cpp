@@ -87,8 +87,12 @@ bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Out
     if (!view.lecture || !action) return false;
     if (turns_page(view, press) && !view.pages && view.documents.left_pages)
         return outbox.emplace_back(back_to_page(view)), true;
-    if (!has_effect_in_lecture(*action, view.pages))
-        return *action == Action::notes;  // without pages: it is not the key of a new population
+    if (!has_effect_in_lecture(*action, view.pages)) {
+        // Without pages N is not the key of a new population, and a clicker does not move the camera.
+        const bool is_of_pages = *action == Action::notes || turns_page(view, press);
+        if (is_of_pages) outbox.push_back(NoticeRequest{"unavailable.no_lecture", {}, {}});
+        return is_of_pages;
+    }
     if (!act_on_panels({view, state, press, outbox}, *action)) outbox.push_back(*action);
     return true;
 }

@@ -24,6 +24,12 @@ TEST_F(LectureKeys, PageKeysTurnPagesOnlyWhileALectureFileIsOpen) {
     desk.key({key::page_down});
     desk.key({'N'});
     EXPECT_TRUE(desk.actions().empty()) << "it would end the run that the audience sees";
+    for (const int key : {key::page_down, key::page_up, int{'N'}}) {
+        desk.all.clear();
+        desk.key({key});
+        ASSERT_TRUE(desk.last<NoticeRequest>()) << key;
+        EXPECT_EQ(desk.last<NoticeRequest>()->key, "unavailable.no_lecture");
+    }
     desk.view.lecture = false;
     desk.key({'N'});
     EXPECT_EQ(desk.actions(), std::vector{Action::new_population});
