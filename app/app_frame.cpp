@@ -18,6 +18,7 @@
 #include "render/view/between.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
 #include "ui/widgets/drawn.h"
 #include "ui/window_keys.h"
@@ -159,6 +160,7 @@ void App::frame(float passed) {
     take_reload_key(lab_.before_lecture.has_value());
     const Rect area = window_.area();
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
+    ui::follow_lecture(view, panels_);  // another page folds cards: the layout is that of this page
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
     constexpr float end_of_glide = 1000;  // s: the camera does not glide while the layout settles
     const float aimed = facts_.frames < frames_of_layout ? end_of_glide : passed;
