@@ -1,4 +1,5 @@
 // The large picture of the brain below the scene of a lecture.
+#include "core/scene/sensor_pairs.h"
 #include "desk.h"
 
 namespace braitenlab::tests::live_brain_test {
@@ -135,6 +136,23 @@ TEST(LiveBrain, ShowsEveryEyeThatTheBrainReadsAlsoBesideTheDiagram) {
                 texts.push_back(w.rect);
             }
         }
+}
+
+TEST(LiveBrain, BesideTheDiagramTheEyesOfAPairAreOneBelowTheOther) {
+    Desk desk(1024, 768, 1.4f, true);
+    begin_lecture(desk, "3c-values");
+    desk.view.settings.watching = true;
+    desk.frame(3);
+    int pairs = 0;
+    for (const KindPair& pair : sensor_pairs(desk.now.scene->kinds[0])) {
+        const Rect* left = desk.anchors.find("lecture.eye." + pair.sensors.left);
+        const Rect* right = desk.anchors.find("lecture.eye." + pair.sensors.right);
+        if (!left || !right) continue;
+        ++pairs;
+        EXPECT_EQ(left->x, right->x) << pair.name;
+        EXPECT_LT(left->y, right->y) << pair.name;
+    }
+    EXPECT_GE(pairs, 2);
 }
 
 TEST(LiveBrain, ShowsEyesWeightsAndWheels) {

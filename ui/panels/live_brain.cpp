@@ -10,6 +10,7 @@
 
 #include "core/brain/four_neurons.h"
 #include "core/insight/why.h"
+#include "core/scene/sensor_pairs.h"
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/brain_sketch.h"
 #include "ui/panels/panels.h"
@@ -40,6 +41,21 @@ struct LiveRow {
     float middle() const { return place.y + place.h / 2; }
 };
 
+// The left and the right eye of each pair, one after the other, then the eyes without a counterpart.
+std::vector<std::string> in_pairs(const std::vector<std::string>& read, const Kind& kind) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        const bool is_read = std::find(read.begin(), read.end(), name) != read.end();
+        if (is_read && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const KindPair& pair : sensor_pairs(kind)) add(pair.sensors.left), add(pair.sensors.right);
+    for (const std::string& name : read) add(name);
+    return names;
+}
+
+// No pair is in two columns.
+std::size_t most_rows(std::size_t room) { return room > 1 ? room - room % 2 : 1; }
+
 class LiveBrain {
 public:
     LiveBrain(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect bar)
@@ -56,7 +72,8 @@ public:
         has_eyes_only_ = is_whole && is_low() && read.size() > most_labelled && !hides_brain(view, vehicle.kind);
         const float wheels = wheels_share * bar.w, of_wheels = bar.x + bar.w - inset - wheels;
         if (has_eyes_only_)
-            lay_out_in_columns(read, {from, top, of_wheels - inset - from, height});
+            lay_out_in_columns(in_pairs(read, kind_of(*view.now, vehicle)),
+                               {from, top, of_wheels - inset - from, height});
         else if (is_graph_ || (is_simple && !read.empty()))
             lay_out(read, eyes_, eyes);
         else
@@ -117,7 +134,7 @@ private:
     // The eyes in as many rows as are legible, column by column.
     void lay_out_in_columns(const std::vector<std::string>& names, Rect area) {
         const std::size_t most =
-            std::max<std::size_t>(1, static_cast<std::size_t>(std::max(1.0f, area.h / line_height(ui_, Face::small))));
+            most_rows(static_cast<std::size_t>(std::max(1.0f, area.h / line_height(ui_, Face::small))));
         const std::size_t columns = (names.size() + most - 1) / most, rows = (names.size() + columns - 1) / columns;
         const float gap = ui_.px(spacing::large);
         const float each = (area.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
