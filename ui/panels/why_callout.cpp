@@ -41,6 +41,18 @@ struct WhyCallout {
     std::vector<std::string> footnote;
 };
 
+// The largest parts stay the first ones, but in the order of the sensors, so that no row changes its place in a run.
+void keep_order(insight::Why& why, const std::vector<Sensor>& sensors) {
+    const auto place = [&](const insight::SensorPart& part) {
+        return std::find_if(sensors.begin(), sensors.end(),
+                            [&](const Sensor& each) { return each.name == part.sensor; }) -
+               sensors.begin();
+    };
+    const auto end = why.sensors.begin() + static_cast<std::ptrdiff_t>(std::min(most_why_bars, why.sensors.size()));
+    std::sort(why.sensors.begin(), end,
+              [&](const insight::SensorPart& a, const insight::SensorPart& b) { return place(a) < place(b); });
+}
+
 // The largest parts of sensors, the bias, and a rest that holds the other sensors, too.
 std::vector<WhyBar> why_bars(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
                              float towards) {
@@ -193,7 +205,8 @@ void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float widt
 }
 
 // A box behind the vehicle as seen on the screen, else ahead of it, below or above, within the area and without
-// covering the vehicle; of these places the first one that covers the fewest lamps.
+// covering the vehicle; of these places the first one that covers the fewest lamps
+// and other vehicles of a comparison.
 Rect place_beside(maths::vec2 vehicle, bool heads_right, maths::vec2 size, float away, Rect area,
                   const std::vector<maths::vec2>& lamps) {
     const auto within = [](float at, float low, float high) {
@@ -231,17 +244,24 @@ void why_callout(const LabView& view, const Ui& ui, Rect area) {
     constexpr float share = 0.45f;  // of the area, so that there is room beside the vehicle
     const float border = ui.px(2 * callout_pad);
     float w = std::clamp(share * area.w, ui.px(narrowest_callout), ui.px(widest_callout));
-    WhyCallout callout = callout_of(view, ui, *vehicle, *view.features.why, w - border);
+    insight::Why why = *view.features.why;
+    keep_order(why, kind_of(*view.now, *vehicle).sensors);
+    WhyCallout callout = callout_of(view, ui, *vehicle, why, w - border);
     if (const float wanted = bars_width(ui, callout) + border; wanted > w) {
         w = std::max(w, std::min(wanted, 0.9f * area.w));
-        callout = callout_of(view, ui, *vehicle, *view.features.why, w - border);
+        callout = callout_of(view, ui, *vehicle, why, w - border);
     }
-    const float h = callout_height(ui, callout), away = ui.px(from_vehicle);
+    const float length = kind_of(*view.now, *vehicle).body.length;  // the dots of its sums are beside it
+    const float reach = 0.8f * length * pixels_per_metre(*view.camera_view, {vehicle->x, vehicle->y});
+    const float h = callout_height(ui, callout), away = std::max(ui.px(from_vehicle), reach);
     const auto ahead =
         project(*view.camera_view, maths::vec2{vehicle->x, vehicle->y} + maths::direction(vehicle->heading));
     std::vector<maths::vec2> lamps;
     for (const SourceView& lamp : view.now->sources)
         if (const auto at = project(*view.camera_view, {lamp.x, lamp.y}, render::deck_height)) lamps.push_back(*at);
+    if (const auto& b = view.features.slots.b)  // the vehicle beside it in a comparison
+        if (const auto at = project(*view.camera_view, {b->pose.x, b->pose.y}, render::deck_height))
+            lamps.push_back(*at);
     const Rect box = place_beside(*middle, ahead && ahead->x > middle->x, {w, h}, away, area, lamps);
     draw_line(
         ui,
