@@ -18,6 +18,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float between_cards = spacing::medium, title_width = 150, around_title = 56;  // layout pixels
+constexpr float four_sliders = 200;  // layout pixels: heading, name and the weights of the brain
 
 #define CARD(id, draws, ...) {.card = Card::id, .draw = draws, __VA_ARGS__},
 
@@ -68,7 +69,13 @@ std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const 
                                          bool is_shared) {
     std::array<float, card_count> heights{};
     const std::span<float> least(heights.data(), stack.count);
-    for (std::size_t i = 0; i < stack.count; ++i) least[i] = least_of(ui, state, *stack.rows[i], column);
+    // A lecture shows the weights below the exercise that asks for them.
+    const bool shows_weights = is_shared && stack.count > 0 && stack.rows[0]->card == Card::exercise;
+    for (std::size_t i = 0; i < stack.count; ++i) {
+        least[i] = least_of(ui, state, *stack.rows[i], column);
+        if (shows_weights && stack.rows[i]->card == Card::brain)
+            least[i] = std::min(wanted_of(ui, state, *stack.rows[i], column), ui.px(four_sliders));
+    }
     float room = column.h - ui.px(between_cards) * static_cast<float>(stack.count > 0 ? stack.count - 1 : 0);
     const bool keeps_least = stack.count > 0 && stack.rows[0]->keeps_least && !is_shared;
     const std::size_t kept = keeps_least ? 1 : 0;  // the first card only

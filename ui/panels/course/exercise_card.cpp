@@ -299,7 +299,7 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
         if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
         tooltip(ui, at, ui.strings("exercise.reset_how"));
     }
-    exercise_files(view, state, ui, width);
+    if (!view.pages) exercise_files(view, state, ui, width);  // nobody hands in on a page of a lecture
 }
 
 // Forgets what the card of another exercise has scrolled to, and goes back to its top, on a page of a lecture that asks
