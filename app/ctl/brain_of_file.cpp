@@ -42,6 +42,10 @@ std::optional<Error> hidden_fault(const Kind& kind, const std::string& file) {
     return Error{"the brain of the kind " + in_quotes(kind.name) + " is hidden", file};
 }
 
+BrainOfFile of_kind(const Kind& kind, const BrainGraph& brain, const std::string& owner) {
+    return {brain, owner, kind.sensors, kind.body.length, kind.body.width};
+}
+
 Result<BrainOfFile> brain_of_scene(const Scene& scene, const BrainChoice& choice, const std::string& file) {
     if (!choice.vehicle.empty()) {
         const auto start = index_of(scene.starts, choice.vehicle, "vehicle", file);
@@ -50,12 +54,13 @@ Result<BrainOfFile> brain_of_scene(const Scene& scene, const BrainChoice& choice
         if (!kind) return kind.error();
         if (auto fault = hidden_fault(scene.kinds[*kind], file)) return *fault;
         return BrainOfFile{scene.starts[*start].brain.value_or(scene.kinds[*kind].brain), "vehicle " + choice.vehicle,
-                           scene.starts[*start].sensors.value_or(scene.kinds[*kind].sensors)};
+                           scene.starts[*start].sensors.value_or(scene.kinds[*kind].sensors),
+                           scene.kinds[*kind].body.length, scene.kinds[*kind].body.width};
     }
     const auto kind = kind_index(scene, choice.kind, file);
     if (!kind) return kind.error();
     if (auto fault = hidden_fault(scene.kinds[*kind], file)) return *fault;
-    return BrainOfFile{scene.kinds[*kind].brain, "kind " + scene.kinds[*kind].name, scene.kinds[*kind].sensors};
+    return of_kind(scene.kinds[*kind], scene.kinds[*kind].brain, "kind " + scene.kinds[*kind].name);
 }
 
 // The vehicle with this start; null when it is gone.
@@ -81,7 +86,7 @@ Result<BrainOfFile> brain_of_vehicle(const Snapshot& now, const std::string& nam
         if (!vehicle) return start.error();
     }
     if (auto fault = hidden_fault(kind_of(now, *vehicle), file)) return *fault;
-    return BrainOfFile{*brain_of(now, *vehicle), "vehicle " + name, kind_of(now, *vehicle).sensors};
+    return of_kind(kind_of(now, *vehicle), *brain_of(now, *vehicle), "vehicle " + name);
 }
 
 Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice, const std::string& file) {
@@ -89,12 +94,11 @@ Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice,
     const auto& starts = now.scene->starts;
     if (choice.kind.empty() && !starts.empty())
         if (const VehicleView* first = vehicle_of_start(now, 0); first && !kind_of(now, *first).hidden)
-            return BrainOfFile{*brain_of(now, *first), "vehicle " + starts.front().name, kind_of(now, *first).sensors};
+            return of_kind(kind_of(now, *first), *brain_of(now, *first), "vehicle " + starts.front().name);
     const auto kind = kind_index(*now.scene, choice.kind, file);
     if (!kind) return kind.error();
     if (auto fault = hidden_fault(now.scene->kinds[*kind], file)) return *fault;
-    return BrainOfFile{*now.kind_brains[*kind], "kind " + now.scene->kinds[*kind].name,
-                       now.scene->kinds[*kind].sensors};
+    return of_kind(now.scene->kinds[*kind], *now.kind_brains[*kind], "kind " + now.scene->kinds[*kind].name);
 }
 
 Result<BrainOfFile> load_run_brain(const std::filesystem::path& path, const BrainChoice& choice) {

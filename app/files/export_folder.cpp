@@ -28,7 +28,7 @@ bool is_of_earlier_export(const fs::path& folder, const std::string& name) {
                                                      "braitenberg/brain.h", "brain.cir", "brain-exact.cir",
                                                      "brain.aesl",          "brain.py",  "main.py"};
     if (std::find(marked.begin(), marked.end(), name) != marked.end()) return is_exported(folder / name);
-    return name == "parts.csv" || name == "brain.net" || name == "wiring.svg" ||
+    return name == "parts.csv" || name == "brain.net" || name == "robot.svg" || name == "wiring.svg" ||
            (name.starts_with("wiring-") && name.ends_with(".svg"));
 }
 

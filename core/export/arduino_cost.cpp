@@ -14,6 +14,7 @@ namespace braitenlab::robots::arduino {
 namespace {
 
 constexpr Cost base{2400, 7420};
+constexpr Cost of_warm_up{0, 240};
 constexpr Cost of_sensor{2600, 44}, of_unit{60, 20}, of_product{150, 20}, of_sum{130, 16};
 constexpr Cost of_threshold{130, 78}, of_memory{460, 92}, of_bound{220, 60}, of_learning{1000, 240};
 
@@ -78,6 +79,7 @@ Cost cost_of(const Plan& plan) {
         const SensorPart part = part_of(input, Board::uno);
         sum.bytes += static_cast<int>(part.zero.size() + part.one.size()) + 2;  // the texts of its calibration
     }
+    if (warm_up_of(parts_of(plan, Board::uno)) > 0) add(sum, of_warm_up);
     Terms terms(sum);
     std::vector<std::size_t> values;  // of the units of this step
     for (const PlanUnit& unit : plan.units) {

@@ -45,12 +45,14 @@ unsigned calibration_mark(const Plan& plan) {
 
 std::string sketch(const Plan& plan) {
     std::string pins, names, read, calibrate;
+    const std::vector<SensorPart> parts = parts_of(plan, Board::uno);
+    const int warm_up = warm_up_of(parts);
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
         pins += (i > 0 ? ", " : "") + pin_of_input(i);
         names +=
             fmt::format("{}\"{}\"", i > 0 ? ", " : "", plan.inputs[i].id.substr(std::string_view("sensor_").size()));
         read += fmt::format("  brain.{} = eye({});\n", plan.inputs[i].id, i);
-        const SensorPart part = part_of(plan.inputs[i], Board::uno);
+        const SensorPart& part = parts[i];
         calibrate +=
             fmt::format("      case {0}: calibrateEye({0}, F(\"{1}\"), F(\"{2}\")); break;\n", i, part.zero, part.one);
     }
@@ -70,6 +72,9 @@ std::string sketch(const Plan& plan) {
                    {"EYE_FUNCTIONS", with_eyes(texts::braitenberg_eyes_ino)},
                    {"EYE_CALIBRATION", with_eyes(texts::braitenberg_eye_calibration_ino)},
                    {"CALL_EYES", calibrate},
+                   {"WARM_UP",
+                    warm_up == 0 ? "" : filled(texts::braitenberg_warm_up_ino, {{"SECONDS", std::to_string(warm_up)}})},
+                   {"CALL_WARM_UP", warm_up == 0 ? "" : "  warmUp();\n"},
                    {"STEPS", std::to_string(plan.inputs.size() + 3)},
                    {"SMALLEST", number(smallest_command)},
                    {"READ", read}});

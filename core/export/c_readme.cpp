@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/export/export.h"
+#include "core/export/sensor_parts.h"
 #include "core/export/text.h"
 #include "core/export/texts.h"
 #include "core/scene/enums.h"
@@ -14,13 +15,15 @@ std::string c_readme(const Plan& plan) {
     std::string sensors, set;
     for (const Input& input : plan.inputs) {
         const std::string_view channel = input.channel ? word(*input.channel) : "not known: the file has a brain alone";
-        sensors += fmt::format("| {} | `{}` | {} |\n", comment_text(input.name), input.id, channel);
+        sensors +=
+            fmt::format("| {} | `{}` | {} | {} |\n", comment_text(input.name), input.id, channel, place_text(input));
         set += fmt::format("        brain.{} = ...;\n", input.id);
     }
-    if (sensors.empty()) sensors = "| none | | |\n";
+    if (sensors.empty()) sensors = "| none | | | |\n";
     return filled(texts::c_readme_md, {{"TITLE", comment_text(plan.title)},
                                        {"RATE", fmt::format("{:g}", plan.rate_hz)},
                                        {"SET", set},
+                                       {"PLACES", std::string(about_places)},
                                        {"SENSORS", sensors}});
 }
 

@@ -80,6 +80,7 @@ std::vector<ExportedFile> opamp_files(const Plan& plan) {
                                     {"brain.net", opamp::kicad_netlist(plan)},
                                     {"README.md", opamp::readme(plan)},
                                     {"parts.csv", opamp::parts_csv(plan)}};
+    files.push_back({"robot.svg", opamp::robot_svg(plan)});
     const std::vector<std::string> sheets = opamp::wiring_sheets(plan);
     for (std::size_t i = 0; i < sheets.size(); ++i)
         files.push_back({i == 0 ? "wiring.svg" : fmt::format("wiring-{}.svg", i + 1), sheets[i]});

@@ -1,5 +1,6 @@
 #include "core/export/micropython.h"
 
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -170,14 +171,28 @@ std::string main_py(const Plan& plan) {
 
 std::string readme(const Plan& plan) {
     std::string sensors;
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-        const SensorPart part = part_of(plan.inputs[i], Board::microbit);
-        sensors += fmt::format("| {} | P{} | {} | 0: {}, 1: {}{} |\n", table_cell(plan.inputs[i].name), i,
-                               joining_text(part), part.zero, part.one, doubt_about(plan.inputs[i]));
-    }
-    return filled(
-        texts::micropython_readme_md,
-        {{"TITLE", comment_text(plan.title)}, {"BYTES", std::to_string(brain_py(plan).size())}, {"SENSORS", sensors}});
+    const std::vector<SensorPart> parts = parts_of(plan, Board::microbit);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        sensors += fmt::format("| {} | P{} | {} | {} | 0: {}, 1: {}{} |\n", table_cell(plan.inputs[i].name), i,
+                               place_text(plan.inputs[i]), joining_text(parts[i]), parts[i].zero, parts[i].one,
+                               doubt_about(plan.inputs[i]));
+    const int warm_up = warm_up_of(parts);
+    const double load = board_milliamperes(parts);
+    return filled(texts::micropython_readme_md,
+                  {{"TITLE", comment_text(plan.title)},
+                   {"BYTES", std::to_string(brain_py(plan).size())},
+                   {"PLACES", std::string(about_places)},
+                   {"SENSORS", sensors},
+                   {"OWN_SUPPLY", own_supply_text(parts, "micro:bit")},
+                   {"WARM_UP", warm_up == 0 ? ""
+                                            : fmt::format("\nHeated sensors read steadily after {} minutes only: wait "
+                                                          "for that before you calibrate, and before\neach drive.\n",
+                                                          warm_up / 60)},
+                   {"VERSION_2", load <= version_1_milliamperes
+                                     ? ""
+                                     : fmt::format("The sensors take up to {:.0f} mA from its 3 V; a micro:bit of "
+                                                   "version 1 gives {:.0f} mA by USB: take one of version 2.\n",
+                                                   std::ceil(load), version_1_milliamperes)}});
 }
 
 }  // namespace braitenlab::robots::micropython

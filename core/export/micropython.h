@@ -14,6 +14,10 @@ namespace braitenlab::robots::micropython {
 inline constexpr int analog_inputs = 3;     // P0 to P2; other analog pins drive the display
 inline constexpr int largest_brain = 2500;  // bytes of brain.py; tests run one of this size on 16 KB of memory
 
+// What a micro:bit of version 1 gives to parts outside it when USB supplies it (tech.microbit.org); one of version 2
+// gives 190 mA.
+inline constexpr double version_1_milliamperes = 90;
+
 // The first part that the robot cannot hold, with its name: a sensor without a part or without a pin, a brain too
 // large.
 std::optional<Error> refusal(const Plan&);

@@ -11,7 +11,10 @@
 namespace braitenlab::robots::micropython {
 
 std::string parts_csv(const Plan& plan) {
-    return filled(texts::micropython_parts_csv, {{"SENSORS", sensor_rows(plan, Board::microbit)}});
+    const bool any = board_milliamperes(parts_of(plan, Board::microbit)) <= version_1_milliamperes;
+    return filled(texts::micropython_parts_csv,
+                  {{"SENSORS", sensor_rows(plan, Board::microbit)},
+                   {"VERSION", any ? "version 1 or 2" : "version 2: version 1 does not give enough current"}});
 }
 
 std::string wiring_svg(const Plan& plan) {
@@ -29,8 +32,11 @@ std::string wiring_svg(const Plan& plan) {
         .left_outputs = "AO1, AO2",
         .right_outputs = "BO1, BO2",
         .motor_supply = "VM",
-        .notes = {"The pins take 3 V. All grounds are connected.",
-                  "The micro:bit has its own battery or the USB cable; the other battery supplies the motors."}};
+        .board_supply = "battery socket",
+        .regulator = "3.3 V",
+        .notes = {
+            "The pins take 3 V. All grounds are connected.",
+            "The battery supplies the motors, and through a regulator of 3.3 V the battery socket of the micro:bit."}};
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) wiring.inputs.push_back(fmt::format("P{}", i));
     return robots::wiring_svg(plan, wiring);
 }

@@ -98,7 +98,7 @@ std::string node_text(const std::string& node) {
     return node;
 }
 
-constexpr std::size_t first_sensor_pin = 3;  // of J2, after 5 V and ground
+constexpr int sensor_pin = 3;  // of a sensor's connector, after 5 V and ground
 
 // What a driver whose input is high from these volts on does with commands of this range.
 std::string_view verdict_on(const Range& commands, double high_volts) {
@@ -106,18 +106,53 @@ std::string_view verdict_on(const Range& commands, double high_volts) {
     return static_cast<double>(commands.high) < command_at(high_volts) ? "may never turn" : "turns";
 }
 
+constexpr std::string_view either_driver = "Both drivers turn each wheel; the list of parts has a TB6612.";
+constexpr std::string_view only_l298n =
+    "A TB6612 does not turn each wheel for certain. The list of parts has an L298N, which needs lower commands.";
+
 constexpr std::string_view enough_of_a_block =
     "A block battery of 9 V gives that for a test; six alkaline AA cells in series, also 9 V,\nlast longer.";
 constexpr std::string_view too_much_for_a_block =
     "That is more than a block battery of 9 V gives (about 100 mA for minutes):\ntake six alkaline AA cells in series, "
     "and screw the regulator to a heat sink.";
 
+// TT motors are for 3 V to 6 V; an L298N loses about 2 V.
+constexpr std::string_view board_rows =
+    "1,stripboard or perfboard,for DIP parts,,,\n"
+    "1,solder and insulated wire,,,,\n";
+constexpr std::string_view rows_for_tb6612 =
+    "1,holder for four AA cells with a switch,for the motors,VM,,\n"
+    "4,alkaline AA cell,for the motors,,,\n";
+constexpr std::string_view rows_for_l298n =
+    "1,holder for six AA cells with a switch,for the motors,12V,,\n"
+    "6,NiMH AA cell,for the motors,,,\n";
 constexpr std::string_view motor_rows =
     "2,motor,TT motor 1:48 with a wheel of 65 mm,the outputs of the driver,,\n"
     "2,capacitor,100 nF,at the terminals of each motor,,\n"
     "1,chassis,for two TT motors with a castor,,,\n"
-    "1,holder with four alkaline AA cells and a switch,for the motors; with an L298N six cells,VM or 12V,,\n"
     "1,set of jumper wires,,,,\n";
+
+bool turns_each_wheel(const Plan& plan, double high_volts) {
+    return std::all_of(plan.units.begin(), plan.units.end(), [&](const PlanUnit& motor) {
+        return static_cast<double>(commands_of(plan, motor).high) >= command_at(high_volts);
+    });
+}
+
+// What gives the lab's readings to a sensor that reads less than 0 to 1.
+std::string scale_text(const Plan& plan) {
+    std::string text;
+    for (const Input& input : plan.inputs) {
+        const Range readings = part_of(input, Board::circuit).readings;
+        if (readings == Range{0, 1}) continue;
+        const double factor = 1 / static_cast<double>(readings.high - readings.low);
+        text += fmt::format(
+            "- {}: it reads {:.2g} to {:.2g}, not 0 to 1. Multiply the weights of its wires by {:.1f}, and "
+            "subtract {:.2f} ·\n  old weight from the bias of each wire's motor.\n",
+            table_cell(input.name), static_cast<double>(readings.low), static_cast<double>(readings.high), factor,
+            factor * static_cast<double>(readings.low));
+    }
+    return text.empty() ? text : "\n" + text;
+}
 
 }  // namespace
 
@@ -196,9 +231,13 @@ double largest_reading_of_dark(const Plan& plan) {
     return most;
 }
 
-Range commands_of(const PlanUnit& motor) {
+Range commands_of(const Plan& plan, const PlanUnit& motor) {
     Range commands{motor.bias, motor.bias};
-    for (const PlanTap& tap : motor.taps) (tap.weight < 0 ? commands.low : commands.high) += tap.weight;
+    for (const PlanTap& tap : motor.taps) {
+        const Range readings = part_of(input_of(plan, tap), Board::circuit).readings;
+        commands.low += tap.weight * (tap.weight < 0 ? readings.high : readings.low);
+        commands.high += tap.weight * (tap.weight < 0 ? readings.low : readings.high);
+    }
     return commands;
 }
 
@@ -207,7 +246,7 @@ std::vector<Error> warnings(const Plan& plan) {
     const auto rounded_up = [&](double value) { return text(std::ceil(100 * value) / 100); };
     std::vector<Error> found;
     for (const auto& [side, motor] : motors_of(plan)) {
-        const double most = static_cast<double>(commands_of(*motor).high);
+        const double most = static_cast<double>(commands_of(plan, *motor).high);
         if (most >= command_at(l298_high_volts)) continue;
         const std::string name = in_quotes(motor->name), l298 = rounded_up(command_at(l298_high_volts)),
                           tb6612 = rounded_up(command_at(tb6612_high_volts));
@@ -222,8 +261,8 @@ double milliamperes_at_9_volts(const Plan& plan) {
     // At most: 3 mA of an LM324 and 8 mA of an L7805 (data sheets of Texas Instruments), 2.2 mA of a TB6612 at 5 V
     // (data sheet of Toshiba), 3.5 mA of each motor's resistors at 7.5 V.
     double sum = 3 * static_cast<double>(circuit_of(plan).chips()) + 8 + 2.2 + 2 * 3.5 + 5e3 / load_ohms;
-    for (const Input& input : plan.inputs) sum += part_of(input, Board::circuit).milliamperes + 5e3 / pull_down_ohms;
-    return sum;
+    sum += board_milliamperes(parts_of(plan, Board::circuit));
+    return sum + static_cast<double>(plan.inputs.size()) * 5e3 / pull_down_ohms;
 }
 
 // The amplifier has one pole: 1 MHz of gain times bandwidth (1 mS / (2 π 160 pF)) and a slew rate of 0.4 V/µs (64 µA
@@ -258,14 +297,13 @@ std::string readme(const Plan& plan) {
     for (const Resistor& r : circuit.resistors)
         rows += fmt::format("| {} | {} | {} | {} | {} |\n", names_text(r), node_text(r.from), node_text(r.to),
                             ohms_text(r.exact), e24_text(r));
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-        const SensorPart part = part_of(plan.inputs[i], Board::circuit);
-        sensors +=
-            fmt::format("| {} | `{}`, pin {} of J2 | {}{} | {} |\n", table_cell(plan.inputs[i].name), plan.inputs[i].id,
-                        i + first_sensor_pin, joining_text(part), doubt_about(plan.inputs[i]), part.uncalibrated);
-    }
+    const std::vector<SensorPart> parts = parts_of(plan, Board::circuit);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        sensors += fmt::format("| {} | `{}`, pin {} of {} | {} | {}{} | {} |\n", table_cell(plan.inputs[i].name),
+                               plan.inputs[i].id, sensor_pin, sensor_connector(i), place_text(plan.inputs[i]),
+                               joining_text(parts[i]), doubt_about(plan.inputs[i]), parts[i].uncalibrated);
     for (const auto& [side, motor] : motors_of(plan)) {
-        const Range commands = commands_of(*motor);
+        const Range commands = commands_of(plan, *motor);
         wheels += fmt::format("| {} ({}) | {:.2f} to {:.2f} | {} | {} |\n", side, table_cell(motor->name),
                               static_cast<double>(commands.low), static_cast<double>(commands.high),
                               verdict_on(commands, tb6612_high_volts), verdict_on(commands, l298_high_volts));
@@ -274,15 +312,21 @@ std::string readme(const Plan& plan) {
     for (const Error& warning : warnings(plan)) warned += fmt::format("**Warning: {}.**\n", warning.what);
     const double load = milliamperes_at_9_volts(plan);
     const std::size_t count = wiring_sheets(plan).size();
-    std::string sheets = "| `wiring.svg` | the schematic with the E24 values, to be printed on A4 |\n";
+    std::string sheets =
+        "| `robot.svg` | the whole robot: this board, sensors, driver, motors, batteries |\n"
+        "| `wiring.svg` | the schematic of the board with the E24 values, to be printed on A4 |\n";
     for (std::size_t sheet = 2; sheet <= count; ++sheet)
         sheets += fmt::format("| `wiring-{}.svg` | its sheet {} |\n", sheet, sheet);
     return filled(texts::opamp_readme_md,
                   {{"TITLE", comment_text(plan.title)},
                    {"CHIPS", std::to_string(circuit.chips())},
                    {"SHEETS", sheets},
+                   {"PLACES", std::string(about_places)},
                    {"SENSORS", sensors},
+                   {"SCALES", scale_text(plan)},
+                   {"OWN_SUPPLY", own_supply_text(parts, "circuit")},
                    {"WHEELS", wheels},
+                   {"DRIVER", std::string(turns_each_wheel(plan, tb6612_high_volts) ? either_driver : only_l298n)},
                    {"WARNINGS", warned.empty() ? "" : warned + "\n"},
                    {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
                    {"SUPPLY", std::string(load > block_milliamperes ? too_much_for_a_block : enough_of_a_block)},
@@ -294,10 +338,11 @@ std::string readme(const Plan& plan) {
 std::string parts_csv(const Plan& plan) {
     std::string text = "number,part,value,from,to,name\n";
     const Circuit circuit = circuit_of(plan);
+    std::map<double, std::vector<std::string>> resistors;  // names of equal ones
     for (const Resistor& r : circuit.resistors)
-        for (std::size_t part = 0; part < r.e24.size(); ++part)
-            text += fmt::format("1,resistor 1 %,{},{},{},{}\n", ohms_text(r.e24[part]), node_text(r.from),
-                                node_text(r.to), r.names[part]);
+        for (std::size_t part = 0; part < r.e24.size(); ++part) resistors[r.e24[part]].push_back(r.names[part]);
+    for (const auto& [ohms, names] : resistors)
+        text += fmt::format("{},resistor 1 %,{},,,{}\n", names.size(), ohms_text(ohms), fmt::join(names, " "));
     for (const TwoPole& c : circuit.capacitors)
         text += fmt::format("1,capacitor,{},{},{},{}\n", c.value, node_text(c.from), node_text(c.to), c.name);
     for (const TwoPole& d : circuit.diodes)
@@ -306,16 +351,16 @@ std::string parts_csv(const Plan& plan) {
         text += fmt::format("1,operational amplifier,LM324,9 V,ground,{}\n", chip_name(chip));
     text += fmt::format("{},socket DIP-14,for each LM324,,,\n", circuit.chips());
     text += fmt::format("1,regulator,{},9 V,5 V,{}\n", regulator_value, regulator_name);
+    const double load = milliamperes_at_9_volts(plan);
+    if (load > block_milliamperes) text += "1,heat sink,for a TO-220 case,,,for the regulator\n";
     for (const Connector& connector : circuit.connectors)
         text += fmt::format("1,connector,{} pins,{},,{}\n", connector.nodes.size(), connector.value, connector.name);
-    const double load = milliamperes_at_9_volts(plan);
-    const bool turns_tb6612 = std::all_of(plan.units.begin(), plan.units.end(), [](const PlanUnit& motor) {
-        return static_cast<double>(commands_of(motor).high) >= command_at(tb6612_high_volts);
-    });
-    text += fmt::format("1,motor driver,{},J3,,\n", turns_tb6612 ? "TB6612 board or L298N board" : "L298N board");
-    return text +
-           fmt::format("1,{},9 V,J1,,\n", load > block_milliamperes ? "holder with six alkaline AA cells and a switch"
-                                                                    : "block battery with clip and switch") +
+    const bool takes_tb6612 = turns_each_wheel(plan, tb6612_high_volts);
+    text += fmt::format("1,motor driver,{},J2,,\n", takes_tb6612 ? "TB6612 board" : "L298N board");
+    text += load > block_milliamperes
+                ? "1,holder for six AA cells with a switch,9 V,J1,,\n6,alkaline AA cell,9 V,J1,,\n"
+                : "1,block battery with clip and switch,9 V,J1,,\n";
+    return text + std::string(board_rows) + std::string(takes_tb6612 ? rows_for_tb6612 : rows_for_l298n) +
            std::string(motor_rows) + sensor_rows(plan, Board::circuit, ",,,");
 }
 

@@ -64,13 +64,14 @@ double e24_error(const Plan&);
 // each resistor of weight w brings up to 5 V·|w|/Rf into the buffer's resistor to ground.
 double largest_reading_of_dark(const Plan&);
 
-// The commands of a motor for readings of 0 to 1.
-Range commands_of(const PlanUnit& motor);
+// The commands of a motor for the readings of its sensors without a calibration (SensorPart::readings).
+Range commands_of(const Plan&, const PlanUnit& motor);
 
 // Wheels that no command turns for certain, with both drivers.
 std::vector<Error> warnings(const Plan&);
 
-// Largest current from 9 V with a TB6612 at 5 V; that of 5 V is a part of it.
+// Largest current from 9 V with a TB6612 at 5 V; that of 5 V is a part of it. Without sensors that have a supply of
+// their own.
 double milliamperes_at_9_volts(const Plan&);
 
 struct PinOfNode {
@@ -87,7 +88,7 @@ struct Amplifier {
 };
 
 struct Connector {
-    std::string name, value;         // "J2", "sensors"
+    std::string name, value;         // "J2", "motor driver"
     std::vector<std::string> nodes;  // of its pins, from pin 1
 };
 
@@ -107,12 +108,14 @@ struct Circuit {
     // that they do not oscillate.
     std::vector<Amplifier> amplifiers;
     std::size_t used_amplifiers = 0;
-    std::vector<Connector> connectors;  // "v9": supply of 9 V
+    // J1: 9 V ("v9"), J2: the motor driver, then one for each sensor.
+    std::vector<Connector> connectors;
     std::size_t chips() const { return amplifiers.size() / 4; }
 };
 Circuit circuit_of(const Plan&);
 
 std::string chip_name(std::size_t chip);
+std::string sensor_connector(std::size_t input);  // "J3"
 inline constexpr int lm324_supply_pin = 4, lm324_ground_pin = 11;
 inline constexpr std::string_view regulator_name = "U99", regulator_value = "L7805";
 inline constexpr int regulator_in_pin = 1, regulator_ground_pin = 2, regulator_out_pin = 3;
@@ -131,6 +134,9 @@ std::string netlist(const Plan&, bool exact);
 std::string kicad_netlist(const Plan&);
 std::string readme(const Plan&);
 std::string parts_csv(const Plan&);
+
+// The robot: the board of this circuit as a box with its sensors, the motor driver, the motors and the batteries.
+std::string robot_svg(const Plan&);
 
 // The schematic as sheets of A4, each an SVG: one for a brain of few sensors and wires. Its texts are the names and
 // values of circuit_of().

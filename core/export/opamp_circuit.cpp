@@ -46,12 +46,12 @@ std::string Amplifier::name() const { return chip_name(chip) + letter; }
 
 std::string chip_name(std::size_t chip) { return fmt::format("U{}", chip + 1); }
 
+std::string sensor_connector(std::size_t input) { return fmt::format("J{}", input + 3); }
+
 Circuit circuit_of(const Plan& plan) {
     Circuit circuit;
-    std::vector<std::string> sensors{"v5", "0"};
     for (const Input& input : plan.inputs) {
         add_amplifier(circuit, input.id, buffered(input), buffered(input));
-        sensors.push_back(input.id);
     }
     int number = 0;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -81,8 +81,9 @@ Circuit circuit_of(const Plan& plan) {
     for (std::size_t chip = 0; chip < circuit.chips(); ++chip)
         circuit.capacitors.push_back({fmt::format("C{}", chip + 3), "100 nF", "v9", "0"});
     circuit.connectors = {{"J1", "9V", {"v9", "0"}},
-                          {"J2", "sensors", sensors},
-                          {"J3", "motors", {driver_input("left"), driver_input("right"), "0"}}};
+                          {"J2", "motor driver", {driver_input("left"), driver_input("right"), "v5", "0"}}};
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+        circuit.connectors.push_back({sensor_connector(i), "sensor", {"v5", "0", plan.inputs[i].id}});
     return circuit;
 }
 

@@ -13,6 +13,7 @@
 #include "core/export/opamp.h"
 #include "core/export/opamp_symbols.h"
 #include "core/export/sensor_parts.h"
+#include "core/export/wiring_svg.h"
 
 namespace braitenlab::robots::opamp {
 
@@ -89,19 +90,19 @@ Summer summer_of(const Circuit& circuit, const std::string& side) {
 
 // ---- The left column ----
 
-void draw_sensor(Sheet& sheet, int x, int y, const Input& input) {
-    const SensorPart sensor = part_of(input, Board::circuit);
+void draw_sensor(Sheet& sheet, int x, int y, const Input& input, const SensorPart& sensor) {
     const int part_x = x + 40;
     std::string text(sensor.part);
     if (!sensor.capacitor.empty()) text += fmt::format("; {} at its supply", sensor.capacitor);
     if (!sensor.supply_terminal.empty()) text += fmt::format("; {} at {}", sensor.supply_terminal, sensor.supply);
     sheet.name(x + 52, y - 45, "start", input.name, 250);
     sheet.text(x + 52, y - 31, "start", text, 280);
+    if (sensor.has_own_supply) text += fmt::format("; {}", sensor.supply);
     // The battery has another supply than 5 V.
     if (sensor.joining == Joining::battery)
         sheet.text(part_x - 8, y - 43, "end", "+"), sheet.wire(part_x, y - 40, "v-4");
     else
-        sheet.supply(part_x, y - 40, std::string(sensor.supply));
+        sheet.supply(part_x, y - 40, "5 V");
     if (sensor.joining == Joining::module) {
         sheet.wire(part_x, y - 40, "v24");
         sheet.box(part_x - 24, y - 16, 48, 32);
@@ -109,8 +110,7 @@ void draw_sensor(Sheet& sheet, int x, int y, const Input& input) {
         sheet.wire(part_x, y + 16, "v27");
         sheet.wire(part_x + 24, y, "h10");
     } else {
-        const bool photocell = sensor.part.starts_with("photo");
-        photocell ? sheet.photocell_down(part_x, y - 40) : sheet.resistor_down(part_x, y - 40);
+        sheet.part_down(part_x, y - 40, sensor.symbol);
         if (!sensor.in_series.empty()) sheet.text(part_x + 12, y - 18, "start", std::string(sensor.in_series));
         sheet.wire(part_x, y - 12, "v24");
         sheet.dot(part_x, y);
@@ -146,9 +146,9 @@ void draw_resistor_below(Sheet& sheet, int x, int y, const std::string& label) {
 }
 
 // A sensor and its buffer. `y`: the sensor's wire. The output reaches to `end_x`.
-void draw_buffer(Sheet& sheet, int x, int y, const Circuit& circuit, const Input& input, const Amplifier& amplifier,
-                 int end_x) {
-    draw_sensor(sheet, x, y, input);
+void draw_buffer(Sheet& sheet, int x, int y, const Circuit& circuit, const Input& input, const SensorPart& part,
+                 const Amplifier& amplifier, int end_x) {
+    draw_sensor(sheet, x, y, input, part);
     const int first = x + 74, in = x + buffer_x - Sheet::margin, yc = y + Sheet::amplifier_input;
     sheet.terminal(first + 3, y);
     sheet.wire(first + 6, y, fmt::format("H{}", in - 12));
@@ -300,7 +300,17 @@ void draw_regulator(Sheet& sheet, int y, const Circuit& circuit) {
     sheet.dot(324, y);
     sheet.supply(324, y, "5 V");
     sheet.terminal(end, y);
+    const std::size_t sensors = circuit.connectors.size() - 2;
+    // The pins of all connectors of sensors on this net.
+    const auto sensor_pins = [&](int text_y, int pin) {
+        if (sensors > 0)
+            sheet.text(end + 10, text_y, "start",
+                       sensor_connector(0) + (sensors > 1 ? "–" + sensor_connector(sensors - 1) : "") +
+                           fmt::format(" pin {}", pin),
+                       44);
+    };
     sheet.text(end + 10, y + 4, "start", pin_text(circuit, "v5"), 60);
+    sensor_pins(y + 16, 1);
     for (std::size_t i = 0; i < 2; ++i) {
         sheet.dot(capacitors[i], y);
         sheet.dot(capacitors[i], low);
@@ -313,8 +323,8 @@ void draw_regulator(Sheet& sheet, int y, const Circuit& circuit) {
     sheet.wire(324, low, fmt::format("H{}", end - 3));
     sheet.ground(324, low);
     sheet.terminal(end, low);
-    for (std::size_t i = 1; i < circuit.connectors.size(); ++i)
-        sheet.text(end + 10, low - 8 + 12 * static_cast<int>(i), "start", ground_pin_of(circuit.connectors[i]), 60);
+    sheet.text(end + 10, low + 4, "start", ground_pin_of(circuit.connectors[1]), 60);
+    sensor_pins(low + 16, 2);
 }
 
 void draw_supply(Sheet& sheet, int y, const Circuit& circuit) {
@@ -355,9 +365,10 @@ void draw_frame(Sheet& sheet, const Plan& plan, std::size_t number, std::size_t 
     if (count > 1) sheet.name(right, 40, "end", fmt::format("sheet {} of {}", number, count));
     constexpr std::array notes = {
         "Lines that cross without a dot are not connected. Wires with the same name are connected.",
-        "Names are those of README.md; resistors: 1 %. J1: battery. J2: sensors. J3: inputs of the motor driver, not "
-        "motors.",
-        "5 V stand for the command 1. Amplifiers give 0 V to 7.5 V; a negative command gives 0 V. J3 has 0.72 of it.",
+        "Names are those of README.md; resistors: 1 %. J1: battery. J2: motor driver, not motors. J3 and on: sensors; "
+        "what "
+        "is left of them is at the sensor.",
+        "5 V stand for the command 1. Amplifiers give 0 V to 7.5 V; a negative command gives 0 V. J2 has 0.72 of it.",
     };
     for (std::size_t i = 0; i < notes.size(); ++i)
         sheet.text(Sheet::margin, 1072 + 14 * static_cast<int>(i), "start", notes[i], right - Sheet::margin);
@@ -392,10 +403,11 @@ std::vector<Sheet> one_sheet(const Plan& plan, const Circuit& circuit, const std
     if (plan.inputs.size() > most_rails || end + supply_height(circuit) > last_y) return {};
     Sheet sheet;
     const Rails rails = rails_of(plan, summers, {first_y, right_y});
+    const std::vector<SensorPart> parts = parts_of(plan, Board::circuit);
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
         const Rail& rail = rails.at(buffered(plan.inputs[i]));
         const int y = sensor_y(i), out_y = y + Sheet::amplifier_input;
-        draw_buffer(sheet, Sheet::margin, y, circuit, plan.inputs[i], circuit.amplifiers[i], rail.x);
+        draw_buffer(sheet, Sheet::margin, y, circuit, plan.inputs[i], parts[i], circuit.amplifiers[i], rail.x);
         sheet.wire(rail.x, rail.from_y, fmt::format("V{}", rail.to_y));
         if (rail.passes(out_y)) sheet.dot(rail.x, out_y);
     }
@@ -437,8 +449,8 @@ std::vector<Block> blocks_of(const Plan& plan, const Circuit& circuit, const std
         blocks.push_back({sensor_pitch, [&plan, &circuit, i](Sheet& sheet, int y) {
                               for (std::size_t at = i; at < std::min(i + 2, plan.inputs.size()); ++at) {
                                   const int x = Sheet::margin + (at == i ? 0 : second_column);
-                                  draw_buffer(sheet, x, y + 2 * row, circuit, plan.inputs[at], circuit.amplifiers[at],
-                                              x + 336);
+                                  draw_buffer(sheet, x, y + 2 * row, circuit, plan.inputs[at],
+                                              parts_of(plan, Board::circuit)[at], circuit.amplifiers[at], x + 336);
                               }
                           }});
     for (const Summer& summer : summers)
@@ -465,6 +477,31 @@ std::vector<Sheet> sheets_of(const std::vector<Block>& blocks) {
 }
 
 }  // namespace
+
+std::string robot_svg(const Plan& plan) {
+    Wiring wiring{
+        .board = "circuit",
+        .driver = "TB6612 (L298N)",
+        .kind = Board::circuit,
+        .pins = {{"J2 pin 1", "PWMA (ENA)"},
+                 {"J2 pin 3: 5 V", "AIN1 (IN1)"},
+                 {"J2 pin 4: ground", "AIN2 (IN2)"},
+                 {"J2 pin 2", "PWMB (ENB)"},
+                 {"J2 pin 3: 5 V", "BIN1 (IN3)"},
+                 {"J2 pin 4: ground", "BIN2 (IN4)"},
+                 {"J2 pin 3: 5 V", "STBY, VCC (–)"}},
+        .left_outputs = "AO1, AO2 (OUT1, OUT2)",
+        .right_outputs = "BO1, BO2 (OUT3, OUT4)",
+        .motor_supply = "VM (12V)",
+        .notes = {"All grounds are connected. The battery of the motors is drawn; that of the circuit, 9 V, is at J1. "
+                  "Pins of "
+                  "sensors: 1 is 5 V, 2 ground, 3 the input.",
+                  "L298N: remove the jumpers of ENA and ENB, leave the 5 V jumper, and connect nothing to its 5 V pin. "
+                  "Names in brackets are those of an L298N."}};
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+        wiring.inputs.push_back(fmt::format("{} pin 3", sensor_connector(i)));
+    return robots::wiring_svg(plan, wiring);
+}
 
 std::vector<std::string> wiring_sheets(const Plan& plan) {
     const Circuit circuit = circuit_of(plan);

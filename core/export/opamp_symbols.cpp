@@ -76,9 +76,14 @@ void Sheet::resistor(int x, int y) { box(x, y - 6, resistor_length, 12); }
 
 void Sheet::resistor_down(int x, int y) { box(x - 6, y, 12, resistor_drop); }
 
-void Sheet::photocell_down(int x, int y) {
-    resistor_down(x, y);
-    for (const int below : {4, 12}) wire(x - 24, y + below, "l13 6m-5 -4.5l5 4.5l-6.5 0.5");  // light
+void Sheet::part_down(int x, int y, PartSymbol symbol) {
+    if (symbol == PartSymbol::button) return wire(x, y, "v8m-9 1l9 11v8");
+    if (symbol == PartSymbol::phototransistor)
+        wire(x, y, "v7l-8 4m0 -4v12m0 -4l8 4v9m0 -9l-4.5 -0.2m4.5 0.2l-2.4 -3.6");  // its emitter is below
+    else
+        resistor_down(x, y);
+    if (symbol == PartSymbol::resistor) return;
+    for (const int below : {2, 10}) wire(x - 26, y + below, "l13 6m-5 -4.5l5 4.5l-6.5 0.5");  // light
 }
 
 void Sheet::capacitor_down(int x, int y) { wire(x, y, "m-8 0h16m-16 6h16"); }

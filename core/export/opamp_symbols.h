@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/export/opamp.h"
+#include "core/export/sensor_parts.h"
 
 namespace braitenlab::robots::opamp {
 
@@ -25,9 +26,9 @@ public:
     void supply(int x, int y, const std::string& volts);  // above this point
     void resistor(int x, int y);                          // from x to x + resistor_length
     void resistor_down(int x, int y);                     // from y to y + resistor_drop
-    void photocell_down(int x, int y);
-    void capacitor_down(int x, int y);  // from y to y + capacitor_drop
-    void diode(int x, int y);           // from its cathode at x to its anode at x + diode_length
+    void part_down(int x, int y, PartSymbol);             // from y to y + resistor_drop
+    void capacitor_down(int x, int y);                    // from y to y + capacitor_drop
+    void diode(int x, int y);                             // from its cathode at x to its anode at x + diode_length
     void box(int x, int y, int box_width, int box_height);
     // Tip at x + amplifier_width, y. Its inputs are at x − 12 and y ∓ amplifier_input: the inverting one is above the
     // other, or below with `minus_below`. Has its name and the numbers of its pins.

@@ -66,10 +66,14 @@ std::vector<const Node*> sensors_by_id(const BrainGraph& graph) {
     return sensors;
 }
 
-std::optional<Channel> channel_of(const std::vector<Sensor>& sensors, const std::string& name) {
-    for (const Sensor& sensor : sensors)
-        if (sensor.name == name) return sensor.channel;
-    return std::nullopt;
+// With what the vehicle's sensor of this name says of it.
+Input input_of(const BrainToExport& given, const std::string& name) {
+    const bool is_share = given.length > 0 && given.width > 0;
+    const float length = is_share ? given.length : 1, width = is_share ? given.width : 1;
+    for (const Sensor& sensor : given.sensors)
+        if (sensor.name == name)
+            return {name, "", sensor.channel, Place{sensor.x / length, sensor.y / width, sensor.angle, is_share}};
+    return {name, ""};
 }
 
 // New indices of the sources that stay; −1 for the others.
@@ -203,8 +207,7 @@ Result<Plan> make_plan(const BrainToExport& given, float rate_hz) {
 
     Plan plan{given.title, rate_hz, {}, {}};
     for (std::size_t s = 0; s < draft.sensors(); ++s)
-        if (to.inputs[s] >= 0)
-            plan.inputs.push_back({sensors[s]->name, "", channel_of(given.sensors, sensors[s]->name)});
+        if (to.inputs[s] >= 0) plan.inputs.push_back(input_of(given, sensors[s]->name));
     std::vector<NodeId> ids;
     for (std::size_t u = 0; u < compiled->units.size(); ++u) {
         if (to.units[u] < 0) continue;

@@ -19,11 +19,19 @@ struct Range {
     friend bool operator==(const Range&, const Range&) = default;
 };
 
+// Where a sensor is on the vehicle: ahead of the middle and to the left, as shares of the body's length and width, or
+// in m where the body is not known; the angle to the left.
+struct Place {
+    float x = 0, y = 0, angle = 0;
+    bool is_share = false;
+};
+
 // A sensor that has an effect on a motor.
 struct Input {
     std::string name;                  // of the brain's node
     std::string id;                    // "sensor_SL": an identifier of C, Python and Aseba
     std::optional<Channel> channel{};  // what it senses; nullopt: a brain alone does not say
+    std::optional<Place> place{};      // nullopt: a brain alone does not say
 };
 
 // Which value a wire reads: a sensor, a unit of this tick (`now`) or one of the previous tick (`before`).
@@ -67,6 +75,7 @@ struct BrainToExport {
     std::string title;
     BrainGraph brain;
     std::vector<Sensor> sensors{};
+    float length = 0, width = 0;  // m, of the vehicle's body; 0: not known
 };
 
 // Left out: wires of weight 0 that do not learn, neurons that reach no motor, sensors that reach no motor. A wire from

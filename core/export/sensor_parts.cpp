@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -27,26 +29,32 @@ constexpr SensorPart eye_for(Channel colour, std::string_view part, std::string_
             .supply_terminal = "C",
             .input_terminal = "E",
             .milliamperes = 0.5,
+            .symbol = PartSymbol::phototransistor,
             .zero = "covered",
             .one = lamp,
             .note = "its collector (C) is at the supply, its emitter (E) at the input",
             .uncalibrated = "0 in the dark, more with light; change the 10 kΩ until the lamp gives nearly 1"};
 }
+constexpr std::string_view own_supply = "5 V of its own";
+
 constexpr SensorPart none_for(Channel channel) {
     return {.channel = channel, .part = "", .supply = "", .zero = "", .one = ""};
 }
 
 // Currents at 5 V: of a divider with the part at 0 Ω; of a GP2Y0A21 40 mA at most (data sheet of Sharp), of the heater
-// of an MQ-3 150 mA (data sheet of Hanwei), of a TCRT5000 module its LED through 220 Ω and a lamp: 20 mA.
+// of an MQ-3 180 mA (900 mW, data sheet of Winsen; 750 mW in that of Hanwei), of a TCRT5000 module its LED through
+// 220 Ω and a lamp: 20 mA. Voltages of a GP2Y0A21: 0.4 V at 80 cm, 1.9 V more at 10 cm (data sheet of Sharp, typical);
+// resistance of a thermistor of B = 3950 K at 60 °C: 2.5 kΩ.
 constexpr auto parts_at_5_volts = std::to_array<SensorPart>({
     {.channel = Channel::light,
      .part = "photoresistor GL5528",
      .supply = "5 V",
      .to_ground = "1.5 kΩ",
      .milliamperes = 3.3,
+     .symbol = PartSymbol::photoresistor,
      .zero = "covered",
      .one = "the lamp right in front of it",
-     .uncalibrated = "0 in the dark, 0.5 at 268 lx"},
+     .uncalibrated = "0 in the dark, 0.5 at 268 lx, 0.9 at 6,000 lx"},
     eye_for(Channel::red, "phototransistor TEPT4400 behind a red filter", "a red LED lamp right in front of it"),
     eye_for(Channel::green, "phototransistor TEPT4400 behind a green filter", "a green LED lamp right in front of it"),
     eye_for(Channel::blue, "phototransistor TEPT4400 behind a blue filter", "a blue LED lamp right in front of it"),
@@ -57,16 +65,17 @@ constexpr auto parts_at_5_volts = std::to_array<SensorPart>({
      .milliamperes = 0.5,
      .zero = "at room temperature",
      .one = "the warm source in front of it",
-     .uncalibrated = "0.5 at 25 °C, more in the heat; for 0 at room temperature subtract half of each weight of its "
-                     "wires from the bias of the wire's motor"},
+     .uncalibrated = "0.5 at 25 °C, 0.8 at 60 °C",
+     .readings = {0.5f, 0.8f}},
     {.channel = Channel::smell,
      .part = "gas sensor module MQ-3, analog output",
      .supply = "5 V",
      .joining = Joining::module,
-     .milliamperes = 150,
+     .milliamperes = 180,
+     .warm_up = 300,
      .zero = "in clean air",
      .one = "alcohol in front of it",
-     .note = "its heater takes 150 mA at 5 V and 5 minutes",
+     .note = "its heater takes up to 180 mA at 5 V; it reads steadily after 5 minutes, a new one after a day",
      .uncalibrated = "more than 0 in clean air; measure its output there, and subtract weight · V / 5 of each of its "
                      "wires from the bias of the wire's motor"},
     none_for(Channel::oxygen),
@@ -79,7 +88,8 @@ constexpr auto parts_at_5_volts = std::to_array<SensorPart>({
      .zero = "nothing in front of it",
      .one = "an obstacle at 10 cm",
      .note = "nearer than 10 cm it reads less again, so it sits 10 cm behind the front of the robot",
-     .uncalibrated = "0.08 (0.4 V) with nothing in front of it to 0.62 (3.1 V) at 10 cm"},
+     .uncalibrated = "0.08 (0.4 V) at 80 cm to 0.46 (2.3 V) at 10 cm",
+     .readings = {0.08f, 0.46f}},
     none_for(Channel::predator),
     none_for(Channel::prey),
     none_for(Channel::vehicle),
@@ -89,6 +99,7 @@ constexpr auto parts_at_5_volts = std::to_array<SensorPart>({
      .supply = "5 V",
      .to_ground = "10 kΩ",
      .milliamperes = 0.5,
+     .symbol = PartSymbol::button,
      .zero = "released",
      .one = "pressed",
      .uncalibrated = "0 released, 1 pressed"},
@@ -110,7 +121,8 @@ constexpr auto parts_at_5_volts = std::to_array<SensorPart>({
      .in_series = "10 kΩ",
      .zero = "an empty battery",
      .one = "a full battery",
-     .uncalibrated = "0.6 at 6 V, 0.4 at 4 V"},
+     .uncalibrated = "0.6 at 6 V, 0.4 at 4 V",
+     .readings = {0.4f, 0.96f}},
     none_for(Channel::random),
 });
 
@@ -126,14 +138,15 @@ static_assert([] {
 SensorPart at_3_volts(SensorPart part) {
     switch (part.channel) {
         case Channel::obstacle:  // the GP2Y0A21 needs 4.5 V
-            part.part = "infrared distance sensor GP2Y0A60SZ, module for 3 V (10 cm to 150 cm)";
+            part.part = "infrared distance sensor GP2Y0A60SZ for 3 V (10 cm to 150 cm)";
+            part.milliamperes = 50;  // at most (data sheet of Sharp)
             break;
         case Channel::smell:
-            part.supply = "5 V of its own", part.has_own_supply = true;
+            part.supply = own_supply, part.has_own_supply = true;
             part.in_series = "10 kΩ", part.to_ground = "15 kΩ";
             part.note =
-                "its heater takes 150 mA at 5 V, which the micro:bit does not give, and 5 minutes; the two resistors "
-                "keep the pin at 3 V";
+                "its heater takes up to 180 mA at 5 V, which the micro:bit does not give; it reads steadily after 5 "
+                "minutes, a new one after a day; the two resistors keep the pin at 3 V";
             return part;
         case Channel::energy:
             part.in_series = "20 kΩ";
@@ -156,6 +169,67 @@ std::string csv_cell(std::string_view text) {
 SensorPart part_of(const Input& input, Board board) {
     const SensorPart& part = parts_at_5_volts[static_cast<std::size_t>(input.channel.value_or(Channel::light))];
     return board == Board::microbit ? at_3_volts(part) : part;
+}
+
+std::vector<SensorPart> parts_of(const Plan& plan, Board board) {
+    // An Uno has a fuse of 500 mA and takes 50 mA itself; six AA cells give the circuit as much.
+    constexpr double most = 440;
+    std::vector<SensorPart> parts;
+    for (const Input& input : plan.inputs) parts.push_back(part_of(input, board));
+    if (board != Board::microbit && board_milliamperes(parts) > most)
+        for (SensorPart& part : parts)
+            if (part.joining == Joining::module) part.supply = own_supply, part.has_own_supply = true;
+    return parts;
+}
+
+double board_milliamperes(const std::vector<SensorPart>& parts) {
+    double sum = 0;
+    for (const SensorPart& part : parts) sum += part.has_own_supply ? 0 : part.milliamperes;
+    return sum;
+}
+
+double own_milliamperes(const std::vector<SensorPart>& parts) {
+    double sum = 0;
+    for (const SensorPart& part : parts) sum += part.has_own_supply ? part.milliamperes : 0;
+    return sum;
+}
+
+int warm_up_of(const std::vector<SensorPart>& parts) {
+    int longest = 0;
+    for (const SensorPart& part : parts) longest = std::max(longest, part.warm_up);
+    return longest;
+}
+
+std::string place_text(const Input& input) {
+    if (!input.place) return "at the front, on the side of its name (L, R); the file has a brain alone";
+    const auto distance = [&](float value, std::string_view of, std::string_view positive, std::string_view negative) {
+        const double size = static_cast<double>(std::fabs(value));
+        if (size < 0.005) return std::string();
+        return (input.place->is_share ? fmt::format("{:.0f} % of the {} ", 100 * size, of)
+                                      : fmt::format("{:.2f} m ", size)) +
+               std::string(value > 0 ? positive : negative);
+    };
+    const std::string along = distance(input.place->x, "length", "ahead of the middle", "behind the middle"),
+                      across = distance(input.place->y, "width", "to the left", "to the right");
+    const std::string at = along.empty() && across.empty()
+                               ? "in the middle"
+                               : along + (along.empty() || across.empty() ? "" : ", ") + across;
+    const long degrees = std::lround(input.place->angle * 180 / std::numbers::pi_v<float>);
+    if (degrees == 0) return at + "; it looks ahead";
+    if (std::abs(degrees) == 180) return at + "; it looks back";
+    return fmt::format("{}; it looks {}° to the {}", at, std::abs(degrees), degrees > 0 ? "left" : "right");
+}
+
+std::string own_supply_text(const std::vector<SensorPart>& parts, std::string_view board) {
+    const double sum = own_milliamperes(parts);
+    if (sum == 0) return "";
+    return fmt::format(
+        "\nSensors with \"{}\" take up to {:.0f} mA in sum, more than the {} gives: connect them to a supply of 5 V "
+        "for "
+        "that\ncurrent, and its ground to all other grounds. Its + goes to these sensors alone. Switch it on after the "
+        "{} "
+        "and off before it:\na sensor that is on brings current into the pins of a board that is off.\n",
+        own_supply, std::ceil(sum), board, board);
 }
 
 std::string joining_text(const SensorPart& part) {
@@ -182,8 +256,10 @@ std::string sensor_rows(const Plan& plan, Board board, std::string_view row_end)
         if (row == rows.end()) row = rows.insert(rows.end(), {part, use, {}});
         row->sensors.push_back(comment_text(input.name));
     };
-    for (const Input& input : plan.inputs) {
-        const SensorPart part = part_of(input, board);
+    const std::vector<SensorPart> parts = parts_of(plan, board);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Input& input = plan.inputs[i];
+        const SensorPart& part = parts[i];
         if (part.joining != Joining::battery) add(std::string(part.part), "for", input);
         const std::string from = part.joining == Joining::battery
                                      ? "from + of the battery of the motors to the input of"
@@ -193,7 +269,6 @@ std::string sensor_rows(const Plan& plan, Board board, std::string_view row_end)
             add("resistor " + std::string(part.to_ground), "from the input to ground, of", input);
         if (!part.capacitor.empty())
             add("capacitor " + std::string(part.capacitor), "between supply and ground of", input);
-        if (part.has_own_supply) add("supply of 5 V, 200 mA", "grounds connected, for", input);
     }
     std::string text;
     for (const Row& row : rows) {
@@ -203,6 +278,9 @@ std::string sensor_rows(const Plan& plan, Board board, std::string_view row_end)
                             csv_cell(fmt::format("{} sensor{} {}", row.use, row.sensors.size() > 1 ? "s" : "", names)),
                             row_end);
     }
+    if (const double sum = own_milliamperes(parts); sum > 0)
+        text += fmt::format("1,\"supply of 5 V, {:.0f} mA\",\"for the sensors with {}; grounds connected\"{}\n",
+                            std::ceil(sum), own_supply, row_end);
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/export/plan.h"
 #include "core/result.h"
@@ -20,6 +21,8 @@ enum class Joining {
     battery   // the motors' battery itself
 };
 
+enum class PartSymbol { resistor, photoresistor, phototransistor, button };  // of a divider, in a schematic
+
 struct SensorPart {
     Channel channel;
     std::string_view part;    // "photoresistor GL5528"; empty: there is none
@@ -31,11 +34,37 @@ struct SensorPart {
     std::string_view capacitor{};                          // from the part's supply to ground; empty: none
     double milliamperes = 0;                               // at most, from its supply
     bool has_own_supply = false;                           // of 5 V, which the board does not give
-    std::string_view zero, one;                            // what is shown for the readings 0 and 1
-    std::string_view note{};                               // of its place and its use; empty: none
-    std::string_view uncalibrated{};                       // what it reads as its voltage by 5 V
+    PartSymbol symbol = PartSymbol::resistor;
+    int warm_up = 0;                  // s, until it reads steadily; 0: at once
+    std::string_view zero, one;       // what is shown for the readings 0 and 1
+    std::string_view note{};          // of its place and its use; empty: none
+    std::string_view uncalibrated{};  // what it reads as its voltage by 5 V
+    Range readings{0, 1};             // of its voltage by 5 V, where they are known
 };
 SensorPart part_of(const Input&, Board);  // a sensor of unknown channel is an eye
+
+// The parts of the sensors of a plan. Where they take more current than the board gives, modules have a supply of
+// their own.
+std::vector<SensorPart> parts_of(const Plan&, Board);
+
+// At most, that the sensors take from the board, and from the supply of their own.
+double board_milliamperes(const std::vector<SensorPart>&);
+double own_milliamperes(const std::vector<SensorPart>&);
+
+// The longest warm-up of the sensors, in s.
+int warm_up_of(const std::vector<SensorPart>&);
+
+// "45 % of the length ahead of the middle, 33 % of the width to the left; it looks 35° to the left", and what a README
+// says below a table of places.
+std::string place_text(const Input&);
+inline constexpr std::string_view about_places =
+    "Left and right are those of someone who sits on the robot and looks ahead. Places and angles are those of the "
+    "vehicle in\n"
+    "the scene. A robot whose left and right eyes are swapped does the opposite of the brain: an aggressor becomes a "
+    "coward.\n";
+
+// What a README says of the supply that some parts have of their own; empty if none has one.
+std::string own_supply_text(const std::vector<SensorPart>&, std::string_view board);
 
 // "photoresistor GL5528 from 5 V to the input; 1.5 kΩ from the input to ground"
 std::string joining_text(const SensorPart&);

@@ -11,8 +11,8 @@ namespace braitenlab::robots {
 
 namespace {
 
-constexpr int row_height = 34, sensor_height = 84, board_x = 330, board_width = 200, driver_x = 650, driver_width = 150,
-              top = 90;
+constexpr int row_height = 34, sensor_height = 92, board_x = 330, board_width = 200, driver_x = 650, driver_width = 150,
+              top = 100;
 constexpr std::string_view small = " class=\"small\"";
 
 std::string box(int x, int y, int width, int height, const std::string& title) {
@@ -31,6 +31,17 @@ std::string fitted(int x, int y, const std::string& text, int room, bool is_bold
     return svg_label(x, y, "start", text, style);
 }
 
+// A small text in as many lines as it needs, the last one at y. Its words are narrower than the room.
+std::string lines_above(int x, int y, const std::string& text, int room) {
+    constexpr int character = 6, line_height = 12;
+    const auto most = static_cast<std::size_t>(room / character);
+    if (text.size() <= most) return svg_label(x, y, "start", text, small);
+    const std::size_t space = text.rfind(' ', most);
+    if (space == std::string::npos) return fitted(x, y, text, room, false);
+    return svg_label(x, y - line_height, "start", text.substr(0, space), small) +
+           lines_above(x, y, text.substr(space + 1), room);
+}
+
 // A resistor in a wire of level y, or at the end of a branch to ground.
 std::string resistor(int x, int y, std::string_view ohms, int label_y) {
     return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"36\" height=\"12\" class=\"part\"/>\n", x, y - 6) +
@@ -39,15 +50,15 @@ std::string resistor(int x, int y, std::string_view ohms, int label_y) {
 
 // From the left: the supply, the part, a resistor to the input, and below a resistor to ground, where the part has
 // them.
-std::string sensor_row(const Plan& plan, const Wiring& wiring, std::size_t i) {
-    const int y = top + 60 + static_cast<int>(i) * sensor_height, part_x = 98, room = board_x - 30;
-    const SensorPart part = part_of(plan.inputs[i], wiring.kind);
+std::string sensor_row(const Input& input, const SensorPart& part, std::size_t i, const std::string& pin) {
+    const int y = top + 70 + static_cast<int>(i) * sensor_height, part_x = 98, room = board_x - 30;
     const bool is_module = part.joining == Joining::module, is_battery = part.joining == Joining::battery;
-    std::string text = fitted(20, y - 34, plan.inputs[i].name, room, true) +
-                       fitted(20, y - 20, std::string(part.part), room, false) +
-                       svg_label(part_x - 4, is_module ? y - 2 : y + 4, "end", std::string(part.supply), small) +
+    std::string text = fitted(20, y - 40, input.name, room, true) +
+                       lines_above(20, y - 16, std::string(part.part), room) +
+                       svg_label(part_x - 4, is_module ? y - 2 : y + 4, "end",
+                                 part.has_own_supply ? "own 5 V" : std::string(part.supply), small) +
                        fmt::format("<path d=\"M{} {}H{}\" stroke=\"#0072b2\"/>\n", part_x, y, board_x) +
-                       svg_label(board_x + 8, y + 5, "start", wiring.inputs[i]);
+                       svg_label(board_x + 8, y + 5, "start", pin);
     if (is_module) text += svg_label(part_x - 4, y + 10, "end", "GND", small);
     if (!is_battery)
         text += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"48\" height=\"20\" class=\"part\"/>\n", part_x, y - 10);
@@ -81,7 +92,11 @@ std::string supply(const Wiring& wiring, int bottom) {
         fmt::format("<path d=\"M40 {0}H{1}V{2}M{3} {0}V{2}\" stroke=\"#000\"/>\n", black, driver_x + 100, bottom,
                     board_x + 120) +
         svg_label(40, red - 8, "start", "battery +") + svg_label(40, black - 8, "start", "battery −");
-    if (both) text += svg_label(board_x + 54, bottom - 8, "middle", std::string(wiring.board_supply), small);
+    if (both)
+        text += svg_label(board_x + 54, bottom - 8, "middle", std::string(wiring.board_supply), small) +
+                fmt::format("<rect x=\"{}\" y=\"{}\" width=\"44\" height=\"16\" class=\"part\"/>\n", board_x + 38,
+                            bottom + 6) +
+                svg_label(board_x + 60, bottom + 18, "middle", std::string(wiring.regulator), small);
     return text + svg_label(board_x + 120, bottom - 8, "middle", "GND", small) +
            svg_label(driver_x + 46, bottom - 8, "middle", std::string(wiring.motor_supply), small) +
            svg_label(driver_x + 108, bottom - 8, "middle", "GND", small);
@@ -103,12 +118,14 @@ std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
         "<style>text{{font:14px sans-serif;fill:#222}} .title{{font-weight:bold}} .small{{font-size:11px;fill:#555}}\n"
         ".part{{fill:#f4f1ea;stroke:#444}} path{{fill:none;stroke-width:2}}</style>\n"
         "<rect width=\"980\" height=\"{0}\" fill=\"#fff\"/>\n",
-        bottom + 130);
+        bottom + 140);
     text += fitted(20, 34, "Wiring: " + plan.title, 940, true);
     text += box(board_x, top, board_width, height, std::string(wiring.board));
     text += box(driver_x, top, driver_width, height, std::string(wiring.driver));
     if (!plan.inputs.empty()) text += svg_label(20, top - 10, "start", "Sensors", " class=\"title\"");
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i) text += sensor_row(plan, wiring, i);
+    const std::vector<SensorPart> parts = parts_of(plan, wiring.kind);
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+        text += sensor_row(plan.inputs[i], parts[i], i, wiring.inputs[i]);
     for (std::size_t i = 0; i < wiring.pins.size(); ++i) {
         const int y = top + 40 + static_cast<int>(i) * row_height;
         text += fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\"/>\n", board_x + board_width, y, driver_x,
@@ -125,7 +142,11 @@ std::string wiring_svg(const Plan& plan, const Wiring& wiring) {
                 svg_label(board_x + board_width + 26, button_y + 5, "start", "button to GND", " class=\"small\"");
     text += motor(top + 70, "left motor", wiring.left_outputs) + motor(top + 210, "right motor", wiring.right_outputs);
     return text + supply(wiring, bottom) + fitted(40, bottom + 92, std::string(wiring.notes[0]), 920, false) +
-           fitted(40, bottom + 110, std::string(wiring.notes[1]), 920, false) + "</svg>\n";
+           fitted(40, bottom + 110, std::string(wiring.notes[1]), 920, false) +
+           (own_milliamperes(parts) > 0
+                ? fitted(40, bottom + 128, "Sensors at \"own 5 V\" have another supply, see README.md.", 920, false)
+                : "") +
+           "</svg>\n";
 }
 
 }  // namespace braitenlab::robots

@@ -21,7 +21,9 @@ struct Wiring {
     std::vector<WiredPin> pins;       // three of the left motor, three of the right one, others
     std::string button;               // pin of a button to ground; empty: none
     std::string_view left_outputs, right_outputs, motor_supply;  // of the driver
-    std::string_view board_supply;  // pin that the motors' battery supplies; empty: the board has its own supply
+    // Where the motors' battery supplies the board, and the regulator between both; empty: the board has its own
+    // supply.
+    std::string_view board_supply{}, regulator{};
     std::string_view notes[2];
 };
 

@@ -197,6 +197,22 @@ TEST(Arduino, MarksACalibrationByNumberOrderAndChannelOfTheSensors) {
     EXPECT_EQ(marks.size(), 7u);
 }
 
+TEST(Arduino, WarmsUpSensorsThatNeedItBeforeItCalibratesAndDrives) {
+    for (const auto& row : channel_table) {
+        const auto files = exported(with_channel(row.value));
+        if (!files) continue;
+        const int seconds = robots::part_of({"SL", "sensor_SL", row.value}, robots::Board::uno).warm_up;
+        const std::string& sketch = named(*files, ".ino");
+        const std::size_t call = sketch.find("  warmUp();"), calibrates = sketch.find(" calibrate();");
+        EXPECT_EQ(call < calibrates && calibrates<sketch.find("  waitBeforeStart();"), seconds> 0) << row.word;
+        EXPECT_EQ(sketch.find(fmt::format("< {}000UL", seconds)) != std::string::npos, seconds > 0) << row.word;
+        EXPECT_EQ(
+            named(*files, "README.md").find(fmt::format("after {} minutes only", seconds / 60)) != std::string::npos,
+            seconds > 0)
+            << row.word;
+    }
+}
+
 // ---- In the simulator ----
 
 // The PWM that the README promises for a command.
@@ -306,8 +322,9 @@ TEST(ArduinoInSimavr, KeepsWhatTheFirstStartCalibrates) {
         "adc 1 55\npress\nwait 400\nadc 1 60\npress\nwait 2400\n"  // SR: too close, again
         "adc 1 55\npress\nwait 400\nadc 1 900\npress\nwait 400\n";
     const std::string motors = "press\nwait 1800\npress\nwait 200\npress\nwait 3000\npress\nwait 200\n";
-    // Turned left once, then straight.
-    const std::string run = "press\nwait 4300\npress\nwait 5500\npress\nwait 4300\nwait 6000\n";
+    // Turned left once, then straight: three presses. Without an answer it waits.
+    const std::string run =
+        "press\nwait 4300\npress\nwait 2500\npress\nwait 4300\nwait 9000\npress\npress\npress\nwait 2500\n";
     const Ran ran = simulator.run(2, "-\n" + eyes + motors + run, "calibrate");
     ASSERT_EQ(ran.code, 0) << ran.out;
     const auto plan = robots::make_plan({"2a-coward", find_preset("2a-coward")->brain, {}}, 50);
@@ -336,6 +353,38 @@ TEST(ArduinoInSimavr, WaitsForTheReleaseOfTheButtonThatIsHeldDuringReset) {
     EXPECT_EQ(word_at(ran.out, 2), 40);
     EXPECT_EQ(word_at(ran.out, 6), 800);
     EXPECT_EQ(byte_at(ran.out, 14), 1) << "steps that are done";
+}
+
+TEST(ArduinoInSimavr, CalibratesTheMotorsAloneWhenTheButtonIsHeldLonger) {
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const auto files = exported({"2a-coward", find_preset("2a-coward")->brain, {}});
+    ASSERT_TRUE(files && simulator.compile(*files));
+    const auto plan = robots::make_plan({"2a-coward", find_preset("2a-coward")->brain, {}}, 50);
+    const std::string own = eeprom({40, 900, {11, 12}, {200, 210}}, 2, robots::arduino::calibration_mark(*plan)) + "\n";
+    const std::string left = "wait 5000\nup\nwait 400\npress\nwait 1800\npress\nwait 200\n";
+    const Ran ran = simulator.run(2, own + left, "held");
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    EXPECT_EQ(word_at(ran.out, 2), 40);
+    EXPECT_EQ(word_at(ran.out, 6), 900);
+    EXPECT_NEAR(byte_at(ran.out, 10), 30, 4);
+    EXPECT_EQ(byte_at(ran.out, 12), 255);
+    EXPECT_EQ(byte_at(ran.out, 14), 3) << "steps that are done: two sensors, one motor";
+}
+
+TEST(ArduinoInSimavr, KeepsNoStraightRunWithoutAnAnswer) {
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    const auto files = exported({"", make_graph({.LM = 1, .RM = 1}), {}});
+    ASSERT_TRUE(files && simulator.compile(*files));
+    const std::string motors = "press\nwait 600\npress\nwait 200\npress\nwait 600\npress\nwait 200\n";
+    for (const bool answers : {false, true}) {
+        const Ran ran = simulator.run(
+            0, "-\n" + motors + "press\nwait 4300\nwait 12000\n" + (answers ? "press\npress\npress\nwait 2500\n" : ""),
+            "calibrate");
+        ASSERT_EQ(ran.code, 0) << ran.out;
+        EXPECT_EQ(byte_at(ran.out, 6), answers ? 3 : 2) << "steps that are done";
+    }
 }
 
 TEST(ArduinoInSimavr, KeepsEachStepOfTheCalibrationAndGoesOnWithTheNextOne) {

@@ -40,7 +40,7 @@ struct Circuit {
 Circuit circuit_from(const BrainToExport& brain, const Files& files) {
     Circuit circuit{brain, files};
     for (const auto& file : files)
-        if (file.name.ends_with(".svg")) circuit.sheets.push_back(std::make_unique<DrawnSheet>(file.text));
+        if (file.name.starts_with("wiring")) circuit.sheets.push_back(std::make_unique<DrawnSheet>(file.text));
     return circuit;
 }
 
@@ -224,9 +224,19 @@ std::multiset<std::string> listed(const std::string& text, char separator, std::
         std::istringstream row(line);
         for (std::string cell; std::getline(row, cell, separator);) cells.push_back(cell);
         if (cells.size() <= std::max(names, values)) continue;
-        std::sregex_iterator n(cells[names].begin(), cells[names].end(), name), end,
+        const std::sregex_iterator end;
+        std::sregex_iterator n(cells[names].begin(), cells[names].end(), name),
             v(cells[values].begin(), cells[values].end(), value);
-        for (; n != end && v != end; ++n, ++v) all.insert(n->str() + " " + v->str());
+        if (n == end || v == end) continue;
+        // One value for all names, whose number is in the first column, or one for each.
+        const bool is_one = std::next(v) == end;
+        if (is_one && separator == ',') {
+            EXPECT_EQ(std::distance(n, end), std::stol(cells[0])) << line;
+        }
+        for (; n != end && v != end; ++n) {
+            all.insert(n->str() + " " + v->str());
+            if (!is_one) ++v;
+        }
         EXPECT_TRUE(n == end) << line;
     }
     return all;

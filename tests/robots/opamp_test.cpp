@@ -166,13 +166,57 @@ TEST(Opamp, SaysForEachWheelWhatTheDriversDo) {
     EXPECT_NE(readme.find("| right (MR) | -0.10 to 0.70 | may never turn | turns |"), std::string::npos) << readme;
     EXPECT_NE(readme.find("**Warning: the wheel of 'ML' never turns"), std::string::npos) << readme;
     EXPECT_NE(text_of(*files, "parts.csv").find(",L298N board,"), std::string::npos) << "a TB6612 does not turn it";
-    EXPECT_NE(text_of(*exported({"", make_graph({.LL = 1, .RR = 1}), {}}), "parts.csv").find(",TB6612 board or L298N"),
+    EXPECT_NE(text_of(*exported({"", make_graph({.LL = 1, .RR = 1}), {}}), "parts.csv").find(",TB6612 board,"),
               std::string::npos);
     // The numbers in the text.
     EXPECT_TRUE(opamp::command_at(opamp::low_volts) > 0.41 && opamp::command_at(opamp::low_volts) < 0.42);
     EXPECT_TRUE(opamp::command_at(opamp::tb6612_high_volts) > 0.97 &&
                 opamp::command_at(opamp::tb6612_high_volts) < 0.98);
     EXPECT_TRUE(opamp::command_at(opamp::l298_high_volts) > 0.63 && opamp::command_at(opamp::l298_high_volts) < 0.64);
+}
+
+// A distance sensor without a calibration reads 0.08 to 0.46, a released switch 0.
+TEST(Opamp, JudgesAWheelByWhatItsSensorsRead) {
+    const auto commands = [](Channel channel, const FourNeurons& brain) {
+        const auto plan = robots::make_plan({"", make_graph(brain), {{.name = "SL", .channel = channel}}}, 60);
+        const robots::Range range = opamp::commands_of(*plan, plan->units[0]);
+        return std::pair{range.low, range.high};
+    };
+    for (const auto& row : channel_table) {
+        const robots::SensorPart part = robots::part_of({"SL", "sensor_SL", row.value}, robots::Board::circuit);
+        if (part.part.empty()) continue;
+        const auto [low, high] = part.readings;
+        EXPECT_TRUE(low >= 0 && low < high && high <= 1) << row.word;
+        for (const float weight : {1.0f, -1.0f}) {
+            const auto [least, most] = commands(row.value, {.LL = weight, .LM = 0.3f});
+            EXPECT_NEAR(least, 0.3f + (weight > 0 ? low : -high), 1e-6) << row.word;
+            EXPECT_NEAR(most, 0.3f + (weight > 0 ? high : -low), 1e-6) << row.word;
+        }
+    }
+    const auto files = exported(
+        {"", make_graph({.LL = 1, .RL = 1, .LM = 0.3f, .RM = 0.3f}), {{.name = "SL", .channel = Channel::obstacle}}});
+    ASSERT_TRUE(files);
+    EXPECT_NE(text_of(*files, "README.md").find("| left (ML) | 0.38 to 0.76 | may never turn | turns |"),
+              std::string::npos)
+        << text_of(*files, "README.md");
+    EXPECT_NE(text_of(*files, "parts.csv").find(",L298N board,"), std::string::npos);
+}
+
+// Each pin of the driver is at a connector of the board, and each sensor has its supply and ground at its own one.
+TEST(Opamp, HasASupplyPinForTheDriverAndForEachSensor) {
+    each_exported(Target::opamp, "lm324", [](const BrainToExport& brain, const auto& files) {
+        const auto plan = robots::make_plan(brain, 60);
+        const opamp::Circuit circuit = opamp::circuit_of(*plan);
+        ASSERT_EQ(circuit.connectors.size(), plan->inputs.size() + 2) << brain.title;
+        for (std::size_t i = 1; i < circuit.connectors.size(); ++i) {
+            const auto& nodes = circuit.connectors[i].nodes;
+            for (const char* node : {"v5", "0"}) EXPECT_EQ(std::count(nodes.begin(), nodes.end(), node), 1) << node;
+            EXPECT_NE(text_of(files, "robot.svg").find(">" + circuit.connectors[i].name + " pin "), std::string::npos)
+                << brain.title << circuit.connectors[i].name;
+        }
+        for (const char* word : {"TB6612", "left motor", "right motor", "battery +"})
+            EXPECT_NE(text_of(files, "robot.svg").find(word), std::string::npos) << word;
+    });
 }
 
 TEST(Opamp, TakesALargerSupplyForSensorsThatNeedMoreThanABlockBatteryGives) {
@@ -187,7 +231,8 @@ TEST(Opamp, TakesALargerSupplyForSensorsThatNeedMoreThanABlockBatteryGives) {
         EXPECT_NE(text_of(*files, "README.md").find(fmt::format("take up to {:.0f} mA", std::ceil(load))),
                   std::string::npos);
         EXPECT_EQ(text_of(*files, "parts.csv").find("1,block battery") != std::string::npos, is_block);
-        EXPECT_EQ(text_of(*files, "parts.csv").find("1,holder with six") != std::string::npos, !is_block);
+        EXPECT_EQ(text_of(*files, "parts.csv").find("1,holder for six AA cells with a switch,9 V") != std::string::npos,
+                  !is_block);
     }
 }
 

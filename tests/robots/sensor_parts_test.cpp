@@ -1,6 +1,9 @@
 // The parts of sensors: every file of an export has the same ones, and none brings more to a pin than it takes.
 #include "core/export/sensor_parts.h"
 
+#include <cmath>
+#include <regex>
+
 #include "core/brain/four_neurons.h"
 #include "core/scene/enums.h"
 #include "tests/robots/exported.h"
@@ -39,11 +42,14 @@ void each_part(Test test) {
 }
 
 TEST(SensorParts, AreInTheDrawingTheListAndTheReadmeWithTheirResistors) {
-    each_part([](const SensorPart& part, Board, const auto& files, const std::string& which) {
+    each_part([](const SensorPart& part, Board board, const auto& files, const std::string& which) {
         const std::string &drawing = file_of(files, "wiring.svg"), &list = file_of(files, "parts.csv");
         EXPECT_EQ(xml_fault("<!DOCTYPE svg>\n" + drawing), "") << which;
         EXPECT_NE(file_of(files, "README.md").find("| " + robots::joining_text(part)), std::string::npos) << which;
-        EXPECT_NE(drawing.find(part.part), std::string::npos) << which;
+        if (board == Board::circuit) {
+            EXPECT_EQ(xml_fault("<!DOCTYPE svg>\n" + file_of(files, "robot.svg")), "") << which;
+            EXPECT_NE(drawing.find(part.part), std::string::npos) << which;
+        }
         if (part.joining != robots::Joining::battery) {
             EXPECT_NE(list.find(fmt::format("1,\"{}\",\"for sensor SL\"", part.part)), std::string::npos) << which;
         }
@@ -69,6 +75,72 @@ TEST(SensorParts, BringNoMoreToAPinThanItTakes) {
         if (!part.in_series.empty())
             volts *= kiloohms(part.to_ground) / (kiloohms(part.in_series) + kiloohms(part.to_ground));
         EXPECT_LE(volts, most + 1e-9) << which;
+    });
+}
+
+// Where the sensors take more than the board gives, no board supplies the modules.
+TEST(SensorParts, TakeNoMoreFromABoardThanItGives) {
+    const std::pair<Board, const char*> five_volts[] = {{Board::uno, "tt2wd-ldr"}, {Board::circuit, "lm324"}};
+    for (const auto& [board, robot] : five_volts)
+        for (const Channel channel : {Channel::smell, Channel::obstacle, Channel::light})
+            for (int count = 1; count <= 6; ++count) {
+                robots::BrainToExport brain{"", {}, {}};
+                brain.brain.nodes = {{.id = 10, .kind = NodeKind::motor, .name = "ML"},
+                                     {.id = 11, .kind = NodeKind::motor, .name = "MR"}};
+                for (int i = 0; i < count; ++i) {
+                    const std::string name = fmt::format("S{}", i);
+                    brain.brain.nodes.push_back({.id = i, .kind = NodeKind::sensor, .name = name});
+                    brain.brain.wires.push_back({.from = i, .to = 10, .weight = 1});
+                    brain.sensors.push_back({.name = name, .channel = channel});
+                }
+                const auto parts = robots::parts_of(*robots::make_plan(brain, 50), board);
+                EXPECT_LE(robots::board_milliamperes(parts), 440) << robot << " " << word(channel) << count;
+                const double own = robots::own_milliamperes(parts);
+                EXPECT_EQ(own > 0, count * parts[0].milliamperes > 440) << robot << " " << word(channel) << count;
+                const robots::Robot& found = *robots::find_robot(robot);
+                const auto files = robots::export_brain(brain, found.target, found);
+                ASSERT_TRUE(files);
+                const std::string supply = fmt::format("supply of 5 V, {:.0f} mA", std::ceil(own));
+                EXPECT_EQ(file_of(*files, "parts.csv").find(supply) != std::string::npos, own > 0) << robot;
+                EXPECT_EQ(file_of(*files, "README.md").find(fmt::format("up to {:.0f} mA in sum", std::ceil(own))) !=
+                              std::string::npos,
+                          own > 0)
+                    << robot;
+            }
+}
+
+TEST(SensorParts, OfABodyHaveTheirPlacesAsSharesOfIt) {
+    const BrainGraph brain = make_graph({.LL = 1, .RR = 1});
+    const std::vector<Sensor> sensors{{.name = "SL", .x = 0.09f, .y = 0.05f, .angle = 0.610865f},
+                                      {.name = "SR", .x = -0.09f, .y = 0, .angle = -0.610865f}};
+    const auto place = [&](const robots::BrainToExport& given, std::size_t input) {
+        return robots::place_text(robots::make_plan(given, 50)->inputs[input]);
+    };
+    const robots::BrainToExport with_body{"", brain, sensors, 0.2f, 0.1f}, without{"", brain, sensors};
+    EXPECT_EQ(place(with_body, 0),
+              "45 % of the length ahead of the middle, 50 % of the width to the left; it looks 35° to the left");
+    EXPECT_EQ(place(with_body, 1), "45 % of the length behind the middle; it looks 35° to the right");
+    EXPECT_EQ(place(without, 0), "0.09 m ahead of the middle, 0.05 m to the left; it looks 35° to the left");
+    for (const robots::Robot& robot : robots::robots()) {
+        if (robot.is_thymio) continue;
+        const auto files = robots::export_brain(with_body, robot.target, robot);
+        ASSERT_TRUE(files) << robot.name;
+        for (const std::size_t input : {0u, 1u})
+            EXPECT_NE(file_of(*files, "README.md").find(place(with_body, input)), std::string::npos) << robot.name;
+    }
+}
+
+// No label of a part is wider than the room left of the board, whatever shows it.
+TEST(SensorParts, HaveLabelsLeftOfTheBoardInTheWiring) {
+    const std::regex text(R"re(<text x="20" y="\d+" text-anchor="start" class="small">([^<]*)<)re");
+    each_part([&](const SensorPart& part, Board board, const auto& files, const std::string& which) {
+        const std::string& drawing = file_of(files, board == Board::circuit ? "robot.svg" : "wiring.svg");
+        std::string words;
+        for (std::sregex_iterator found(drawing.begin(), drawing.end(), text), end; found != end; ++found) {
+            words += (words.empty() ? "" : " ") + (*found)[1].str();
+            EXPECT_LE((*found)[1].length(), 50) << which;
+        }
+        EXPECT_EQ(words, part.part) << which;
     });
 }
 
