@@ -64,6 +64,23 @@ Answer answer_to(Subject& subject, const Motors& dark, float strength) {
             .moves = moving};
 }
 
+// The mean drive for a source on each side.
+float drive_towards(Subject& subject, float strength) {
+    return (subject.settle(strength, strength / 2).drive() + subject.settle(strength / 2, strength).drive()) / 2;
+}
+
+// True if the drive goes through 0 where it changes from forwards to backwards between two strengths, so that the
+// vehicle can rest there; it does not where a neuron or a threshold switches.
+bool rests_between(Subject& subject, float weak, float strong) {
+    constexpr int halvings = 12;
+    constexpr float largest_step = 0.1f;  // of full speed
+    for (int i = 0; i < halvings; ++i) {
+        const float between = (weak + strong) / 2;
+        (drive_towards(subject, between) > 0 ? weak : strong) = between;
+    }
+    return drive_towards(subject, weak) - drive_towards(subject, strong) < largest_step;
+}
+
 // The first and last sign other than 0 of a series, and how often the sign changes.
 struct Tendency {
     int first = 0, last = 0, turned = 0;
@@ -119,9 +136,13 @@ Character recognise(const BrainGraph& graph, const SensorPair& pair, std::span<c
     const Motors dark = subject.settle(0, 0);
     Tendency turn, speed;
     float turned = 0, veered = 0;
-    bool moves = std::fabs(dark.left) > dead || std::fabs(dark.right) > dead;
+    bool moves = std::fabs(dark.left) > dead || std::fabs(dark.right) > dead, rests = true;
+    float last_drive = dark.drive(), last_strength = 0;
     for (const float strength : strengths) {
         const Answer answer = answer_to(subject, dark, strength);
+        const float drive = dark.drive() + answer.speed;
+        if (last_drive > dead && drive < -dead) rests &= rests_between(subject, last_strength, strength);
+        last_drive = drive, last_strength = strength;
         turn.add(sign(answer.turn));
         speed.add(sign(answer.speed));
         turned += std::fabs(answer.turn);
@@ -131,7 +152,7 @@ Character recognise(const BrainGraph& graph, const SensorPair& pair, std::span<c
     if (veered > turned && sign(veered / static_cast<float>(strengths.size())) != 0) return Character::mixed;
     if (turn.first > 0 && turn.last < 0 && turn.turned == 1) return Character::orbiting;
     if (turn.turned > 0) return Character::mixed;
-    if (turn.first > 0 && speed.last < 0 && speed.turned <= 1) return Character::love;
+    if (turn.first > 0 && speed.last < 0 && speed.turned <= 1) return rests ? Character::love : Character::mixed;
     if (speed.turned > 0) return Character::mixed;
     if (turn.first == 0 && speed.first == 0) return moves ? Character::indifferent : Character::still;
     if (turn.first == 0) return speed.first > 0 ? Character::alive : Character::drowsy;

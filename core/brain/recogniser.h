@@ -26,7 +26,7 @@ struct Reading {
 //   still        never drives;           indifferent  drives, independent of the stimulus
 //   alive        faster, does not turn;  drowsy       slower, does not turn
 //   coward       turns away and faster;  aggressor    turns towards and faster
-//   love         turns towards, slower near a strong one;  explorer  turns away, slower
+//   love         turns towards, can rest before a strong one;  explorer  turns away, slower
 //   orbiting     turns towards a weak stimulus and away from a strong one
 // A brain whose turn depends less on the side of the stimulus than on a fixed bias to one side is mixed. A brain that
 // does not compile is still.

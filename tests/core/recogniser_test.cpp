@@ -68,6 +68,19 @@ TEST(Recogniser, CallsOtherResponsesMixed) {
     EXPECT_EQ(recognise(two_sided), Character::mixed);
 }
 
+// A neuron that switches from forwards to backwards leaves no strength at which the vehicle rests.
+TEST(Recogniser, CallsAVehicleLoveOnlyIfItCanRest) {
+    for (const auto& [response, character] :
+         {std::pair{Response::step, Character::mixed}, {Response::rectified, Character::love}}) {
+        BrainGraph graph = make_graph({.LR = 1, .RL = 1, .LM = 0.1f, .RM = 0.1f});
+        graph.nodes.push_back(
+            {.id = 50, .kind = NodeKind::neuron, .name = "N1", .curve = {.response = response, .peak = 0.9f}});
+        for (const NodeId eye : {0, 1}) graph.wires.push_back({.from = eye, .to = 50, .weight = 1});
+        for (const NodeId motor : {2, 3}) graph.wires.push_back({.from = 50, .to = motor, .weight = -1.4f});
+        EXPECT_EQ(recognise(graph), character) << static_cast<int>(response);
+    }
+}
+
 TEST(Recogniser, IgnoresUnequalBiases) {
     EXPECT_EQ(of({.LL = 0.5f, .RR = 0.5f, .LM = 0.5f, .RM = 0.1f}), Character::coward);
     EXPECT_EQ(of({.LR = 1, .RL = 1, .LM = 0.1f, .RM = 0.3f}), Character::aggressor);
