@@ -27,8 +27,9 @@ Result<Strings> load_strings(const std::filesystem::path& folder, const std::str
     if (!words) return words.error();
     for (const auto& path : shipped_exercises())
         if (const auto exercise = load_exercise(path)) add_translations(*strings, texts_of(*exercise), *words);
-    for (const auto& path : shipped_scenes())
-        if (const auto scene = load_scene(path)) add_translations(*strings, texts_of(*scene), *words);
+    for (const auto& scenes : {shipped_scenes(), shipped_robots()})
+        for (const auto& path : scenes)
+            if (const auto scene = load_scene(path)) add_translations(*strings, texts_of(*scene), *words);
     for (const auto& path : shipped_lectures())
         if (const auto lecture = read_lecture(path)) add_translations(*strings, texts_of(*lecture), *words);
     for (const insight::Study& study : shipped_study_list()) add_translations(*strings, texts_of(study), *words);

@@ -102,6 +102,7 @@ Result<fs::path> scene_beside(const fs::path& file, const std::string& scene) {
 
 std::vector<fs::path> shipped_exercises() { return shipped_in("guided"); }
 std::vector<fs::path> shipped_scenes() { return shipped_in("scenes"); }
+std::vector<fs::path> shipped_robots() { return shipped_in("robots"); }
 std::vector<fs::path> shipped_lectures() { return shipped_in("lectures"); }
 std::vector<fs::path> shipped_studies() { return shipped_in("studies"); }
 std::vector<fs::path> shipped_breedings() { return shipped_in("breeding"); }
@@ -134,9 +135,10 @@ std::vector<CatalogueEntry> read_catalogue() {
         if (const auto exercise = load_exercise(path))
             catalogue.push_back({path.stem().string(), path.string(), exercise->title, "", exercise->number,
                                  exercise->chapter, std::make_shared<const Exercise>(*exercise)});
-    for (const fs::path& path : shipped_scenes())
-        if (const auto scene = load_scene(path))
-            catalogue.push_back({path.stem().string(), path.string(), scene->title, scene->story});
+    for (const std::vector<fs::path>& scenes : {shipped_scenes(), shipped_robots()})
+        for (const fs::path& path : scenes)
+            if (const auto scene = load_scene(path))
+                catalogue.push_back({path.stem().string(), path.string(), scene->title, scene->story});
     return catalogue;
 }
 

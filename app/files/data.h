@@ -30,9 +30,10 @@ Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Ship
 // The scene that a file names: a path relative to the file, or the name of a shipped scene.
 Result<std::filesystem::path> scene_beside(const std::filesystem::path& file, const std::string& scene);
 
-// The shipped exercises, scenes with those of robots, lectures, studies and breedings, each sorted by file name.
+// The shipped exercises, scenes, scenes of robots, lectures, studies and breedings, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();
 std::vector<std::filesystem::path> shipped_scenes();
+std::vector<std::filesystem::path> shipped_robots();
 std::vector<std::filesystem::path> shipped_lectures();
 std::vector<std::filesystem::path> shipped_studies();
 std::vector<std::filesystem::path> shipped_breedings();

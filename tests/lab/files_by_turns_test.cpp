@@ -18,4 +18,17 @@ TEST(FilesByTurns, ShowTheBeginningOfBothListsFirst) {
     EXPECT_TRUE(files_by_turns({}).empty());
 }
 
+TEST(Catalogue, ListsTheScenesOfRobotsByTheNameOfTheirFile) {
+    const std::vector<CatalogueEntry> catalogue = read_catalogue();
+    for (const auto& path : shipped_robots())
+        EXPECT_EQ(std::count_if(catalogue.begin(), catalogue.end(),
+                                [&](const CatalogueEntry& entry) {
+                                    return entry.name == path.stem().string() && entry.number == 0 &&
+                                           !entry.title.empty();
+                                }),
+                  1)
+            << path;
+    EXPECT_GE(shipped_robots().size(), 4u);
+}
+
 }  // namespace braitenlab::tests::files_by_turns_test

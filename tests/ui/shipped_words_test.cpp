@@ -33,11 +33,12 @@ std::vector<TranslatableText> all_texts() {
         EXPECT_TRUE(exercise) << entry.path();
         if (exercise) add(texts_of(*exercise));
     }
-    for (const auto& entry : fs::directory_iterator(shipped / "scenes")) {
-        const auto scene = load_scene(entry.path());
-        EXPECT_TRUE(scene) << entry.path();
-        if (scene) add(texts_of(*scene));
-    }
+    for (const char* folder : {"scenes", "robots"})
+        for (const auto& entry : fs::directory_iterator(shipped / folder)) {
+            const auto scene = load_scene(entry.path());
+            EXPECT_TRUE(scene) << entry.path();
+            if (scene) add(texts_of(*scene));
+        }
     for (const auto& entry : fs::directory_iterator(shipped / "lectures")) {
         const auto lecture = load_lecture(entry.path(), shipped);
         EXPECT_TRUE(lecture) << entry.path();
