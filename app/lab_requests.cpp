@@ -130,6 +130,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const LabRecordRequest& r) { lab.window.reports.push_back(r); },
                      [&](const TakeAwayRequest& r) { lab.window.take_away = r.what; },
                      [&](const PageRequest& r) { open_page(lab, r.page); },
+                     [&](const OpenFolderRequest& r) { open_folder(lab, r.folder); },
                      [&](const EmptySlotsRequest&) { empty_slots(lab.slots); },
                      [&](const OpenWrittenRequest& r) { lab.window.reports.push_back(r); },
                      [&](const HideFindingsRequest&) { lab.findings.clear(); },

@@ -136,6 +136,9 @@ struct HandInRequest {                            // writes a hand-in file to th
 struct LabRecordRequest {  // writes a lab record to the folder of documents
     std::string student;   // may be empty
 };
+struct OpenFolderRequest {  // opens the folder of exported files with the system's program
+    std::string folder;     // FilesView::exported_to
+};
 struct OpenWrittenRequest {};  // opens the lab record written last with the system's program
 struct MapRange {
     float from = 0, to = 1;
@@ -283,7 +286,8 @@ struct Request
                    EarlierGenerationRequest, KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest,
                    TallyRequest, HandInRequest, LabRecordRequest, BeginRequest, MapRequest, SlotRequest, StudyRequest,
                    UploadRequest, MysteryRequest, WriteFilesRequest, RobotsRequest, TakeAwayRequest, PageRequest,
-                   CancelClipRequest, HideFindingsRequest, BreedingRequest, EmptySlotsRequest, OpenWrittenRequest> {
+                   CancelClipRequest, HideFindingsRequest, BreedingRequest, EmptySlotsRequest, OpenWrittenRequest,
+                   OpenFolderRequest> {
     using variant::variant;
     Request() = default;
     Request(const Request&);

@@ -9,6 +9,15 @@
 
 namespace braitenlab {
 
+void open_folder(Lab& lab, const std::string& folder) {
+    std::error_code problem;
+    const std::filesystem::path path(folder);
+    if (std::filesystem::is_directory(path, problem) && open_with_system(path))
+        return say(lab, {NoticeKind::done, "notice.page_opened", path.filename().string()});
+    lab.window.to_copy = folder;
+    say(lab, {NoticeKind::notice, "notice.page_copied", folder});
+}
+
 void open_page(Lab& lab, const std::string& page) {
     const auto named = ui::pages_in(page);
     if (named.size() != 1 || named.front() != page) return;

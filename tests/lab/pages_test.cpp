@@ -41,6 +41,20 @@ TEST_F(Pages, OpenWithTheProgramOfTheSystem) {
     EXPECT_EQ(line, (*data_folder() / "docs/robots.md").string());
 }
 
+TEST_F(Pages, OfAnExportAreAFolderThatIsOpenedOrItsPathIsCopied) {
+    const auto opener = folder / "xdg-open", file = folder / "brain.h";
+    handle(lab, OpenFolderRequest{folder.path.string()});
+    EXPECT_EQ(lab.window.to_copy, folder.path.string()) << "there is no program";
+    std::ofstream(opener) << "#!/bin/sh\nexit 0\n";
+    std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
+    std::ofstream(file) << "a file";
+    for (const auto& path : {folder.path, file}) {
+        lab.window.to_copy.clear();
+        handle(lab, OpenFolderRequest{path.string()});
+        EXPECT_EQ(lab.window.to_copy.empty(), path == folder.path) << path << ": a file is not run";
+    }
+}
+
 TEST_F(Pages, CopyTheirPathWithoutAProgramAndDoNothingForOtherFiles) {
     handle(lab, PageRequest{"docs/robots.md"});
     EXPECT_EQ(lab.window.to_copy, (*data_folder() / "docs/robots.md").string());

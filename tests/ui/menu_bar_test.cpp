@@ -193,6 +193,26 @@ TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
     EXPECT_TRUE(desk.panels.charts.open);
 }
 
+TEST_F(MenuBar, KeepsEachRowInItsPlaceWhenFilesWereOpened) {
+    const std::vector<RecentFile> recent{{"/y/mine.toml"}, {"/y/old.run"}};
+    const auto places = [&] {
+        desk.click("menu.file");
+        desk.frame(2);
+        std::vector<float> found;
+        for (const Action action : actions_in(Menu::file)) {
+            const std::string row = "menu.file." + std::string(name(action));
+            found.push_back(desk.where(row).y);
+        }
+        desk.key({key::escape});
+        desk.frame(2);
+        return found;
+    };
+    const auto before = places();
+    desk.view.documents.recent = &recent;
+    desk.frame(2);
+    EXPECT_EQ(places(), before);
+}
+
 TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
     const std::vector<RecentFile> recent{{"/y/mine.toml"}, {"/y/old.run"}};
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/5.toml", "Aggressor", "", 5},

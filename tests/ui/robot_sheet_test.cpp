@@ -109,11 +109,40 @@ TEST_F(RobotSheet, SaysWhereTheFilesAreAndWhatToDoNext) {
     EXPECT_TRUE(desk.says("brain.aesl"));
     EXPECT_TRUE(desk.says("Aseba Studio"));
     EXPECT_FALSE(desk.anchors.find("robot.export"));
+    desk.click("robot.open_folder");
+    ASSERT_TRUE(desk.last<OpenFolderRequest>());
+    EXPECT_EQ(desk.last<OpenFolderRequest>()->folder, files.exported_to);
+    desk.view.program.uploads = true;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("robot.open_folder")) << "a browser has no such folder";
+    desk.view.program.uploads = false;
+    desk.frame(2);
     desk.click("robot.close");
     EXPECT_EQ(desk.panels.sheet, Sheet::none);
     open();
     EXPECT_TRUE(desk.anchors.find("robot.export")) << "it begins anew";
     EXPECT_EQ(desk.panels.sheets.robot.robot, robots::find_robot("thymio2")) << "with the robot of the last time";
+}
+
+// With two warnings.
+TEST(RobotSheetInEachLanguage, HasTheFolderAboveItsButtonsWhenItWarns) {
+    FilesView files;
+    files.suggested = "mine";
+    for (const std::string& code : shipped_codes()) {
+        Desk warned;
+        warned.strings = speaking(code);
+        warned.now = shipped_scene("3a-love");
+        warned.view.documents.files = &files;
+        warned.frame(3);
+        warned.choose("file", "export_robot");
+        warned.frame(3);
+        warned.click("robot.target.opamp");
+        warned.frame(3);
+        ASSERT_EQ(warned.panels.sheets.robot.warnings.size(), 2u) << code;
+        const Rect folder = warned.where("robot.folder"), button = warned.where("robot.export");
+        EXPECT_GE(folder.h, 20) << code;
+        EXPECT_LE(folder.y + folder.h, button.y) << code;
+    }
 }
 
 TEST_F(RobotSheet, NeedsAVehicleWhoseBrainIsShown) {

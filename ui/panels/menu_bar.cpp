@@ -204,7 +204,6 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
     for (const Action action : actions_in(static_cast<Menu>(menu + 1))) {
         rows.push_back(action_row(view, state, ui, menu_names[menu].name, action));
         rows.back().entry.rule_above = std::exchange(section, traits(action).menu.section) != section;
-        if (action == Action::open) add_recent_files(rows, view, ui);
         if (action == Action::next_field) add_fields(rows, view, ui);
         if (action == Action::trails) rows.push_back(row_of_trail_colour(view, ui));
         if (action == Action::last_run) rows.push_back(row_of_prediction(view, ui));
@@ -212,6 +211,8 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         if (action == Action::exercise_reset) add_catalogue(rows, view, ui);
         if (action == Action::lecture) add_lectures(rows, view, ui);
     }
+    if (static_cast<Menu>(menu + 1) == Menu::file)
+        add_recent_files(rows, view, ui);  // last: other rows keep their place
     return rows;
 }
 

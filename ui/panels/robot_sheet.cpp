@@ -64,25 +64,17 @@ struct RobotSheet {
         gap(ui, 8);
     }
 
-    // A file with a sign before its name.
-    void file_row(const std::string& name, std::string_view sign, Colour colour) const {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float height = line_height(ui, Face::text), aside = ui.px(24);
-        put_icon(ui, {at.x + aside / 2 - ui.px(4), at.y + height / 2}, sign, colour, Face::small);
-        put(ui, {at.x + aside, at.y}, name, ui.palette.text);
-        ImGui::Dummy({card_width(ui), height});
-    }
-
     void files() const {
         subheading(ui, words("robot.files"));
         if (!*state.made) return paragraph(ui, text_of(state.made->error(), ui.strings), warning_colour());
-        const bool written = is_written();
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(spacing::hair)});
-        for (const robots::ExportedFile& file : **state.made)
-            file_row(file.name, written ? icon::check : icon::file,
-                     written ? ui.palette.accent : ui.palette.second_text);
-        ImGui::PopStyleVar();
-        for (const Error& warning : state.warnings) paragraph(ui, text_of(warning, ui.strings), warning_colour());
+        // In one paragraph, so that a sheet of several warnings has room for the folder.
+        std::string names;
+        for (const robots::ExportedFile& file : **state.made) names += (names.empty() ? "" : ", ") + file.name;
+        paragraph(ui, names, ui.palette.text);
+        for (const Error& warning : state.warnings) {
+            gap(ui, 8);
+            paragraph(ui, text_of(warning, ui.strings), warning_colour());
+        }
     }
 
     void folder() const {
@@ -131,6 +123,11 @@ struct RobotSheet {
         if (is_written()) {
             const Item close = button(ui, "robot.close", {{}, words("robot.close"), Emphasis::primary});
             if (close.pressed) panels.sheet = Sheet::none;
+            if (view.program.uploads) return;  // a browser has downloaded the files
+            ImGui::SameLine(0, ui.px(spacing::small));
+            if (push_button(ui, "robot.open_folder", {{}, words("robot.open_folder")}, words("robot.open_folder_how"),
+                            ""))
+                ui.outbox.push_back(OpenFolderRequest{view.documents.files->exported_to});
             return;
         }
         ButtonLook look{{}, words(replaces() ? "robot.replace" : "robot.export"), Emphasis::primary};
@@ -167,7 +164,8 @@ robots::BrainToExport brain_to_export(const LabView& view, const VehicleView& ve
     const Kind& kind = kind_of(*view.now, vehicle);
     const BrainGraph& brain = *brain_of(*view.now, vehicle);
     const std::string changed = is_in_file(view, brain) ? "" : ", changed";
-    return {view.now->scene->title + ", " + kind.name + changed, brain, kind.sensors};
+    return {view.now->scene->title + ", " + kind.name + changed, brain, kind.sensors, kind.body.length,
+            kind.body.width};
 }
 
 std::string suggested_folder(const LabView& view, const robots::Robot& robot) {
