@@ -13,7 +13,7 @@ namespace braitenlab::robots::arduino {
 
 namespace {
 
-constexpr Cost base{2400, 7420};
+constexpr Cost base{2400, 7570};
 constexpr Cost of_warm_up{0, 240};
 constexpr Cost of_sensor{2600, 44}, of_unit{60, 20}, of_product{150, 20}, of_sum{130, 16};
 constexpr Cost of_threshold{130, 78}, of_memory{460, 92}, of_bound{220, 60}, of_learning{1000, 240};

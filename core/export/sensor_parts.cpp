@@ -87,7 +87,7 @@ constexpr auto parts_at_5_volts = std::to_array<SensorPart>({
      .milliamperes = 40,
      .zero = "nothing in front of it",
      .one = "an obstacle at 10 cm",
-     .note = "nearer than 10 cm it reads less again, so it sits 10 cm behind the front of the robot",
+     .note = "nearer than 10 cm it reads less again, so it sits 10 cm inside the edge of the robot",
      .uncalibrated = "0.08 (0.4 V) at 80 cm to 0.46 (2.3 V) at 10 cm",
      .readings = {0.08f, 0.46f}},
     none_for(Channel::predator),

@@ -452,6 +452,18 @@ TEST(ArduinoInSimavr, HoldsBrainsUpToTheirLimitsAtTheRateOfTheReadme) {
     }
 }
 
+TEST(ArduinoInSimavr, NeedsNoMoreMemoryThanItsReadmeSaysForAnySensor) {
+    if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
+    Simulator simulator;
+    for (const auto& row : channel_table) {
+        const BrainToExport brain = with_channel(row.value);
+        const auto files = exported(brain);
+        if (!files) continue;
+        ASSERT_TRUE(simulator.compile(*files)) << row.word;
+        EXPECT_LE(simulator.program_bytes(), robots::arduino::cost_of(*robots::make_plan(brain, 50)).bytes) << row.word;
+    }
+}
+
 TEST(ArduinoInSimavr, DoesNotUseTheCalibrationOfOtherSensors) {
     if (!has_tool("libsimavr-dev")) GTEST_SKIP() << "./dev robots installs avr-gcc and simavr";
     Simulator simulator;
