@@ -129,7 +129,7 @@ TEST(RobotSheetInEachLanguage, HasTheFolderAboveItsButtonsWhenItWarns) {
     FilesView files;
     files.suggested = "mine";
     for (const std::string& code : shipped_codes()) {
-        Desk warned;
+        Desk warned(1280, 800, 1, true);
         warned.strings = speaking(code);
         warned.now = shipped_scene("3a-love");
         warned.view.documents.files = &files;
@@ -140,7 +140,7 @@ TEST(RobotSheetInEachLanguage, HasTheFolderAboveItsButtonsWhenItWarns) {
         warned.frame(3);
         ASSERT_EQ(warned.panels.sheets.robot.warnings.size(), 2u) << code;
         const Rect folder = warned.where("robot.folder"), button = warned.where("robot.export");
-        EXPECT_GE(folder.h, 20) << code;
+        EXPECT_GE(folder.h, 30) << code;
         EXPECT_LE(folder.y + folder.h, button.y) << code;
     }
 }

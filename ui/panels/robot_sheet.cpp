@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
@@ -68,9 +69,15 @@ struct RobotSheet {
         subheading(ui, words("robot.files"));
         if (!*state.made) return paragraph(ui, text_of(state.made->error(), ui.strings), warning_colour());
         // In one paragraph, so that a sheet of several warnings has room for the folder.
-        std::string names;
-        for (const robots::ExportedFile& file : **state.made) names += (names.empty() ? "" : ", ") + file.name;
-        paragraph(ui, names, ui.palette.text);
+        // A name stays in one line.
+        std::string names, line;
+        for (const robots::ExportedFile& file : **state.made) {
+            const bool is_full =
+                !line.empty() && text_width(ui, Face::text, line + ", " + file.name + ",") > card_width(ui);
+            if (is_full) names += std::exchange(line, {}) + ",\n";
+            line += (line.empty() ? "" : ", ") + file.name;
+        }
+        paragraph(ui, names + line, ui.palette.text);
         for (const Error& warning : state.warnings) {
             gap(ui, 8);
             paragraph(ui, text_of(warning, ui.strings), warning_colour());
