@@ -56,6 +56,25 @@ TEST_F(LectureHands, ACountThatIsTypedCanBeSmallerAndPageKeysEndTyping) {
     EXPECT_FALSE(desk.panels.lecture.hands[0].active);
 }
 
+TEST_F(LectureHands, TabGoesFromCountToCount) {
+    show(1, 0);
+    desk.frame(2);
+    desk.click("lecture.hands.1");
+    desk.type("12");
+    desk.frame(3);
+    desk.all.clear();
+    desk.key({key::tab});
+    desk.frame(3);
+    desk.type("7");
+    desk.frame(3);
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->option, 1);
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 7);
+    desk.key({key::tab, false, true});
+    desk.frame(3);
+    EXPECT_TRUE(desk.panels.lecture.hands[0].active);
+}
+
 TEST_F(LectureHands, TheKeyThatBlanksEndsTheTypingOfHands) {
     show(1, 0);
     desk.frame(2);
@@ -148,6 +167,8 @@ TEST_F(LectureHands, AQuestionWithoutAPageHasATallyOfLettersBesideTheScene) {
         EXPECT_FALSE(overlap(card, desk.where("viewport")));
         EXPECT_GE(desk.where("viewport").w, 0.5f * width);
         for (const char* letter : {"A", "B", "C", "D"}) EXPECT_TRUE(desk.says(letter));
+        EXPECT_LE(desk.where("tally.more").y + desk.where("tally.more").h, card.y + card.h - 4) << "whole";
+        EXPECT_GE(desk.where("tally.more").h, desk.where("lecture.more.4").h - 1) << "not clipped";
         desk.all.clear();
         desk.click("lecture.more.4");
         ASSERT_TRUE(desk.last<HandsRequest>());
@@ -187,6 +208,29 @@ TEST_F(LectureHands, TellsThatTheFirstFrameOfAQuestionHasNotItsHeight) {
     EXPECT_TRUE(desk.panels.is_unsettled) << "its height is not known yet";
     desk.frame();
     EXPECT_FALSE(desk.panels.is_unsettled);
+}
+
+TEST_F(LectureHands, TheFirstFrameOfTheNextQuestionHasNotItsHeight) {
+    show(1, 0);
+    ASSERT_FALSE(desk.panels.is_unsettled);
+    pages.page = 2, ++desk.view.run_id;
+    desk.frame();
+    EXPECT_TRUE(desk.panels.is_unsettled) << "the card has the height of the question before";
+}
+
+TEST_F(LectureHands, TheTickIsBesideTheRightOptionAndAboveItsBar) {
+    for (const auto& [width, height] : {std::pair{1920.0f, 1080.0f}, {1280.0f, 1024.0f}}) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        show(1, 2);
+        const Rect* tick = desk.anchors.find("lecture.tick");
+        if (!tick) continue;  // of the tight answer
+        const Rect bar = desk.where("lecture.share.2"), option = desk.where("lecture.right");
+        EXPECT_TRUE(is_inside(*tick, option)) << width;
+        EXPECT_LT(tick->y + tick->h, bar.y + 1) << width;
+    }
+    ImGui::GetIO().DisplaySize = {1920, 1080};
+    show(1, 2);
+    EXPECT_TRUE(desk.anchors.find("lecture.tick"));
 }
 
 TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {

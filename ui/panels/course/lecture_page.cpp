@@ -38,21 +38,26 @@ std::optional<int> typed_count(const std::string& text) {
     return count;
 }
 
-// One more or one less hand, and the count as a field. The field shows the count while it is not edited.
+// One more or one less hand, and the count as a field, which shows the count while it is not edited. The buttons are
+// for the pointer only, so that Tab goes from count to count.
 void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t option) {
     const int hands = page.hands[static_cast<std::size_t>(page.page)][option];
     const auto ask = [&](int wanted) { ui.outbox.push_back(HandsRequest{static_cast<int>(option), wanted}); };
     TextField& field = state.lecture.hands[option];
     if (!field.active) field.text = std::to_string(hands);
-    const std::string less = option_id("lecture.less.", option), more = option_id("lecture.more.", option);
-    if (push_button(ui, less, {{}, "−", Emphasis::plain, false, hands > 0, hands_button}, ui.strings("lecture.less")))
+    const std::string less = option_id("lecture.less.", option), more = option_id("lecture.more.", option),
+                      count = option_id("lecture.hands.", option);
+    Ui pointed = ui;
+    pointed.keyboard = nullptr;
+    if (push_button(pointed, less, {{}, "−", Emphasis::plain, false, hands > 0, hands_button},
+                    ui.strings("lecture.less")))
         ask(hands - 1);
     ImGui::SameLine();
-    text_field(ui, field, option_id("lecture.hands.", option), ui.px(hands_field), "0", ui.strings("lecture.hands"));
+    text_field(ui, field, count, ui.px(hands_field), "0", ui.strings("lecture.hands"));
     if (field.active || field.entered)
         if (const auto typed = typed_count(field.text); typed && *typed != hands) ask(*typed);
     ImGui::SameLine();
-    if (push_button(ui, more, {{}, "+", Emphasis::plain, false, true, hands_button}, ui.strings("lecture.more")))
+    if (push_button(pointed, more, {{}, "+", Emphasis::plain, false, true, hands_button}, ui.strings("lecture.more")))
         ask(hands + 1);
 }
 
@@ -129,11 +134,15 @@ float indent_of_options(const LectureView& page, const Ui& ui) {
     return ui.px(page.notes ? small_letter_column : letter_column);
 }
 
-// The words of an option with the letter by which the lecturer calls it. The cursor is then at its row for the hands,
-// below the letter, so that the bar is long.
+// The words of an option with the letter by which the lecturer calls it. The cursor is then at its row for the hands:
+// below the letter, so that the bar is long, or behind it where there are no words.
 void lettered_option(const LectureView& page, Ui& ui, std::size_t option, Colour letter, Colour words, Face face) {
     const float indent = indent_of_options(page, ui);
     const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (page.current().question.options[option].empty()) {
+        put(ui, {at.x, at.y + (ui.px(button_height) - line_height(ui, face)) / 2}, letter_of(option), letter, face);
+        return ImGui::SetCursorScreenPos({at.x + indent, at.y});
+    }
     put(ui, at, letter_of(option), letter, face);
     ImGui::SetCursorScreenPos({at.x + indent, at.y});
     even_paragraph(ui, translated(ui, page.current().question.options[option]), words, face);
@@ -158,6 +167,19 @@ std::string count_of(const LectureView& page, std::size_t option) {
     return counted ? std::to_string(hands[option]) : std::string();
 }
 
+// Behind the last words of the right option, which begin at `at`; below its letter where that line is full.
+void sign_of_right(const LectureView& page, Ui& ui, std::size_t option, ImVec2 at, Face face) {
+    const float indent = indent_of_options(page, ui), line = line_height(ui, face), width = card_width(ui);
+    const auto lines = even_lines(ui, translated(ui, page.current().question.options[option]), face, width - indent);
+    const auto last = static_cast<float>(lines.size() - 1);
+    const std::string_view sign = has_icons(ui) ? icon::check : "✓";
+    const float wide = text_width(ui, Face::title, sign);
+    const float behind = indent + text_width(ui, face, lines.back()) + ui.px(spacing::small);
+    const float x = at.x + (behind + wide <= width ? behind : 0);
+    put(ui, {x, at.y + last * line + (line - line_height(ui, Face::title)) / 2}, sign, ui.palette.success, Face::title);
+    mark(ui, "lecture.tick", {x, at.y + last * line, wide, line});
+}
+
 // Once the answer is known: words and bar are where they were while hands were counted.
 void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face face) {
     const bool right = is_right(page.current().question, option);
@@ -166,12 +188,10 @@ void answered_in_place(const LectureView& page, Ui& ui, std::size_t option, Face
     lettered_option(page, ui, option, right ? colour : ui.palette.accent, colour, face);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (right) mark(ui, "lecture.right", {words.x, words.y, card_width(ui), at.y - words.y});
+    if (right) sign_of_right(page, ui, option, words, face);
     const float row = ui.px(ui.tall(button_height)), width = ui.px(hands_field + 2 * hands_button + 2 * spacing::small);
     const float line = line_height(ui, Face::title);
     const Rect count{at.x, at.y + (row - line) / 2, width, line};
-    const ImVec2 sign{count.x + ui.px(hands_button) / 2, at.y + row / 2};
-    if (right && has_icons(ui)) put_icon(ui, sign, icon::check, colour, Face::title);
-    if (right && !has_icons(ui)) put_centred(ui, {sign.x, count.y}, "✓", colour, Face::title);
     put_right(ui, {count.x + width - ui.px(spacing::small), count.y}, count_of(page, option), colour, Face::title);
     mark(ui, option_id("lecture.count.", option), count);
     ImGui::SetCursorScreenPos({at.x + width + ui.px(spacing::small), at.y});
@@ -323,7 +343,8 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     Rect place = r;
     if (card.content > 0) place.h = std::min(r.h, wanted_height(ui, card));
     if (begin_card(ui, card, "lecture.question", ui.strings("lecture.question"), place)) {
-        const float height = r.h - ui.px(card_around);
+        const float below = view.pages ? 0 : button_height + spacing::tight;  // the buttons of a tally
+        const float height = r.h - ui.px(card_around + below);
         // Beside notes there is less room.
         const Face face = page.notes ? Face::strong : face_of_options(*page.lecture, ui, card_width(ui), height);
         if (!asked.text.empty()) {
