@@ -229,6 +229,7 @@ Result<Exercise> make_exercise(const ExerciseDraft& draft, const std::string& id
     Exercise exercise;
     exercise.id = id;
     exercise.title = draft.title, exercise.goal = draft.goal;
+    for (const std::string& hint : draft.hints) exercise.hints.push_back({hint, ""});
     exercise.offers = draft.offers;
     exercise.steps = draft.steps;
     exercise.prediction = draft.prediction;

@@ -22,7 +22,8 @@ struct WrongDraft {
 // What the author decides. The scene is the open one.
 struct ExerciseDraft {
     std::string title, goal;
-    std::string vehicle;  // name of the start that the exercise is about; empty: the first
+    std::vector<std::string> hints;  // from a nudge to the solution
+    std::string vehicle;             // name of the start that the exercise is about; empty: the first
     ShippedBrain ships = ShippedBrain::of_file;
     std::vector<std::string> offers;  // empty: all controls
     std::vector<Step> steps;

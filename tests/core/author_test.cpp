@@ -27,6 +27,7 @@ struct Author : testing::Test {
     ExerciseDraft draft{.title = "Strike", .goal = "Touch the lamp."};
     Author() {
         now.kinds[0].brain = make_graph({.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f});
+        draft.hints = {"Watch the wheels.", "Cross the wires."};
         draft.offers = {"LL", "LR", "RL", "RR"};
         for (const Goal& goal : goals_for(now, now.starts[0].name))
             if (word_of(goal) == "touches") draft.steps = {{"It touches the lamp", {goal}}};
@@ -46,6 +47,8 @@ TEST_F(Author, TheBrainOfTheFileShipsAndTheOneInTheWindowIsTheSolution) {
     EXPECT_EQ(as_shipped(exercise).brain, file.kinds[0].brain);
     EXPECT_EQ(with_solution(exercise).brain, now.kinds[0].brain);
     EXPECT_EQ(exercise.title, "Strike");
+    ASSERT_EQ(exercise.hints.size(), 2u);
+    EXPECT_EQ(exercise.hints[1].text, "Cross the wires.");
     EXPECT_EQ(exercise.offers, draft.offers);
     EXPECT_EQ(exercise.needed, 8);
     EXPECT_FLOAT_EQ(exercise.scene.starts[0].heading_spread, 15 * maths::pi / 180);

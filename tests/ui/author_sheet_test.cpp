@@ -158,6 +158,39 @@ TEST_F(AuthorSheet, APredictionCanSayWhatTheRunShows) {
     EXPECT_TRUE(saved().draft->prediction.shows.empty());
 }
 
+TEST_F(AuthorSheet, AShownCheckOfSomeTimeIsSeenAfterThisTime) {
+    fill_in();
+    page(4);
+    desk.click("author.shows");
+    desk.frame(3);
+    desk.click("author.shows.runs");
+    desk.frame(3);
+    const Prediction& asked = desk.panels.sheets.author.draft.prediction;
+    ASSERT_EQ(asked.shows.size(), 1u);
+    EXPECT_GT(asked.after, std::get<goals::Runs>(asked.shows[0].check.goal).seconds);
+}
+
+TEST_F(AuthorSheet, SavesItsHints) {
+    desk.type("Strike");
+    desk.frame(2);
+    type("author.goal", "Touch the lamp.");
+    type("author.hint.2", "Cross the wires.");
+    page(3);
+    EXPECT_EQ(saved().draft->hints, std::vector<std::string>{"Cross the wires."});
+}
+
+TEST_F(AuthorSheet, ItsTabsStayWhereTheyAreWhenAListOpens) {
+    ImGui::GetIO().DisplaySize = {1920, 1080};
+    fill_in();
+    page(4);
+    desk.frame(3);
+    const Rect before = desk.where("author.page.4");
+    desk.click("author.shows");
+    desk.frame(4);
+    ASSERT_TRUE(desk.anchors.find("author.shows.nothing"));
+    EXPECT_EQ(desk.where("author.page.4").y, before.y);
+}
+
 TEST_F(AuthorSheet, TakesThePresentBrainAsAWrongAnswerOnce) {
     fill_in();
     page(5);

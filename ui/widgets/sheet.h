@@ -10,6 +10,8 @@ namespace braitenlab::ui {
 
 struct SheetState {
     float content = 0;        // height of its body in the last frame, window pixels; decides its height in the next one
+    float usual = 0;          // of the body: the sheet is in the middle so high, and extends down where it is higher;
+                              // window pixels, 0: it is always in the middle
     float footer = 0;         // of what stands between body and buttons, window pixels; likewise
     bool is_resized = false;  // in the last frame one of these had another height than in the one before
     Rect rect;                // in this frame

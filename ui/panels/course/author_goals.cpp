@@ -1,5 +1,6 @@
 // The fields of the author's sheet, and its pages about what the vehicle does: steps, prediction, wrong answers.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -179,6 +180,15 @@ void option(const AuthorFields& page, std::size_t i) {
     text_field(ui, state.options[i], id, card_width(ui) - aside, how, how);
 }
 
+// A time of the run in which the check can be met: what takes five seconds is not seen after three.
+float time_to_show(Prediction& asked) {
+    constexpr float to_begin = 1;  // s
+    float seconds = asked.after;
+    for (const GoalValue& value : values_of(asked.shows.front().check.goal))
+        if (value.number && value.key == "seconds") seconds = std::max(seconds, std::ceil(*value.number) + to_begin);
+    return seconds;
+}
+
 // What the run with the shipped brain must show: nothing, or one goal.
 void shown_goal(const AuthorFields& page) {
     Ui& ui = page.ui;
@@ -192,7 +202,7 @@ void shown_goal(const AuthorFields& page) {
         const std::vector<Goal> goals = goals_for(page.scene(), page.state.draft.vehicle);
         const Goal* pressed = goal_list(page, "author.shows.", goals, now);
         if (none) asked.shows.clear();
-        if (pressed) asked.shows = {{.option = {}, .check = {*pressed}}};
+        if (pressed) asked.shows = {{.option = {}, .check = {*pressed}}}, asked.after = time_to_show(asked);
         if (none || pressed) page.state.shows_open = false;
         return;
     }

@@ -31,6 +31,13 @@ struct AuthorSheet : AuthorFields {
     void texts() const {
         field("author.title", state.title, "author.title", "author.title_how");
         field("author.goal_text", state.goal, "author.goal", "author.goal_how");
+        subheading(ui, words("author.hints"));
+        for (std::size_t i = 0; i < state.hints.size(); ++i) {
+            const std::string number = std::to_string(i + 1);
+            const std::string_view how = words("author.hint_how_" + number);
+            text_field(ui, state.hints[i], "author.hint." + number, card_width(ui), how, how);
+        }
+        gap(ui, 8);
         vehicle();
         subheading(ui, words("author.ships"));
         for (const ShippedBrain each : {ShippedBrain::of_file, ShippedBrain::without_wires}) {
@@ -172,8 +179,10 @@ void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) 
     }
     const AuthorSheet parts{{view, panels, state, ui}};
     SheetState& sheet = open_sheet(panels, ui, Sheet::author, window);
-    const float bottom =
-        ImGui::GetCursorPosY() + std::min(ui.px(page_height), window.h - ui.px(around_page)) - sheet.footer;
+    // The tabs stay under the pointer.
+    const float height = std::min(ui.px(page_height), window.h - ui.px(around_page)) - sheet.footer;
+    sheet.usual = height;
+    const float bottom = ImGui::GetCursorPosY() + height;
     parts.pages();
     if (ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
     sheet_buttons(ui, sheet, parts.problem());

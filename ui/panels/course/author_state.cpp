@@ -21,6 +21,7 @@ const Start* start_of_selected(const LabView& view) {
 
 std::vector<TextField*> fields_of(AuthorState& author) {
     std::vector<TextField*> all{&author.title, &author.goal, &author.path, &author.question, &author.outcome};
+    for (TextField& each : author.hints) all.push_back(&each);
     for (TextField& each : author.step_texts) all.push_back(&each);
     for (TextField& each : author.options) all.push_back(&each);
     for (TextField& each : author.wrong_names) all.push_back(&each);
@@ -47,6 +48,9 @@ void begin_author(const LabView& view, AuthorState& author) {
 ExerciseDraft finished_draft(const AuthorState& author) {
     ExerciseDraft draft = author.draft;
     draft.title = author.title.text, draft.goal = author.goal.text;
+    draft.hints.clear();
+    for (const TextField& each : author.hints)
+        if (!each.text.empty()) draft.hints.push_back(each.text);
     draft.offers.clear();
     for (std::size_t i = 0; !author.all_controls && i < author.dials.size(); ++i)
         if (author.dials[i]) draft.offers.emplace_back(name(all_dials[i]));

@@ -13,12 +13,13 @@ namespace braitenlab::ui {
 
 enum class AuthorPage { texts, controls, steps, prediction, wrong };
 
-inline constexpr std::size_t author_steps = 3, author_options = 4, author_wrong = 4;  // at most
+inline constexpr std::size_t author_steps = 3, author_options = 4, author_wrong = 4, author_hints = 2;  // at most
 
 struct AuthorState {
     AuthorPage page = AuthorPage::texts;
     ExerciseDraft draft;  // texts are in the fields below until it is saved
     TextField title, goal, path;
+    std::array<TextField, author_hints> hints;
     std::array<TextField, author_steps> step_texts;
     TextField question, outcome;
     std::array<TextField, author_options> options;
