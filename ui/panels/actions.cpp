@@ -186,7 +186,8 @@ bool open_author(const Acting& at) {
 // offers.
 void focus_slider(const Acting& at, std::size_t number) {
     const LabView& view = at.view;
-    if (!view.settings.revealed.brain) return;  // a lecture shows it later
+    if (!view.settings.revealed.brain)  // a lecture shows it later
+        return at.outbox.push_back(NoticeRequest{"unavailable.hidden_sliders", {}, {}});
     const std::vector<std::string_view> sliders = numbered_sliders(view);
     if (number >= sliders.size()) {
         std::string offered;
