@@ -356,15 +356,16 @@ std::string words_below(const Pen& pen, const Picture& picture, const NodeShape&
     return words;
 }
 
-// Draws the words below the card, else above it, where they cover no card, no label and no other such words. False if
-// there is no such place.
+// Draws the words below the card, else above it, behind or before it, where they cover no card, no label and no other
+// such words. False if there is no such place.
 bool draw_beside(const Pen& pen, const Picture& picture, const NodeShape& shape, const std::string& words,
                  OccupiedBoxes& taken) {
     const float height = pen.least_type() / pen.view.scale, own = compat::size_of(font(pen.ui, Face::text));
     const vec2 extent{text_width(pen.ui, Face::text, words) * height / own + 6, height};
-    const float away = shape.size.y / 2 + height / 2 + 2;
-    for (const float side : {1.0f, -1.0f}) {
-        const vec2 at = shape.centre + vec2{0, side * away};
+    constexpr float pin = 10;
+    const vec2 away = shape.size / 2 + extent / 2 + vec2{pin, 2};
+    for (const vec2 aside : {vec2{0, away.y}, vec2{0, -away.y}, vec2{away.x, 0}, vec2{-away.x, 0}}) {
+        const vec2 at = shape.centre + aside;
         const bool is_inside = at.x - extent.x / 2 > picture.low.x && at.x + extent.x / 2 < picture.high.x &&
                                at.y - extent.y / 2 > picture.low.y && at.y + extent.y / 2 < picture.high.y;
         if (!is_inside || taken.overlaps(at, extent)) continue;
