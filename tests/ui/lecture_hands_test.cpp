@@ -213,7 +213,7 @@ TEST_F(LectureHands, TellsThatTheFirstFrameOfAQuestionHasNotItsHeight) {
 TEST_F(LectureHands, TheFirstFrameOfTheNextQuestionHasNotItsHeight) {
     show(1, 0);
     ASSERT_FALSE(desk.panels.is_unsettled);
-    pages.page = 2, ++desk.view.run_id;
+    pages.page = 3, ++desk.view.run_id;
     desk.frame();
     EXPECT_TRUE(desk.panels.is_unsettled) << "the card has the height of the question before";
 }

@@ -221,16 +221,19 @@ Rect place_beside(maths::vec2 vehicle, bool heads_right, maths::vec2 size, float
         });
     };
     std::optional<Rect> best;
-    Rect box;
+    Rect box, farthest;
+    float most = -1;  // distance of `farthest` from the vehicle
     for (const maths::vec2 corner : {heads_right ? left : right, maths::vec2{middle, vehicle.y + away},
                                      maths::vec2{middle, vehicle.y - away - size.y}, heads_right ? right : left}) {
         box = {within(corner.x, area.x, area.x + area.w - size.x), within(corner.y, area.y, area.y + area.h - size.y),
                size.x, size.y};
         const float x = std::clamp(vehicle.x, box.x, box.x + box.w), y = std::clamp(vehicle.y, box.y, box.y + box.h);
-        if (maths::distance(vehicle, {x, y}) < 0.8f * away) continue;
+        const float distance = maths::distance(vehicle, {x, y});
+        if (distance > most) most = distance, farthest = box;
+        if (distance < 0.8f * away) continue;
         if (!best || covered(box) < covered(*best)) best = box;
     }
-    return best.value_or(box);
+    return best.value_or(farthest);  // in a narrow area it may cover the vehicle
 }
 
 }  // namespace

@@ -32,11 +32,10 @@ struct AuthorSheet : AuthorFields {
         field("author.title", state.title, "author.title", "author.title_how");
         field("author.goal_text", state.goal, "author.goal", "author.goal_how");
         subheading(ui, words("author.hints"));
-        for (std::size_t i = 0; i < state.hints.size(); ++i) {
-            const std::string number = std::to_string(i + 1);
-            const std::string_view how = words("author.hint_how_" + number);
-            text_field(ui, state.hints[i], "author.hint." + number, card_width(ui), how, how);
-        }
+        constexpr std::array<std::string_view, author_hints> hows{"author.hint_how_1", "author.hint_how_2"};
+        for (std::size_t i = 0; i < hows.size(); ++i)
+            text_field(ui, state.hints[i], "author.hint." + std::to_string(i + 1), card_width(ui), words(hows[i]),
+                       words(hows[i]));
         gap(ui, 8);
         vehicle();
         subheading(ui, words("author.ships"));
