@@ -33,6 +33,7 @@ void replace_document(Lab& lab, Document next) {
     lab.view = for_another_scene(lab.view);
     if (lab.before_lecture) lab.before_lecture->view = for_another_scene(lab.before_lecture->view);
     lab.object_name.clear();
+    lab.selected_kind.clear();
     lab.dragging = false, lab.deselected = Deselected::no;
     lab.steered = {};
     if (lab.lectures.tally) lab.lectures.tally = empty_tally(lab.lectures.tally_options);

@@ -35,6 +35,7 @@ bool apply(Workspace& space, const Command& command, std::uint64_t gesture) {
         watch(space);
         report_time_change(space, latest);
     }
+    if (!selected_vehicle(space)) space.selected_kind.clear();  // removed by hand: the next one, of any kind
     keep_selection(space);
     return !error;
 }

@@ -57,6 +57,15 @@ const VehicleView* nearest_of_kind(const Snapshot& now, const VehicleView& dead)
     return nearest;
 }
 
+// The first vehicle of the kind that was selected last, so that edits stay with that kind; else the first one.
+// Precondition: there is one.
+VehicleId substitute(const Workspace& space) {
+    const Snapshot& now = space.document.session.snapshot();
+    const auto found = std::find_if(now.vehicles.begin(), now.vehicles.end(),
+                                    [&](const VehicleView& v) { return kind_of(now, v).name == space.selected_kind; });
+    return (found == now.vehicles.end() ? now.vehicles.front() : *found).id;
+}
+
 }  // namespace
 
 const VehicleView* selected_vehicle(const Workspace& space) {
@@ -124,7 +133,9 @@ void keep_selection(Workspace& space) {
     const bool begins = space.document.session.snapshot().tick == 0 && space.deselected == Deselected::by_death;
     if (selected_vehicle(space) || vehicles.empty() || begins) space.deselected = Deselected::no;
     const bool selects = !vehicles.empty() && space.deselected == Deselected::no;
-    if (!selected_vehicle(space)) space.view.selection.vehicle = selects ? vehicles.front().id : no_vehicle;
+    if (!selected_vehicle(space)) space.view.selection.vehicle = selects ? substitute(space) : no_vehicle;
+    if (const VehicleView* now = selected_vehicle(space))
+        space.selected_kind = kind_of(space.document.session.snapshot(), *now).name;
     keep_object(space);  // last: the chosen vehicle is in no other place of the selection
 }
 

@@ -23,8 +23,9 @@ void select_neighbour(Workspace&, int step);
 // Selects the lamp, obstacle or zone `step` places further in the order of the scene; the vehicle stays selected.
 void select_next_object(Workspace&, int step);
 
-// Makes the selection valid again: selects the first vehicle in place of one that no longer exists, unless
-// Workspace::deselected. Call after anything that may have added or removed vehicles, sources, obstacles or zones.
+// Makes the selection valid again: in place of a vehicle that no longer exists selects the first one of its kind, else
+// the first one, unless Workspace::deselected. Call after anything that may have added or removed vehicles, sources,
+// obstacles or zones.
 void keep_selection(Workspace&);
 
 // If the selected vehicle has died in this tick, selects the nearest one of its kind and shows a notice. Selects none

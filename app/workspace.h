@@ -62,6 +62,7 @@ struct Workspace {
     ViewSettings view{};
     std::string object_name{};  // of view.selection.object, whose index changes when objects are added or removed
     std::vector<std::string> more_names{};  // of view.selection.more; empty for a vehicle
+    std::string selected_kind{};            // name of the kind of the vehicle that was selected last
     Scene clipboard{};                      // copied objects (ui/scene_input/clipboard.h), also of another scene
     std::uint64_t gesture = 0;              // of the last action that edited several objects
     bool dragging = false;    // the user drags the selected vehicle or one of its values; see reselect_after_death()

@@ -260,6 +260,24 @@ TEST(LabSelection, SelectsNoVehicleIfItsVehicleDiesDuringADrag) {
         << "after a removal as before";
 }
 
+TEST(LabSelection, ARunThatBeginsAnewSelectsTheKindOfAVehicleThatItDoesNotHave) {
+    for (const Role role : {Role::predator, Role::prey}) {
+        Lab lab = opened_lab("predator-prey");
+        const auto first = all_of(lab, role).front();
+        const int kind = find_vehicle(lab.document.session.snapshot(), first)->kind;
+        EXPECT_TRUE(apply(lab, AddVehicle{kind, Pose{1, 1, 0}}));
+        tick(lab);
+        const VehicleId born = lab.document.session.snapshot().vehicles.back().id;
+        handle(lab, SelectRequest{born});
+        handle(lab, Action::undo);
+        ASSERT_FALSE(find_vehicle(lab.document.session.snapshot(), born));
+        ASSERT_TRUE(selected_vehicle(lab));
+        EXPECT_EQ(selected_vehicle(lab)->role, role) << "an edit would change the other kind";
+        handle(lab, Action::reset);
+        EXPECT_EQ(selected_vehicle(lab)->role, role);
+    }
+}
+
 TEST(LabSelection, SelectsNoVehicleOfAnotherRole) {
     LabWithDyingPrey given;
     Lab& lab = given.lab;
