@@ -211,7 +211,15 @@ void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
     for (const Action action : std::exchange(state.chosen, {})) execute_chosen(view, state, action, outbox);
 }
 
+// Where a sheet covers Play, Space presses the button that has the ring, as Enter does.
+bool presses_button(const PanelState& state, KeyPress press) {
+    const Keyboard& keyboard = state.keyboard;
+    return press == KeyPress{' '} && state.sheet != Sheet::none && keyboard.shown && !keyboard.focus.empty() &&
+           keyboard.text == TextInput::none;
+}
+
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    if (presses_button(state, press)) press = {key::enter};
     if (view.program.title_page) return key_for_title_page(press, outbox);
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
     if (!is_modifier) state.tooltips.hidden = true;

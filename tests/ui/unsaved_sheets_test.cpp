@@ -77,6 +77,19 @@ TEST_F(UnsavedSheets, CanBeUsedByKeysAlone) {
     EXPECT_EQ(answers(), std::vector{Leave::discard});
 }
 
+TEST_F(UnsavedSheets, SpacePressesTheButtonThatHasTheRing) {
+    ask("");
+    desk.key({' '});
+    desk.frame(2);
+    EXPECT_TRUE(answers().empty()) << "no ring is shown: Space is for Play";
+    desk.key({key::tab});
+    desk.frame();
+    desk.key({' '});
+    EXPECT_TRUE(desk.panels.keyboard.shown);
+    desk.frame();
+    EXPECT_EQ(answers(), std::vector{Leave::discard});
+}
+
 TEST_F(UnsavedSheets, KeepsTheDocumentOnEscape) {
     ask();
     desk.key({key::escape});
