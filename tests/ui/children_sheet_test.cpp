@@ -32,7 +32,7 @@ TEST(ChildrenSheet, TheCardOpensItAndEachPictureChoosesItsChild) {
     ASSERT_TRUE(desk.anchors.find("card.children"));
     EXPECT_TRUE(is_written(desk, "Generation 3 of 12"));
     EXPECT_TRUE(is_written(desk, "fell at 7.0 s"));
-    EXPECT_TRUE(is_written(desk, "stays on the table longest"));
+    EXPECT_TRUE(is_written(desk, "green frame"));
     EXPECT_FALSE(is_written(desk, "stayed"));
     desk.lesson.selection->children[2].seconds = desk.opened.seconds;
     desk.frame(2);
@@ -44,6 +44,21 @@ TEST(ChildrenSheet, TheCardOpensItAndEachPictureChoosesItsChild) {
     }
     desk.click("selection.parent");
     EXPECT_EQ(desk.last<ChooseChildRequest>()->child, -1);
+}
+
+TEST(ChildrenSheet, SaysWhatIsNeededAndThatNoChildStaysAsLongAsItsParent) {
+    Desk desk(1280, 800, 1, true);
+    open_selection(desk);
+    desk.opened.needed = 8, desk.opened.starts = 10;
+    desk.panels.sheet = Sheet::children;
+    desk.frame(3);
+    EXPECT_TRUE(is_written(desk, "from 8 of 10"));
+    desk.lesson.selection->parent->seconds = 9.5f;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("No child stays as long as its parent"));
+    desk.lesson.selection->children[4].seconds = 10;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("No child stays as long as its parent"));
 }
 
 TEST(ChildrenSheet, DigitsAndArrowKeysChoose) {

@@ -44,6 +44,21 @@ std::pair<float, int> best_merit(const SelectionView& selection) {
     return best;
 }
 
+// True if the parent stays longer than each child.
+bool is_parent_best(const SelectionView& selection) {
+    return selection.parent && !selection.children.empty() &&
+           seconds_survived(*selection.parent) > best_merit(selection).first;
+}
+
+// What is to be chosen, and what for.
+std::string words_of_choice(const LessonView& lesson, const Ui& ui) {
+    if (!has_choices_left(lesson)) return std::string(ui.strings("selection.no_more"));
+    if (is_parent_best(*lesson.selection)) return std::string(ui.strings("selection.how_parent"));
+    const Exercise& exercise = *lesson.exercise;
+    return fill(ui.strings("selection.how"),
+                {fixed(ui, exercise.seconds, 0), std::to_string(exercise.needed), std::to_string(exercise.starts)});
+}
+
 // True if the runs at the shown start do not tell the children apart: several stay to the end.
 bool shows_other_starts(const Exercise& exercise, const SelectionView& selection) {
     return std::count_if(selection.children.begin(), selection.children.end(),
@@ -52,7 +67,7 @@ bool shows_other_starts(const Exercise& exercise, const SelectionView& selection
 
 // A dot for each other start, filled where the child stays. `at`: the left end, in the middle of the line.
 void draw_stays(Ui& ui, ImVec2 at, int stays, std::string_view anchor) {
-    const float radius = ui.px(3), step = ui.px(9);
+    const float radius = ui.px(4), step = ui.px(11);
     for (int i = 0; i < other_starts; ++i) {
         const ImVec2 centre{at.x + radius + static_cast<float>(i) * step, at.y};
         if (i < stays)
@@ -105,6 +120,7 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
     const SelectionView& selection = *lesson.selection;
     const bool may_choose = has_choices_left(lesson);
     const std::pair<float, int> best = best_merit(selection);
+    const bool is_one_best = !is_parent_best(selection);
     const bool has_dots = shows_other_starts(*lesson.exercise, selection) && !selection.stays.empty();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
     ImGui::BeginGroup();
@@ -113,11 +129,15 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
         const std::string number = std::to_string(i + 1);
         const Item at = item(ui, "selection.child." + number, size, may_choose);
         const StartResult& run = selection.children[i];
-        draw_child(ui, at, *lesson.exercise, run, number, merit_of(selection, i) >= best);
-        if (has_dots && !has_fallen(*lesson.exercise, run))
-            draw_stays(ui, {at.rect.x + ui.px(8), at.rect.y + ui.px(10)}, merit_of(selection, i).second,
-                       "selection.stays." + number);
-        tooltip(ui, at, ui.strings(may_choose ? "selection.child_how" : "selection.no_more"), may_choose ? number : "");
+        draw_child(ui, at, *lesson.exercise, run, number, is_one_best && merit_of(selection, i) >= best);
+        std::string how(ui.strings(may_choose ? "selection.child_how" : "selection.no_more"));
+        if (has_dots && !has_fallen(*lesson.exercise, run)) {
+            const int stays = merit_of(selection, i).second;
+            draw_stays(ui, {at.rect.x + ui.px(8), at.rect.y + ui.px(10)}, stays, "selection.stays." + number);
+            how = fill(ui.strings("selection.stays_how"), {std::to_string(stays), std::to_string(other_starts)}) +
+                  "\n" + how;
+        }
+        tooltip(ui, at, how, may_choose ? number : "");
         if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{static_cast<int>(i)});
     }
     compat::end_group();
@@ -133,7 +153,7 @@ void parent_picture(const LessonView& lesson, Ui& ui, ImVec2 size) {
     ImGui::BeginGroup();
     paragraph(ui, ui.strings("selection.parent"), ui.palette.second_text, Face::small, size.x);
     const Item at = item(ui, "selection.parent", size, may_choose);
-    if (selection.parent) draw_child(ui, at, *lesson.exercise, *selection.parent, "", false);
+    if (selection.parent) draw_child(ui, at, *lesson.exercise, *selection.parent, "", is_parent_best(selection));
     tooltip(ui, at, ui.strings(may_choose ? "selection.parent_how" : "selection.no_more"));
     if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{-1});
     if (shows_other_starts(*lesson.exercise, selection))
@@ -194,7 +214,7 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const std::string generation =
         fill(ui.strings("selection.generation"),
              {std::to_string(lesson.selection->generation), std::to_string(lesson.exercise->selection.generations)});
-    const std::string_view words = ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more");
+    const std::string words = words_of_choice(lesson, ui);
     const Arena& arena = lesson.exercise->scene.arena;
     const float shape = std::clamp(arena.height / arena.width, 0.6f, 1.0f),
                 line = line_height(ui, Face::text) + ui.px(8);
