@@ -42,6 +42,27 @@ TEST(BrainCard, GivesEveryNumberOfASumButTheFirstASign) {
     EXPECT_EQ(count("+0.00"), 2) << "LM and RM";
 }
 
+TEST(BrainCard, ItsNameDoesNotScrollAndAnotherVehicleBeginsAtItsTop) {
+    Desk desk(800, 600, 1, true);  // predators and prey
+    desk.frame(4);
+    const Rect name = desk.where("brain.character"), slider = desk.where("slider.LL"), card = desk.where("card.brain");
+    const auto scroll = [&] {
+        desk.point(card.x + card.w / 2, card.y + card.h / 2);
+        for (int turn = 0; turn < 4; ++turn) ImGui::GetIO().MouseWheel = -1, desk.frame(2);
+        const Rect* now = desk.anchors.find("slider.LL");
+        ASSERT_TRUE(!now || now->y < slider.y || now->h < slider.h) << "the card has scrolled";
+    };
+    scroll();
+    EXPECT_EQ(desk.where("brain.character"), name);
+    desk.view.settings.selection.vehicle = 3;
+    desk.frame(4);
+    EXPECT_EQ(desk.where("slider.LL").y, slider.y);
+    scroll();
+    ++desk.view.run_id;
+    desk.frame(4);
+    EXPECT_EQ(desk.where("slider.LL").y, slider.y) << "another document";
+}
+
 TEST(BrainCard, ItsPictureStaysWhileTheCauseOfATurnChanges) {
     for (const std::string& code : shipped_codes())
         for (const auto& [width, height] : {std::pair{800.0f, 600.0f}, {1024.0f, 768.0f}}) {

@@ -407,6 +407,27 @@ bool is_alone_in_exercise(const LabView& view, const VehicleView& vehicle) {
     return std::count_if(starts.begin(), starts.end(), [&](const Start& start) { return start.kind == kind; }) == 1;
 }
 
+// The room of the picture while the prediction hides it, so that nothing is new there but the picture.
+void hidden_picture(Ui& ui, float layout_height) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect box{at.x, at.y, card_width(ui), ui.px(layout_height)};
+    fill_box(ui, box, ui.palette.ground.with_alpha(0.45f));
+    const float inset = ui.px(spacing::small);
+    ImGui::SetCursorScreenPos({at.x + inset, at.y + inset});
+    paragraph(ui, ui.strings("wiring.answer_first"), ui.palette.second_text, Face::small, box.w - 2 * inset);
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({box.w, box.h});
+}
+
+// The name of the vehicle, which does not scroll. Of another vehicle or document the card is at its top.
+void brain_head(const LabView& view, PanelState& state, Ui& ui, const VehicleView* vehicle, Rect place) {
+    if (vehicle) title_row(view, state, ui, *vehicle);
+    end_head(ui, state.card(Card::brain), place);
+    const VehicleId shown = vehicle ? vehicle->id : no_vehicle;
+    const bool is_other_run = std::exchange(state.brain.shown_run, view.run_id) != view.run_id;
+    if (std::exchange(state.brain.shown_vehicle, shown) != shown || is_other_run) ImGui::SetScrollY(0);
+}
+
 }  // namespace
 
 void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle, std::string_view id, std::string_view how) {
@@ -448,12 +469,14 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         HeadingButton{"button.controls", "…", ui.strings("lecture.controls"), {}, state.lecture.controls}};
     const bool has_controls = shows_controls(view, state);
     const std::size_t first = vehicle && !offers_some(view) && has_controls ? 0 : 2, last = view.lecture ? 3 : 2;
+    CardState& card = state.card(Card::brain);
+    if (!card.head) card.head = 0;
     const bool open = open_card(state, ui, Card::brain, place, std::span(buttons).subspan(first, last - first));
+    if (open) brain_head(view, state, ui, vehicle, place);
     if (buttons[2].pressed) state.lecture.controls = !state.lecture.controls;
     if (open && !vehicle) paragraph(ui, ui.strings(no_brain_text(view)), ui.palette.second_text);
     const bool unrevealed = !view.settings.revealed.brain;
     if (open && vehicle && (unrevealed || is_brain_secret(view, vehicle->kind))) {
-        title_row(view, state, ui, *vehicle);
         paragraph(ui, ui.strings(unrevealed ? "wiring.hidden" : "brain.hidden"), ui.palette.second_text);
     } else if (open && vehicle) {
         const float between = ui.px(space_of_rows(view, ui, *vehicle, column));
@@ -462,7 +485,6 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             ui.outbox.push_back(Action::drive);
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
-        title_row(view, state, ui, *vehicle);
         const bool has_wires = !offers_some(view) || !brain_of(*view.now, *vehicle)->wires.empty();
         const bool tells = !hides_outcome(view) && has_wires;
         if (vehicle->driver == Driver::brain && has_wires && !view.lecture) describe_brain(view, state, ui, *vehicle);
@@ -482,6 +504,8 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
             !(view.lecture && would_be_cut(ui, brain_picture_height(view, *vehicle, height) + below, column)))
             brain_picture(view, state, ui, *vehicle, height);
+        else if (view.mode != Mode::wiring && hides_brain(view, vehicle->kind) && !view.lecture)
+            hidden_picture(ui, brain_picture_height(view, *vehicle, height));
         // Below the picture, because its length changes during a run.
         if (shows_sums) cause_in_words(view, ui, *vehicle, column, has_controls);
         const bool wanted = std::exchange(state.brain.presets.wanted, false) || buttons[0].pressed;
@@ -489,7 +513,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         presets_menu(view, state, ui, *vehicle, wanted,
                      {place.x + place.w - ui.px(spacing::large), place.y + ui.px(spacing::medium + spacing::wide)});
     }
-    end_card(ui, state.card(Card::brain));
+    end_card(ui, card);
 }
 
 }  // namespace braitenlab::ui

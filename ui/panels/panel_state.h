@@ -142,6 +142,8 @@ struct BrainState {
     Steer steered;  // last command of the on-screen stick
     bool stick_held = false;
     PresetsState presets;
+    std::uint64_t shown_run = 0;           // LabView::run_id and
+    VehicleId shown_vehicle = no_vehicle;  // vehicle of the last frame: with others the card is at its top again
 };
 
 // Handing in an exercise; see exercise_files.cpp.
