@@ -1,13 +1,17 @@
 // The window with each exercise of the course: what it points at, what it offers, and what stays in its place.
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "breeding_on_desk.h"
 #include "core/lesson/exercise_file.h"
+#include "core/lesson/grade.h"
 #include "core/lesson/selection.h"
 #include "core/lesson/submission.h"
 #include "exercise_on_desk.h"
 #include "render/view/camera.h"
+#include "ui/panels/course/lesson_text.h"
 
 namespace braitenlab::tests::exercises_guided_test {
 
@@ -29,6 +33,12 @@ std::vector<Exercise> course() {
     }
     EXPECT_GT(all.size(), 20u);
     return all;
+}
+
+Exercise exercise_of(const std::string& id) {
+    for (Exercise& each : course())
+        if (each.id == id) return std::move(each);
+    throw std::runtime_error("no exercise " + id);
 }
 
 Strings words_of_course(const std::string& language) {
@@ -255,6 +265,86 @@ TEST(ExercisesGuided, AfterARunThatFailedUnchangedTheNextStepIsAChange) {
         ++changed;
     }
     EXPECT_GT(changed, 12);
+}
+
+namespace {
+
+// How much a value lacks of what is needed.
+float lacking(const Measure& measure) {
+    if (!std::isfinite(measure.value)) return 1e3f;
+    const bool has_most = measure.at_most || measure.needed_most;
+    const float above = has_most ? measure.value - measure.needed_most.value_or(measure.needed) : 0;
+    const float below = measure.at_most ? 0 : measure.needed - measure.value;
+    return std::max({0.0f, above, below});
+}
+
+// The share of what a value of an open step lacked that another run gained, the most of all; 1 if a step is done now.
+float gained_by(const StartResult& run, const StartResult& before) {
+    float most = 0;
+    for (std::size_t i = 0; i < std::min(run.verdicts.size(), before.verdicts.size()); ++i) {
+        if (before.verdicts[i].done) continue;
+        if (run.verdicts[i].done) return 1;
+        const auto& now = run.verdicts[i].measures;
+        const auto& then = before.verdicts[i].measures;
+        for (std::size_t m = 0; m < std::min(now.size(), then.size()); ++m)
+            if (const float lacked = lacking(then[m]); lacked > 0)
+                most = std::max(most, (lacked - lacking(now[m])) / lacked);
+    }
+    return most;
+}
+
+// The most that any value of the dials at this widget gains over the run as it is; nullopt without dials there.
+std::optional<float> most_gained(const Guided& guided, std::string_view anchor) {
+    const Opened& it = guided.it;
+    const Exercise& exercise = it.desk.opened;
+    const auto dials = dials_at(exercise, anchor);
+    if (dials.empty()) return std::nullopt;
+    const VehicleView& subject = *it.subject();
+    const SensorPair pair = shown_pair(it.desk.view, subject);
+    const StartResult present = try_start(exercise, submission_of(exercise, it.desk.now), exercise.seed);
+    float most = -1;
+    for (float value = -2; value <= 2.01f; value += 0.1f) {
+        World changed = it.world.fork();
+        for (const Dial dial : dials) EXPECT_FALSE(changed.apply(TurnDial{{.kind = subject.kind}, dial, value, pair}));
+        Snapshot now;
+        changed.capture(now);
+        most = std::max(most, gained_by(try_start(exercise, submission_of(exercise, now), exercise.seed), present));
+    }
+    return most;
+}
+
+}  // namespace
+
+// A change of the way alone is not enough: some value of what pulses brings the vehicle nearer to the goal.
+TEST(ExercisesGuided, WhatPulsesAfterAFailedRunCanBringItNearerToTheGoal) {
+    int tried = 0;
+    for (const Exercise& exercise : course()) {
+        Guided guided(exercise);
+        for (int tick = 0; tick <= static_cast<int>(60 * (exercise.seconds + 1)); ++tick, guided.tick())
+            guided.pointed();
+        guided.reset();
+        const Prompt next = guided.pointed();
+        if (const auto gained = most_gained(guided, next.anchor)) {
+            EXPECT_GT(*gained, 0.02f) << exercise.id << ": " << next.anchor;
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 8);
+}
+
+TEST(ExercisesGuided, AVehicleThatStallsInTheDarkNeedsABiasWhateverItsWeightsAre) {
+    for (const float weight : {0.4f, 2.0f}) {
+        Guided guided(exercise_of("03-alive"));
+        for (const Dial dial : {Dial::LL, Dial::LR, Dial::RL, Dial::RR})
+            EXPECT_FALSE(guided.it.world.apply(TurnDial{{.kind = guided.it.subject()->kind}, dial, weight, {}}));
+        guided.start = guided.it.world.fork();
+        guided.reset();
+        guided.pointed();
+        guided.it.play_after_prediction();
+        for (int tick = 0; tick <= static_cast<int>(60 * (guided.it.desk.opened.seconds + 1)); ++tick, guided.tick())
+            guided.pointed();
+        EXPECT_EQ(guided.pointed().anchor, "bias.LM") << weight;
+    }
 }
 
 // The words of a hint fit what can be done while it is read, whether the run plays or not.
@@ -528,16 +618,6 @@ TEST(ExercisesGuided, NoWidgetMovesWhenAllStartsAreShownAtOnce) {
         EXPECT_NEAR(it.desk.where("exercise.together").y, was.y, 0.5f) << exercise.id;
     }
 }
-
-namespace {
-
-Exercise exercise_of(const std::string& id) {
-    for (Exercise& each : course())
-        if (each.id == id) return std::move(each);
-    throw std::runtime_error("no exercise " + id);
-}
-
-}  // namespace
 
 TEST(ExercisesGuided, TheCardOfABredExerciseOpensItsBreedingAndTheSheetPulsesWhatIsNext) {
     for (const float width : {1280.0f, 800.0f}) {

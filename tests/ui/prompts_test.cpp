@@ -339,6 +339,7 @@ TEST_F(LessonPrompts, AskForNoChangeWhileTheRunCompletesAStep) {
 
 TEST_F(LessonPrompts, AskForNoChangeWhileWaitingCompletesEveryStep) {
     desk.opened.seconds = 31;
+    desk.view.undo_depth = 1;
     at(21);
     desk.lesson.verdicts.assign(2, Verdict{false, {{21, 30, "s"}}});
     EXPECT_TRUE(next().hint.empty());
@@ -444,6 +445,19 @@ TEST_F(LessonPrompts, PointToASliderAfterARunThatFailedUnchanged) {
     desk.view.undo_depth = 1;
     at(1), next(), at(2), next(), at(8);
     EXPECT_EQ(anchor(), "exercise.hint") << "a second try";
+}
+
+// No weight moves a vehicle that rests where it sees nothing.
+TEST_F(LessonPrompts, PointToABiasAfterARunThatEndedAtRestInTheDark) {
+    desk.opened.seconds = 20;
+    desk.opened.offers = {"LL", "LM=RM"};
+    at(0, Mode::paused), next(), at(1), next();
+    see(0);
+    desk.now.vehicles[0].speed = 0, desk.now.vehicles[0].motor = {0, 0};
+    at(2), next(), at(21);
+    EXPECT_EQ(anchor(), "bias.LM");
+    at(0, Mode::paused);
+    EXPECT_EQ(anchor(), "bias.LM") << "also at the start of the next run";
 }
 
 TEST_F(LessonPrompts, ChangedSensorsMakeAnotherRunToo) {
@@ -703,6 +717,7 @@ TEST_F(LessonPrompts, PointToResetAfterAFailedRunInWhichTheBrainWasChanged) {
     EXPECT_EQ(anchor(), "button.reset") << "its time is over";
     at(0, Mode::paused), next();
     at(41);
+    desk.view.undo_depth = 1;
     EXPECT_EQ(anchor(), "exercise.hint") << "the whole run has shown the change";
 }
 

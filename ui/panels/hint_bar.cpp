@@ -216,10 +216,11 @@ void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view
     const std::string key = is_slider ? key_to_slider(view, ui.highlight) : std::string();
     const std::string progress = hint == "hint.breeding_runs" ? breeding_percent(view.features.breeding, ui) : "";
     const std::string words = fill(ui.strings(prompted ? hint : usual_hint(view)),
-                                   {hint == "hint.passed" ? ui.strings(next_exercise_key(view))
-                                    : is_slider           ? std::string_view(key)
-                                    : !progress.empty()   ? std::string_view(progress)
-                                                          : ui.strings(next_change(view))});
+                                   {hint == "hint.passed"          ? ui.strings(next_exercise_key(view))
+                                    : is_slider                    ? std::string_view(key)
+                                    : hint == "hint.breed_against" ? ui.strings("breeding.opponents_random")
+                                    : !progress.empty()            ? std::string_view(progress)
+                                                                   : ui.strings(next_change(view))});
     hint_line(ui, words, prompted ? ui.palette.text : ui.palette.second_text, x, bar);
 }
 

@@ -50,6 +50,7 @@ struct PromptMemory {
     double dark_since = -1;                      // the same; negative: it sees a stimulus
     std::optional<TriedBrain> at_start, failed;  // of the student's vehicle; nullopt: opened later, none has failed
     bool has_begun = false;                      // the run is after its start
+    bool halted_blind = false;                   // it rested without a stimulus in this run, at the start in the last
     std::vector<float> most_read;                // by each of its sensors in this run, at the start in the last one
     std::optional<std::uint64_t> past;           // tick to which a paused run went back
 };

@@ -187,6 +187,8 @@ void remember_readings(PromptMemory& memory, const LabView& view) {
     const bool begins = !std::exchange(memory.has_begun, view.now->tick > 0);
     if (view.now->tick == 0 || !subject) return;
     const std::span<const float> values = readings(*view.now, *subject);
+    const bool stands = std::fabs(subject->speed) < standstill && is_halted(*subject);
+    memory.halted_blind = (memory.halted_blind && !begins) || (stands && is_blind(*view.now, *subject));
     if (begins || memory.most_read.size() != values.size()) memory.most_read.assign(values.size(), 0);
     for (std::size_t i = 0; i < values.size(); ++i) memory.most_read[i] = std::max(memory.most_read[i], values[i]);
 }
@@ -337,8 +339,16 @@ Prompt of_breeding(const PromptMemory& memory, const LabView& view) {
     return has_champion ? Prompt{"breeding.matrix", "hint.breed_again"} : Prompt{"breeding.take", "hint.take_champion"};
 }
 
+// True if the dial of this vehicle has the value of the file: it is not tried yet.
+bool is_untried(const LabView& view, const VehicleView& vehicle, const SensorPair& pair, Dial dial) {
+    const Kind* filed = filed_kind(view, vehicle);
+    return !filed ||
+           at(read_dials(filed->brain, pair), dial) == at(read_dials(*brain_of(*view.now, vehicle), pair), dial);
+}
+
 // A control of which another value makes the next run another one: as offered_change(), but judged by the most that the
-// sensors have read in the run.
+// sensors have read in the run. A bias comes first where the vehicle came to rest without a stimulus, since no weight
+// moves it from there; then a weight that has still the value of the file, then any bias or weight.
 Prompt change_for_next_run(const PromptMemory& memory, const LabView& view) {
     const VehicleView *subject = subject_of(view), *selected = selected_vehicle(view);
     if (!subject || !selected || selected->kind != subject->kind) return {};
@@ -347,27 +357,43 @@ Prompt change_for_next_run(const PromptMemory& memory, const LabView& view) {
     const bool saw = std::any_of(read.begin(), read.end(), [](float value) { return value >= sees_nothing; });
     const auto is_offered_dial = [&](Dial dial) { return is_offered(view, dial); };
     if (!saw && !read.empty() && is_offered(view, offer_parts::sensors)) return {"card.sensors", "hint.turn_sensors"};
-    if (const auto slider = telling_slider(*view.now, *selected, shown_pair(view, *selected), read, is_offered_dial);
-        !slider.empty())
-        return {slider, hint};
-    for (const Dial bias : {Dial::LM, Dial::RM})
-        if (is_offered(view, bias)) return {anchor_of(bias), hint};
+    const SensorPair pair = shown_pair(view, *selected);
+    const auto is_new = [&](Dial dial) { return is_offered(view, dial) && is_untried(view, *selected, pair, dial); };
+    const auto bias_that = [&](auto suits) {
+        for (const Dial bias : {Dial::LM, Dial::RM})
+            if (suits(bias)) return anchor_of(bias);
+        return std::string_view();
+    };
+    const auto weight_that = [&](auto suits) { return telling_slider(*view.now, *selected, pair, read, suits); };
+    const bool needs_bias = memory.halted_blind;
+    for (const std::string_view anchor :
+         {needs_bias ? bias_that(is_new) : std::string_view(), weight_that(is_new), bias_that(is_new),
+          needs_bias ? bias_that(is_offered_dial) : std::string_view(), weight_that(is_offered_dial),
+          bias_that(is_offered_dial)})
+        if (!anchor.empty()) return {anchor, hint};
     if (saw && is_offered(view, offer_parts::curves)) return {"curve.peak", hint};
     for (const Dial threshold : {Dial::threshold_LL, Dial::threshold_LR, Dial::threshold_RL, Dial::threshold_RR})
         if (saw && is_offered(view, threshold)) return {anchor_of(threshold), hint};
     if (is_offered(view, offer_parts::wiring)) return {"button.wiring", hint};
-    if (is_offered(view, offer_parts::selection)) return {"selection.open", hint};
+    if (is_offered(view, offer_parts::selection)) return {"selection.open", "hint.open_children"};
     return {};
 }
 
-// After a run that failed without a change: a hint, once the student has changed something, else a control. A reset
-// would only repeat the run.
-Prompt next_try(const PromptMemory& memory, const LabView& view, bool prefers_hint) {
+// True once the student has changed something: in the runs before, or in this one.
+bool has_tried(const PromptMemory& memory, const LabView& view) {
+    return edit_count(view) > 0 || has_changed_since_start(memory, view);
+}
+
+// After a run that failed without a change: a control, and a hint once the student has changed something; a reset would
+// only repeat the run. Of children the next generation is what is left to choose.
+Prompt next_try(const PromptMemory& memory, const LabView& view) {
     const Attempt::Answers& answers = view.lesson->attempt.answers;
     const bool has_hint =
         answers.hint_ready && answers.hints_shown < static_cast<int>(view.lesson->exercise->hints.size());
     const Prompt change = change_for_next_run(memory, view);
-    if (has_hint && (prefers_hint || edit_count(view) > 0 || change.anchor.empty()))
+    const bool chooses = change.anchor == "selection.open" && view.lesson->selection &&
+                         view.lesson->selection->generation < view.lesson->exercise->selection.generations;
+    if (has_hint && !chooses && (has_tried(memory, view) || change.anchor.empty()))
         return {"exercise.hint", "hint.ask"};
     return change;
 }
@@ -391,16 +417,16 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (is_bred(view)) return of_breeding(memory, view);
     if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
     if (at_start && are_equal(memory.failed, tried_now(view)))
-        if (const Prompt prompt = next_try(memory, view, false); !prompt.anchor.empty()) return prompt;
+        if (const Prompt prompt = next_try(memory, view); !prompt.anchor.empty()) return prompt;
     if (at_start) return {"button.play", "hint.press_play"};
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
     const bool is_repeated = is_as_at_start(memory, view);
     if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view))
-        return is_repeated ? next_try(memory, view, false) : out;
+        return is_repeated ? next_try(memory, view) : out;
     const bool has_failed_as_changed = has_failed(view) && has_changed_since_start(memory, view);
     if (has_failed_as_changed || has_missed_a_change(memory, view)) return {"button.reset", "hint.changed_since"};
-    if (has_failed(view) && is_repeated) return next_try(memory, view, true);
-    if (may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
+    if (has_failed(view) && is_repeated) return next_try(memory, view);
+    if (has_tried(memory, view) && may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
     return {};
 }
 
