@@ -37,8 +37,8 @@ constexpr std::string_view fixed_anchors[]{
     "timeline.track", "timeline.rewind", "timeline.bookmark", "timeline.behind",
     // the exercise
     "selection.open", "exercise.breeding", "exercise.predict", "exercise.draw", "exercise.compare", "exercise.hint",
-    "exercise.grade", "exercise.show_me", "exercise.reset", "exercise.why", "exercise.note", "exercise.hand_in",
-    "exercise.lab_record", "exercise.medians", "button.free_play", "button.open_wiring",
+    "exercise.goal", "exercise.grade", "exercise.show_me", "exercise.reset", "exercise.why", "exercise.note",
+    "exercise.hand_in", "exercise.lab_record", "exercise.medians", "button.free_play", "button.open_wiring",
     // cards and the arena
     "card.exercise", "card.exercise.fold", "card.brain", "card.brain.fold", "card.information", "card.information.fold",
     "card.sensors", "card.sensors.fold", "card.inspector", "card.inspector.fold", "info.figures", "info.signals",

@@ -94,7 +94,7 @@ TEST(LabRecord, ShowsPredictionOutcomeStepsBrainAndStarts) {
     EXPECT_NE(page.find(">wrong<"), page.npos);
     EXPECT_NE(page.find("Its right eye sees more of the lamp"), page.npos);
     EXPECT_NE(page.find("Passed: 10 of 10 starts."), page.npos);
-    EXPECT_NE(page.find("(max.\u00a0"), page.npos) << "measured beside needed";
+    EXPECT_NE(page.find("goal\u00a0≤\u00a0"), page.npos) << "measured beside needed";
     EXPECT_EQ(count(page, "<svg"), 12u) << "brain, last run, ten starts";
     EXPECT_NE(page.find(">1.50<"), page.npos) << "a weight";
     EXPECT_NE(page.find("1 &lt; 2 &amp;"), page.npos);

@@ -1,5 +1,6 @@
 // The card of the open exercise: heading, buttons, hints, and what stays in sight.
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "exercise_on_desk.h"
@@ -96,6 +97,118 @@ TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
     EXPECT_TRUE(desk.all.empty());
 }
 
+TEST(ExerciseCard, NoButtonOfItsFootComesWhereAnotherOneWas) {
+    const char* const ids[]{"exercise.hint", "exercise.show_me", "exercise.next",       "exercise.reset",
+                            "exercise.note", "exercise.hand_in", "exercise.lab_record", "exercise.others"};
+    for (const auto& [width, height] : {std::pair{800.0f, 600.0f}, {1024.0f, 768.0f}, {1280.0f, 800.0f}})
+        for (const std::string& language : shipped_codes()) {
+            Desk desk(width, height, 1, true);
+            desk.strings = speaking(language);
+            std::map<std::string, Rect> places;
+            const auto look = [&](const char* when) {
+                desk.frame(6);
+                for (const char* id : ids) {
+                    const Rect* at = desk.anchors.find(id);
+                    if (!at) continue;
+                    const auto [known, is_new] = places.emplace(id, *at);
+                    const float right = known->second.x + known->second.w;
+                    EXPECT_NEAR(at->y, known->second.y, 0.5f) << id << " " << language << " " << width << " " << when;
+                    EXPECT_NEAR(at->x + at->w, right, 0.5f) << id << " " << language << " " << width << " " << when;
+                    const auto is_in_last_row = [](std::string_view each) {  // a hint, the solution, the next exercise
+                        return each == "exercise.hint" || each == "exercise.show_me" || each == "exercise.next";
+                    };
+                    for (const auto& [other, was] : places)
+                        EXPECT_TRUE(other == id || (is_in_last_row(id) && is_in_last_row(other)) || !at->overlaps(was))
+                            << id << " where " << other << " was, " << language << " " << width << " " << when;
+                }
+            };
+            desk.open_exercise();
+            look("opened");
+            predict_and_run(desk, 0);
+            look("running");
+            unfold_foot(desk);
+            look("unfolded");
+            desk.panels.exercise.hand_in.asks = true;
+            look("a name is asked for");
+            desk.panels.exercise.hand_in.asks = false;
+            desk.lesson.attempt.work.written = "/home/ana/05-ana.toml";
+            desk.lesson.attempt.answers.hints_shown = 3;
+            look("the hints are used up");
+            pass(desk);
+            look("passed");
+            desk.lesson.grade.reset();
+            desk.lesson.standing.passed_before = true;
+            desk.lesson.attempt.answers.hints_shown = 0;
+            look("passed before");
+        }
+}
+
+TEST(ExerciseCard, StartOverAsksBeforeItTakesChangesBack) {
+    for (const float width : {800.0f, 1280.0f}) {
+        Desk desk(width, width == 800 ? 600.0f : 800.0f, 1, true);
+        desk.open_exercise();
+        predict_and_run(desk, 0);
+        desk.view.undo_depth = 1;
+        desk.frame(3);
+        unfold_foot(desk);
+        desk.frame(3);
+        desk.click("exercise.reset");
+        EXPECT_TRUE(desk.actions().empty());
+        desk.frame(2);
+        desk.click("exercise.reset_no");
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("exercise.reset_yes"));
+        desk.click("exercise.reset");
+        desk.frame(2);
+        desk.click("exercise.reset_yes");
+        EXPECT_EQ(desk.actions(), std::vector{Action::exercise_reset});
+    }
+}
+
+TEST(ExerciseCard, EveryStepIsInSightInALowWindowBeforeDuringAndAfterARun) {
+    for (const float scale : {1.0f, 2.0f})
+        for (const std::string& language : shipped_codes()) {
+            Desk desk(800 * scale, 600 * scale, scale, true);
+            desk.strings = speaking(language);
+            const auto expect_steps = [&](const char* when) {
+                desk.frame(8);
+                const Rect card = desk.where("card.exercise"), foot = desk.where("exercise.note");
+                for (std::size_t i = 1; i <= desk.opened.steps.size(); ++i) {
+                    const Rect* at = desk.anchors.find("exercise.step." + std::to_string(i));
+                    ASSERT_TRUE(at) << i << " " << language << " " << when;
+                    EXPECT_TRUE(inside(*at, card) && at->y + at->h <= foot.y) << i << " " << language << " " << when;
+                    EXPECT_GE(at->h, 19 * scale) << i << " " << language << " " << when;
+                }
+            };
+            desk.open_exercise();
+            desk.frame(2);
+            unfold_foot(desk);
+            predict_and_run(desk, 0);
+            expect_steps("running");
+            desk.lesson.attempt.answers.hints_shown = 3;
+            desk.lesson.attempt.work.outcome_known = true;
+            expect_steps("with hints and outcome");
+            desk.lesson.verdicts[1].done = true;
+            desk.panels.exercise.hand_in.asks = true;
+            expect_steps("one is done, a name is asked for");
+            desk.panels.exercise.hand_in.asks = false;
+            pass(desk);
+            expect_steps("passed");
+        }
+}
+
+TEST(ExerciseCard, AClickShowsAnotherStepInFullInALowWindow) {
+    Desk desk(800, 600, 1, true);
+    desk.open_exercise();
+    predict_and_run(desk, 0);
+    desk.frame(4);
+    const float line = desk.where("exercise.step.3").h;
+    EXPECT_GT(desk.where("exercise.step.1").h, 1.5f * line);
+    desk.click("exercise.step.3");
+    EXPECT_GT(desk.where("exercise.step.3").h, 1.5f * line);
+    EXPECT_LT(desk.where("exercise.step.1").h, 1.5f * line);
+}
+
 TEST(ExerciseCard, ShowsTheSolutionAfterTheLastHint) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
@@ -132,6 +245,8 @@ TEST(ExerciseCard, StartOverHasItsWordsInEveryLanguage) {
             desk.open_exercise();
             desk.lesson.standing.passed_before = passed_before;
             desk.frame(4);
+            unfold_foot(desk);
+            desk.frame(4);
             const Rect at = desk.where("exercise.reset");
             EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& each) {
                 return each.words == desk.strings("exercise.reset") && inside(each.rect, at);
@@ -158,6 +273,8 @@ TEST(ExerciseCard, ItsFootDoesNotScroll) {
                 for (int i = 0; i < 8; ++i) desk.opened.hints.push_back(desk.opened.hints.front());
                 desk.lesson.attempt.answers.hints_shown = 11;
                 desk.lesson.attempt.notes = "Two wires.";
+                desk.frame(2);
+                unfold_foot(desk);
                 desk.panels.exercise.why_open = desk.panels.exercise.hand_in.asks = true;
                 desk.frame(6);
                 const Rect card = desk.where("card.exercise");

@@ -19,6 +19,9 @@ inline void predict_and_run(Desk& desk, int option) {
     begin_run(desk);
 }
 
+// Unfolds the buttons for which the foot of the card has no room; no effect where it has.
+inline void unfold_foot(Desk& desk) { desk.panels.exercise.more_open = true; }
+
 // Opens an exercise that is passed: every step is done, and every start passes.
 inline void pass(Desk& desk) {
     desk.open_exercise();

@@ -27,12 +27,12 @@ TEST_F(ExerciseSteps, ARangeShowsBothEnds) {
     desk.lesson.verdicts[0] = {false, {{4.2f, 1, "m", false, false, 3.0f}}, true};
     desk.lesson.verdicts[1] = {true, {{2, 1, "m", false, false, 3.0f}}};
     desk.frame(3);
-    EXPECT_TRUE(desk.says("4.20\u00a0m\u00a0(1.00\u00a0to\u00a03.00)"));
-    EXPECT_TRUE(desk.says("2.00\u00a0m\u00a0(1.00\u00a0to\u00a03.00)"));
-    EXPECT_TRUE(desk.says("Not possible any more"));
+    EXPECT_TRUE(desk.says("4.20\u00a0m,\u00a0goal\u00a01.00\u00a0to\u00a03.00"));
+    EXPECT_TRUE(desk.says("2.00\u00a0m,\u00a0goal\u00a01.00\u00a0to\u00a03.00"));
+    EXPECT_TRUE(desk.says("Failed in this run"));
     desk.lesson.verdicts[0] = {false, {{2, 1, "s", false, false, 3.25f}}};
     desk.frame(3);
-    EXPECT_TRUE(desk.says("2.00\u00a0s\u00a0(1.00\u00a0to\u00a03.25)"));
+    EXPECT_TRUE(desk.says("2.00\u00a0s,\u00a0goal\u00a01.00\u00a0to\u00a03.25"));
     desk.lesson.verdicts[0] = {false, {{0.42f, 0.95f, "correlation"}}};
     desk.lesson.verdicts[1] = {false, {{1, 3, ""}}};
     desk.lesson.verdicts[2] = {false, {{0.1f, 0.15f, "m/s", true}}};
@@ -42,7 +42,7 @@ TEST_F(ExerciseSteps, ARangeShowsBothEnds) {
     desk.lesson.verdicts[1] = {true, {{150 * (1 / 60.0f), 2.5f, "s"}}};
     desk.frame(3);
     EXPECT_TRUE(desk.says("2.5\u00a0of\u00a02.5\u00a0s"));
-    EXPECT_TRUE(desk.says("0.10\u00a0m/s\u00a0(max.\u00a00.15)"));
+    EXPECT_TRUE(desk.says("0.10\u00a0m/s,\u00a0goal\u00a0≤\u00a00.15"));
 }
 
 TEST_F(ExerciseSteps, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {
@@ -50,12 +50,12 @@ TEST_F(ExerciseSteps, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {
     desk.lesson.verdicts[1] = {true, {{0.5972f, 0.6f, "m", true, true}}};
     desk.lesson.verdicts[2] = {false, {{1.2f, 1.5f, "×"}}};
     desk.frame(3);
-    EXPECT_TRUE(desk.says("best\u00a010.4°\u00a0(max.\u00a010.0)"));
-    EXPECT_TRUE(desk.says("0.60\u00a0m\u00a0(max.\u00a00.60)"));
+    EXPECT_TRUE(desk.says("best\u00a010.4°,\u00a0goal\u00a0≤\u00a010.0"));
+    EXPECT_TRUE(desk.says("0.60\u00a0m,\u00a0goal\u00a0≤\u00a00.60"));
     EXPECT_TRUE(desk.says("1.20\u00a0of\u00a01.50\u00a0×")) << "the present value, not the best so far";
     desk.lesson.verdicts[0] = {true, {{9, 10, "°", true, true}}};
     desk.frame(3);
-    EXPECT_TRUE(desk.says("9°\u00a0(max.\u00a010)"));
+    EXPECT_TRUE(desk.says("9°,\u00a0goal\u00a0≤\u00a010"));
 }
 
 TEST_F(ExerciseSteps, AReachedDistanceOfZeroIsNotOneToGo) {
@@ -69,7 +69,7 @@ TEST_F(ExerciseSteps, AReachedDistanceOfZeroIsNotOneToGo) {
 TEST_F(ExerciseSteps, AHeldStepShowsItsPresentValueAndItsTime) {
     desk.lesson.verdicts[0] = {false, {{1.25f, 1, "m", true, false}, {2, 5, "s"}}};
     desk.frame(3);
-    EXPECT_TRUE(desk.says("1.25\u00a0m\u00a0(max.\u00a01.00)"));
+    EXPECT_TRUE(desk.says("1.25\u00a0m,\u00a0goal\u00a0≤\u00a01.00"));
     EXPECT_TRUE(desk.says("2.0\u00a0of\u00a05.0\u00a0s"));
 }
 
@@ -80,7 +80,7 @@ TEST_F(ExerciseSteps, NamesTheSourceOfADistanceAndTheSmallestOne) {
     desk.lesson.verdicts[0].measures[0].value = 2, desk.lesson.verdicts[1].measures[0].value = 0.5f;
     desk.frame(3);
     EXPECT_TRUE(desk.says("Distance (dim)\nbest\u00a02.00\u00a0m"));
-    EXPECT_TRUE(desk.says("Smallest distance (red lamp)\n0.50\u00a0m\u00a0(min.\u00a00.80)"));
+    EXPECT_TRUE(desk.says("Smallest distance (red lamp)\n0.50\u00a0m,\u00a0goal\u00a0≥\u00a00.80"));
 }
 
 TEST_F(ExerciseSteps, NamesTimesAndDistancesThatTheUnitDoesNotTellApart) {
@@ -94,8 +94,8 @@ TEST_F(ExerciseSteps, NamesTimesAndDistancesThatTheUnitDoesNotTellApart) {
     desk.frame(3);
     EXPECT_TRUE(desk.says("Time\n0.0\u00a0of\u00a060.0\u00a0s"));
     EXPECT_TRUE(desk.says("Held for\n0.0\u00a0of\u00a02.0\u00a0s"));
-    EXPECT_TRUE(desk.says("Longest rest\n0.0\u00a0s\u00a0(max.\u00a05.0)"));
-    EXPECT_TRUE(desk.says("Distance of the paths\n2.00\u00a0m\u00a0(max.\u00a00.55)"));
+    EXPECT_TRUE(desk.says("Longest rest\n0.0\u00a0s,\u00a0goal\u00a0≤\u00a05.0"));
+    EXPECT_TRUE(desk.says("Distance of the paths\n2.00\u00a0m,\u00a0goal\u00a0≤\u00a00.55"));
 }
 
 TEST_F(ExerciseSteps, NamesBothVehiclesOfADistanceAndTheTimeThatADistanceIsSteady) {

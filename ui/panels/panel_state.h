@@ -174,6 +174,10 @@ struct ExerciseState {
     bool grade_seen = false;
     bool why_open = false;     // unfolded
     bool steps_open = true;    // can be folded once the exercise is passed
+    bool goal_open = false;    // all of the goal is shown in a low card
+    int step_in_full = -1;     // index of the open step that was clicked in a low card; −1: none
+    bool more_open = false;    // the buttons that the foot has no room for are unfolded
+    bool reset_asked = false;  // Start over asks before it takes changes back
     bool note_open = false;    // the notes are unfolded
     bool note_begins = false;  // their field gets the focus when it is drawn
     TextField note;

@@ -23,14 +23,13 @@ namespace braitenlab::ui {
 
 // Parts of cards, and the card of the charts.
 std::string exercise_heading(const LabView&,
-                             const Ui&);  // "EXERCISE 5", "EXERCISE 14a", or "EXERCISE" without a number
-void exercise_files(const LabView&, PanelState&, Ui&, float width);  // at the foot of it; precondition: view.lesson
-void start_pictures(const LabView&, Ui&);                            // precondition: view.lesson has a grade
-void median_rows(const LessonView&, Ui&);                     // nothing without LessonView::shipped_grade and a grade
-void note_field(const LabView&, PanelState&, Ui&);            // the student's notes, while they are unfolded
-void note_button(const LabView&, PanelState&, Ui&);           // unfolds them
-float note_button_width(const LabView&, const Ui&);           // window pixels
-void breeding_button(const LabView&, PanelState&, Ui&);       // nothing unless the exercise offers a breeding
+                             const Ui&);                 // "EXERCISE 5", "EXERCISE 14a", or "EXERCISE" without a number
+void start_pictures(const LabView&, Ui&);                // precondition: view.lesson has a grade
+void median_rows(const LessonView&, Ui&);                // nothing without LessonView::shipped_grade and a grade
+void note_field(const LabView&, PanelState&, Ui&);       // the student's notes, while they are unfolded
+void note_button(const LabView&, PanelState&, Ui&);      // unfolds them
+float note_button_width(const LabView&, const Ui&);      // window pixels
+void breeding_button(const LabView&, PanelState&, Ui&);  // nothing unless the exercise offers a breeding
 void chart_card(const LabView&, PanelState&, Ui&, Rect);      // while ChartsState::open; folding closes it
 void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that the chart card shows; chart_card.cpp
 

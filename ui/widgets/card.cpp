@@ -92,8 +92,14 @@ float end_part() {
 // The scrollbar is in the right padding; it does not move the content.
 float width_of_parts(const Ui& ui, Rect card) { return card.w - ui.px(side_padding) - ui.px(card_scrollbar_inset); }
 
+// The head is cut where it would cover the footer.
+float height_of_head(const Ui& ui, const CardState& state, Rect r) {
+    const float room = r.h - ui.px(ui.tall(card_heading) + bottom_padding) - state.footer;
+    return std::max(1.0f, std::min(state.head.value_or(0.0f), room));
+}
+
 void begin_body(const Ui& ui, CardState& state, Rect r) {
-    const float top = ui.px(ui.tall(card_heading)) + state.head.value_or(0.0f),
+    const float top = ui.px(ui.tall(card_heading)) + (state.head ? height_of_head(ui, state, r) : 0),
                 bottom = ui.px(bottom_padding) + state.footer;
     ImGui::SetCursorPos({ui.px(side_padding), top});
     // Dear ImGui moves the line below a text to a whole pixel before it subtracts the spacing, so a measured height is
@@ -153,7 +159,7 @@ bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view 
     state.in_head = state.head.has_value();
     if (!state.in_head) return begin_body(ui, state, r), true;
     ImGui::SetCursorPos({ui.px(side_padding), ui.px(ui.tall(card_heading))});
-    begin_part(ui, "head", {width_of_parts(ui, r), std::max(1.0f, *state.head)},
+    begin_part(ui, "head", {width_of_parts(ui, r), height_of_head(ui, state, r)},
                ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     return true;
 }
@@ -224,7 +230,10 @@ void progress_bar(const Ui& ui, float share, float below) {
 }
 
 void subheading(Ui& ui, std::string_view words) {
-    const float with_text = line_height(ui, Face::small) + ui.px(spacing::small) + line_height(ui, Face::text);
+    // Window pixels: WholeLines lets a line of this height reach beyond the edge by less.
+    constexpr float tolerated = 3;
+    const float with_text =
+        line_height(ui, Face::small) + ui.px(spacing::small) + line_height(ui, Face::text) + tolerated;
     const WholeLines whole(ImGui::GetCursorScreenPos().y, with_text);
     paragraph(ui, words, ui.palette.second_text, Face::small);
 }

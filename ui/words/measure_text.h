@@ -9,7 +9,7 @@
 
 namespace braitenlab::ui {
 
-// The value and what is needed, with spaces that break no line: "0.83 m (max. 0.60)"; "best 0.83 m (max. 0.60)" of a
+// The value and what is needed, with spaces that break no line: "0.83 m, goal ≤ 0.60"; "best 0.83 m, goal ≤ 0.60" of a
 // value that is the best so far, until the step is done; "2.0 of 5.0 s". Empty for a distance of 0 that is reached.
 std::string measure_text(const Strings&, const Measure&, bool done);
 

@@ -9,8 +9,8 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/exercise_names.h"
+#include "ui/panels/course/exercise_parts.h"
 #include "ui/panels/course/exercise_rows.h"
-#include "ui/panels/course/lesson_text.h"
 #include "ui/panels/course/pages.h"
 #include "ui/panels/course/prediction.h"
 #include "ui/panels/offered.h"
@@ -20,111 +20,26 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
-#include "ui/words/measure_text.h"
 #include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float gauge_height = 12;             // layout pixels
-constexpr float least_height_with_head = 400;  // layout pixels, of the card: below it title and goal scroll
-constexpr float narrow_foot = 230;             // layout pixels: its buttons are small
+// Layout pixels, of the card's height: below the first the steps are compact, below the second the goal is, too, below
+// the third title and goal scroll.
+constexpr float low_card = 660, lower_card = 520, least_height_with_head = 400;
+constexpr float room_for_full_step = 330;  // layout pixels, height above the foot
+constexpr float narrow_card = 230;         // layout pixels, width of its parts
 
-std::string numbered(const char* stem, std::size_t index) { return stem + std::to_string(index + 1); }
-
-bool has_passed(const LessonView& lesson) { return lesson.grade && lesson.grade->good; }
-
-bool all_steps_ticked(const LessonView& lesson) {
-    return !lesson.verdicts.empty() &&
-           std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
-}
-
-// A line whose coloured part is what is needed, and a dot at the measured value.
-void draw_gauge(const Gauge& gauge, bool is_met, float width, Ui& ui) {
-    const float height = ui.px(gauge_height), radius = ui.px(4), bar = ui.px(2);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float y = at.y + height / 2;
-    ImGui::Dummy({width, height});
-    const WholeLines whole(at.y, height);
-    const auto x_of = [&](float share) { return at.x + radius + share * (width - 2 * radius); };
-    const auto part = [&](float from, float to, Colour colour) {
-        fill_box(ui, {x_of(from), y - bar / 2, x_of(to) - x_of(from), bar}, colour, Corner::square);
-    };
-    part(0, 1, ui.palette.line);
-    part(gauge.from, gauge.to, ui.palette.success);
-    const Colour dot = is_met ? ui.palette.success : ui.palette.text;
-    ImGui::GetWindowDrawList()->AddCircleFilled({x_of(gauge.value), y}, radius, paint(dot));
-}
-
-// A value of a step: its name at the left and, at the right or below the name, the value with what is needed. While the
-// step is not done, a gauge is below, and once the run has begun a sign left of it tells that this value is as needed,
-// so that those without one are what is missing. `left` is the left edge of the step.
-void step_value(const Measure& measure, bool done, bool has_begun, float left, Ui& ui) {
-    const std::string words = measure_text(ui.strings, measure, done), title = measure_name(ui, measure);
-    if (words.empty()) return;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float line = line_height(ui, Face::small), width = left + card_width(ui) - at.x;
-    const bool is_met = measure.met && has_begun && !done;
-    if (is_met) {
-        const WholeLines whole(at.y, line);
-        put_icon(ui, {left + ui.px(15), at.y + line / 2}, icon::check, ui.palette.success, Face::small);
-    }
-    if (!title.empty()) paragraph(ui, title, ui.palette.second_text, Face::small);
-    const float words_width = text_width(ui, Face::small, words);
-    if (!title.empty() && text_width(ui, Face::small, title) + ui.px(spacing::small) + words_width <= width)
-        ImGui::SetCursorScreenPos({at.x + width - words_width, at.y});
-    const float y = ImGui::GetCursorScreenPos().y;
-    {
-        const WholeLines whole(y, line);
-        put(ui, ImGui::GetCursorScreenPos(), words, ui.palette.text, Face::small);
-    }
-    ImGui::SetCursorScreenPos({at.x, y});
-    ImGui::Dummy({width, line});
-    if (measure.needed <= 0) return;
-    if (done)
-        ImGui::Dummy({width, ui.px(gauge_height)});  // the rows below stay where they are
-    else
-        draw_gauge(gauge_of(measure), is_met, width, ui);
-}
-
-// The text of a step has the room that its bold letters need once it is done.
-void step_text(std::string_view words, bool done, Ui& ui) {
-    const float top = ImGui::GetCursorPosY(), width = card_width(ui) - ImGui::GetCursorPosX();
-    paragraph(ui, words, ui.palette.text, done ? Face::strong : Face::text);
-    const auto lines = static_cast<float>(lines_of_words(ui, words, Face::strong, width).size());
-    const float space = ImGui::GetStyle().ItemSpacing.y;
-    const float missing = top + lines * line_height(ui, Face::strong) + space - ImGui::GetCursorPosY();
-    if (missing > 1 + space) ImGui::Dummy({1, missing - space});
-}
-
-void step(const LessonView& lesson, std::size_t index, ExerciseRows& rows, Ui& ui) {
-    const Step& asked = lesson.exercise->steps[index];
-    const bool known = index < lesson.verdicts.size();
-    const bool done = known && lesson.verdicts[index].done;
-    const std::string id = numbered("exercise.step.", index);
-    const float top = begin_row(rows);
-    if (!done && !rows.first_open_step) rows.first_open_step = top;
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float left = ui.px(26);
-    ImGui::BeginGroup();
-    ImGui::Indent(left);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::hair)});
-    step_text(translated(ui, asked.text), done, ui);
-    const bool has_verdict = known && lesson.attempt.work.has_run;
-    if (has_verdict && !(done && has_passed(lesson)))  // then the result has the room of the values
-        for (const Measure& measure : lesson.verdicts[index].measures)
-            if (std::isfinite(measure.value)) step_value(measure, done, !lesson.at_start, start.x, ui);
-    if (has_verdict && lesson.verdicts[index].lost)
-        paragraph(ui, ui.strings("exercise.lost"), colour_of(NoticeKind::notice, ui.palette), Face::small);
-    ImGui::PopStyleVar();
-    ImGui::Unindent(left);
-    compat::end_group();
-    const float height = ImGui::GetItemRectSize().y;
-    mark(ui, id, {start.x, start.y, card_width(ui), height});
-    const WholeLines whole(start.y, line_height(ui, Face::text));
-    check_mark(ui, {start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2}, ui.px(8), done,
-               eased(ui, id, done ? 1.0f : 0.0f, 0.2f));
+// False if the vehicles of all tested starts begin at one place: shown at once they are one.
+bool starts_differ(const Grade& grade) {
+    constexpr float apart = 0.05f;  // m
+    return std::none_of(grade.starts.begin(), grade.starts.end(), [](const auto& run) { return !run.path.empty(); }) ||
+           std::any_of(grade.starts.begin(), grade.starts.end(), [&](const StartResult& run) {
+               return !run.path.empty() && !grade.starts.front().path.empty() &&
+                      maths::distance(run.path.front(), grade.starts.front().path.front()) > apart;
+           });
 }
 
 // After passing: the tested starts at once in the scene, and back to the exercise.
@@ -162,7 +77,18 @@ std::string_view next_words(const LessonView& lesson) {
                                                                         : "exercise.passed_next";
 }
 
-void result(const LabView& view, Ui& ui) {
+// How many of the starts have passed.
+void result_title(const LessonView& lesson, Ui& ui) {
+    const Grade& grade = *lesson.grade;
+    const std::string passed = std::to_string(grade.count), of = std::to_string(grade.starts.size());
+    if (grade.good)
+        return paragraph(ui, fill(ui.strings("exercise.passed"), {passed, of}),
+                         legible(ui.palette.accent, ui.palette.panel, ui.palette.text), Face::title);
+    const std::string needed = std::to_string(lesson.exercise->needed);
+    paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
+}
+
+void result(const LabView& view, Ui& ui, bool has_title) {
     const LessonView& lesson = *view.lesson;
     if (const auto& count = lesson.standing.starts_tested) {
         const std::string tested = std::to_string(*count), of = std::to_string(lesson.exercise->starts);
@@ -172,19 +98,12 @@ void result(const LabView& view, Ui& ui) {
     if (!lesson.grade) return;
     const Grade& grade = *lesson.grade;
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const std::string passed = std::to_string(grade.count), of = std::to_string(grade.starts.size());
-    if (grade.good) {
-        paragraph(ui, fill(ui.strings("exercise.passed"), {passed, of}),
-                  legible(ui.palette.accent, ui.palette.panel, ui.palette.text), Face::title);
-    } else {
-        const std::string needed = std::to_string(lesson.exercise->needed);
-        paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
-    }
+    if (has_title) result_title(lesson, ui);
     if (!grade.good && lesson.standing.passed_before)
         paragraph(ui, ui.strings("exercise.stays_passed"), ui.palette.second_text, Face::small);
     start_pictures(view, ui);
     median_rows(lesson, ui);
-    if (grade.good) together_button(lesson, ui);
+    if (grade.good && (starts_differ(grade) || lesson.together)) together_button(lesson, ui);
     paragraph(ui, ui.strings(next_words(lesson)), ui.palette.second_text, Face::small);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     mark(ui, "exercise.grade", {start.x, start.y, card_width(ui), end.y - start.y - ui.px(8)});
@@ -231,75 +150,11 @@ void hints(const LabView& view, PanelState& state, Ui& ui, bool below_steps) {
     if (is_new || is_first_now) aim_at(rows, is_new && below_steps ? Aim::newest_hint : Aim::top);
 }
 
-// After the last hint: gives the vehicle the solution.
-void show_me_button(const LessonView& lesson, Ui& ui) {
-    ButtonLook look{icon::hint, ui.strings("exercise.show_me")};
-    look.enabled = lesson.attempt.answers.hint_ready;
-    const Item at = button(ui, "exercise.show_me", look);
-    if (at.pressed) ui.outbox.emplace_back(ShowMeRequest{});
-    tooltip(ui, at, ui.strings(look.enabled ? "exercise.show_me_how" : "exercise.hint_wait"));
-}
-
-void hint_button(const LessonView& lesson, bool compact, Ui& ui) {
-    const std::size_t count = lesson.exercise->hints.size();
-    const bool left = static_cast<std::size_t>(lesson.attempt.answers.hints_shown) < count;
-    if (!left) return show_me_button(lesson, ui);
-    ButtonLook look{icon::hint, ui.strings("exercise.hint")};
-    look.compact = compact;
-    look.enabled = lesson.attempt.answers.hint_ready;
-    const Item at = button(ui, "exercise.hint", look);
-    if (at.pressed) ui.outbox.push_back(Action::hint);
-    tooltip(ui, at, ui.strings(look.enabled ? "exercise.hint_how" : "exercise.hint_wait"),
-            key_name(Action::hint, ui.strings));
-}
-
-// Opens the next exercise, or the list of files after the last one.
-void next_button(const LabView& view, PanelState& state, Ui& ui, bool compact = false) {
-    const CatalogueEntry* next = next_exercise(view);
-    const Emphasis emphasis = has_passed(*view.lesson) ? Emphasis::primary : Emphasis::plain;
-    ButtonLook look{{}, ui.strings(next_exercise_key(view)), emphasis};
-    look.compact = compact;
-    const Item at = button(ui, "exercise.next", look);
-    tooltip(ui, at, next ? entry_words(view, ui, *next) : std::string(ui.strings("exercise.more_how")),
-            key_name({key::enter}, ui.strings));
-    if (!at.pressed) return;
-    if (next) return ui.outbox.push_back(OpenRequest{.path = next->path, .next_exercise = true});
-    begin_files(state.sheets.files, false);
-    state.sheet = Sheet::files;
-}
-
 // True while the question stands first: it can be answered. Else the steps do, so that an outcome, which comes by
 // itself, moves no row above it.
 bool is_question_first(const LabView& view) {
     return is_asked(view.lesson->exercise->prediction) && view.may.open_prediction &&
            !view.lesson->attempt.work.outcome_known && !has_passed(*view.lesson);
-}
-
-// Of the foot of the card, which does not scroll: the next step, and what the student hands in.
-void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float width) {
-    const bool passed = has_passed(*view.lesson), narrow = width < ui.px(narrow_foot);
-    const float right = ImGui::GetCursorScreenPos().x + width;
-    if (passed)
-        next_button(view, state, ui);
-    else
-        hint_button(*view.lesson, narrow, ui);
-    if (!passed && view.lesson->standing.passed_before) {  // with another brain, or at another time
-        ButtonLook next{{}, ui.strings(next_exercise(view) ? "exercise.next" : "exercise.more")};
-        next.compact = narrow;
-        beside_or_below(ui, button_width(ui, next), right);
-        next_button(view, state, ui, narrow);
-    }
-    ButtonLook reset{{}, ui.strings("exercise.reset")};  // sentences of the card name it by its words
-    reset.compact = narrow || ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) > right;
-    const float above = ImGui::GetItemRectMin().y;
-    beside_or_below(ui, button_width(ui, reset), right);
-    // The answers to a question need the room of another row; the menu has this action, too.
-    if (!narrow || !is_question_first(view) || ImGui::GetCursorScreenPos().y <= above) {
-        const Item at = button(ui, "exercise.reset", reset);
-        if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
-        tooltip(ui, at, ui.strings("exercise.reset_how"));
-    }
-    if (!view.pages) exercise_files(view, state, ui, width);  // nobody hands in on a page of a lecture
 }
 
 // Forgets what the card of another exercise has scrolled to, and goes back to its top, on a page of a lecture that asks
@@ -310,46 +165,13 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
     state.exercise.outcome_seen = state.exercise.grade_seen = state.exercise.why_open = state.exercise.note_open =
         false;
     state.exercise.steps_open = true;
+    state.exercise.goal_open = state.exercise.more_open = state.exercise.reset_asked = false;
+    state.exercise.hand_in.asks = false;
+    state.exercise.step_in_full = -1;
     state.exercise.hints_seen = 0;
     CardState& sensors = state.card(Card::sensors);  // open, it would take the room of the question
     sensors.folded = traits(Card::sensors).folded, sensors.opened_by_user = false;
     aim_at(state.exercise.rows, state.lecture.asks_prediction ? ExerciseRows::Aim::outcome : ExerciseRows::Aim::top);
-}
-
-// Once the exercise is passed they can be folded.
-void steps(const LabView& view, PanelState& state, Ui& ui) {
-    const LessonView& lesson = *view.lesson;
-    ImVec2 heading = ImGui::GetCursorScreenPos();
-    ExerciseRows& rows = state.exercise.rows;
-    if (has_passed(lesson)) {
-        const auto done = std::count_if(lesson.verdicts.begin(), lesson.verdicts.end(), [](auto& v) { return v.done; });
-        const std::string words = fill(ui.strings("exercise.steps_done"),
-                                       {std::to_string(done), std::to_string(lesson.exercise->steps.size())});
-        if (!fold_row(ui, "exercise.steps", words, state.exercise.steps_open, ui.strings("exercise.steps_how"))) return;
-        heading = ImGui::GetCursorScreenPos();
-        // The row stays while all starts are shown at once, which cannot be compared.
-        if (can_compare(view) || lesson.together) gap(ui, ui.tall(small_button_height) + spacing::small);
-    } else {
-        subheading(ui, ui.strings("exercise.steps"));
-    }
-    comparison(view, ui, heading);
-    if (lesson.by_hand && !all_steps_ticked(lesson))
-        paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
-    const Standing& standing = lesson.standing;
-    if (standing.too_many_changes && !standing.outside_offers)
-        paragraph(ui, fill(ui.strings("exercise.too_many_changes"), {std::to_string(lesson.exercise->changes)}),
-                  colour_of(NoticeKind::notice, ui.palette), Face::small);
-    if (standing.outside_offers)
-        paragraph(ui, ui.strings("exercise.outside_offers"), ui.palette.second_text, Face::small);
-    if (standing.changed_since_done)
-        paragraph(ui, ui.strings("exercise.ticks_before"), colour_of(NoticeKind::notice, ui.palette), Face::small);
-    else if (has_passed(lesson) && !all_steps_ticked(lesson))
-        paragraph(ui, ui.strings("exercise.ticks_of_run"), ui.palette.second_text, Face::small);
-    const float space = ui.px(has_passed(lesson) ? spacing::tight : spacing::small);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), space});
-    for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, rows, ui);
-    ImGui::PopStyleVar();
-    gap(ui, 12);
 }
 
 // Asked after the exercise is passed, never graded.
@@ -374,6 +196,26 @@ void goal(const LessonView& lesson, PanelState& state, Ui& ui) {
     paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->goal), ui.palette.text);
 }
 
+// At most so many lines of it; a click shows all.
+void goal_in_lines(const LessonView& lesson, PanelState& state, Ui& ui, std::size_t most) {
+    const std::string_view words = translated(ui, lesson.exercise->goal);
+    const bool fits = lines_of_words(ui, words, Face::text, card_width(ui)).size() <= most;
+    if (fits || state.exercise.goal_open) goal(lesson, state, ui);
+    if (fits) return;
+    if (state.exercise.goal_open) {
+        if (small_push_button(ui, {"exercise.goal", icon::unfolded, ui.strings("exercise.goal_less")},
+                              ui.strings("exercise.goal_less")))
+            state.exercise.goal_open = false;
+        return;
+    }
+    const Item row =
+        item(ui, "exercise.goal", {card_width(ui), static_cast<float>(most) * line_height(ui, Face::text)});
+    put_lines(ui, {row.rect.x, row.rect.y}, words, mix(ui.palette.text, ui.palette.accent, 0.4f * row.warmth),
+              Face::text, row.rect.w, most);
+    tooltip(ui, row, words);
+    if (row.pressed) state.exercise.goal_open = true;
+}
+
 // The student has passed the exercise, with another brain than the present one.
 void passed_mark(Ui& ui) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -394,18 +236,23 @@ bool shows_title(const LabView& view) {
 
 // Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,
 // the goal is below the result and scrolls.
-void head(const LabView& view, PanelState& state, Ui& ui) {
+void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal) {
     if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
     // The answers to a question need the room.
-    const bool has_room = card_width(ui) >= ui.px(narrow_foot) || !view.may.open_prediction;
+    const bool has_room = card_width(ui) >= ui.px(narrow_card) || !view.may.open_prediction;
     if (!has_passed(*view.lesson) && view.lesson->standing.passed_before && has_room) passed_mark(ui);
-    if (!has_passed(*view.lesson)) goal(*view.lesson, state, ui);
+    if (has_passed(*view.lesson)) return;
+    const bool has_question = is_question_first(view), is_begun = view.lesson->attempt.work.has_run;
+    if (has_short_goal && (has_question || is_begun))
+        goal_in_lines(*view.lesson, state, ui, has_question ? 2 : 1);
+    else
+        goal(*view.lesson, state, ui);
 }
 
 void reason(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const bool has_reason = !lesson.exercise->why.empty() && shows_title(view);
-    if (!has_reason && card_width(ui) < ui.px(narrow_foot)) return;
+    if (!has_reason && card_width(ui) < ui.px(narrow_card)) return;
     if (has_reason && fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.exercise.why_open,
                                ui.strings("exercise.why_how"))) {
         // It tells the answer to the prediction: the run shows that first.
@@ -414,6 +261,18 @@ void reason(const LabView& view, PanelState& state, Ui& ui) {
             state, ui);
     }
     gap(ui, 12);
+}
+
+// In the wiring editor hints and goal are read together.
+bool is_goal_short(const LabView& view, const Ui& ui, float card) {
+    return card < ui.px(lower_card) && view.mode != Mode::wiring;
+}
+
+// Where hints, or questions and answers of the foot, need the room, no step is in full.
+StepsLook look_of_steps(const LessonView& lesson, const Ui& ui, float card, float foot) {
+    if (card >= ui.px(low_card)) return StepsLook::full;
+    const bool has_hints = card < ui.px(lower_card) && lesson.attempt.answers.hints_shown > 0;
+    return has_hints || card - foot < ui.px(room_for_full_step) ? StepsLook::lines : StepsLook::compact;
 }
 
 }  // namespace
@@ -426,9 +285,10 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 
 // Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. The steps keep
 // their place during a run, above the prediction, and so do the hints between both. In the wiring editor the hints are
-// above the steps, which are judged while the scene plays. In a low window the rest scrolls, in a low card also title
-// and goal, which in the editor are then below steps and hints. The buttons of a selection by hand and of a breeding do
-// not scroll: hints that are read below point at them.
+// above the steps, which are judged while the scene plays. In a low card the compact steps do not scroll, and in a
+// lower one the goal is one line once a run has begun; in the lowest, as in the editor, all of the card scrolls, and
+// the steps are first. Once it is passed, a lower card begins with what came of the prediction. The buttons of a
+// selection by hand and of a breeding do not scroll: hints that are read below point at them.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
@@ -436,32 +296,41 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
     CardState& card = state.card(Card::exercise);
     const bool asks = state.lecture.asks_prediction;  // then the question has the room of the buttons
     if (!asks) card.footer = std::max(card.footer, ui.px(ui.tall(button_height) + 8));
-    const bool is_low = place.h < ui.px(least_height_with_head);
-    const bool steps_on_top = is_low && view.mode == Mode::wiring && !passed;
-    if (is_low)
+    const bool is_low = place.h < ui.px(low_card), has_head = place.h >= ui.px(least_height_with_head);
+    const bool steps_on_top = !has_head && view.mode == Mode::wiring && !passed;
+    if (!has_head)
         card.head.reset();
     else if (!card.head)
         card.head = 0;
     const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(view, ui));
     if (open) {
         ExerciseRows& rows = state.exercise.rows;
-        if (is_low) begin_rows(rows);
-        if (!steps_on_top) head(view, state, ui);
-        if (!is_low) end_head(ui, card, place), begin_rows(rows);
-        const bool hints_first = view.mode == Mode::wiring && !passed;
-        if (steps_on_top) gap(ui, spacing::small), steps(view, state, ui);
+        const bool question_first = is_question_first(view), hints_first = view.mode == Mode::wiring && !passed;
+        const bool hints_need_top = hints_first && has_head, has_short_goal = is_goal_short(view, ui, place.h);
+        const bool steps_in_head = is_low && !question_first && !steps_on_top && !hints_need_top;
+        const StepsLook look = look_of_steps(lesson, ui, place.h, card.footer);
+        if (!has_head) begin_rows(rows);
+        if (!steps_on_top) head(view, state, ui, has_short_goal);
+        if (passed && is_low) result_title(lesson, ui);
+        if (steps_in_head) exercise_steps(view, state, ui, look);
+        if (has_head) end_head(ui, card, place), begin_rows(rows);
+        if (steps_on_top) gap(ui, spacing::small), exercise_steps(view, state, ui, look);
         if (hints_first) hints(view, state, ui, steps_on_top);
-        if (steps_on_top) head(view, state, ui);
-        result(view, ui);
-        if (passed) steps(view, state, ui), question(lesson, state, ui), goal(lesson, state, ui);
-        reason(view, state, ui);
+        if (steps_on_top) head(view, state, ui, has_short_goal);
+        const bool outcome_first = passed && place.h < ui.px(lower_card);
+        if (outcome_first) prediction(view, state, ui);
+        result(view, ui, !(passed && is_low));
+        if (passed && !is_low) exercise_steps(view, state, ui, look);
+        if (passed) question(lesson, state, ui), goal(lesson, state, ui);
+        if (!is_low) reason(view, state, ui);
         if (!hides_outcome(view)) generation_of_selection(view, ui);
-        const bool question_first = is_question_first(view), has_steps_here = !passed && !steps_on_top;
-        if (has_steps_here && !question_first) steps(view, state, ui);
+        const bool has_steps_here = !passed && !steps_on_top && !steps_in_head;
+        if (has_steps_here && !question_first) exercise_steps(view, state, ui, look);
         const bool hints_last = passed || question_first;
         if (!hints_first && !hints_last) hints(view, state, ui, true);
-        prediction(view, state, ui);
-        if (has_steps_here && question_first) steps(view, state, ui);
+        if (!outcome_first) prediction(view, state, ui);
+        if (has_steps_here && question_first) exercise_steps(view, state, ui, look);
+        if (is_low) reason(view, state, ui);
         if (!hints_first && hints_last) hints(view, state, ui, true);
         kept_button(view, ui);
         note_field(view, state, ui);
@@ -470,7 +339,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         scroll_to_aim(ui, rows);
         begin_footer(ui, card, place);
         if (!hides_outcome(view)) selection_button(view, state, ui), breeding_button(view, state, ui);
-        if (!asks) exercise_buttons(view, state, ui, card_width(ui, place));
+        if (!asks) exercise_foot(view, state, ui, card_width(ui, place));
         end_footer(ui, card);
     }
     end_card(ui, card);

@@ -1,10 +1,11 @@
-// The last row of the exercise card's foot: the notes and, once there was a run, hand in, which asks a student without
-// a name for it, and the lab record.
+// Handing in from the exercise card: it asks a student without a name for it and says what was written, or why nothing
+// was.
 #include <string>
 #include <utility>
 
 #include <imgui.h>
 
+#include "ui/panels/course/exercise_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -16,8 +17,6 @@
 namespace braitenlab::ui {
 
 namespace {
-
-constexpr float narrow_row = 230;  // layout pixels: the notes are beside the buttons above, where they fit
 
 // The name in the view, else the typed one without spaces at its ends.
 std::string student_of(const LabView& view, const HandInState& state) {
@@ -82,48 +81,35 @@ void refused_hand_in(const LabView& view, const HandInState& state, Ui& ui, floa
 
 }  // namespace
 
-void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width) {
+void hand_in_answer(const LabView& view, PanelState& state, Ui& ui, float width) {
     HandInState& asked = state.exercise.hand_in;
-    const float top = ImGui::GetCursorScreenPos().y;
-    const float right = ImGui::GetCursorScreenPos().x + width;
-    const bool is_shown = view.lesson->attempt.work.has_run;
-    if (is_shown && asked.asks && view.documents.student.empty()) {
+    if (!view.lesson->attempt.work.has_run) return;
+    if (asked.asks && view.documents.student.empty()) {
         paragraph(ui, ui.strings("exercise.student_why"), ui.palette.text, Face::small, width);
-        if (std::exchange(asked.begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.student";
+        const bool begins = std::exchange(asked.begins, false), was_active = asked.name.active;
+        if (begins && ui.keyboard) ui.keyboard->focus = "exercise.student";
         text_field(ui, asked.name, "exercise.student", width, ui.strings("exercise.student"),
                    ui.strings("exercise.student_how"));
+        const bool is_entered = std::exchange(asked.name.entered, false);  // stays set once the field is gone
+        // Esc, and a click on something else, end the question.
+        if (was_active && !asked.name.active && !begins) asked.asks = false;
+        if (is_entered) hand_in_pressed(view, state, ui);
     }
-    if (is_shown) written_file(*view.lesson, ui, width);
-    if (is_shown) refused_hand_in(view, asked, ui, width);
-    const bool follows_buttons = ImGui::GetCursorScreenPos().y == top;
-    if ((width < ui.px(narrow_row) || ui.finger > 0) && follows_buttons) {
-        beside_or_below(ui, note_button_width(view, ui), right);
-        const bool is_beside = ImGui::GetCursorScreenPos().y < top;
-        // The answers to a question need the room of another row.
-        const bool asks = is_asked(view.lesson->exercise->prediction) && !view.lesson->attempt.work.outcome_known;
-        if (!is_beside && !is_shown && asks) return;
-        if (is_beside)
-            ImGui::SetCursorPosY(ImGui::GetCursorPosY() +
-                                 ui.px((ui.tall(button_height) - ui.tall(small_button_height)) / 2));
-    }
-    note_button(view, state, ui);
-    if (!is_shown) return;
-    const SmallButton give{"exercise.hand_in", {}, ui.strings("exercise.hand_in")};
-    beside_or_below(ui, small_button_width(ui, give, true), right);
-    const Item hand_in = small_button(ui, give);
-    tooltip(ui, hand_in, ui.strings("exercise.hand_in_how"));
-    const SmallButton page{"exercise.lab_record", {}, ui.strings("exercise.lab_record")};
-    beside_or_below(ui, small_button_width(ui, page, true), right);
-    const Item record = small_button(ui, page);
-    tooltip(ui, record, ui.strings("exercise.lab_record_how"));
-    if (record.pressed) ui.outbox.emplace_back(LabRecordRequest{student_of(view, asked)});
-    const bool is_entered = std::exchange(asked.name.entered, false);  // stays set once the field is gone
-    if (!hand_in.pressed && !is_entered) return;
+    written_file(*view.lesson, ui, width);
+    refused_hand_in(view, asked, ui, width);
+}
+
+void hand_in_pressed(const LabView& view, PanelState& state, Ui& ui) {
+    HandInState& asked = state.exercise.hand_in;
     const std::string student = student_of(view, asked);
     asked.asks = asked.begins = student.empty();
     if (student.empty()) return;
     name_student(view, ui, student);
     ui.outbox.emplace_back(HandInRequest{student});
+}
+
+void lab_record_pressed(const LabView& view, const PanelState& state, Ui& ui) {
+    ui.outbox.emplace_back(LabRecordRequest{student_of(view, state.exercise.hand_in)});
 }
 
 }  // namespace braitenlab::ui

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/lesson/path_distance.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/course/exercise_rows.h"
@@ -68,6 +70,12 @@ void draw_button(const LabView& view, PanelState& state, Ui& ui) {
     tooltip(ui, at, ui.strings(enabled ? "exercise.draw_how" : "exercise.draw_at_start"));
 }
 
+// True in the body of a low card, which has no room for notes below the answers.
+bool is_in_low_body(const Ui& ui) {
+    constexpr float low_body = 400;  // layout pixels
+    return ImGui::GetWindowHeight() < ui.px(low_body);
+}
+
 // Says, once Play has pointed to the question, how to answer or to skip it.
 void answer_first(const LabView& view, const PanelState& state, Ui& ui) {
     if (!is_play_held(view, state)) return;
@@ -77,7 +85,7 @@ void answer_first(const LabView& view, const PanelState& state, Ui& ui) {
                                                          : "exercise.answer_or_draw_first";
     const ImVec2 start = ImGui::GetCursorScreenPos();
     paragraph(ui, fill(ui.strings(key), {key_name(Action::play_pause, ui.strings)}),
-              colour_of(NoticeKind::notice, ui.palette), Face::strong);
+              colour_of(NoticeKind::notice, ui.palette), is_in_low_body(ui) ? Face::small : Face::strong);
     mark(ui, "exercise.answer_first", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
 }
 
@@ -179,7 +187,7 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
         open_prediction(view, state, ui);
         if (asks_for_a_run)
             ask_for_a_run_as_given(ui);
-        else if (has_answer)
+        else if (has_answer && !is_in_low_body(ui))
             note(ui, "exercise.changeable");
     } else if (is_open) {
         locked_prediction(lesson, asks_for_a_run, ui);
@@ -201,17 +209,19 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     gap(ui, 12);
 }
 
-void comparison(const LabView& view, Ui& ui, ImVec2 heading) {
+void comparison(const LabView& view, Ui& ui, ImVec2 heading, bool words) {
     if (!can_compare(view)) return;
     const LessonView& lesson = *view.lesson;
     const ImVec2 below = ImGui::GetCursorScreenPos();
     const SmallButton look{"exercise.compare", icon::outlines, ui.strings("exercise.compare"),
                            lesson.attempt.work.compares};
-    const float w = small_button_width(ui, look, true), h = ui.px(ui.tall(small_button_height));
+    const float w = small_button_width(ui, look, words), h = ui.px(ui.tall(small_button_height));
     ImGui::SetCursorScreenPos({heading.x + card_width(ui) - w, heading.y + (line_height(ui, Face::small) - h) / 2});
-    const Item at = small_button(ui, look);
+    const Item at = small_button(ui, look, words);
     if (at.pressed) ui.outbox.push_back(CompareRequest{!lesson.attempt.work.compares});
-    tooltip(ui, at, ui.strings("exercise.compare_how"));
+    tooltip(ui, at,
+            words ? std::string(ui.strings("exercise.compare_how"))
+                  : fmt::format("{}. {}", ui.strings("exercise.compare"), ui.strings("exercise.compare_how")));
     ImGui::SetCursorScreenPos(below);
     if (lesson.attempt.work.compares)
         paragraph(ui, ui.strings(lesson.by_hand ? "exercise.compare_by_hand" : "exercise.compare_legend"),
