@@ -45,6 +45,8 @@ TEST(KeyQueue, ASignIsWhatIsTypedAndADigitIsAtItsPlace) {
                               {{',', false, true}, '<', {'<'}, "English"},
                               {{'1'}, '&', {'1'}, "French"},
                               {{'3', false, true}, '3', {'3'}, "French"},
+                              {{'5'}, '(', {'5'}, "French"},
+                              {{'6', false, true}, '6', {'6'}, "French"},
                               {{'1', false, true}, '+', {'+'}, "Swiss"},
                               {{'1'}, '+', {'1'}, "Czech: the digits are shifted"},
                               {{'.', false, true}, '>', {'>'}, "English"},

@@ -21,13 +21,13 @@ const std::vector<std::string> menus{"file", "edit", "view", "simulation", "exer
 // open a menu, or close what is open.
 bool needs_no_row(Action action) {
     const std::set<Action> actions{
-        Action::slider_LL,   Action::slider_LR, Action::slider_RL,  Action::slider_RR,   Action::less,
-        Action::more,        Action::restore,   Action::next_card,  Action::next_widget, Action::previous_widget,
-        Action::press,       Action::step_left, Action::step_right, Action::step_up,     Action::step_down,
-        Action::nudge,       Action::raise,     Action::lower,      Action::turn_left,   Action::turn_right,
-        Action::menu_bar,    Action::view,      Action::cancel,     Action::zoom_in,     Action::zoom_out,
-        Action::pan_left,    Action::pan_right, Action::pan_up,     Action::pan_down,    Action::rotate_left,
-        Action::rotate_right};
+        Action::slider_LL,    Action::slider_LR, Action::slider_RL,  Action::slider_RR,   Action::less,
+        Action::more,         Action::restore,   Action::next_card,  Action::next_widget, Action::previous_widget,
+        Action::press,        Action::step_left, Action::step_right, Action::step_up,     Action::step_down,
+        Action::nudge,        Action::raise,     Action::lower,      Action::turn_left,   Action::turn_right,
+        Action::menu_bar,     Action::view,      Action::cancel,     Action::zoom_in,     Action::zoom_out,
+        Action::pan_left,     Action::pan_right, Action::pan_up,     Action::pan_down,    Action::rotate_left,
+        Action::rotate_right, Action::slider_LM, Action::slider_RM};
     return actions.contains(action);
 }
 

@@ -24,6 +24,18 @@ TEST(WindowKeys, OpenALinkFromTheClipboard) {
     EXPECT_FALSE(desk.last<PasteRequest>());
 }
 
+TEST(WindowKeys, ADigitFocusesEachSliderOfTheBrain) {
+    Desk desk;
+    desk.frame(3);
+    int digit = '1';
+    for (const char* slider : {"slider.LL", "slider.LR", "slider.RL", "slider.RR", "bias.LM", "bias.RM"}) {
+        desk.key({digit++});
+        desk.frame(2);
+        EXPECT_EQ(desk.panels.keyboard.focus, slider);
+        EXPECT_TRUE(desk.panels.keyboard.shown) << slider;
+    }
+}
+
 TEST(WindowKeys, OpenALinkWhileWiring) {
     Desk desk;
     desk.view.mode = Mode::wiring;

@@ -298,6 +298,7 @@ std::vector<std::string_view> numbered_sliders(const LabView& view) {
             anchors.push_back(anchor_of(offer.dials.front()));
     } else {
         for (const DialSlider& slider : weight_sliders) anchors.push_back(slider.anchor);
+        for (const DialSlider& slider : bias_sliders) anchors.push_back(slider.anchor);
     }
     return anchors;
 }

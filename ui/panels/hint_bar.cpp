@@ -183,7 +183,8 @@ std::string_view usual_hint(const LabView& view) {
 
 // The key that brings the focus to the slider that pulses, in brackets.
 std::string key_to_slider(const LabView& view, std::string_view anchor) {
-    constexpr std::array keys{Action::slider_LL, Action::slider_LR, Action::slider_RL, Action::slider_RR};
+    constexpr std::array keys{Action::slider_LL, Action::slider_LR, Action::slider_RL,
+                              Action::slider_RR, Action::slider_LM, Action::slider_RM};
     const std::vector<std::string_view> sliders = numbered_sliders(view);
     const auto number = static_cast<std::size_t>(std::find(sliders.begin(), sliders.end(), anchor) - sliders.begin());
     const bool has_key = number < std::min(sliders.size(), keys.size());

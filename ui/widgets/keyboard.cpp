@@ -29,7 +29,7 @@ int next_card(StopSpan stops, int from) {
 }  // namespace
 
 void show_focus_for(Keyboard& keyboard, KeyPress press) {
-    const bool arrow = press.key >= key::right && press.key <= key::up, digit = press.key >= '1' && press.key <= '4';
+    const bool arrow = press.key >= key::right && press.key <= key::up, digit = press.key >= '1' && press.key <= '6';
     if (press.key == ' ') keyboard.shown = false;
     if (press.key == key::tab || press.key == key::enter || arrow || digit || press.ctrl || press.key >= key::f1)
         keyboard.shown = true;
