@@ -400,7 +400,7 @@ TEST(MenuBarInEachWindow, KeepsEveryRowInsideTheWindow) {
     const std::vector<RecentFile> recent(9,
                                          {"/y/a-file-with-a-name-that-is-much-longer-than-a-menu-is-wide-2026.toml"});
     for (const std::string& code : shipped_codes())
-        for (const Size size : {Size{940, 570, 1}, {1024, 768, 1}, {2048, 1536, 2}, {1880, 1140, 2}}) {
+        for (const Size size : {Size{940, 570, 1}, {800, 600, 1}, {1024, 768, 1}, {2048, 1536, 2}, {1880, 1140, 2}}) {
             Desk small(size.width, size.height, size.scale, true);
             small.strings = speaking(code);
             small.view.documents.catalogue = &catalogue;

@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "breeding_on_desk.h"
+#include "core/brain/presets.h"
 #include "core/insight/study.h"
 #include "core/scene/file_kind.h"
 #include "desk.h"
@@ -384,15 +385,33 @@ void expect_words_to_fit(const Desk& desk, const std::string& where) {
 class EveryLanguage : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryLanguage, FitsTheSmallestWindow) {
-    for (const Screen& screen : screens()) {
-        Desk desk(1024, 768, 1, true);
-        desk.strings = speaking(GetParam());
-        desk.frame(3);
-        screen.set(desk);
-        desk.frame(5);
-        EXPECT_GT(desk.written.size(), 8u) << "the frame has text";
-        expect_words_to_fit(desk, screen.name);
+    for (const auto& [width, height] : {std::pair{1024, 768}, std::pair{800, 600}})
+        for (const Screen& screen : screens()) {
+            Desk desk(static_cast<float>(width), static_cast<float>(height), 1, true);
+            desk.strings = speaking(GetParam());
+            desk.frame(3);
+            screen.set(desk);
+            desk.frame(5);
+            EXPECT_GT(desk.written.size(), 8u) << "the frame has text";
+            expect_words_to_fit(desk, screen.name + std::string(" at ") + std::to_string(width));
+        }
+}
+
+TEST_P(EveryLanguage, ShowsEveryPresetWholeInTheSmallestWindow) {
+    Desk desk(800, 600, 1, true);
+    desk.strings = speaking(GetParam());
+    desk.frame(3);
+    desk.click("button.presets");
+    desk.frame(5);
+    for (const Preset& preset : presets()) {
+        const Rect row = desk.where("preset." + std::string(preset.name));
+        EXPECT_TRUE(row.x >= 0 && row.x + row.w <= 800 && row.y >= 0 && row.y + row.h <= 600) << preset.name;
     }
+    for (const char* button : {"preset.load", "preset.save"}) {
+        const Rect at = desk.where(button);
+        EXPECT_TRUE(at.x >= 0 && at.x + at.w <= 800 && at.y + at.h <= 600) << button;
+    }
+    expect_words_to_fit(desk, "presets");
 }
 
 TEST_P(EveryLanguage, FitsAtTwiceTheSize) {

@@ -361,10 +361,12 @@ void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float wi
     const std::string key = "drive." + std::string(word(vehicle.driver));
     paragraph(ui, ui.strings(key), ui.palette.text, Face::small, width);
     const SmallButton back{"drive.back", {}, ui.strings("drive.back")};
+    const bool fits = small_button_width(ui, back, true) <= width;
+    if (!fits) compat::end_group();  // below the stick
     if (small_push_button(ui, back, ui.strings("tooltip.drive_back")))
         ui.outbox.push_back(
             EditRequest{ChooseDriver{vehicle.id, Driver::brain}, gestures::panels + ++state.sliders.gesture});
-    compat::end_group();
+    if (fits) compat::end_group();
 }
 
 // In an exercise that offers some controls: a button that shows all of them, or only the offered ones again.

@@ -28,8 +28,13 @@ const auto& nearest_sample(const Samples& samples, double seconds) {
 
 // Instead of a chart without samples.
 inline void no_samples(const Ui& ui, Rect r) {
-    put_centred(ui, {r.x + r.w / 2, r.y + r.h / 2 - line_height(ui, Face::small)}, ui.strings("charts.nothing"),
-                ui.palette.second_text, Face::small);
+    const auto lines = even_lines(ui, ui.strings("charts.nothing"), Face::small, r.w);
+    const float line = line_height(ui, Face::small);
+    float y = r.y + r.h / 2 - line * static_cast<float>(lines.size());
+    for (const std::string& each : lines) {
+        put_centred(ui, {r.x + r.w / 2, y}, each, ui.palette.second_text, Face::small);
+        y += line;
+    }
 }
 
 }  // namespace braitenlab::ui

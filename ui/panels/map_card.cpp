@@ -17,7 +17,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float least_field = 160, least_field_in_lecture = 128;  // layout pixels
+constexpr float least_field = 112, least_field_in_lecture = 128;  // layout pixels
 
 // `room`: height of the card at most, window pixels. The field is smaller where the card would not fit.
 void draw_map(const MapFrame& frame, float room) {

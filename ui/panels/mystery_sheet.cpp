@@ -108,13 +108,21 @@ void legend_of_mystery(Ui& ui) {
     ImGui::Dummy({card_width(ui), line});
 }
 
+// True where the buttons of a hidden brain are wider than the sheet.
+bool is_narrow(const Ui& ui, const SheetState& sheet) {
+    float width = 2 * ui.px(side_padding);
+    for (const char* words : {"mystery.compare", "mystery.rebuild", "mystery.reveal"})
+        width += button_width(ui, {icon::play, ui.strings(words)}) + ui.px(spacing::small);
+    return width + button_width(ui, {{}, ui.strings("keys.close")}) > sheet.rect.w;
+}
+
 // True if the sheet closes.
-bool mystery_buttons(const LabView& lab, Ui& ui) {
+bool mystery_buttons(const LabView& lab, Ui& ui, bool compact) {
     const MysteryView& view = lab.features.mystery;
     const bool may_edit = !lab.lesson;
     const auto offer = [&](const char* id, std::string_view sign, MysteryEdit edit, bool enabled, bool primary) {
         ButtonLook look{sign, ui.strings(id), primary ? Emphasis::primary : Emphasis::plain};
-        look.enabled = enabled;
+        look.enabled = enabled, look.compact = compact;
         const bool pressed = push_button(ui, id, look, ui.strings(std::string(id) + "_how"));
         if (pressed) ui.outbox.emplace_back(MysteryRequest{edit});
         ImGui::SameLine();
@@ -153,7 +161,7 @@ void mystery_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) {
         starts_of_mystery(view, ui);
     }
     sheet_buttons(ui, sheet);
-    const bool closed = mystery_buttons(lab, ui);
+    const bool closed = mystery_buttons(lab, ui, is_narrow(ui, sheet));
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 

@@ -126,9 +126,9 @@ struct SensorsState {
 // The menu of presets.
 struct PresetsState {
     bool open = false, closes = false;
-    float height = 0;     // as drawn last; window pixels
-    std::string asked;    // the preset whose sensors the menu offers to use, too; empty: it lists the presets
-    bool wanted = false;  // requested by a click on their button while another menu covered it
+    float width = 0, height = 0;  // as drawn last; window pixels
+    std::string asked;            // the preset whose sensors the menu offers to use, too; empty: it lists the presets
+    bool wanted = false;          // requested by a click on their button while another menu covered it
 };
 
 // The card of the brain.

@@ -1,6 +1,9 @@
 // The menu of preset brains, with buttons to load and save a brain file.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
+#include <string_view>
 
 #include <imgui.h>
 
@@ -21,51 +24,66 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float preset_width = 396, preset_padding = spacing::medium;  // layout pixels
+constexpr float preset_width = 396, between_presets = spacing::small,
+                preset_padding = spacing::medium;  // layout pixels
 
-// Draws a preset; pressed: the user has chosen it. A bar marks the current brain of the vehicle.
-Item preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at, float width) {
-    const std::string key(preset.name);
-    ImGui::SetCursorScreenPos(at);
-    const Item row = item(ui, "preset." + key,
-                          {width, line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding)});
-    fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
-    if (current)
-        fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent,
-                 Corner::bar);
-    const float x = row.rect.x + ui.px(spacing::medium);
-    put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
-    const std::string story(ui.strings.find("preset_story." + key, ""));
-    put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)},
-        shortened(ui, story, Face::small, row.right() - x - ui.px(spacing::tight)), ui.palette.second_text,
-        Face::small);
-    tooltip(ui, row, ui.strings("tooltip.presets"));
-    return row;
-}
-
-// In two columns; in an upright window in one, which may be narrower and scrolls.
+// Two columns, which both fit into the window; in an upright window one, which scrolls. The menu does not touch the
+// edge.
 struct PresetColumns {
     std::size_t count;
     float width;  // window pixels
 };
 PresetColumns preset_columns(const Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    if (!is_upright(window.x / ui.px(1), window.y / ui.px(1))) return {2, ui.px(preset_width)};
-    return {1, std::min(window.x - ui.px(4 * spacing::small), ui.px(preset_width))};
+    const float room = window.x - ui.px(4 * spacing::small);
+    if (is_upright(window.x / ui.px(1), window.y / ui.px(1))) return {1, std::min(ui.px(preset_width), room)};
+    return {2, std::min(ui.px(preset_width), std::floor((room - ui.px(between_presets)) / 2))};
+}
+
+std::string_view story_of(const Ui& ui, const Preset& preset) {
+    return ui.strings.find("preset_story." + std::string(preset.name), "");
+}
+
+// With as many lines as its story needs in the column.
+float preset_height(const Ui& ui, const Preset& preset, float width) {
+    const float room = width - 2 * ui.px(spacing::medium);
+    const std::size_t lines = lines_of_words(ui, story_of(ui, preset), Face::small, room).size();
+    const float words = line_height(ui, Face::text) + static_cast<float>(lines) * line_height(ui, Face::small);
+    return std::max(words + ui.px(preset_padding), ui.px(ui.finger));
+}
+
+// Draws a preset; pressed: the user has chosen it. A bar marks the current brain of the vehicle.
+Item preset_row(Ui& ui, const Preset& preset, bool current, const Rect& at) {
+    const std::string key(preset.name);
+    ImGui::SetCursorScreenPos({at.x, at.y});
+    const Item row = item(ui, "preset." + key, {at.w, at.h});
+    fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
+    if (current)
+        fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent,
+                 Corner::bar);
+    const float x = row.rect.x + ui.px(spacing::medium);
+    put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
+    put_on(*ImGui::GetWindowDrawList(), ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)},
+           story_of(ui, preset), ui.palette.second_text, Face::small, row.rect.w - 2 * ui.px(spacing::medium));
+    tooltip(ui, row, ui.strings("tooltip.presets"));
+    return row;
 }
 
 void preset_rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const BrainGraph& brain = *brain_of(*view.now, vehicle);
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float height = line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding + 2);
     const PresetColumns columns = preset_columns(ui);
+    const float width = columns.width;
     const std::size_t count = presets().size(), half = (count + columns.count - 1) / columns.count;
+    std::array<float, 2> y{start.y, start.y};  // of the next row of each column
     for (std::size_t i = 0; i < count; ++i) {
         const Preset& preset = presets()[i];
-        const ImVec2 at{start.x + (i < half ? 0.0f : columns.width + ui.px(8)),
-                        start.y + height * static_cast<float>(i < half ? i : i - half)};
+        float& top = y[i < half ? 0 : 1];
+        const Rect at{start.x + (i < half ? 0.0f : width + ui.px(between_presets)), top, width,
+                      preset_height(ui, preset, width)};
+        top += at.h + ui.px(spacing::hair);
         BrainGraph made = graft(brain, preset.brain);
-        const Item row = preset_row(ui, preset, same_wiring(made, brain), at, columns.width);
+        const Item row = preset_row(ui, preset, same_wiring(made, brain), at);
         if (row.hovered) state.brain.what_if = {SetBrain{target_of(view, vehicle), made}};
         if (!row.pressed) continue;
         if (!lacking_for(kind_of(*view.now, vehicle).sensors, preset).empty()) {
@@ -76,7 +94,7 @@ void preset_rows(const LabView& view, PanelState& state, Ui& ui, const VehicleVi
                                         gestures::panels + ++state.sliders.gesture});
         ImGui::CloseCurrentPopup();
     }
-    ImGui::SetCursorScreenPos({start.x, start.y + height * static_cast<float>(half)});
+    ImGui::SetCursorScreenPos({start.x, std::max(y[0], y[1])});
 }
 
 // "prey (SL, SR), heat (HL, HR)": by channel.
@@ -168,11 +186,9 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
         ui.keyboard->focus = "preset." + std::string(presets().front().name);
     const float lowest = ImGui::GetIO().DisplaySize.y - ui.px(spacing::small);
     corner.y = std::max(ui.px(spacing::small), std::min(corner.y, lowest - state.brain.presets.height));
-    const PresetColumns columns = preset_columns(ui);
-    if (columns.count == 1) {
-        corner.x = std::max(corner.x, columns.width + ui.px(3 * spacing::small));
+    corner.x = std::max(corner.x, state.brain.presets.width + ui.px(spacing::small));
+    if (preset_columns(ui).count == 1)
         ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, lowest - ui.px(spacing::small)});
-    }
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(spacing::small), ui.px(spacing::small)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::tight), ui.px(spacing::hair)});
@@ -188,6 +204,7 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
             own_brains(state, ui);
         }
         state.brain.presets.height = ImGui::GetWindowHeight();
+        state.brain.presets.width = ImGui::GetWindowWidth();
         compat::end_popup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
         ui.keyboard->focus = "button.presets";

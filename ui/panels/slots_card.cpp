@@ -115,7 +115,7 @@ TableRow table_row(const Ui& ui, CompareMeasure measure, const CompareNumbers& a
 }
 
 // Columns as wide as their widest cell; the words take what is left and are broken into lines. `columns`: 3, or 2
-// without the differences.
+// without the differences, which are also left out of a card in which they leave no room for the words.
 void table(const SlotsView& view, Ui& ui, std::size_t columns) {
     std::vector<TableRow> rows;
     for (const auto& row : insight::compare_measure_table)
@@ -127,6 +127,12 @@ void table(const SlotsView& view, Ui& ui, std::size_t columns) {
             widths[i] = std::max(widths[i], text_width(ui, Face::small, row.cells[i]));
     const std::array<std::string_view, 3> heads{"A", "B", "B − A"};
     for (std::size_t i = 0; i < columns; ++i) widths[i] = std::max(widths[i], text_width(ui, Face::strong, heads[i]));
+    float of_words = 0;  // the longest single word
+    for (const TableRow& row : rows)
+        for (const std::string& word : lines_of_words(ui, row.words, Face::small, 1))
+            of_words = std::max(of_words, text_width(ui, Face::small, word));
+    const float numbers = widths[0] + widths[1] + (columns > 2 ? widths[2] : 0) + space * static_cast<float>(columns);
+    if (columns > 2 && of_words + numbers > width) columns = 2;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     std::array<float, 3> rights{};
     float x = at.x + width;

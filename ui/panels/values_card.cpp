@@ -169,7 +169,7 @@ void start_row(const LabView& view, PanelState& state, Ui& ui) {
 
 void values_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
     std::array buttons{HeadingButton{"values.close", ui.strings("values.close"), ui.strings("tooltip.values"),
-                                     key_name(Action::values, ui.strings)}};
+                                     key_name(Action::values, ui.strings), false, false, false, icon::cross}};
     const bool open = open_card(state, ui, Card::values, place, buttons);
     if (buttons[0].pressed) ui.outbox.push_back(Action::values);
     if (open) {

@@ -15,7 +15,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float icon_room = 18;  // layout pixels
+constexpr float icon_room = 18, around_segment = 10;  // layout pixels
 float button_padding(const ButtonLook& look) { return look.compact ? 6 : 10; }
 float button_icon_gap(const ButtonLook& look) { return look.compact ? 3 : 6; }
 
@@ -54,24 +54,44 @@ float sign_room(const Ui& ui, const SmallButton& look) {
 }
 
 struct Segments {
-    std::vector<float> widths;  // window pixels
+    std::vector<float> widths;      // window pixels
+    std::vector<std::size_t> ends;  // of each row, the number of the segment behind it
     bool equal = true;
 };
 
+// The ends of the rows: as many words a row as fit.
+std::vector<std::size_t> rows_of_segments(std::span<const float> lengths, float around, float width) {
+    std::vector<std::size_t> ends;
+    float used = 0;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        const float wanted = lengths[i] + around;
+        if (i > 0 && used + wanted > width) ends.push_back(i), used = 0;
+        used += wanted;
+    }
+    ends.push_back(lengths.size());
+    return ends;
+}
+
 // Of equal widths; where a word does not fit into its own, each gets the length of its word and the rest is shared.
+// Words that do not fit beside each other are in several rows.
 Segments lay_out_segments(const Ui& ui, std::span<const std::string_view> words, float width) {
-    const auto count = static_cast<float>(words.size());
-    const float each = width / count;
-    float rest = width;
-    Segments segments{std::vector<float>(words.size(), each), true};
+    const float each = width / static_cast<float>(words.size());
+    Segments segments{std::vector<float>(words.size(), each), {words.size()}, true};
+    std::vector<float> lengths;
     for (const std::string_view word : words) {
-        const float length = text_width(ui, Face::label, word);
-        rest -= length;
-        segments.equal &= length < each - ui.px(12);
+        lengths.push_back(text_width(ui, Face::label, word));
+        segments.equal &= lengths.back() < each - ui.px(12);
     }
     if (segments.equal) return segments;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        segments.widths[i] = text_width(ui, Face::label, words[i]) + rest / count;
+    segments.ends = rows_of_segments(lengths, ui.px(around_segment), width);
+    std::size_t begin = 0;
+    for (const std::size_t end : segments.ends) {
+        float rest = width;
+        for (std::size_t i = begin; i < end; ++i) rest -= lengths[i];
+        for (std::size_t i = begin; i < end; ++i)
+            segments.widths[i] = lengths[i] + rest / static_cast<float>(end - begin);
+        begin = end;
+    }
     return segments;
 }
 
@@ -168,17 +188,21 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
              std::string_view how) {
     const Segments segments = lay_out_segments(ui, words, width);
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const Rect all{start.x, start.y, width, ui.px(ui.tall(30))};
+    const float row = ui.px(ui.tall(segments.ends.size() > 1 ? 26 : 30));
+    const Rect all{start.x, start.y, width, row * static_cast<float>(segments.ends.size())};
     fill_box(ui, all, ui.palette.ground.with_alpha(0.6f));
     line_box(ui, all, ui.palette.line);
     const Face face = face_of_segments(ui, words, segments);
     int clicked = -1;
-    float x = start.x;
+    float x = start.x, y = start.y;
     for (int i = 0; i < static_cast<int>(words.size()); ++i) {
-        const float each = segments.widths[static_cast<std::size_t>(i)];
-        ImGui::SetCursorScreenPos({x, start.y});
+        const auto number = static_cast<std::size_t>(i);
+        const float each = segments.widths[number];
+        const bool begins_row = std::find(segments.ends.begin(), segments.ends.end(), number) != segments.ends.end();
+        if (begins_row) x = start.x, y += row;
+        ImGui::SetCursorScreenPos({x, y});
         x += each;
-        const Item at = item(ui, std::string(id) + "." + std::to_string(i + 1), {each, all.h});
+        const Item at = item(ui, std::string(id) + "." + std::to_string(i + 1), {each, row});
         const float inset = ui.px(spacing::tight);
         const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
         const bool on = i == chosen;
@@ -187,7 +211,7 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
             line_box(ui, inner, ui.palette.accent.with_alpha(0.8f));
         }
         const Colour colour = on ? ui.palette.text : mix(ui.palette.second_text, ui.palette.text, at.warmth);
-        const auto word = words[static_cast<std::size_t>(i)];
+        const auto word = words[number];
         put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, face) / 2}, word, colour, face);
         tooltip(ui, at, how);
         if (at.pressed && !on) clicked = i;

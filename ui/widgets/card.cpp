@@ -67,7 +67,9 @@ void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::
     const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(ui.tall(card_heading)))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
     const float y = row.rect.y + ui.px(ui.tall(card_heading)) / 2;
-    put(ui, {r.x + ui.px(side_padding), y - line_height(ui, Face::small) / 2}, words, colour, Face::small);
+    const float begin = r.x + ui.px(side_padding);
+    put(ui, {begin, y - line_height(ui, Face::small) / 2}, shortened(ui, words, Face::small, right - begin), colour,
+        Face::small);
     put_icon(ui, {r.x + r.w - ui.px(side_padding + 4), y}, state.folded ? icon::folded : icon::unfolded, colour);
     const bool on_a_button = std::any_of(extras.begin(), extras.end(), [](const auto& extra) { return extra.hovered; });
     tooltip(ui, row, on_a_button ? std::string_view{} : ui.strings(state.folded ? "card.unfold" : "card.fold"));

@@ -57,10 +57,14 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), Corner::box);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const double y_step = step_of(y, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
+    // A low plot has a number at its zero and its end only, whichever have room.
+    const auto apart = static_cast<float>(y_step / (y.high - y.low)) * inner.h;
+    const int every = std::max(1, static_cast<int>(std::ceil(0.8f * line / std::max(apart, 1.0f))));
     for (double v = first_on(y, y_step); y.numbers && v <= y.high + y_step * 1e-3; v += y_step) {
         const float at = plot_point(inner, x, y, {x.low, v}).y;
         draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3)), ui.px(1));
-        put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(ui, v, y), ui.palette.second_text, Face::label);
+        if (std::lround(v / y_step) % every == 0)
+            put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(ui, v, y), ui.palette.second_text, Face::label);
     }
     if (!x.numbers) return inner;
     const float widest = text_width(ui, Face::label, number(ui, x.high, x)) + ui.px(44);
