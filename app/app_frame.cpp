@@ -92,12 +92,13 @@ float App::unlimited_scale() const {
 }
 
 float App::wanted_scale() const {
-    return ui::fitting_scale(unlimited_scale(), window_.area(), lab_.before_lecture.has_value());
+    return ui::fitting_scale(unlimited_scale(), window_.area(), lab_.before_lecture.has_value(), window_.is_touched());
 }
 
 float App::largest_type_size_of_window() const {
     constexpr float without_limit = 1000;
-    const float largest = ui::fitting_scale(without_limit, window_.area(), lab_.before_lecture.has_value());
+    const float largest =
+        ui::fitting_scale(without_limit, window_.area(), lab_.before_lecture.has_value(), window_.is_touched());
     return lab_.preferences.type_size * largest / unlimited_scale();
 }
 

@@ -16,6 +16,7 @@
 #include "ui/panels/sheets.h"
 #include "ui/panels/signal_drag.h"
 #include "ui/panels/trail_legend.h"
+#include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
@@ -178,6 +179,21 @@ void draw_page(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
     if (layout.notes.h > 0) lecture_notes(view, state, ui, layout.notes);
 }
 
+// Covers a window in which bars and cards would be on top of each other.
+void ask_for_room(Ui& ui, Rect window) {
+    begin_bar(ui, "small window", window, true);
+    fill_box(ui, window, ui.palette.panel, Corner::square);
+    const auto lines =
+        lines_of_words(ui, ui.strings("window.too_small"), Face::text, window.w - ui.px(2 * spacing::large));
+    const float line = line_height(ui, Face::text);
+    float y = window.y + (window.h - line * static_cast<float>(lines.size())) / 2;
+    for (const std::string& words : lines) {
+        put_centred(ui, {window.x + window.w / 2, y}, words, ui.palette.text);
+        y += line;
+    }
+    end_bar();
+}
+
 void draw_title_page(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     begin_keyboard(state.keyboard);
     title_page(view, ui, window);
@@ -323,6 +339,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         toolbar(view, state, ui, layout.toolbar);
         menu_bar(state, ui, layout.menu_bar);
     }
+    if (window_too_small(layout)) ask_for_room(ui, layout.window);
     scene_menu(view, state, ui, layout.window);
     if (!view.lecture) lab_menu(view, state, ui, layout.menu_bar, layout.window);
     switch_menus(state, ui, open_menus);

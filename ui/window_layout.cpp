@@ -222,15 +222,26 @@ void share_column(WindowLayout& l, float margin) {
 
 }  // namespace
 
-float fitting_scale(float scale, Rect window, bool lecture) {
-    constexpr float steps = 8, least_upright = 400;  // layout pixels
+float fitting_scale(float scale, Rect window, bool lecture, bool fingers) {
+    constexpr float steps = 8, narrowest = 768, lowest = 560, least_scale = 0.625f;  // layout pixels
+    constexpr float least_upright = 400;
     const bool stands = !lecture && window.h > 1.2f * window.w;
+    // Type of less than two thirds of its size is not legible, so a smaller window is left to window_too_small().
+    const float of_small = std::min(window.w / narrowest, window.h / lowest);
+    if (of_small < 1 && !stands && !fingers)
+        return std::min(scale, std::max(least_scale, std::floor(of_small * steps) / steps));
     const float least_width = lecture  ? 730.0f
                               : stands ? least_upright
                                        : 940.0f,
                 least_height = lecture ? 540.0f : 570.0f;  // layout pixels
     const float most = std::min(window.w / least_width, window.h / least_height);
     return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
+}
+
+bool window_too_small(const WindowLayout& layout) {
+    constexpr float least_width = 480, least_height = 260, least_upright_width = 400;  // window pixels
+    const bool stands = layout.window.h > layout.window.w;
+    return layout.window.w < (stands ? least_upright_width : least_width) || layout.window.h < least_height;
 }
 
 WindowLayout lay_out(float width, float height, float scale, const LabView& view, OpenCards open) {

@@ -34,8 +34,13 @@ struct OpenCards {
 };
 
 // The scale, window pixels per layout pixel, reduced until bars and cards fit into the window. In steps of an eighth,
-// because each change loads the fonts again. A lecture has few cards, so it fits into fewer layout pixels.
-float fitting_scale(float scale, Rect window, bool lecture);
+// because each change loads the fonts again. A lecture has few cards, so it fits into fewer layout pixels. At least 1,
+// in a window of less than 768 × 560 pixels at least 0.625, but for an upright one and for fingers (a page that is
+// shown reduced already).
+float fitting_scale(float scale, Rect window, bool lecture, bool fingers = false);
+
+// True if not even that makes bars and cards fit: the window then asks for more room and shows nothing else.
+bool window_too_small(const WindowLayout&);
 
 // `scale`: window pixels per layout pixel. The layout fits windows of at least 1024 × 768 layout pixels. In
 // smaller windows the cards and the scene are narrower; the scene has at least a quarter of the width. A column whose

@@ -465,6 +465,19 @@ TEST(WindowLayout, LimitsTheScaleToWhatFitsIntoTheWindow) {
     EXPECT_EQ(fitting_scale(3, {0, 0, 1920, 1200}, false), 2) << "in steps of an eighth";
     EXPECT_EQ(fitting_scale(0.75f, {0, 0, 1024, 768}, false), 0.75f);
     EXPECT_EQ(fitting_scale(4.2f, {0, 0, 1024, 768}, true), 1.375f) << "a lecture has larger type";
+    EXPECT_EQ(fitting_scale(1, {0, 0, 800, 600}, false), 1);
+    EXPECT_EQ(fitting_scale(1, {0, 0, 640, 400}, false), 0.625f) << "what does not fit has smaller type";
+    EXPECT_EQ(fitting_scale(1, {0, 0, 320, 240}, false), 0.625f) << "which is legible";
+}
+
+TEST(WindowLayout, AWindowThatIsTooSmallForAnyTypeAsksForRoom) {
+    for (const bool is_small : {true, false}) {
+        Desk desk(is_small ? 320 : 640, is_small ? 240 : 400, 0.625f, true);
+        desk.frame(3);
+        std::string all;
+        for (const Written& w : desk.written) all += w.words + " ";
+        EXPECT_EQ(all.find(std::string(desk.strings("window.too_small"))) != std::string::npos, is_small);
+    }
 }
 
 TEST(InformationCard, ShowsAnyNumberOfVehicles) {
