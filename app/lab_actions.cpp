@@ -134,12 +134,13 @@ void show_next_field(Lab& lab) {
     lab.view.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
 }
 
-// A playing scene is beside the diagram at most (ViewSettings::watching), so Play leaves the wiring editor, and says
-// so.
+// Play leaves the wiring editor and keeps its diagram beside the scene, where it shows the values of the run.
 void play_or_pause(Lab& lab) {
     const bool left_wiring = lab.playback.mode == Mode::wiring;
     set_mode(lab, lab.playback.mode == Mode::playing ? Mode::paused : Mode::playing);
-    if (left_wiring) say(lab, {NoticeKind::notice, "notice.left_wiring"});
+    if (!left_wiring) return;
+    lab.view.watching = true;
+    say(lab, {NoticeKind::notice, "notice.left_wiring"});
 }
 
 // The wiring editor stays open: its inset shows the vehicle at its start.

@@ -77,7 +77,10 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
         l.canvas = {l.border.x + border, l.scene.y, canvas, l.scene.h};
         if (view.lecture && !card_is_open) l.right.x = l.border.x - l.right.w;
     } else {
-        const float canvas = (l.scene.h - border) * share;
+        // As high as the cards of a small brain need for their numbers.
+        constexpr float with_numbers = 216, most = 0.56f;  // layout pixels; of the height
+        const float least_height = view.lecture ? 0 : std::min(with_numbers * l.scale, most * (l.scene.h - border));
+        const float canvas = std::max((l.scene.h - border) * share, least_height);
         l.scene.h -= canvas + border;
         l.border = {l.scene.x, l.scene.y + l.scene.h, l.scene.w, border};
         l.scene.h = std::max(0.0f, l.scene.h - metre_labels * l.scale);

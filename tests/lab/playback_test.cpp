@@ -169,7 +169,7 @@ TEST(Playback, CountsChangesBetweenPlayingAndNotPlaying) {
     EXPECT_EQ(lab.playback.toggles, 2);
 }
 
-TEST(Playback, AResetStaysInTheWiringEditorAndPlaySaysThatItLeaves) {
+TEST(Playback, AResetStaysInTheWiringEditorAndPlayKeepsTheDiagramBesideTheScene) {
     Lab lab = opened_lab("2a-coward");
     for (int i = 0; i < 60; ++i) tick(lab);
     handle(lab, Action::wiring);
@@ -179,6 +179,7 @@ TEST(Playback, AResetStaysInTheWiringEditorAndPlaySaysThatItLeaves) {
     lab.notice = {};
     handle(lab, Action::play_pause);
     EXPECT_EQ(lab.playback.mode, Mode::playing);
+    EXPECT_TRUE(lab.view.watching);
     EXPECT_EQ(lab.notice.key, "notice.left_wiring");
     lab.notice = {};
     handle(lab, Action::play_pause), handle(lab, Action::play_pause);

@@ -54,8 +54,8 @@ bool has_foreign_nodes(const BrainGraph& brain, const BrainGraph& before, const 
     });
 }
 
-// A lecture shows few controls: the watched diagram takes the space of the buttons.
-bool has_buttons(const LabView& lab) { return !lab.lecture || lab.mode == Mode::wiring; }
+// The watched diagram takes the space of the buttons, so that its cards are as large as their numbers need.
+bool has_buttons(const LabView& lab) { return lab.mode == Mode::wiring; }
 
 // Fits the brain. The layout depends on the zoom, because letters have a least height; labels that grow need more room.
 template <class LayOut>
