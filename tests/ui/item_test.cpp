@@ -336,6 +336,18 @@ TEST(Item, WhatAHintPointsAtHasALightBulbAndTheKeyboardFocusHasNone) {
     EXPECT_TRUE(has_bulb(desk)) << "in the margin of the card, where it covers no number";
 }
 
+TEST(Item, TheLightBulbOfAHintIsBesideAPinAndNotOnIt) {
+    for (const float width : {800.0f, 1280.0f}) {
+        Desk desk(width, 600, 1, true);
+        desk.now = shipped_scene("empty");
+        desk.view.mode = Mode::wiring;
+        desk.frame(5);
+        ASSERT_EQ(desk.panels.prompts.highlight.anchor, "pin.SL.out");
+        EXPECT_FALSE(desk.pointed_out.bulb.overlaps(desk.where("pin.SL.out"))) << width;
+        EXPECT_GT(desk.pointed_out.bulb.w, 0);
+    }
+}
+
 TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
     struct {
         float width, height, scale;

@@ -190,6 +190,15 @@ TEST_F(Prompts, DoNotAskForAFirstWireInAnExercise) {
     EXPECT_EQ(next().hint, "");
 }
 
+TEST_F(Prompts, AskForAWireOnlyWhereOneIsMissing) {
+    alone();
+    desk.view.mode = Mode::wiring;
+    desk.now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 1, .RR = 1}));
+    EXPECT_EQ(anchor(), "pin.SL.out") << "to the other motor";
+    desk.now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 1, .RL = 1}));
+    EXPECT_EQ(anchor(), "") << "the eye is joined to both";
+}
+
 TEST_F(Prompts, PointOnlyToPinsOfTheBrain) {
     alone();
     auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);

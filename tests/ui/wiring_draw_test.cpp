@@ -124,6 +124,14 @@ TEST_F(WiringDraw, TheSumOfANodeCoversNoOtherCardAndNoButton) {
             ++shown;
             for (const char* button : {"canvas.fit", "canvas.arrange"})
                 EXPECT_FALSE(sum->overlaps(*anchors.find(button))) << height << ": " << node.name << " over " << button;
+            const View shown_by = view_of(state.camera, area, 1);
+            for (const WireShape& wire : state.layout.get(now.brains[0], {}).wires) {
+                const vec2 low = shown_by.to_window(wire.label - wire.label_size / 2),
+                           high = shown_by.to_window(wire.label + wire.label_size / 2);
+                if (wire.label_size.x > 0)
+                    EXPECT_FALSE(sum->overlaps({low.x, low.y, high.x - low.x, high.y - low.y}))
+                        << height << ": " << node.name << " over a weight";
+            }
             for (const Node& other : graph.nodes) {
                 const Rect* card = anchors.find("node." + other.name);
                 if (!card) continue;

@@ -445,17 +445,24 @@ bool lamp_was_moved(const LabView& view) {
     return !view.file || now.empty() || view.file->sources != now;
 }
 
-// In an exercise what the newest hint points at; else the output pin of the sensor SL, if the brain has one, until the
-// first edit.
+// The wires with an effect that start at the node.
+std::ptrdiff_t wires_from(const BrainGraph& brain, const Node& node) {
+    return std::count_if(brain.wires.begin(), brain.wires.end(),
+                         [&](const Wire& wire) { return wire.from == node.id && wire.weight != 0; });
+}
+
+// In an exercise what the newest hint points at; else the output pin of the sensor SL, if the brain has one that is not
+// wired to both motors, until the first edit.
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
     // The task of an exercise is not to draw a first wire. The usual words of the mode stay.
     if (view.lesson) return {of_hint(memory, view).anchor, {}};
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edit_count(view);
     const VehicleView* vehicle = selected_vehicle(view);
     if (!vehicle || edit_count(view) != memory.edits_before_wiring) return {};
-    const auto& nodes = brain_of(*view.now, *vehicle)->nodes;
-    const bool has_sensor = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.name == "SL"; });
-    return has_sensor ? Prompt{"pin.SL.out", "hint.first_wire"} : Prompt{};
+    const BrainGraph& brain = *brain_of(*view.now, *vehicle);
+    const Node* eye = find_node(brain, "SL");
+    const bool has_free_motor = eye && wires_from(brain, *eye) < 2;
+    return has_free_motor ? Prompt{"pin.SL.out", "hint.first_wire"} : Prompt{};
 }
 
 void remember_what_is_done(PromptMemory& memory, const LabView& view) {

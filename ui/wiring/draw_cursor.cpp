@@ -60,12 +60,16 @@ struct NoteBox {
 
 constexpr int own_card_cover = 10000, card_cover = 100;  // by a note; a wire: 1
 
-// What a note there would cover: its own card counts most, then other cards and buttons, then wires.
+// What a note there would cover: its own card counts most, then other cards, weights and buttons, then wires.
 int cards_covered_by(const Pen& pen, const Layout& layout, const NodeShape& own, const NoteBox& note) {
     int sum = 0;
     for (const NodeShape& other : layout.nodes)
         if (note.overlaps(pen.at(other.centre - other.size / 2), pen.at(other.centre + other.size / 2)))
             sum += other.id == own.id ? own_card_cover : card_cover;
+    for (const WireShape& wire : layout.wires)
+        if (wire.label_size.x > 0 &&
+            note.overlaps(pen.at(wire.label - wire.label_size / 2), pen.at(wire.label + wire.label_size / 2)))
+            sum += card_cover;
     for (const char* button : {"canvas.fit", "canvas.arrange"})
         if (const Rect* at = pen.ui.anchors.find(button))
             if (note.overlaps({at->x, at->y}, {at->x + at->w, at->y + at->h})) sum += card_cover;

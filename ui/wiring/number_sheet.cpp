@@ -182,10 +182,14 @@ NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
     if (plots_) plot(curve, head.input);
     choose_curve(curve, head);
     ImGui::BeginGroup();
+    // Under each other the sliders are close, so that all of a wire fit.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, in_one_column_ ? 0.0f : in.ui.px(spacing::small)});
 }
 
 NumberSheet::~NumberSheet() {
     if (sliders_ == 0) ImGui::Dummy({1, 1});
+    ImGui::PopStyleVar();
     compat::end_group();
 }
 
@@ -238,11 +242,13 @@ void NumberSheet::curve_numbers(Curve& curve, bool has_threshold) {
 }
 
 float sheet_height(const Ui& ui, float width) {
-    constexpr float around = 48, between = spacing::small;  // of the card, layout pixels
+    constexpr float around = 48;  // of the card, layout pixels
     constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
     const float curves = 44 + rows * (ui.tall(kind_height) + spacing::tight);
-    const float numbers = is_one_column(ui, room_for_sliders(ui, width)) ? numbers_of_a_wire : 2.0f;
-    return ui.px(around + std::max(curves, numbers * (ui.tall(slider_height) + between) - between));
+    const float slider = ui.tall(slider_height);
+    const bool one_column = is_one_column(ui, room_for_sliders(ui, width));
+    const float numbers = one_column ? numbers_of_a_wire * slider : 2 * slider + spacing::small;
+    return ui.px(around + std::max(curves, numbers));
 }
 
 void lesion_button(Inspected& in, bool lesioned, std::string_view lesion_words) {
