@@ -603,4 +603,20 @@ TEST_F(DrawInsight, ALegendTellsValueAndUnitOfColouredTrails) {
     EXPECT_FALSE(desk.anchors.find("trail_legend")) << "no trails";
 }
 
+TEST_F(DrawInsight, TheDashedEdgeSaysWhatHappensThere) {
+    const auto says = [&] {
+        desk.frame();
+        std::string all;
+        for (const auto& w : desk.written) all += w.words + " ";
+        return all.find(std::string(desk.strings("scene_input.torus"))) != std::string::npos;
+    };
+    EXPECT_FALSE(says()) << "an arena with walls";
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->arena.edge = Boundary::torus;
+    desk.now.scene = scene;
+    EXPECT_TRUE(says());
+    desk.view.settings.overlays.labels = false;
+    EXPECT_FALSE(says());
+}
+
 }  // namespace braitenlab::tests::draw_insight_test

@@ -36,6 +36,7 @@ public:
 
     void draw() {
         if (frame_.view.mode == Mode::wiring) return;
+        caption_edge();
         mark_object(frame_.view.settings.selection.object, ui_.palette.selected, 2.5f);
         mark_others();
         if (state_.drag.phase == SceneInputPhase::select) draw_selection();
@@ -51,6 +52,27 @@ public:
     }
 
 private:
+    // Above the dashed edge of a torus: what happens there.
+    void caption_edge() const {
+        const Arena& arena = frame_.view.now->scene->arena;
+        if (arena.edge != Boundary::torus || frame_.view.lecture || !frame_.view.settings.overlays.labels) return;
+        const auto edge = project(frame_.camera_view, {0, arena.height / 2});
+        const Rect& room = frame_.area;
+        if (!edge) return;
+        const std::vector<std::string> lines =
+            even_lines(ui_, ui_.strings("scene_input.torus"), Face::label, room.w - ui_.px(2 * spacing::small));
+        const float line = line_height(ui_, Face::label), height = line * static_cast<float>(lines.size());
+        float y = edge->y - height - ui_.px(spacing::small);
+        if (y < room.y || edge->y > room.y + room.h) return;  // the edge is outside the picture
+        for (const std::string& words : lines) {
+            const float width = text_width(ui_, Face::label, words), middle = room.x + room.w / 2;
+            const float least = room.x + ui_.px(spacing::small);
+            const float x =
+                std::clamp(edge->x, least + width / 2, std::max(least + width / 2, 2 * middle - least - width / 2));
+            put_on(list_, ui_, {std::floor(x - width / 2), y}, words, ui_.palette.second_text, Face::label);
+            y += line;
+        }
+    }
     void line(const std::vector<ImVec2>& points, Colour colour, float layout_width, bool closed = true) const {
         draw_line(ui_, points, colour, layout_width, closed);
     }
