@@ -65,6 +65,24 @@ TEST(SensorCard, IsFoldedUntilItIsOpened) {
     EXPECT_TRUE(desk.anchors.find("sensor.angle"));
 }
 
+TEST(SensorCard, ShowsDirectionFieldAndRangeInTheLowColumnOfAnExercise) {
+    for (const std::string& code : shipped_codes()) {
+        Desk desk(800, 600, 1, true);
+        desk.strings = speaking(code);
+        desk.open_exercise();
+        desk.lesson.attempt.answers.prediction = 0, desk.lesson.attempt.work.has_run = true;
+        desk.frame(6);
+        desk.click("card.sensors.fold");
+        desk.frame(8);
+        const Rect card = desk.where("card.sensors");
+        for (const char* slider : {"sensor.angle", "sensor.field", "sensor.range"}) {
+            const Rect at = desk.where(slider);
+            EXPECT_TRUE(at.y >= card.y && at.y + at.h <= card.y + card.h) << slider << " " << code;
+            EXPECT_GE(at.w, card.w / 2);
+        }
+    }
+}
+
 TEST(SensorCard, TurnsBothEyesAsMirrorImages) {
     SensorDesk desk;
     desk.type_into("sensor.angle", "60");

@@ -63,6 +63,19 @@ float least_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect col
     return std::min(wanted, std::max(ui.px(card.least), card.least_share * column.h));
 }
 
+// In a low column the first card, which keeps its least height elsewhere, and the cards that the user has opened below
+// it get half of the column each.
+void share_low_column(const Ui& ui, PanelState& state, const Stack& stack, Rect column, std::span<float> least) {
+    constexpr float low = 600, share = 0.5f;  // layout pixels; of the column
+    if (column.h >= ui.px(low)) return;
+    for (std::size_t i = 1; i < stack.count; ++i) {
+        const CardState& card = state.card(stack.rows[i]->card);
+        if (card.folded || !card.opened_by_user) continue;
+        least[i] = std::min(wanted_of(ui, state, *stack.rows[i], column), std::max(least[i], share * column.h));
+        least[0] = std::min(least[0], share * column.h - ui.px(between_cards));
+    }
+}
+
 // The heights of the cards. Where the column is too low for all of them, a card gets what those above and the least
 // heights of those below leave.
 std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const Stack& stack, Rect column,
@@ -77,6 +90,7 @@ std::array<float, card_count> heights_of(const Ui& ui, PanelState& state, const 
             least[i] = std::min(wanted_of(ui, state, *stack.rows[i], column), ui.px(four_sliders));
     }
     float room = column.h - ui.px(between_cards) * static_cast<float>(stack.count > 0 ? stack.count - 1 : 0);
+    if (!is_shared && stack.count > 1) share_low_column(ui, state, stack, column, least);
     const bool keeps_least = stack.count > 0 && stack.rows[0]->keeps_least && !is_shared;
     const std::size_t kept = keeps_least ? 1 : 0;  // the first card only
     cut_to_fit(least.subspan(kept), folded_height(ui), room - (kept > 0 ? least[0] : 0));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
@@ -96,15 +97,13 @@ void set_value(Sensor& sensor, const SensorNumber& number, float shown) {
         sensor.*std::get<float Sensor::*>(number.value) = shown / number.factor;
 }
 
-// The width of the words of all sliders, so that their tracks begin in one line; layout pixels.
-float sensor_words_width(const Ui& ui) {
-    constexpr float least = 84, space = 8;
-    float widest = text_width(ui, Face::text, ui.strings(half_lux_number.words));
-    for (const SensorNumber& number : geometry_numbers)
+// The width of the words of these sliders, so that their tracks begin in one line; layout pixels.
+float words_width_of(const Ui& ui, std::span<const SensorNumber> numbers) {
+    constexpr float space = 8;
+    float widest = 0;
+    for (const SensorNumber& number : numbers)
         widest = std::max(widest, text_width(ui, Face::text, ui.strings(number.words)));
-    for (const SensorNumber& number : quality_numbers)
-        widest = std::max(widest, text_width(ui, Face::text, ui.strings(number.words)));
-    return std::max(least, widest / ui.px(1) + space);
+    return widest / ui.px(1) + space;
 }
 
 class SensorEditor {
@@ -115,7 +114,6 @@ public:
         sensor_ = find_sensor(kind_.sensors, state.sensors.shown);
         if (!sensor_) sensor_ = &kind_.sensors.front();
         opposite_ = opposite_of(kind_.sensors, sensor_->name);
-        words_width_ = sensor_words_width(ui);
         if (const Kind* filed = filed_kind(view, vehicle)) filed_ = find_sensor(filed->sensors, sensor_->name);
     }
 
@@ -126,24 +124,32 @@ public:
             names();
         else
             paragraph(ui_, ui_.strings("sensors.blind"), ui_.palette.second_text, Face::small);
+        const bool turns_first = view_.lesson && sensor_;  // what an exercise asks for; its card leaves little height
+        if (turns_first) geometry();
         more_sensors();
         if (!sensor_) return;
         channels();
         sides();
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-        for (const SensorNumber& number : geometry_numbers) turn(number);
-        ImGui::PopStyleVar();
-        gap(ui_, 8);
+        if (!turns_first) geometry();
         choose("sensor.shape", &Sensor::shape);
         response();
         if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensors.quality_open)) return;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+        words_width_ = words_width_of(ui_, quality_numbers);
         for (const SensorNumber& number : quality_numbers)
             if (number.words != half_distance || has_half_distance()) turn(number);
         ImGui::PopStyleVar();
     }
 
 private:
+    void geometry() {
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+        words_width_ = words_width_of(ui_, geometry_numbers);
+        for (const SensorNumber& number : geometry_numbers) turn(number);
+        ImGui::PopStyleVar();
+        gap(ui_, 8);
+    }
+
     // That the vehicle does not have the sensors of its kind, with a button that gives it those again.
     void own_sensors() {
         if (vehicle_.design < 0) return;
@@ -279,7 +285,9 @@ private:
         if (now == SensorResponse::graded || now == SensorResponse::boolean)
             return choose("sensor.response", &Sensor::response, 2);
         paragraph(ui_, ui_.strings("sensors." + std::string(word(now))), ui_.palette.second_text, Face::small);
-        if (now == SensorResponse::photocell) turn(half_lux_number);
+        if (now != SensorResponse::photocell) return;
+        words_width_ = words_width_of(ui_, std::span(&half_lux_number, 1));
+        turn(half_lux_number);
     }
 
     // Whether the distance of half the reading decides a reading: that of a photocell depends on it only by sources of
@@ -322,7 +330,7 @@ private:
         look.whole = std::holds_alternative<int Sensor::*>(number.value);
         look.meaning = false;
         look.signed_number = number.low < 0;
-        look.words_width = words_width_, look.number_width = 56;
+        look.words_width = words_width_, look.number_width = 52;
         const auto wanted =
             slider(ui_, state_.sliders, number.anchor, value, card_width(ui_), view_.wall_seconds, look);
         if (!wanted) return;
