@@ -584,4 +584,20 @@ TEST(BrainCard, HasNoSlidersWithoutASelectedVehicle) {
     EXPECT_TRUE(desk.anchors.find("card.brain"));
 }
 
+TEST(BrainCard, ANeuronMovesNoSlider) {
+    Desk desk(800, 600, 1, true);
+    desk.now = snapshot(0);
+    desk.frame(4);
+    const float before = desk.where("slider.LL").y;
+    auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);
+    Node neuron;
+    neuron.id = 40, neuron.kind = NodeKind::neuron, neuron.name = "N1";
+    brain->nodes.push_back(neuron);
+    brain->wires.push_back({.from = brain->nodes.front().id, .to = 40, .weight = 1});
+    desk.now.brains[0] = brain;
+    desk.now.neurons.push_back(0), desk.now.vehicles[0].neuron_count = 3;
+    desk.frame(4);
+    EXPECT_EQ(desk.where("slider.LL").y, before);
+}
+
 }  // namespace braitenlab::tests::brain_card_test

@@ -63,7 +63,7 @@ TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
     EXPECT_FALSE(desk.says("Aggressor"));
     EXPECT_FALSE(desk.anchors.find("exercise.why"));
     EXPECT_FALSE(desk.anchors.find("equations"));
-    EXPECT_TRUE(desk.says("still open"));
+    EXPECT_TRUE(desk.says(desk.strings("character.hidden")));
     EXPECT_TRUE(desk.anchors.find("brain.picture"));
     desk.opened.prediction.hides_brain = true;
     desk.frame(2);
@@ -79,7 +79,7 @@ TEST(ExerciseOutcome, TellsNothingOfTheOutcomeBeforeThePrediction) {
     desk.frame(3);
     EXPECT_TRUE(desk.says("Aggressor"));
     for (const char* id : {"exercise.why", "equations", "brain.picture"}) EXPECT_TRUE(desk.anchors.find(id)) << id;
-    EXPECT_FALSE(desk.says("still open"));
+    EXPECT_FALSE(desk.says(desk.strings("character.hidden")));
 }
 
 TEST(ExerciseOutcome, TheReasonIsToldOnceItIsKnown) {

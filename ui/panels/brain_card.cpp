@@ -66,6 +66,17 @@ float widest_chip(const Ui& ui) {
     return widest;
 }
 
+// "Sensors 3 · neurons 2 · wires 5"
+std::string parts_of(const Ui& ui, const BrainGraph& brain) {
+    const auto count = [&](NodeKind kind) {
+        return std::to_string(std::count_if(brain.nodes.begin(), brain.nodes.end(),
+                                            [kind](const Node& node) { return node.kind == kind; }));
+    };
+    const auto wires =
+        std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& wire) { return wire.weight != 0; });
+    return fill(ui.strings("brain.parts"), {count(NodeKind::sensor), count(NodeKind::neuron), std::to_string(wires)});
+}
+
 // Role sign, name, and the recognised character as a chip.
 void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -96,18 +107,10 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     chip(ui, {below ? left : left + name_width + ui.px(spacing::small), at.y + chip_middle}, label);
     const Item row = item(ui, "brain.character", {width, below ? height + ui.px(2 * spacing::large) : height}, false);
     if (row.hovered && secret) return tooltip(ui, row, ui.strings("brain.hidden"));
-    if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
-}
-
-// "Sensors 3 · neurons 2 · wires 5"
-std::string parts_of(const Ui& ui, const BrainGraph& brain) {
-    const auto count = [&](NodeKind kind) {
-        return std::to_string(std::count_if(brain.nodes.begin(), brain.nodes.end(),
-                                            [kind](const Node& node) { return node.kind == kind; }));
-    };
-    const auto wires =
-        std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& wire) { return wire.weight != 0; });
-    return fill(ui.strings("brain.parts"), {count(NodeKind::sensor), count(NodeKind::neuron), std::to_string(wires)});
+    if (!row.hovered) return;
+    std::string story(ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
+    if (thinks && character != "hidden") story += "\n" + parts_of(ui, *brain_of(*view.now, vehicle));
+    tooltip(ui, row, story);
 }
 
 // "flees heat", "slows near obstacles and turns away".
@@ -117,14 +120,12 @@ std::string response(const Ui& ui, Character character, Channel channel) {
     return own.empty() ? fill(ui.strings("response." + named), {ui.strings("sense." + of_channel)}) : std::string(own);
 }
 
-// What the brain does with each pair ("attacks light, flees heat"), or its parts. Nothing for one pair, whose character
-// is in the title row.
-std::string description(const LabView& view, const Ui& ui, const Recognised& known, const VehicleView& vehicle) {
-    const BrainGraph& brain = *brain_of(*view.now, vehicle);
+// What the brain does with each pair ("attacks light, flees heat"). Nothing for one pair, whose character is in the
+// title row.
+std::string description(const Ui& ui, const Recognised& known) {
     const auto wired =
         std::count_if(known.pairs.begin(), known.pairs.end(), [](const PairCharacter& each) { return each.is_wired; });
-    if (wired < 2)
-        return shown_character(known, *view.now, vehicle, shown_pair(view, vehicle)) ? "" : parts_of(ui, brain);
+    if (wired < 2) return {};
     std::vector<std::string> said;  // once for pairs that do the same
     for (const PairCharacter& each : known.pairs)
         if (std::string words = response(ui, each.character, each.pair.channel);
@@ -136,16 +137,10 @@ std::string description(const LabView& view, const Ui& ui, const Recognised& kno
 }
 
 // The lines that the description always takes, so that the sliders below stay where they are while an edit changes the
-// sentence: one for each pair of sensors, at most three. Of one pair nothing is said, unless the brain has neurons or
-// the vehicle other sensors, whose number then is.
+// sentence: one for each pair of sensors, at most three. Of one pair nothing is said.
 std::size_t lines_of_description(const LabView& view, const VehicleView& vehicle) {
-    const Kind& kind = kind_of(*view.now, vehicle);
-    const std::size_t pairs = sensor_pairs(kind).size();
-    if (pairs >= 2) return std::min<std::size_t>(pairs, 3);
-    const auto& nodes = brain_of(*view.now, vehicle)->nodes;
-    const bool has_neurons =
-        std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::neuron; });
-    return has_neurons || kind.sensors.size() != 2 ? 1 : 0;
+    const std::size_t pairs = sensor_pairs(kind_of(*view.now, vehicle)).size();
+    return pairs >= 2 ? std::min<std::size_t>(pairs, 3) : 0;
 }
 
 // The space between the rows, in layout pixels. It depends on nothing that an edit of the brain changes.
@@ -172,7 +167,7 @@ std::string fitting_lines(const Ui& ui, const std::string& words, std::size_t co
 // The description, in as many lines as it always takes; all of it is the tooltip. Before a prediction it takes the same
 // room without words, so that nothing moves once the run has begun.
 void describe_brain(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
-    const std::string words = description(view, ui, state.brain.recognised, vehicle);
+    const std::string words = description(ui, state.brain.recognised);
     const std::size_t lines = std::max<std::size_t>(lines_of_description(view, vehicle), words.empty() ? 0 : 1);
     if (lines == 0) return;
     const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -186,6 +181,14 @@ void describe_brain(const LabView& view, PanelState& state, Ui& ui, const Vehicl
     }
     ImGui::SetCursorScreenPos(start);
     ImGui::Dummy({1, height});
+}
+
+// The parts of a brain that no word describes, at the end of the card, where they move nothing.
+void say_parts(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
+    const Recognised& known = state.brain.recognised;
+    if (!description(ui, known).empty() || shown_character(known, *view.now, vehicle, shown_pair(view, vehicle)))
+        return;
+    paragraph(ui, parts_of(ui, *brain_of(*view.now, vehicle)), ui.palette.second_text, Face::label);
 }
 
 struct PairToChoose {
@@ -461,6 +464,12 @@ bool would_be_cut(const Ui& ui, float height, Rect column) {
     return top + ui.px(height + spacing::medium) > column.y + column.h;
 }
 
+// The lowest end of the card: above the folded card of information where that is below. Window pixels.
+float bottom_of_card(const LabView& view, const Ui& ui, Rect column) {
+    const bool has_card_below = traits(Card::information).shown(view);
+    return column.y + column.h - (has_card_below ? folded_height(ui) + ui.px(spacing::medium) : 0);
+}
+
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const VehicleView* vehicle = selected_vehicle(view);
     const std::string keys = key_name(Action::drive, ui.strings);
@@ -509,7 +518,8 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         else if (view.mode != Mode::wiring && hides_brain(view, vehicle->kind) && !view.lecture)
             hidden_picture(ui, brain_picture_height(view, *vehicle, height));
         // Below the picture, because its length changes during a run.
-        if (shows_sums) cause_in_words(view, ui, *vehicle, column, has_controls);
+        if (shows_sums) cause_in_words(view, ui, *vehicle, bottom_of_card(view, ui, column), has_controls);
+        if (shows_sums && !view.lecture) say_parts(view, state, ui, *vehicle);
         const bool wanted = std::exchange(state.brain.presets.wanted, false) || buttons[0].pressed;
         ImGui::PopStyleVar();
         presets_menu(view, state, ui, *vehicle, wanted,

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "core/scene/sensor_edits.h"
 #include "ui/panels/brain_layout.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
@@ -15,6 +16,7 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
 #include "ui/words/strings.h"
 
 namespace braitenlab::ui {
@@ -74,6 +76,7 @@ public:
           ui_(ui),
           target_(target_of(view, vehicle)),
           brain_(*brain_of(*view.now, vehicle)),
+          sensors_(kind_of(*view.now, vehicle).sensors),
           pair_(shown_pair(view, vehicle)),
           values_(read_dials(brain_, pair_)) {
         if (const Kind* filed = filed_kind(view, vehicle)) {
@@ -136,6 +139,22 @@ private:
                 if (is_weight(dial)) words.push_back(ui_.strings(slider_of(dial).tooltip));
         if (words.size() > most) words = {ui_.strings("dial.letters")};
         for (const std::string_view each : words) paragraph(ui_, each, ui_.palette.second_text, Face::label);
+        say_signs();
+    }
+
+    // What the signs before L and R stand for: "▲ = Predators". Eyes have none.
+    void say_signs() {
+        std::string words;
+        for (const std::string& name : {pair_.left, pair_.right}) {
+            const Sensor* sensor = find_sensor(sensors_, name);
+            if (!sensor || !has_icons(ui_) || wiring::short_name(sensors_, name) == name) continue;
+            const std::string channel(word(sensor->channel));
+            const std::string sign = std::string(wiring::channel_symbol(sensor->channel)) + " = ";
+            if (words.find(sign) != words.npos) continue;
+            words += (words.empty() ? "" : "  ") + sign;
+            words += ui_.strings.find("view.channel." + channel, channel);
+        }
+        if (!words.empty()) paragraph(ui_, words, ui_.palette.second_text, Face::label);
     }
 
     // The heading of the weights; at its right end the buttons that edit both sides, and the one that unfolds the
@@ -280,6 +299,7 @@ private:
     Ui& ui_;
     Target target_;
     const BrainGraph& brain_;
+    const std::vector<Sensor>& sensors_;
     SensorPair pair_;
     float names_room_ = 0;  // of the offered dials, layout pixels
     bool are_names_above_ = false;

@@ -72,19 +72,21 @@ struct EquationColumns {
     float bias, rest, result, total;
     float space;   // between two parts
     bool factors;  // products are shown as "0.11·1.50", else by their value
+    Face face;     // of the numbers
 };
 
 EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& both, bool factors, float left,
-                                 float width) {
+                                 float width, Face face = Face::small) {
     const bool more = both[0].more_wires;
-    const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(ui, 1, 2));
+    const float sign = std::max(text_width(ui, face, "="), both[0].more_wires ? text_width(ui, face, "→") : 0);
+    const float number = text_width(ui, face, with_sign(ui, 1, 2));
     const auto product = [&](std::size_t i) {
         float widest = 0;
         for (const MotorSum& sum : both) {
             Product unmasked = sum.products[i];  // as wide, so that a reading that passes θ moves nothing
             unmasked.masked = false;
             widest = std::max(widest, !factors ? std::max(number, text_width(ui, face_of_names(ui), unmasked.label))
-                                               : text_width(ui, Face::small, numbers_of(ui, unmasked)));
+                                               : text_width(ui, face, numbers_of(ui, unmasked)));
         }
         return widest;
     };
@@ -106,6 +108,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     EquationColumns c{};
     c.space = space;
     c.factors = factors;
+    c.face = face;
     float x = left + name;
     const auto end_of = [&](float w) { return x += space + w; };
     c.equals = end_of(sign) - sign / 2;
@@ -124,8 +127,8 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
 float below_name(const Ui& ui) { return line_height(ui, face_of_names(ui)) + ui.px(spacing::hair); }
 
 // The cause of a turn is marked by a box in the colour of its sign.
-void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, float value) {
-    const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
+void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, float value, Face face) {
+    const float w = text_width(ui, face, numbers), h = line_height(ui, face);
     const Colour meaning = colour_of_weight(ui.palette, value);
     const Rect mark{right - w - ui.px(3), y + below_name(ui) - ui.px(1), w + ui.px(6), h + ui.px(3)};
     fill_box(ui, mark, meaning.with_alpha(0.22f));
@@ -137,7 +140,7 @@ Colour colour_of_names(const Ui& ui) { return ui.least_type > 0 ? ui.palette.tex
 
 void one_product(const Ui& ui, float right, float y, const Product& p) {
     const std::string numbers = numbers_of(ui, p);
-    const float w = text_width(ui, Face::small, numbers);
+    const float w = text_width(ui, Face::small, numbers);  // with factors there is room
     put_centred(ui, {right - w / 2, y}, p.label, colour_of_names(ui), face_of_names(ui));
     put_right(ui, {right, y + below_name(ui)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
               Face::small);
@@ -150,9 +153,9 @@ std::string addend(const Ui& ui, float value, bool first) {
 }
 
 // A number of a sum below its name.
-void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value, bool first) {
+void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value, bool first, Face face) {
     put_right(ui, {right, y}, letters, colour_of_names(ui), face_of_names(ui));
-    put_right(ui, {right, y + below_name(ui)}, addend(ui, value, first), ui.palette.text, Face::small);
+    put_right(ui, {right, y + below_name(ui)}, addend(ui, value, first), ui.palette.text, face);
 }
 
 class Equation {
@@ -162,10 +165,10 @@ public:
 
     void draw() const {
         const Palette& c = ui_.palette;
-        const float h = line_height(ui_, Face::small), numbers = at_.y + below_name(ui_);
+        const float h = line_height(ui_, x_.face), numbers = at_.y + below_name(ui_);
         const float large = numbers - (line_height(ui_, Face::text) - h) / 2;
         const auto sign = [&](float middle, std::string_view words) {
-            put_centred(ui_, {middle, numbers}, words, c.second_text, Face::small);
+            put_centred(ui_, {middle, numbers}, words, c.second_text, x_.face);
         };
         put(ui_, {at_.x, large}, sum_.motor, c.text, Face::strong);
         sign(x_.equals, "=");
@@ -177,8 +180,9 @@ public:
         for (std::size_t i = 0; i < sum_.terms.size(); ++i)
             contribution(x_.terms[i], sum_.terms[i].label, sum_.terms[i].name, sum_.terms[i].value,
                          i == 0 && !sum_.shows_products);
-        signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias, !sum_.shows_products && sum_.terms.empty());
-        if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest, false);
+        signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias, !sum_.shows_products && sum_.terms.empty(),
+                    x_.face);
+        if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest, false, x_.face);
         sign(x_.result, sum_.limited ? "→" : "=");  // → when the sum is limited to −1..1
         put_right(ui_, {x_.total, large}, with_sign(ui_, sum_.total, 2), sum_.stopped ? c.second_text : c.text,
                   Face::strong);
@@ -187,13 +191,13 @@ public:
 private:
     void product(float right, const Product& p, bool first) const {
         if (!x_.factors) return contribution(right, p.label, p.letters, p.value, first);
-        if (why_ && why_->product == &p) mark_cause(ui_, right, at_.y, numbers_of(ui_, p), p.value);
+        if (why_ && why_->product == &p) mark_cause(ui_, right, at_.y, numbers_of(ui_, p), p.value, x_.face);
         one_product(ui_, right, at_.y, p);
     }
     void contribution(float right, std::string_view label, std::string_view name, float value, bool first) const {
         const bool is_cause = why_ && why_->name == name && why_->value == value;
-        if (is_cause) mark_cause(ui_, right, at_.y, addend(ui_, value, first), value);
-        signed_term(ui_, right, at_.y, label, value, first);
+        if (is_cause) mark_cause(ui_, right, at_.y, addend(ui_, value, first), value, x_.face);
+        signed_term(ui_, right, at_.y, label, value, first, x_.face);
     }
 
     const Ui& ui_;
@@ -284,9 +288,9 @@ std::array<Analysis, 3> analyses(const LabView& view, const Ui& ui) {
 }
 
 // The cause in words, and the buttons at its right. The buttons are left out where the words beside them would end
-// below `bottom` (window pixels, with the scroll of the card): each of them has a key. Words that would be cut then are
-// left out, too.
-void explanation_row(Ui& ui, const std::string& words, std::span<const Analysis> buttons, float bottom) {
+// below `bottom` (window pixels, with the scroll of the card): each of them has a key and a row in a menu. With
+// `scrolls` words that would be cut then are scrolled to, else they are left out, too.
+void explanation_row(Ui& ui, const std::string& words, std::span<const Analysis> buttons, float bottom, bool scrolls) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float space = ui.px(spacing::tight), line = line_height(ui, Face::small);
     float width = buttons.empty() ? 0 : -space;
@@ -297,7 +301,7 @@ void explanation_row(Ui& ui, const std::string& words, std::span<const Analysis>
         return at.y + ImGui::GetScrollY() + lines * line + ui.px(spacing::large) <= bottom;
     };
     const bool fits = fits_into(room);
-    if (!fits && !fits_into(card_width(ui))) return;
+    if (!fits && !scrolls && !fits_into(card_width(ui))) return;
     paragraph(ui, words, ui.palette.text, Face::small, fits ? room : 0);
     if (!fits || buttons.empty()) return;
     const ImVec2 after = ImGui::GetCursorScreenPos();
@@ -344,6 +348,8 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         name_by_wires(both);
         x = columns(false);
     }
+    if (x.space < ui.px(least_space) && !x.factors)
+        x = equation_columns(ui, both, false, at.x, card_width(ui), face_of_names(ui));
     const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(spacing::tight);
     const bool stopped = both[0].stopped || both[1].stopped;
     const Cause* shown = stopped || insight::are_alike(both[0].total, both[1].total) ? nullptr : &why;
@@ -356,13 +362,13 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         tooltip(ui, area, std::string(ui.strings("sums.more_wires")) + legend(view, ui, vehicle, both));
 }
 
-void cause_in_words(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect column, bool has_buttons) {
+void cause_in_words(const LabView& view, Ui& ui, const VehicleView& vehicle, float bottom, bool has_buttons) {
     const std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
     const Cause why = cause(both);
     const auto buttons = analyses(view, ui);
     explanation_row(ui, explanation(ui, {view, vehicle, both, why}, is_stuck(view, vehicle)),
-                    has_buttons ? std::span<const Analysis>(buttons) : std::span<const Analysis>{},
-                    view.lecture ? column.y + column.h : FLT_MAX);
+                    has_buttons ? std::span<const Analysis>(buttons) : std::span<const Analysis>{}, bottom,
+                    !view.lecture);
 }
 
 }  // namespace braitenlab::ui

@@ -107,7 +107,7 @@ std::string words_of(const Offer&);  // of its slider: "LL = RR"
 // The sums of both motors.
 void equations(const LabView&, Ui&, const VehicleView&);
 // The cause of a turn, with the buttons of further explanations; `column` is the height that the card has at most.
-void cause_in_words(const LabView&, Ui&, const VehicleView&, Rect column, bool has_buttons);
+void cause_in_words(const LabView&, Ui&, const VehicleView&, float bottom, bool has_buttons);
 // True if the vehicle does not move. Not known in the first half second.
 bool stands_still(const LabView&, const VehicleView&);
 // The key of the sentence about two wheels that turn alike, at this command; `stuck`: the vehicle does not move.
