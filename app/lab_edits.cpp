@@ -16,7 +16,8 @@ namespace braitenlab {
 void report_time_change(Workspace& space, std::uint64_t latest_before) {
     constexpr std::uint64_t reported = 30;  // ticks
     const std::uint64_t now = space.document.session.snapshot().tick, latest = space.document.session.latest();
-    const std::string seconds = fmt::format("{:.1f}", space.document.session.snapshot().seconds);
+    // Rounded as the clock of the toolbar has it.
+    const std::string seconds = fmt::format("{:.1f}", static_cast<float>(space.document.session.snapshot().seconds));
     if (latest > latest_before && latest > now + reported)
         say(space, {NoticeKind::done, "notice.time_back", seconds, "", true});
     if (latest_before <= latest + reported) return;

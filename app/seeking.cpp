@@ -89,7 +89,7 @@ void handle_bookmark(Workspace& space, const BookmarkRequest& request) {
     const auto mark = bookmarks.begin() + request.index;
     if (request.remove) {
         say(space, {NoticeKind::done, "notice.mark_removed",
-                    fmt::format("{:.1f}", static_cast<double>(mark->moment.tick()) / 60), "", true});
+                    fmt::format("{:.1f}", static_cast<float>(mark->moment.tick()) / 60), "", true});
         bookmarks.erase(mark);
         return;
     }

@@ -86,7 +86,10 @@ std::string what_changed(const Snapshot& before, const Snapshot& after) {
         return dials.empty() ? "changed.brain" : dials;
     }
     if (sensors) return "changed.sensors";
-    if (earlier.sources != later.sources) return "changed.lamps";
+    const bool fewer_or_more = before.vehicles.size() != after.vehicles.size();
+    const bool lamps = earlier.sources != later.sources;
+    if (fewer_or_more) return lamps ? "changed.vehicles_and_lamps" : "changed.vehicles";
+    if (lamps) return "changed.lamps";
     if (earlier.obstacles != later.obstacles || before.obstacles != after.obstacles) return "changed.obstacles";
     if (earlier.zones != later.zones) return "changed.zones";
     if (have_vehicles_changed(before, after) || earlier.starts != later.starts) return "changed.vehicles";

@@ -36,6 +36,8 @@ TEST(WhatChanged, AnUndoSaysWhatItTakesBack) {
     EXPECT_EQ(said({RemoveObstacle{0}}), "changed.obstacles");
     EXPECT_EQ(said({AddZone{Zone{}}}), "changed.zones");
     EXPECT_EQ(said({AddSource{Source{}}}), "changed.lamps");
+    EXPECT_EQ(said({AddVehicle{}}), "changed.vehicles");
+    EXPECT_EQ(said({AddSource{Source{}}, AddVehicle{}}), "changed.vehicles_and_lamps");
     Arena arena = lab.document.session.snapshot().scene->arena;
     arena.grip = 0.5f;
     EXPECT_EQ(said({EditArena{arena}}), "changed.values");
