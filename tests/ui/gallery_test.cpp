@@ -59,6 +59,19 @@ TEST_F(Gallery, HasACardForEachExerciseByChapter) {
     EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/05-aggressor.toml");
 }
 
+TEST_F(Gallery, TheFootOfACardIsAsHighAsTheWordsOfItsRow) {
+    for (const char* predicted : {"04-coward", "05-aggressor"})
+        students.student().exercises[predicted].prediction = "It turns away from the lamp";  // so titles are shown
+    open_browser();
+    const Rect row = desk.where("gallery.04-coward");
+    EXPECT_EQ(row.h, desk.where("gallery.05-aggressor").h);
+    float lowest = 0;  // end of the words in the row
+    for (const Written& w : desk.written)
+        if (w.rect.y >= row.y && w.rect.y < row.y + row.h && w.rect.x < row.x + 2 * row.w)
+            lowest = std::max(lowest, w.rect.y + w.rect.h);
+    EXPECT_LT(row.y + row.h - lowest, 16) << "no empty lines";
+}
+
 TEST_F(Gallery, TheArrowKeysMoveByRowAndColumn) {
     open_browser();
     const auto& focus = desk.panels.keyboard.focus;

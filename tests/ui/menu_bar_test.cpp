@@ -448,6 +448,24 @@ TEST(MenuBarInEachWindow, OpensAtTheRowOfTheOpenFileWhereverItWasScrolledBefore)
     }
 }
 
+TEST(MenuBarInEachWindow, OpensAtTheFirstExerciseWhileASceneIsOpen) {
+    Desk low(940, 300, 1, true);
+    std::vector<CatalogueEntry> catalogue;
+    for (int i = 1; i <= 22; ++i) {
+        const std::string number = std::to_string(i);
+        catalogue.push_back({"exercise-" + number, number + ".toml", "Title " + number, "", i});
+    }
+    catalogue.push_back({"4a-orbit", "4a.toml", "Orbit", ""});
+    low.view.documents.catalogue = &catalogue;
+    low.view.documents.opened = "4a-orbit";
+    low.frame(2);
+    low.panels.menu_bar.open = "exercises";
+    low.frame(3);
+    const Rect *row = low.anchors.find("menu.exercises.exercise-1"), panel = low.where("menu.rows");
+    ASSERT_TRUE(row);
+    EXPECT_GE(row->y, panel.y);
+}
+
 TEST(MenuBarInEachWindow, ScrollsToTheFocusWhereTheWindowIsTooLow) {
     Desk low(940, 300, 1, true);
     low.frame(2);

@@ -50,12 +50,34 @@ void card_picture(const LabView& view, const Ui& ui, const CatalogueEntry& entry
         passed_mark(ui, {place.x + place.w - ui.px(13), place.y + ui.px(13)}, !progress->shown);
 }
 
-// True when the card was pressed.
-bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, float width) {
+// Of the number of an exercise, its words and its best grade; window pixels.
+struct FootColumns {
+    float number, words, best;
+};
+
+FootColumns foot_columns(const LabView& view, const Ui& ui, const CatalogueEntry& entry, float inner) {
+    const std::string number = number_words(view, entry.number, entry.name),
+                      best = best_words(progress_of(view, entry));
+    FootColumns foot{};
+    foot.number = std::max(text_width(ui, Face::strong, "88"), text_width(ui, Face::strong, number)) + ui.px(6);
+    foot.best = best.empty() ? 0 : text_width(ui, Face::small, best) + ui.px(6);
+    foot.words = inner - foot.number - foot.best;
+    return foot;
+}
+
+// The lines of the words below the picture.
+std::size_t lines_of_foot(const LabView& view, const Ui& ui, const CatalogueEntry& entry, float inner) {
+    const float room = foot_columns(view, ui, entry, inner).words;
+    return std::clamp<std::size_t>(lines_of_words(ui, exercise_words(view, ui, entry), Face::small, room).size(), 1,
+                                   lines_of_card);
+}
+
+// `lines`: of the foot. True when the card was pressed.
+bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, float width, std::size_t lines) {
     const ExerciseProgress* progress = progress_of(view, entry);
     const float inset = ui.px(card_inset), inner = width - 2 * inset, picture = inner * picture_share;
     const float height =
-        picture + 2 * inset + ui.px(spacing::tight) + static_cast<float>(lines_of_card) * line_height(ui, Face::small);
+        picture + 2 * inset + ui.px(spacing::tight) + static_cast<float>(lines) * line_height(ui, Face::small);
     const Item at = item(ui, std::string(gallery_stem) + entry.name, {width, height});
     const bool is_open = entry.name == view.documents.opened;
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.14f * at.warmth));
@@ -64,13 +86,12 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
         card_picture(view, ui, entry, progress, {at.rect.x + inset, at.rect.y + inset, inner, picture});
     const ImVec2 words{at.rect.x + inset, at.rect.y + inset + picture + ui.px(spacing::tight)};
     const std::string number = number_words(view, entry.number, entry.name), best = best_words(progress);
-    const float beside = std::max(text_width(ui, Face::strong, "88"), text_width(ui, Face::strong, number)) + ui.px(6);
-    const float aside = best.empty() ? 0 : text_width(ui, Face::small, best) + ui.px(6);
+    const FootColumns foot = foot_columns(view, ui, entry, inner);
     put(ui, {words.x, words.y - (line_height(ui, Face::strong) - line_height(ui, Face::small)) / 2}, number,
         ui.palette.text, Face::strong);
     put_right(ui, {at.right() - inset, words.y}, best, ui.palette.second_text, Face::small);
-    put_lines(ui, {words.x + beside, words.y}, exercise_words(view, ui, entry), ui.palette.text, Face::small,
-              inner - beside - aside, lines_of_card);
+    put_lines(ui, {words.x + foot.number, words.y}, exercise_words(view, ui, entry), ui.palette.text, Face::small,
+              foot.words, lines);
     const std::string_view told = told_of(view, ui, entry);
     if (wants_tooltip(ui, at)) tooltip(ui, at, told.empty() ? ui.strings("files.open_how") : told);
     return at.pressed;
@@ -143,7 +164,19 @@ void exercise_gallery(const LabView& view, const std::vector<CatalogueEntry>& li
     const float width = (all - gap_between * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     move_in_gallery(listed, beside, files, ui, columns);
     int chapter = -1, column = 0;
+    // The feet of one row are as high as the highest of them.
+    const Rows rows = rows_of_gallery(listed, static_cast<std::size_t>(columns));
+    const auto lines_in_row = [&](std::string_view name) {
+        std::size_t lines = 1;
+        for (const auto& row : rows)
+            if (std::find(row.begin(), row.end(), name) != row.end())
+                for (const CatalogueEntry& entry : listed)
+                    if (std::find(row.begin(), row.end(), entry.name) != row.end())
+                        lines = std::max(lines, lines_of_foot(view, ui, entry, width - 2 * ui.px(card_inset)));
+        return lines;
+    };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap_between, gap_between});
+    std::size_t lines = 1;
     for (const CatalogueEntry& entry : listed) {
         if (entry.number == 0) continue;
         if (entry.chapter != chapter) {
@@ -151,9 +184,12 @@ void exercise_gallery(const LabView& view, const std::vector<CatalogueEntry>& li
             column = 0;
         }
         chapter = entry.chapter;
-        if (column > 0) ImGui::SameLine();
+        if (column > 0)
+            ImGui::SameLine();
+        else
+            lines = lines_in_row(entry.name);
         column = (column + 1) % columns;
-        if (exercise_tile(view, ui, entry, width)) request_file(view, files, ui, OpenRequest{entry.path});
+        if (exercise_tile(view, ui, entry, width, lines)) request_file(view, files, ui, OpenRequest{entry.path});
         if (entry.name == view.documents.opened && !files.begun) ImGui::SetScrollHereY();
     }
     ImGui::PopStyleVar();

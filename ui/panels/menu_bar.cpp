@@ -171,6 +171,7 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
             row.entry.how = told_of(view, ui, shipped);
             row.entry.keys = passed_words(view, ui, shipped);
             row.entry.open = shipped.name == view.documents.opened;
+            row.entry.in_sight = row.entry.open && exercises;  // not a scene: they are below all exercises
             rows.push_back(std::move(row));
         }
     }

@@ -109,7 +109,7 @@ bool menu_entry(Ui& ui, const MenuEntry& entry, ImVec2 size, EntryLook look) {
     return here.pressed;
 }
 
-// `opens`: in the first frame of the menu, which then shows the row of the open file, else the first rows.
+// `opens`: in the first frame of the menu, which then shows the row that is to be in sight, else the first rows.
 int draw_entries(Ui& ui, std::span<const MenuEntry> entries, ImVec2 size, bool with_keys, bool opens) {
     int chosen = -1;
     const auto [width, height] = size;
@@ -124,7 +124,7 @@ int draw_entries(Ui& ui, std::span<const MenuEntry> entries, ImVec2 size, bool w
             ImGui::Dummy({width, ui.px(menu_rule)});
         }
         if (menu_entry(ui, entries[i], size, look)) chosen = static_cast<int>(i);
-        if (opens && entries[i].open) ImGui::SetScrollHereY();
+        if (opens && entries[i].in_sight) ImGui::SetScrollHereY();
     }
     ImGui::PopStyleVar();
     return chosen;
