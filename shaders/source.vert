@@ -32,7 +32,7 @@ void main() {
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
     v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;
     // On the light floor the bulb is darker towards its outline, which separates it from its light.
-    v_edge = vec4(0.85 * base.rgb, kind == paint_light ? 0.85 * counts.y : 0.0);
+    v_edge = vec4(0.7 * base.rgb, kind == paint_light ? counts.y : 0.0);
     v_normal = up;
     v_towards = eye.xyz - at;
     gl_Position = view_projection * vec4(at, 1.0);
