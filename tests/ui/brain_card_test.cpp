@@ -600,4 +600,16 @@ TEST(BrainCard, ANeuronMovesNoSlider) {
     EXPECT_EQ(desk.where("slider.LL").y, before);
 }
 
+TEST(BrainCard, ShowsItsPictureWholeInTheSmallestWindow) {
+    for (const std::string& code : shipped_codes()) {
+        Desk desk(800, 600, 1, true);
+        desk.strings = speaking(code);
+        desk.now = shipped_scene("2a-coward");
+        desk.frame(6);
+        constexpr float padding = 12;  // below the part that scrolls
+        const Rect card = desk.where("card.brain"), picture = desk.where("brain.picture");
+        EXPECT_LE(picture.y + picture.h, card.y + card.h - padding) << code;
+    }
+}
+
 }  // namespace braitenlab::tests::brain_card_test

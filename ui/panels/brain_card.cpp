@@ -34,7 +34,7 @@ namespace {
 
 // Layout pixels. In a lower column the picture is smaller, and the rows are closer for a vehicle with many; in the
 // lowest they are closer for each.
-constexpr float low_column = 680, lowest_column = 650;
+constexpr float low_column = 680, lowest_column = 650, tight_column = 520;
 constexpr float stick_size = 88;  // layout pixels
 
 // True for a name that a start gets without a person choosing it: "one", "hunter" and "hunter-2" for the kind hunter.
@@ -146,6 +146,7 @@ std::size_t lines_of_description(const LabView& view, const VehicleView& vehicle
 // The space between the rows, in layout pixels. It depends on nothing that an edit of the brain changes.
 float space_of_rows(const LabView& view, const Ui& ui, const VehicleView& vehicle, Rect column) {
     const bool has_many = sensor_pairs(kind_of(*view.now, vehicle)).size() >= 3;
+    if (!view.lecture && column.h < ui.px(tight_column)) return spacing::hair;
     return column.h < ui.px(has_many ? low_column : lowest_column) ? spacing::tight : spacing::small;
 }
 
@@ -505,13 +506,15 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
         if (has_controls) free_play_row(view, ui);
-        gap(ui, spacing::small);
+        const bool is_tight = !view.lecture && column.h < ui.px(tight_column);
+        if (!is_tight) gap(ui, spacing::small);
         const bool shows_sums =
             vehicle->driver == Driver::brain && tells && !(view.lecture && would_be_cut(ui, sums_height, column));
         if (vehicle->driver != Driver::brain) driver_panel(state, ui, *vehicle);
         if (shows_sums) equations(view, ui, *vehicle);
         // The wiring canvas shows the same brain larger.
-        const float height = column.h < ui.px(low_column) ? 90 : 116, below = shows_sums ? cause_height : 0;
+        const float height = is_tight && !offers_some(view) ? 84 : column.h < ui.px(low_column) ? 90 : 116;
+        const float below = shows_sums ? cause_height : 0;
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
             !(view.lecture && would_be_cut(ui, brain_picture_height(view, *vehicle, height) + below, column)))
             brain_picture(view, state, ui, *vehicle, height);

@@ -65,6 +65,9 @@ constexpr float room_for_two = 250;  // layout pixels, of both biases in one row
 // Where no more sliders are offered, there is room for what their letters mean.
 constexpr std::size_t few_offers = 2;
 
+// In the lowest windows the sliders are closer, so that the picture below them is whole.
+constexpr float lowest_window = 640, close_slider = 24;  // layout pixels
+
 // In a lower window the two biases share a row; layout pixels. The picture of more than four wires is higher.
 constexpr float low_window = 700, low_window_of_graph = 900;
 
@@ -194,11 +197,17 @@ private:
                 EditRequest{SetBrain{target_, std::move(brain)}, gestures::panels + ++state_.sliders.gesture});
     }
 
+    float height_of_each() const {
+        const bool is_lowest = !view_.lecture && ImGui::GetIO().DisplaySize.y < ui_.px(lowest_window);
+        return is_lowest ? close_slider : slider_height;
+    }
+
     SliderLook weight_look(const DialSlider& which) const {
         SliderLook look;
         look.words = name(which.dial);
         look.tooltip = ui_.strings(which.tooltip);
         look.words_width = names_width;
+        look.height = height_of_each();
         return look;
     }
     SliderLook threshold_look() const {
@@ -207,6 +216,7 @@ private:
         look.low = 0, look.high = 1;
         look.signed_number = look.meaning = false;
         look.words_width = 0, look.number_width = 38;
+        look.height = height_of_each();
         return look;
     }
     SliderLook bias_look(const DialSlider& which) const {

@@ -193,7 +193,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
                                  double wall_seconds, const SliderLook& look) {
     const bool typing = state.typed == id;
     const float text_width_open = ui.px(look.number_width + 12);
-    Item at = item(ui, id, {typing ? width - text_width_open : width, ui.px(ui.tall(slider_height))}, true, around_row);
+    Item at = item(ui, id, {typing ? width - text_width_open : width, ui.px(ui.tall(look.height))}, true, around_row);
     at.rect.w = width;
     if (typing) mark(ui, id, at.rect, around_row);
     const float inset = ui.px(knob_radius + 1);

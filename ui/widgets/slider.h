@@ -41,6 +41,8 @@ struct SliderState {
 // Call after the sliders of the frame have been drawn.
 std::uint64_t gesture_by_keys(const SliderState&, double wall_seconds);
 
+inline constexpr float slider_height = 28;  // layout pixels
+
 struct SliderLook {
     std::string_view words;  // "LL"
     std::string_view tooltip;
@@ -59,6 +61,7 @@ struct SliderLook {
     bool trimmed = false;                       // the number is shown without trailing zeros
     bool meaning = true;                        // orange above 0, blue below; else grey
     float words_width = 26, number_width = 46;  // layout pixels
+    float height = slider_height;               // layout pixels
 };
 
 struct SliderEdit {
@@ -69,7 +72,5 @@ struct SliderEdit {
 // Draws the slider at the cursor, `width` window pixels wide. Returns the edit made in this frame.
 std::optional<SliderEdit> slider(Ui&, SliderState&, std::string_view id, float value, float width, double wall_seconds,
                                  const SliderLook&);
-
-inline constexpr float slider_height = 28;  // layout pixels
 
 }  // namespace braitenlab::ui
