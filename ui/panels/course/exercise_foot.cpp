@@ -21,7 +21,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float more_width = 32;  // layout pixels, of the button that unfolds the others
+constexpr float more_width = 26;  // layout pixels, of the button that unfolds the others
 
 // The places of the foot, window pixels from its left end. `hint` and `next` are beside each other and have the width
 // of the longest words that may be there.
