@@ -254,29 +254,6 @@ TEST_F(LectureHands, TheAnswerPushesNoOptionOutOfASmallWindow) {
 }
 
 TEST_F(LectureHands, TheAnswerMovesNoOptionWhereTheReasonHasRoom) {
-TEST_F(LectureHands, TheFirstFrameOfTheNextQuestionHasNotItsHeight) {
-    show(1, 0);
-    ASSERT_FALSE(desk.panels.is_unsettled);
-    pages.page = 2, ++desk.view.run_id;
-    desk.frame();
-    EXPECT_TRUE(desk.panels.is_unsettled) << "the card has the height of the question before";
-}
-
-TEST_F(LectureHands, TheTickIsBesideTheRightOptionAndAboveItsBar) {
-    for (const auto& [width, height] : {std::pair{1920.0f, 1080.0f}, {1280.0f, 1024.0f}}) {
-        ImGui::GetIO().DisplaySize = {width, height};
-        show(1, 2);
-        const Rect* tick = desk.anchors.find("lecture.tick");
-        if (!tick) continue;  // of the tight answer
-        const Rect bar = desk.where("lecture.share.2"), option = desk.where("lecture.right");
-        EXPECT_TRUE(is_inside(*tick, option)) << width;
-        EXPECT_LT(tick->y + tick->h, bar.y + 1) << width;
-    }
-    ImGui::GetIO().DisplaySize = {1920, 1080};
-    show(1, 2);
-    EXPECT_TRUE(desk.anchors.find("lecture.tick"));
-}
-
     ImGui::GetIO().DisplaySize = {1920, 1080};
     for (const bool notes : {false, true}) {
         pages.notes = notes;
