@@ -320,6 +320,8 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         const bool outcome_first = passed && place.h < ui.px(lower_card);
         if (outcome_first) prediction(view, state, ui);
         result(view, ui, !(passed && is_low));
+        const bool outcome_next = passed && is_low && !outcome_first;
+        if (outcome_next) prediction(view, state, ui);
         if (passed && !is_low) exercise_steps(view, state, ui, look);
         if (passed) question(lesson, state, ui), goal(lesson, state, ui);
         if (!is_low) reason(view, state, ui);
@@ -328,7 +330,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         if (has_steps_here && !question_first) exercise_steps(view, state, ui, look);
         const bool hints_last = passed || question_first;
         if (!hints_first && !hints_last) hints(view, state, ui, true);
-        if (!outcome_first) prediction(view, state, ui);
+        if (!outcome_first && !outcome_next) prediction(view, state, ui);
         if (has_steps_here && question_first) exercise_steps(view, state, ui, look);
         if (is_low) reason(view, state, ui);
         if (!hints_first && hints_last) hints(view, state, ui, true);
