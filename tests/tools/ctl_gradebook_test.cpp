@@ -196,7 +196,8 @@ TEST(CtlGradebook, APlainTableNamesThoseWithoutAMarkAndTheReason) {
     EXPECT_EQ(std::count(marks.begin(), marks.end(), '\n'), 4) << marks;
     EXPECT_NE(marks.find("\nNowak Jan,102,Nowak Jan_102_assignsubmission_file_,,10,,"), std::string::npos) << marks;
     EXPECT_NE(marks.find("PDF"), std::string::npos);
-    EXPECT_NE(marks.find("a.toml:2: cannot be read here"), std::string::npos) << "not in words of the parser: " << marks;
+    EXPECT_NE(marks.find("a.toml:2: cannot be read here"), std::string::npos)
+        << "not in words of the parser: " << marks;
     EXPECT_EQ(marks.find("TOML:"), std::string::npos) << marks;
     EXPECT_NE(ran.out.find("2: Nowak Jan; Zola Zoe"), std::string::npos) << ran.out;
 }
