@@ -128,9 +128,9 @@ TEST_F(WiringDraw, TheSumOfANodeCoversNoOtherCardAndNoButton) {
             for (const WireShape& wire : state.layout.get(now.brains[0], {}).wires) {
                 const vec2 low = shown_by.to_window(wire.label - wire.label_size / 2),
                            high = shown_by.to_window(wire.label + wire.label_size / 2);
-                if (wire.label_size.x > 0)
-                    EXPECT_FALSE(sum->overlaps({low.x, low.y, high.x - low.x, high.y - low.y}))
-                        << height << ": " << node.name << " over a weight";
+                if (wire.label_size.x == 0) continue;
+                EXPECT_FALSE(sum->overlaps({low.x, low.y, high.x - low.x, high.y - low.y}))
+                    << height << ": " << node.name << " over a weight";
             }
             for (const Node& other : graph.nodes) {
                 const Rect* card = anchors.find("node." + other.name);

@@ -146,7 +146,7 @@ std::size_t lines_of_description(const LabView& view, const VehicleView& vehicle
 // The space between the rows, in layout pixels. It depends on nothing that an edit of the brain changes.
 float space_of_rows(const LabView& view, const Ui& ui, const VehicleView& vehicle, Rect column) {
     const bool has_many = sensor_pairs(kind_of(*view.now, vehicle)).size() >= 3;
-    if (!view.lecture && column.h < ui.px(tight_column)) return spacing::hair;
+    if (has_close_rows(view, ui)) return spacing::hair;
     return column.h < ui.px(has_many ? low_column : lowest_column) ? spacing::tight : spacing::small;
 }
 
@@ -506,7 +506,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
         if (has_controls) free_play_row(view, ui);
-        const bool is_tight = !view.lecture && column.h < ui.px(tight_column);
+        const bool is_tight = has_close_rows(view, ui);
         if (!is_tight) gap(ui, spacing::small);
         const bool shows_sums =
             vehicle->driver == Driver::brain && tells && !(view.lecture && would_be_cut(ui, sums_height, column));

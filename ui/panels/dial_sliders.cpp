@@ -181,7 +181,8 @@ private:
         if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_, pair_));
         if (small(unfold, unfold_x, at.y, true, "tooltip.thresholds")) state_.brain.thresholds_open = !thresholds;
         ImGui::SetCursorScreenPos(at);
-        ImGui::Dummy({1, height - ui_.px(spacing::hair)});  // room for the focus ring of the first slider
+        // Room for the focus ring of the first slider; where the rows are close, for the buttons.
+        ImGui::Dummy({1, has_close_rows(view_, ui_) ? ui_.px(small_button_height) : height - ui_.px(spacing::hair)});
     }
 
     bool small(const SmallButton& which, float x, float y, bool words, std::string_view tip) {
@@ -197,10 +198,7 @@ private:
                 EditRequest{SetBrain{target_, std::move(brain)}, gestures::panels + ++state_.sliders.gesture});
     }
 
-    float height_of_each() const {
-        const bool is_lowest = !view_.lecture && ImGui::GetIO().DisplaySize.y < ui_.px(lowest_window);
-        return is_lowest ? close_slider : slider_height;
-    }
+    float height_of_each() const { return has_close_rows(view_, ui_) ? close_slider : slider_height; }
 
     SliderLook weight_look(const DialSlider& which) const {
         SliderLook look;
@@ -318,6 +316,10 @@ private:
 };
 
 }  // namespace
+
+bool has_close_rows(const LabView& view, const Ui& ui) {
+    return !view.lecture && ImGui::GetIO().DisplaySize.y < ui.px(lowest_window);
+}
 
 std::string_view anchor_of(Dial dial) { return slider_of(dial).anchor; }
 

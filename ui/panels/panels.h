@@ -94,6 +94,9 @@ std::string time_words(const Ui&, const std::string& when, const std::string& to
 // Parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
 
+// True in the lowest windows, in which the rows of the brain are close to each other.
+bool has_close_rows(const LabView&, const Ui&);
+
 // Whether the card of the brain has its buttons. In a lecture only after a click on the button in its heading, so that
 // the audience sees weights and sums.
 inline bool shows_controls(const LabView& view, const PanelState& state) {
