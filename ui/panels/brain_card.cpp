@@ -34,7 +34,7 @@ namespace {
 
 // Layout pixels. In a lower column the picture is smaller, and the rows are closer for a vehicle with many; in the
 // lowest they are closer for each.
-constexpr float low_column = 680, lowest_column = 650, tight_column = 520;
+constexpr float low_column = 680, lowest_column = 650;
 constexpr float stick_size = 88;  // layout pixels
 
 // True for a name that a start gets without a person choosing it: "one", "hunter" and "hunter-2" for the kind hunter.
