@@ -48,10 +48,10 @@ TEST_F(Pages, OfAnExportAreAFolderThatIsOpenedOrItsPathIsCopied) {
     std::ofstream(opener) << "#!/bin/sh\nexit 0\n";
     std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
     std::ofstream(file) << "a file";
-    for (const auto& path : {folder.path, file}) {
+    for (const auto& each : {folder.path, file}) {
         lab.window.to_copy.clear();
-        handle(lab, OpenFolderRequest{path.string()});
-        EXPECT_EQ(lab.window.to_copy.empty(), path == folder.path) << path << ": a file is not run";
+        handle(lab, OpenFolderRequest{each.string()});
+        EXPECT_EQ(lab.window.to_copy.empty(), each == folder.path) << each << ": a file is not run";
     }
 }
 
