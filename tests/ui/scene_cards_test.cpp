@@ -48,7 +48,7 @@ TEST_F(SceneCards, ShowTheGoalOfAScene) {
     };
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("scene.goal"));
-    EXPECT_TRUE(says("Keep 3 prey alive for 2 s"));
+    EXPECT_TRUE(says(fill(desk.strings("scene.goal_prey"), {"3", "2"})));
     EXPECT_FALSE(says("longest time so far"));
     for (int second = 1; second <= 2; ++second) desk.now.tick += 60, desk.frame();
     desk.frame();

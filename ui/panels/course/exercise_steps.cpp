@@ -25,7 +25,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float gauge_height = 12, compact_row = 22;  // layout pixels
+constexpr float gauge_height = 12, compact_row = 24;  // layout pixels
 
 std::string step_id(std::size_t index) { return "exercise.step." + std::to_string(index + 1); }
 
@@ -197,12 +197,12 @@ std::string words_of_step(const Ui& ui, const LessonView& lesson, std::size_t in
 void ticks_of_steps(const LessonView& lesson, ImVec2 at, float right, Ui& ui) {
     const auto count = std::count_if(lesson.verdicts.begin(), lesson.verdicts.end(), [](auto& v) { return v.done; });
     if (count == 0) return;
-    const float pitch = std::min(ui.px(compact_row), (right - at.x) / static_cast<float>(count));
+    const float pitch = std::min(ui.px(ui.tall(compact_row)), (right - at.x) / static_cast<float>(count));
     float x = at.x;
     for (std::size_t i = 0; i < std::min(lesson.exercise->steps.size(), lesson.verdicts.size()); ++i) {
         if (!lesson.verdicts[i].done) continue;
         ImGui::SetCursorScreenPos({x, at.y});
-        const Item tick = item(ui, step_id(i), {pitch, ui.px(compact_row)}, false);
+        const Item tick = item(ui, step_id(i), {pitch, ui.px(ui.tall(compact_row))}, false);
         const std::string id = step_id(i);
         check_mark(ui, {tick.middle_x(), tick.middle_y()}, std::min(ui.px(8), 0.45f * pitch), true,
                    eased(ui, id, 1.0f, 0.2f));
@@ -219,18 +219,23 @@ std::string value_in_row(const Ui& ui, const LessonView& lesson, std::size_t ind
     return {};
 }
 
-// One line of an open step; a click shows it in full.
+// An open step, small, with its value beside it; a click shows it in full.
 void row_of_step(const LessonView& lesson, std::size_t index, PanelState& state, Ui& ui) {
-    const Item row = item(ui, step_id(index), {card_width(ui), ui.px(compact_row)});
-    const WholeLines whole(row.middle_y() - line_height(ui, Face::small) / 2, line_height(ui, Face::small));
-    check_mark(ui, {row.rect.x + ui.px(9), row.middle_y()}, ui.px(6), false, 0);
-    const float left = ui.px(26), y = row.middle_y() - line_height(ui, Face::small) / 2;
+    const float left = ui.px(26), width = card_width(ui), line = line_height(ui, Face::small);
     const std::string value = value_in_row(ui, lesson, index);
-    const float room = row.rect.w - left - text_width(ui, Face::small, value) - (value.empty() ? 0 : ui.px(6));
+    const float room = width - left - text_width(ui, Face::small, value) - (value.empty() ? 0 : ui.px(6));
+    const auto lines = lines_of_words(ui, translated(ui, lesson.exercise->steps[index].text), Face::small, room);
+    const float words = line * static_cast<float>(lines.size());
+    const Item row = item(ui, step_id(index), {width, std::max(ui.px(ui.tall(compact_row)), words + ui.px(4))});
+    const float top = row.middle_y() - words / 2;
+    check_mark(ui, {row.rect.x + ui.px(9), top + line / 2}, ui.px(6), false, 0);
     const Colour tone = mix(ui.palette.second_text, ui.palette.text, row.warmth);
-    put(ui, {row.rect.x + left, y},
-        shortened(ui, translated(ui, lesson.exercise->steps[index].text), Face::small, room), tone, Face::small);
-    put_right(ui, {row.rect.x + row.rect.w, y}, value, ui.palette.text, Face::small);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const float y = top + line * static_cast<float>(i);
+        const WholeLines whole(y, line);
+        put(ui, {row.rect.x + left, y}, lines[i], tone, Face::small);
+        if (i == 0) put_right(ui, {row.rect.x + row.rect.w, y}, value, ui.palette.text, Face::small);
+    }
     tooltip(ui, row, words_of_step(ui, lesson, index));
     if (row.pressed) state.exercise.step_in_full = static_cast<int>(index);
 }
@@ -238,7 +243,7 @@ void row_of_step(const LessonView& lesson, std::size_t index, PanelState& state,
 // Before the first run there are none, and the steps below the question need the room.
 void heading_with_ticks(const LabView& view, Ui& ui) {
     const ImVec2 heading = ImGui::GetCursorScreenPos();
-    const float height = ui.px(compact_row), right = heading.x + card_width(ui);
+    const float height = ui.px(ui.tall(compact_row)), right = heading.x + card_width(ui);
     const std::string_view words = ui.strings("exercise.steps");
     put(ui, {heading.x, heading.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text,
         Face::small);
