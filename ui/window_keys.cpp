@@ -211,11 +211,13 @@ void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
     for (const Action action : std::exchange(state.chosen, {})) execute_chosen(view, state, action, outbox);
 }
 
-// Where a sheet covers Play, Space presses the button that has the ring, as Enter does.
+// Where a sheet covers Play, Space presses the button that has the ring, as Enter does; but it parts the words of a
+// search.
 bool presses_button(const PanelState& state, KeyPress press) {
     const Keyboard& keyboard = state.keyboard;
+    const bool searches = state.sheet == Sheet::files && !state.sheets.files.search.empty();
     return press == KeyPress{' '} && state.sheet != Sheet::none && keyboard.shown && !keyboard.focus.empty() &&
-           keyboard.text == TextInput::none;
+           keyboard.text == TextInput::none && !searches;
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {

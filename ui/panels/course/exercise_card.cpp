@@ -210,8 +210,10 @@ void goal_in_lines(const LessonView& lesson, PanelState& state, Ui& ui, std::siz
     }
     const Item row =
         item(ui, "exercise.goal", {card_width(ui), static_cast<float>(most) * line_height(ui, Face::text)});
+    int* const counted = std::exchange(ui.shortened, nullptr);  // a row to unfold is no text that lacks its end
     put_lines(ui, {row.rect.x, row.rect.y}, words, mix(ui.palette.text, ui.palette.accent, 0.4f * row.warmth),
               Face::text, row.rect.w, most);
+    ui.shortened = counted;
     tooltip(ui, row, words);
     if (row.pressed) state.exercise.goal_open = true;
 }
