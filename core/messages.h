@@ -206,7 +206,6 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"run_command_order", "its commands are not in order"},
     {"run_other_file", "it is some other file"},
     {"run_version", "its version is {}, this program knows {}; a newer program may open it"},
-    {"cannot_open", "cannot be opened: {}"},
     {"run_too_large", "it is larger than {} MiB"},
     {"run_too_deep", "lists within lists within lists"},
     {"run_large_number", "a number is too large"},

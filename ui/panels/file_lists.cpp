@@ -410,7 +410,7 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
             request_file(view, files, ui, OpenRequest{below + entry.name});
     }
     if (!listing.problem.empty())
-        paragraph(ui, fill(ui.strings("error.cannot_open"), {listing.problem}), ui.palette.text);
+        paragraph(ui, fill(ui.strings("files.cannot_open"), {listing.problem}), ui.palette.text);
     const bool has_files = std::any_of(listing.entries.begin(), listing.entries.end(),
                                        [](const FileEntry& entry) { return !entry.is_folder; });
     if (!any && listing.problem.empty())

@@ -245,9 +245,9 @@ float sheet_height(const Ui& ui, float width) {
     constexpr float around = 48;  // of the card, layout pixels
     constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
     const float curves = 44 + rows * (ui.tall(kind_height) + spacing::tight);
-    const float slider = ui.tall(slider_height);
+    const float row = ui.tall(slider_height);
     const bool one_column = is_one_column(ui, room_for_sliders(ui, width));
-    const float numbers = one_column ? numbers_of_a_wire * slider : 2 * slider + spacing::small;
+    const float numbers = one_column ? numbers_of_a_wire * row : 2 * row + spacing::small;
     return ui.px(around + std::max(curves, numbers));
 }
 

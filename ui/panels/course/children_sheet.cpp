@@ -134,8 +134,9 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
         if (has_dots && !has_fallen(*lesson.exercise, run)) {
             const int stays = merit_of(selection, i).second;
             draw_stays(ui, {at.rect.x + ui.px(8), at.rect.y + ui.px(10)}, stays, "selection.stays." + number);
-            how = fill(ui.strings("selection.stays_how"), {std::to_string(stays), std::to_string(other_starts)}) +
-                  "\n" + how;
+            how.insert(
+                0,
+                fill(ui.strings("selection.stays_how"), {std::to_string(stays), std::to_string(other_starts)}) + "\n");
         }
         tooltip(ui, at, how, may_choose ? number : "");
         if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{static_cast<int>(i)});

@@ -30,7 +30,7 @@ namespace {
 // the third title and goal scroll.
 constexpr float low_card = 660, lower_card = 520, least_height_with_head = 400;
 constexpr float room_for_full_step = 330;  // layout pixels, height above the foot
-constexpr float narrow_card = 230;         // layout pixels, width of its parts
+constexpr float narrow_parts = 230;        // layout pixels, width of its parts
 
 // False if the vehicles of all tested starts begin at one place: shown at once they are one.
 bool starts_differ(const Grade& grade) {
@@ -241,7 +241,7 @@ bool shows_title(const LabView& view) {
 void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal) {
     if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
     // The answers to a question need the room.
-    const bool has_room = card_width(ui) >= ui.px(narrow_card) || !view.may.open_prediction;
+    const bool has_room = card_width(ui) >= ui.px(narrow_parts) || !view.may.open_prediction;
     if (!has_passed(*view.lesson) && view.lesson->standing.passed_before && has_room) passed_mark(ui);
     if (has_passed(*view.lesson)) return;
     const bool has_question = is_question_first(view), is_begun = view.lesson->attempt.work.has_run;
@@ -254,7 +254,7 @@ void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal) {
 void reason(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const bool has_reason = !lesson.exercise->why.empty() && shows_title(view);
-    if (!has_reason && card_width(ui) < ui.px(narrow_card)) return;
+    if (!has_reason && card_width(ui) < ui.px(narrow_parts)) return;
     if (has_reason && fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.exercise.why_open,
                                ui.strings("exercise.why_how"))) {
         // It tells the answer to the prediction: the run shows that first.
