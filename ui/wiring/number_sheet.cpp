@@ -246,8 +246,8 @@ float sheet_height(const Ui& ui, float width) {
     constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
     const float curves = 44 + rows * (ui.tall(kind_height) + spacing::tight);
     const float row = ui.tall(slider_height);
-    const bool one_column = is_one_column(ui, room_for_sliders(ui, width));
-    const float numbers = one_column ? numbers_of_a_wire * row : 2 * row + spacing::small;
+    const bool stands = is_one_column(ui, room_for_sliders(ui, width));
+    const float numbers = stands ? numbers_of_a_wire * row : 2 * row + spacing::small;
     return ui.px(around + std::max(curves, numbers));
 }
 
