@@ -80,15 +80,17 @@ const files = {
     // The names say what they are; the lab reads them again when they are dropped onto it.
     downloadLosses() {
         files.leave();
-        const losses = files.losses();
-        for (const path of losses) {
+        for (const path of files.losses()) {
             const bytes = files.FS.readFile(path);
             const own = path.slice(path.lastIndexOf("/") + 1).replace(/\.json$/, "");
             const name = path.endsWith(".autosave") ? `${JSON.parse(textOf(bytes)).autosave.name || "work"}.run`
                 : `braitenlab-progress${own === "this-computer" ? "" : `-${own}`}.json`;
             files.download(bytes, name);
-        }
-        if (!losses.length) element("notice-text").textContent = words.nothing;
+        }    },
+
+    // A notice about what is not kept has its button while there is something to download.
+    offerLosses() {
+        if (["unkept", "full"].includes(notice.shown)) element("notice-act").hidden = !files.losses().length;
     },
 
     // The browser may end the page without another event: the lab saves its work now.
@@ -119,6 +121,7 @@ const files = {
             files.store(path, bytes);
             if (!files.isOwn(path)) files.download(bytes, path.slice(path.lastIndexOf("/") + 1));
         }
+        files.offerLosses();
     },
 
     // Shows a page that the lab has written in a window of its own, which follows the file. False if the browser
@@ -180,6 +183,7 @@ const files = {
     // From the start of the program on.
     follow() {
         if (!storage.shelf) notice.open("unkept", words.unkept, words.download, files.downloadLosses);
+        files.offerLosses();
         setInterval(files.keep, 500);
         addEventListener("beforeunload", (event) => {
             files.leave();

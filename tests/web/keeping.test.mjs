@@ -37,7 +37,10 @@ const noticeText = (lab) => lab.page.evaluate(() => (document.getElementById("no
 test("Without storage the lab starts and says that nothing is kept", limit, () =>
     withLab("?open=01-drive", async (lab) => {
         assert.match(await noticeText(lab), /keep nothing/);
+        assert.equal(await lab.page.isVisible("#notice-act"), false, "there is nothing to download");
         await predict(lab);
+        await lab.page.waitForSelector("#notice-act:not([hidden])");
+        assert.match(await noticeText(lab), /keep nothing/);
         await lab.page.click("#notice-close");
         assert.equal(await noticeText(lab), "");
         await lab.page.waitForTimeout(1500);
