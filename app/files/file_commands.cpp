@@ -325,7 +325,7 @@ void reload(Lab& lab, FilesView& view, Document opened) {
 }  // namespace
 
 void say_saved(Lab& lab, std::string_view key, const fs::path& path) {
-    if (saves_by_download()) return say(lab, {NoticeKind::done, "notice.downloaded", path.filename().string()});
+    if (saves_by_download()) return say(lab, {NoticeKind::notice, "notice.downloaded", path.filename().string()});
     say(lab, {NoticeKind::done, std::string(key), path.string()});
 }
 

@@ -78,8 +78,8 @@ void follow_refusal(Lab& lab) {
 void say_written(Lab& lab, std::string_view downloaded, std::string_view saved, const fs::path& path) {
     const bool downloads = saves_by_download();
     lab.document.lesson->attempt.work.written = downloads ? path.filename().string() : path.string();
-    say(lab,
-        {NoticeKind::done, std::string(downloads ? downloaded : saved), lab.document.lesson->attempt.work.written});
+    say(lab, {downloads ? NoticeKind::notice : NoticeKind::done,  // a browser does not tell whether it downloads
+              std::string(downloads ? downloaded : saved), lab.document.lesson->attempt.work.written});
 }
 
 std::optional<Error> hand_in(Lab& lab, const HandInRequest& request, const fs::path& folder, WrittenAt at) {
