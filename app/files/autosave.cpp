@@ -152,14 +152,15 @@ void for_each_leftover(const fs::path& folder, const Visit& visit) {
     });
 }
 
-// True if a person has changed the scene, or what the student of an exercise may change; also for a run of predators
-// and prey, whose population has a history.
-bool has_work(const Document& document) {
+// True if a person has changed the scene, or what the student of an exercise may change; after a crash also for a run
+// of predators and prey, whose population has a history.
+bool has_work(const Autosaved& kept) {
+    const Document& document = kept.document;
     const Snapshot& now = document.session.snapshot();
     if (const auto& lesson = document.lesson)
         return submission_of(*lesson->exercise, now) != as_shipped(*lesson->exercise);
     const bool has_history = now.predators > 0 || now.prey > 0;
-    return has_history || !document.file || document.session.edited_scene() != *document.file;
+    return (has_history && !kept.ended) || !document.file || document.session.edited_scene() != *document.file;
 }
 
 Error cannot_store(const Error& reason) {
@@ -226,7 +227,7 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
         bool work = true;
         if (keys && text->size() <= most_at_start) {
             const auto opened = open_autosave(*text, file.string());
-            opened ? void(work = has_work(opened->document)) : void(fault = opened.error());
+            opened ? void(work = has_work(*opened)) : void(fault = opened.error());
         }
         if (fault) {
             errors.push_back(

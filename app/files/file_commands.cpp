@@ -173,7 +173,8 @@ struct FileCommands {
         if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // not written: the sheet stays open
         const Leaving left = *std::exchange(view.leaving, std::nullopt);
         if (!left.next.empty()) return open(left.next, true, false, left.resume, left.seed);
-        lab.document.saved_edits = lab.document.edits;
+        lab.document.saved_edits = lab.document.edits;  // nothing is left to keep, neither edits nor the run
+        lab.document.saved_tick = lab.document.session.snapshot().tick;
         lab.window.exit = true;
     }
 

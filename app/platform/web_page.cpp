@@ -76,6 +76,7 @@ void repeat(std::function<bool()> turn) {
             if (!web::is_due()) return;
             if (!loop.turn()) {
                 emscripten_cancel_main_loop();
+                keep_work = nullptr;  // the lab has kept or removed its work; the page is left later
                 return tell_page_of_end();
             }
             if (!std::exchange(loop.drawn, true)) tell_page_of_first_picture();

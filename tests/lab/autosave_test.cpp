@@ -254,6 +254,54 @@ TEST_F(AutosaveTest, AsksForEditsAndNotForARunWithoutThem) {
     }
 }
 
+TEST_F(AutosaveTest, AsksForAnUneditedPopulationAfterACrashOnly) {
+    lab = open("predator-prey");
+    for (int i = 0; i < 100; ++i) tick(lab);
+    const auto asks_after = [&](Autosave::Occasion last, bool edits) {
+        if (edits) handle(lab, EditRequest{SetPopulation{.kind = 0, .count = 5}});
+        EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, last));
+        Autosave next(folder.path, complaints);
+        EXPECT_TRUE(next.leftover());
+        const bool asks = next.leftover() && next.leftover()->offer.has_work;
+        next.forget();
+        return asks;
+    };
+    EXPECT_TRUE(asks_after(Autosave::Occasion::now, false)) << "a crash";
+    EXPECT_FALSE(asks_after(Autosave::Occasion::end, false)) << "the person has left it";
+    EXPECT_TRUE(asks_after(Autosave::Occasion::end, true)) << "with an edit";
+}
+
+TEST_F(AutosaveTest, KeepsNothingAfterThePersonDiscardsItAndLeaves) {
+    for (const char* name : {"2a-coward", "05-aggressor"}) {
+        for (const bool recovered : {false, true}) {
+            lab = open(name);
+            edit(lab, 1.25f);
+            for (int i = 0; i < 100; ++i) tick(lab);
+            if (recovered) {
+                EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, Autosave::Occasion::end));
+                Autosave next(folder.path, complaints);
+                auto document = next.recover();
+                ASSERT_TRUE(document) << document.error().text();
+                document->edits = 1;
+                replace_document(lab, std::move(*document));
+                next.forget();
+            }
+            Autosave autosave(folder.path, complaints);
+            EXPECT_FALSE(autosave.keep(lab, 0, Autosave::Occasion::now));
+            EXPECT_EQ(files_in(folder.path).size(), 1u) << name;
+            FilesView files;
+            StoredState state;
+            EXPECT_FALSE(may_leave(lab, files)) << name;
+            handle(lab, LeaveRequest{Leave::discard});
+            execute_file_requests(lab, files, state, {.home = folder.path});
+            EXPECT_TRUE(lab.window.exit) << name;
+            autosave.finish();
+            EXPECT_FALSE(autosave.keep(lab, 1, Autosave::Occasion::end));
+            EXPECT_TRUE(files_in(folder.path).empty()) << name << ", recovered: " << recovered;
+        }
+    }
+}
+
 TEST_F(AutosaveTest, KeepsNoFileForEditsThatAreUndone) {
     Autosave autosave(folder.path, complaints);
     const auto at = [&](double second) {

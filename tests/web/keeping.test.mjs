@@ -264,6 +264,32 @@ test("The work of each closed page is offered", limit, () =>
         await lab.until((state) => state.opened === "2a-coward", null, "the older one is open");
     }));
 
+test("Work that is discarded is not offered after the lab is closed", limit, () =>
+    withLab("?open=05-aggressor", async (lab) => {
+        const turn = async (slider) => {
+            const [x, y, w, h] = await lab.rectangle(slider);
+            await lab.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+        };
+        await predict(lab);
+        await turn("slider.LR");
+        await lab.page.keyboard.press("Space");
+        await lab.until((state) => state.tick > 30);
+        await lab.page.keyboard.press("Space");
+        await lab.page.reload();
+        await lab.ready();
+        await lab.click("recovery.take");
+        await lab.until((state) => state.tick > 30);
+        await lab.click("menu.file");
+        await lab.click("menu.file.exit");
+        await lab.frames(3);
+        await lab.click("leaving.discard");
+        await lab.page.waitForSelector("#again:not([hidden])");
+        await lab.page.click("#again");
+        await lab.ready();
+        await lab.frames(6);
+        assert.equal((await lab.anchors())["recovery.take"], undefined);
+    }));
+
 test("A frame that may refuse downloads offers the text of a hand-in", limit, async () => {
     const context = await labs.browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-US",
         permissions: ["clipboard-read", "clipboard-write"] });
