@@ -196,7 +196,9 @@ void App::follow_jobs() {
 }
 
 void App::handle_files() {
-    for (const std::string& path : window_.take_dropped_files()) lab_.window.files.push_back(OpenRequest{path, true});
+    if (panels_.sheet != ui::Sheet::recovery)  // a file dropped there waits for the answer
+        for (const std::string& path : window_.take_dropped_files())
+            lab_.window.files.push_back(OpenRequest{path, true});
     for (const Request& request : lab_.window.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) handle_recovery(recover->take);
     if (!lab_.window.files.empty()) execute_file_requests(lab_, files_, settings_.state, folders_);

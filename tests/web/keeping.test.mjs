@@ -5,7 +5,7 @@ import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 
-import { Lab, openUser, useLabs } from "./page.mjs";
+import { Lab, openUser, root, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
@@ -288,6 +288,20 @@ test("Work that is discarded is not offered after the lab is closed", limit, () 
         await lab.ready();
         await lab.frames(6);
         assert.equal((await lab.anchors())["recovery.take"], undefined);
+    }));
+
+test("A file that is dropped while kept work is offered waits for the answer", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const [x, y, w, h] = await lab.rectangle("slider.LL");
+        await lab.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+        await lab.page.reload();
+        await lab.ready();
+        await lab.rectangle("recovery.later");
+        await lab.drop("mine.toml", await readFile(path.join(root, "exercises/scenes/2b-aggressor.toml"), "utf8"));
+        await lab.frames(6);
+        assert.equal((await lab.state()).opened, "2a-coward");
+        await lab.click("recovery.later");
+        await lab.until((state) => state.opened === "mine");
     }));
 
 test("A frame that may refuse downloads offers the text of a hand-in", limit, async () => {
