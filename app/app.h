@@ -114,6 +114,7 @@ private:
     // Reloads changed shaders, at most twice per second. A broken shader is reported, and the previous one stays in
     // use.
     void follow_shaders();
+    LabView whole_view();  // what the panels see of the lab, of the files and of the program
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
     // Returns false if the last picture stays. `hidden_brains`: by kind.

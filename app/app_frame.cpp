@@ -129,11 +129,7 @@ void App::follow_shaders() {
     if (const auto error = renderer_.follow_shaders()) complain(*error), show_error(*error);
 }
 
-void App::frame(float passed) {
-    follow_preferences();
-    follow_shaders();
-    const ui::KeysOfAFrame keys = window_.take_keys(panels_.keyboard.text);
-    window_.begin_frame(keys);
+LabView App::whole_view() {
     LabView view = view_of(lab_);
     view.documents.catalogue = &shipped_.scenes;
     view.documents.lectures = &shipped_.lectures;
@@ -154,22 +150,40 @@ void App::frame(float passed) {
     if (clip_) view.program.clip_progress = clip_->progress();
     if (autosave_.leftover() && autosave_.leftover()->offer.has_work)
         view.documents.recovery = &autosave_.leftover()->offer;
-    make_pictures();
     view.documents.pictures = &gallery_.pictures();
     view.program.title_page = title_.has_value();
+    view.camera_view = &viewport_.camera_view;
+    return view;
+}
+
+void App::frame(float passed) {
+    follow_preferences();
+    follow_shaders();
+    const ui::KeysOfAFrame keys = window_.take_keys(panels_.keyboard.text);
+    window_.begin_frame(keys);
+    make_pictures();
+    LabView view = whole_view();
     if (is_on_page()) tell_page(document_on_page(lab_, view, words_.strings));
     take_reload_key(lab_.before_lecture.has_value());
     const Rect area = window_.area();
-    const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
+    const auto lay_out = [&] {
+        return ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
+    };
+    ui::WindowLayout layout = lay_out();
     ui::follow_lecture(view, panels_);  // another page folds cards: the layout is that of this page
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
     constexpr float end_of_glide = 1000;  // s: the camera does not glide while the layout settles
     const float aimed = facts_.frames < frames_of_layout ? end_of_glide : passed;
     aim(viewport_, shown_lab(), area, arena, aimed, title_ ? SlotsView{} : view.features.slots, cards_of_lecture());
-    view.camera_view = &viewport_.camera_view;
     frame_.outbox.clear();
     bool arrows_are_free = true;
-    for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, frame_.outbox);
+    for (const KeyPress press : keys.presses) {
+        if (!frame_.outbox.empty()) {  // a key acts on what the key before it in this frame has changed
+            handle_all(lab_, std::exchange(frame_.outbox, {}));
+            view = whole_view(), layout = lay_out();
+        }
+        arrows_are_free &= !press_key(view, panels_, press, frame_.outbox);
+    }
 
     if (!frame_.held_back) std::swap(frame_.anchors, frame_.anchors_before);
     frame_.anchors.begin();

@@ -25,6 +25,14 @@ TEST(TypingWindow, TypesIntoTheFieldThatTheFirstKeyOpens) {
     EXPECT_EQ(lab.state()["toggles"], 0) << "no letter was a shortcut";
 }
 
+TEST(TypingWindow, EachKeyWithinAFrameActsOnWhatTheOneBeforeHasChanged) {
+    LabWindow lab({"05-aggressor", "--size", "1280x800"});
+    lab.draw_frames();
+    lab.xdotool(burst + std::string("1 space"));
+    EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["tick"] > 0; })) << "Space plays";
+    EXPECT_EQ(lab.state()["exercise"]["predicted"], 0);
+}
+
 TEST(TypingWindow, TypesIntoTheNumberThatAClickOpens) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const auto slider = lab.anchors()["slider.LR"];
