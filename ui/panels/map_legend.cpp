@@ -158,8 +158,8 @@ void map_words(const MapFrame& frame, float width) {
                     ")";
         // A coarse cell's middle, which may be of another kind.
         if (!frame.map.cells->at(place)) what = fill(ui.strings("map.coarse"), {what});
-        const float taken = text_width(ui, Face::strong, what) + text_width(ui, Face::strong, share);
-        if (!share.empty() && taken + ui.px(spacing::medium) <= width)
+        const float both = text_width(ui, Face::strong, what) + text_width(ui, Face::strong, share);
+        if (!share.empty() && both + ui.px(spacing::medium) <= width)
             put_right(ui, {at_line.x + width, at_line.y + line}, share, ui.palette.second_text, Face::strong);
     }
     put(ui, {at_line.x, at_line.y + line}, shortened(ui, what, Face::strong, width), ui.palette.text, Face::strong);
