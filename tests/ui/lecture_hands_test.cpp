@@ -75,6 +75,34 @@ TEST_F(LectureHands, TabGoesFromCountToCount) {
     EXPECT_TRUE(desk.panels.lecture.hands[0].active);
 }
 
+TEST_F(LectureHands, EnterEndsTheTypingOfHands) {
+    show(1, 0);
+    desk.frame(2);
+    desk.click("lecture.hands.1");
+    desk.type("5");
+    desk.key({key::enter});
+    desk.frame(3);
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 5);
+    EXPECT_FALSE(desk.panels.lecture.hands[0].active);
+    EXPECT_EQ(desk.panels.keyboard.focus, "");
+}
+
+TEST_F(LectureHands, TheTickOfAnOptionThatFillsItsLineCoversNoLetter) {
+    ImGui::GetIO().DisplaySize = {1920, 1080};
+    for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
+        pages = opened_lecture(name);
+        for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+            show(page, 2);
+            const Rect* tick = desk.anchors.find("lecture.tick");
+            if (!tick) continue;
+            for (const Written& w : desk.written) {
+                if (w.words.size() != 1) continue;
+                EXPECT_FALSE(tick->overlaps(w.rect)) << name << " " << page + 1 << ": " << w.words;
+            }
+        }
+    }
+}
+
 TEST_F(LectureHands, TheKeyThatBlanksEndsTheTypingOfHands) {
     show(1, 0);
     desk.frame(2);

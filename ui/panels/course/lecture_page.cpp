@@ -56,6 +56,7 @@ void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t o
     text_field(ui, field, count, ui.px(hands_field), "0", ui.strings("lecture.hands"));
     if (field.active || field.entered)
         if (const auto typed = typed_count(field.text); typed && *typed != hands) ask(*typed);
+    if (field.entered && ui.keyboard) ui.keyboard->focus.clear();  // the next keys are not for the field
     ImGui::SameLine();
     if (push_button(pointed, more, {{}, "+", Emphasis::plain, false, true, hands_button}, ui.strings("lecture.more")))
         ask(hands + 1);
@@ -167,17 +168,18 @@ std::string count_of(const LectureView& page, std::size_t option) {
     return counted ? std::to_string(hands[option]) : std::string();
 }
 
-// Behind the last words of the right option, which begin at `at`; below its letter where that line is full.
+// Behind the last words of the right option, which begin at `at`; where that line is full, below its letter.
 void sign_of_right(const LectureView& page, Ui& ui, std::size_t option, ImVec2 at, Face face) {
     const float indent = indent_of_options(page, ui), line = line_height(ui, face), width = card_width(ui);
     const auto lines = even_lines(ui, translated(ui, page.current().question.options[option]), face, width - indent);
-    const auto last = static_cast<float>(lines.size() - 1);
     const std::string_view sign = has_icons(ui) ? icon::check : "✓";
     const float wide = text_width(ui, Face::title, sign);
     const float behind = indent + text_width(ui, face, lines.back()) + ui.px(spacing::small);
-    const float x = at.x + (behind + wide <= width ? behind : 0);
-    put(ui, {x, at.y + last * line + (line - line_height(ui, Face::title)) / 2}, sign, ui.palette.success, Face::title);
-    mark(ui, "lecture.tick", {x, at.y + last * line, wide, line});
+    const bool has_room = behind + wide <= width;
+    const std::size_t row = has_room ? lines.size() - 1 : std::max<std::size_t>(1, lines.size() - 1);
+    const float x = at.x + (has_room ? behind : 0), y = at.y + line * static_cast<float>(row);
+    put(ui, {x, y + (line - line_height(ui, Face::title)) / 2}, sign, ui.palette.success, Face::title);
+    mark(ui, "lecture.tick", {x, y, wide, line});
 }
 
 // Once the answer is known: words and bar are where they were while hands were counted.
