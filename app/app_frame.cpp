@@ -169,8 +169,8 @@ void App::frame(float passed) {
     const auto lay_out = [&] {
         return ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
     };
-    ui::WindowLayout layout = lay_out();
     ui::follow_lecture(view, panels_);  // another page folds cards: the layout is that of this page
+    ui::WindowLayout layout = lay_out();
     const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
     constexpr float end_of_glide = 1000;  // s: the camera does not glide while the layout settles
     const float aimed = facts_.frames < frames_of_layout ? end_of_glide : passed;
