@@ -60,7 +60,7 @@ FileMark mark_of(const std::filesystem::path& path) {
 
 std::optional<std::uint64_t> content_of(const std::filesystem::path& path) {
     std::error_code none;
-    if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;  // a pipe would wait for ever
+    if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;  // opening a pipe blocks without a writer
     std::ifstream file(path, std::ios::binary);
     std::uint64_t hash = maths::fnv_start;
     std::string part(1U << 16U, '\0');

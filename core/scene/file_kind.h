@@ -32,7 +32,7 @@ inline FileKind detect_kind(const std::filesystem::path& path, std::string_view 
 // for any other text.
 std::string_view foreign_format(std::string_view content);
 
-// The content of a file. Fails if it is absent, no regular file (a pipe may wait for ever, a device may have no end),
+// The content of a file. Fails if it is absent, no regular file (opening a pipe can block, a device can have no end),
 // unreadable, or larger than limits::file_bytes or `most`; then with the message `too_large`, whose value is `most` in
 // MB.
 Result<std::string> read_text(const std::filesystem::path&);

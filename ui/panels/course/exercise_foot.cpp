@@ -38,7 +38,7 @@ ButtonLook compact_look(const Ui& ui, std::string_view key, std::string_view ico
 
 SmallButton small_look(const Ui& ui, std::string_view id) { return {id, {}, ui.strings(id)}; }
 
-// Nobody hands in on a page of a lecture.
+// False on a page of a lecture: its exercise is not handed in.
 bool is_handed_in(const LabView& view) { return !view.pages; }
 
 FootPlaces foot_places(const LabView& view, const Ui& ui, float width) {
