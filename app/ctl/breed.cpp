@@ -23,7 +23,6 @@
 #include "app/reports/breeding_table.h"
 #include "app/terminal.h"
 #include "core/evolve/breeding.h"
-#include "core/evolve/breeding_json.h"
 #include "core/evolve/tournament.h"
 #include "core/evolve/verdict.h"
 #include "core/io/checked_json.h"
@@ -43,29 +42,47 @@ using Base = std::shared_ptr<const BreedingBase>;
 
 constexpr int matrix_generations = 40;  // at most, of each side
 
-// A list of trials: those of the next generation, or of a tournament.
-struct TrialList {
-    bool is_tournament = false;
-    int generations = 0;
-
-    std::vector<Trial> trials(const BreedingBase& base, const BreedingState& state) const {
-        return is_tournament ? trials_of_tournament(base, state, matrix_generations)
-                             : next_trials(base, state, generations);
-    }
-};
-
 Part part_of_trials(const Base& base, std::vector<Trial> trials) {
     return [base, list = std::make_shared<const std::vector<Trial>>(std::move(trials))](std::size_t part) {
         return Numbers{static_cast<double>(evolve::run_of(*base, (*list)[part]))};
     };
 }
 
-std::string text_of_trials(const BreedingBase& base, const BreedingState& state, const TrialList& list) {
+// Each genome stands once: a kind of many trials stays one kind.
+std::string text_of_trials(const BreedingBase& base, const std::vector<Trial>& trials) {
+    nlohmann::json list, genomes;
+    evolve::BySide<std::vector<evolve::BredKind>> kinds;
+    for (const Trial& trial : trials) {
+        nlohmann::json& each = list.emplace_back();
+        for (const Side side : evolve::both_sides) {
+            auto& known = at(kinds, side);
+            const auto kind = std::find(known.begin(), known.end(), at(trial.kinds, side));
+            each.push_back(kind - known.begin());
+            if (kind != known.end()) continue;
+            known.push_back(at(trial.kinds, side));
+            genomes[static_cast<std::size_t>(side)].push_back(known.back().genome());
+        }
+        each.push_back(trial.seed);
+    }
     return "breed\n" + io::json_text(nlohmann::json{{"breeding", write_breeding(base.breeding())},
                                                     {"scene", write_scene(base.scene())},
-                                                    {"state", write_state(base, state)},
-                                                    {"tournament", list.is_tournament},
-                                                    {"generations", list.generations}});
+                                                    {"genomes", genomes},
+                                                    {"trials", list}});
+}
+
+std::vector<Trial> trials_of_json(const BreedingBase& base, const nlohmann::json& json) {
+    evolve::BySide<std::vector<evolve::BredKind>> kinds;
+    for (const Side side : evolve::both_sides)
+        for (const auto& genome : json.at("genomes").at(static_cast<std::size_t>(side)))
+            at(kinds, side).emplace_back(base, side, genome.get<evolve::Genome>());
+    std::vector<Trial> trials;
+    for (const auto& each : json.at("trials")) {
+        Trial& trial = trials.emplace_back();
+        for (const Side side : evolve::both_sides)
+            at(trial.kinds, side) = at(kinds, side).at(each.at(static_cast<std::size_t>(side)).get<std::size_t>());
+        trial.seed = each.at(evolve::both_sides.size()).get<std::uint64_t>();
+    }
+    return trials;
 }
 
 // The same base for the same texts as before: all lists of a command have one breeding.
@@ -84,13 +101,11 @@ Result<Base> base_of_texts(std::string breeding_text, std::string scene_text) {
 // The numbers of the trials in their order; empty when there are none, or the user has interrupted the program.
 // Calls meanwhile() while the trials run.
 Result<std::vector<float>> run_trials(
-    PartRunner& runner, const Base& base, const BreedingState& state, const TrialList& list,
+    PartRunner& runner, const Base& base, const std::vector<Trial>& trials,
     const std::function<void()>& meanwhile = [] {}) {
-    std::vector<Trial> trials = list.trials(*base, state);
-    const std::size_t count = trials.size();
-    if (count == 0) return meanwhile(), std::vector<float>{};
-    const auto results = runner.run({count, part_of_trials(base, std::move(trials)),
-                                     [&] { return text_of_trials(*base, state, list); }, meanwhile});
+    if (trials.empty()) return meanwhile(), std::vector<float>{};
+    const auto results = runner.run(
+        {trials.size(), part_of_trials(base, trials), [&] { return text_of_trials(*base, trials); }, meanwhile});
     if (!results) return results.error();
     std::vector<float> numbers;
     for (const Numbers& each : *results) numbers.push_back(static_cast<float>(each.at(0)));
@@ -121,7 +136,7 @@ Result<Bred> breed_on(const Base& base, BreedingState state, int generations, in
         progress.at(done(bred.state));
     };
     for (;;) {
-        const auto numbers = run_trials(runner, base, bred.state, {.generations = generations}, write);
+        const auto numbers = run_trials(runner, base, next_trials(*base, bred.state, generations), write);
         if (error) return *error;
         if (!numbers) return numbers.error();
         if (numbers->empty()) break;
@@ -248,7 +263,7 @@ std::string matrix_text(const evolve::Tournament& tournament) {
 Result<evolve::Tournament> run_tournament(const BreedOptions& options, const Base& base, const BreedingState& state) {
     PartRunner runner(options.threads);
     if (is_terminal(stderr)) std::cerr << "braitenctl: all champions meet; this takes some seconds\n";
-    const auto numbers = run_trials(runner, base, state, {.is_tournament = true});
+    const auto numbers = run_trials(runner, base, trials_of_tournament(*base, state, matrix_generations));
     if (!numbers) return numbers.error();
     if (numbers->empty()) return evolve::Tournament{};
     return tournament_of(*base, state, matrix_generations, *numbers);
@@ -356,8 +371,7 @@ int write_match(const BreedOptions& options, const BreedingBase& base, const Bre
             generation_of(option, side == Side::predator ? text.substr(0, colon) : text.substr(colon + 1),
                           complete_generations(base, state));
         if (!generation) return complain(generation.error());
-        at(trial.kinds, side) =
-            std::make_shared<const Kind>(base.kind_of(side, at(state.main.generations, side)[*generation].champion));
+        at(trial.kinds, side) = {base, side, at(state.main.generations, side)[*generation].champion};
     }
     if (const auto error = write_whole(options.out, write_scene(scene_of(base, trial)))) return complain(*error);
     return exit_code::done;
@@ -369,10 +383,7 @@ Result<Part> part_of_breeding(std::string_view text) {
     const auto json = nlohmann::json::parse(text);
     const auto base = base_of_texts(json.at("breeding").get<std::string>(), json.at("scene").get<std::string>());
     if (!base) return base.error();
-    const auto state = evolve::read_state(**base, json.at("state").get<std::string>(), "state.json");
-    if (!state) return state.error();
-    const TrialList list{json.at("tournament").get<bool>(), json.at("generations").get<int>()};
-    return part_of_trials(*base, list.trials(**base, *state));
+    return part_of_trials(*base, trials_of_json(**base, json));
 }
 
 int breed(const BreedOptions& options) {

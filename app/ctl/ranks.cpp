@@ -57,7 +57,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::microseconds shortest{150}, longest{2000};
+    static constexpr std::chrono::microseconds shortest{50}, longest{500};
     Clock::time_point since_ = Clock::now();  // the last event
 };
 
@@ -185,8 +185,9 @@ private:
 
 std::string bytes_of(Chunk chunk) { return {reinterpret_cast<const char*>(&chunk), sizeof chunk}; }
 
-// A rank computes one chunk while the next one waits or is on its way.
-constexpr std::size_t chunks_of_rank = 2;
+// A rank computes one chunk while the next ones wait or are on their way: rank 0 answers between two parts of its own,
+// so that the answer to a chunk of one part takes as long as two parts.
+constexpr std::size_t chunks_of_rank = 3;
 
 // Of each part their number, then they.
 std::string packed(Chunk chunk, const std::vector<Numbers>& all) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -147,10 +149,9 @@ std::vector<Genome> opponents_of(const BreedingBase& base, const Lineage& lineag
     return opponents;
 }
 
-std::vector<std::shared_ptr<const Kind>> kinds_of(const BreedingBase& base, Side side,
-                                                  const std::vector<Genome>& genomes) {
-    std::vector<std::shared_ptr<const Kind>> kinds;
-    for (const Genome& genome : genomes) kinds.push_back(std::make_shared<const Kind>(base.kind_of(side, genome)));
+std::vector<BredKind> kinds_of(const BreedingBase& base, Side side, const std::vector<Genome>& genomes) {
+    std::vector<BredKind> kinds;
+    for (const Genome& genome : genomes) kinds.emplace_back(base, side, genome);
     return kinds;
 }
 
@@ -265,7 +266,7 @@ void breed_side(const BreedingBase& base, Lineage& lineage, Side side, std::uint
     population = std::move(next);
 }
 
-void advance_generation(const BreedingBase& base, Lineage& lineage, bool is_panel, const std::vector<float>& numbers) {
+void advance_generation(const BreedingBase& base, Lineage& lineage, bool is_panel, std::span<const float> numbers) {
     const Breeding& breeding = base.breeding();
     const auto trials = static_cast<std::size_t>(breeding.trials);
     const int generation = generation_of(lineage);
@@ -282,7 +283,8 @@ void advance_generation(const BreedingBase& base, Lineage& lineage, bool is_pane
     }
 }
 
-void take_panel_scores(const BreedingBase& base, BreedingState& state, const std::vector<float>& numbers) {
+// Returns the number of trials.
+std::size_t take_panel_scores(const BreedingBase& base, BreedingState& state, std::span<const float> numbers) {
     std::size_t next = 0;
     for (const Side side : both_sides) {
         if (!base.breed(side)) continue;
@@ -291,6 +293,7 @@ void take_panel_scores(const BreedingBase& base, BreedingState& state, const std
         for (float& score : scores) score = score_of(base.breeding(), side, numbers[next++]);
         at(state.main.generations, side).back().panel = mean_of(scores.data(), count);
     }
+    return next;
 }
 
 bool breeds_panel(const BreedingBase& base, const BreedingState& state) {
@@ -380,6 +383,24 @@ Kind BreedingBase::kind_of(Side side, const Genome& genome) const {
     return std::move(read_scene(std::move(file), "", {})->kinds.front());
 }
 
+struct BredKind::Made {
+    const BreedingBase& base;
+    Side side;
+    Genome genome;
+    std::once_flag once{};
+    Kind kind{};
+};
+
+BredKind::BredKind(const BreedingBase& base, Side side, Genome genome)
+    : made_(new Made{base, side, std::move(genome)}) {}
+
+const Kind& BredKind::operator*() const {
+    std::call_once(made_->once, [&] { made_->kind = made_->base.kind_of(made_->side, made_->genome); });
+    return made_->kind;
+}
+
+const Genome& BredKind::genome() const { return made_->genome; }
+
 BreedingState begin_breeding(const BreedingBase& base) {
     BreedingState state;
     for (const Side side : both_sides) {
@@ -392,15 +413,17 @@ BreedingState begin_breeding(const BreedingBase& base) {
 
 std::vector<Trial> next_trials(const BreedingBase& base, const BreedingState& state, int generations) {
     if (breeds_panel(base, state)) return trials_of_generation(base, state.panel, true);
-    if (awaits_panel(base, state)) return trials_of_panel(base, state);
-    if (generation_of(state.main) <= generations) return trials_of_generation(base, state.main, false);
-    return {};
+    std::vector<Trial> trials;
+    if (awaits_panel(base, state)) trials = trials_of_panel(base, state);
+    if (generation_of(state.main) <= generations)
+        for (Trial& each : trials_of_generation(base, state.main, false)) trials.push_back(std::move(each));
+    return trials;
 }
 
 void advance(const BreedingBase& base, BreedingState& state, const std::vector<float>& numbers) {
     if (breeds_panel(base, state)) return advance_generation(base, state.panel, true, numbers);
-    if (awaits_panel(base, state)) return take_panel_scores(base, state, numbers);
-    advance_generation(base, state.main, false, numbers);
+    const std::size_t of_panel = awaits_panel(base, state) ? take_panel_scores(base, state, numbers) : 0;
+    if (of_panel < numbers.size()) advance_generation(base, state.main, false, std::span(numbers).subspan(of_panel));
 }
 
 int complete_generations(const BreedingBase& base, const BreedingState& state) {

@@ -106,9 +106,26 @@ private:
     std::uint64_t fingerprint_ = 0;
 };
 
+// The kind of a side with the numbers of a genome. Copies share it. It is made on first use, by any thread: a process
+// that computes some trials of a list makes the kinds of these only.
+class BredKind {
+public:
+    BredKind() = default;                              // of no side; has only operator==
+    BredKind(const BreedingBase& base, Side, Genome);  // the base outlives it
+    const Kind& operator*() const;
+    const Kind* operator->() const { return &**this; }
+    const Genome& genome() const;
+    // True for copies of one kind.
+    friend bool operator==(const BredKind&, const BredKind&) = default;
+
+private:
+    struct Made;
+    std::shared_ptr<Made> made_;
+};
+
 // One run of a predator and a prey.
 struct Trial {
-    BySide<std::shared_ptr<const Kind>> kinds;
+    BySide<BredKind> kinds;
     std::uint64_t seed = 0;
 };
 // The scene of a trial. Opened with the trial's seed it is the trial: the same run, bit for bit.
@@ -124,7 +141,8 @@ float score_of(const Breeding&, Side, float number);
 
 BreedingState begin_breeding(const BreedingBase&);
 
-// The trials that the next advance() needs; none once `generations` are complete.
+// The trials that the next advance() needs; none once `generations` are complete. Those of the last champions against
+// the panel come with those of the next generation, which do not depend on them: one wait for both.
 std::vector<Trial> next_trials(const BreedingBase&, const BreedingState&, int generations);
 // Takes run_of() each trial in their order.
 void advance(const BreedingBase&, BreedingState&, const std::vector<float>& numbers);

@@ -22,14 +22,11 @@ std::vector<int> tournament_generations(const BreedingBase& base, const Breeding
     return generations;
 }
 
-using KindPtr = std::shared_ptr<const Kind>;
-
-KindPtr champion_kind(const BreedingBase& base, const BreedingState& state, Side side, int generation) {
-    return std::make_shared<const Kind>(
-        base.kind_of(side, at(state.main.generations, side)[static_cast<std::size_t>(generation)].champion));
+BredKind champion_kind(const BreedingBase& base, const BreedingState& state, Side side, int generation) {
+    return {base, side, at(state.main.generations, side)[static_cast<std::size_t>(generation)].champion};
 }
 
-void add_match(std::vector<Trial>& trials, const BreedingBase& base, const BySide<KindPtr>& kinds, int predator,
+void add_match(std::vector<Trial>& trials, const BreedingBase& base, const BySide<BredKind>& kinds, int predator,
                int prey) {
     for (int repeat = 0; repeat < tournament_trials; ++repeat)
         trials.push_back(
@@ -77,7 +74,7 @@ float score_of_match(const BreedingBase& base, const std::vector<float>& numbers
 }
 
 std::vector<Trial> trials_of_tournament(const BreedingBase& base, const BreedingState& state, int most) {
-    BySide<std::vector<KindPtr>> kinds;
+    BySide<std::vector<BredKind>> kinds;
     const std::vector<int> generations = tournament_generations(base, state, most);
     for (const Side side : {Side::predator, Side::prey})
         for (const int generation : generations)

@@ -309,6 +309,34 @@ TEST(Breeding, ThePanelDecidesNothing) {
               at(watched.main.generations, Side::prey)[0].champion);
 }
 
+TEST(Breeding, ThePanelMeetsTheLastChampionsBesideTheNextGeneration) {
+    const auto with = base_of(top + panel + both), without = base_of(top + alone + both);
+    const BreedingState watched = bred(*with, 1), unwatched = bred(*without, 1);
+    BreedingState waits = watched;
+    for (const Side side : {Side::predator, Side::prey}) at(waits.main.generations, side).back().panel = -1;
+    EXPECT_EQ(complete_generations(*with, waits), 1);
+    const auto of_panel = next_trials(*with, waits, 1), of_both = next_trials(*with, waits, 2),
+               of_generation = next_trials(*without, unwatched, 2);
+    EXPECT_FALSE(of_panel.empty());
+    EXPECT_EQ(of_both.size(), of_panel.size() + of_generation.size());
+    BreedingState next = waits;
+    advance(*with, next, results_of(*with, of_both));
+    EXPECT_EQ(at(next.main.generations, Side::prey)[1], at(watched.main.generations, Side::prey)[1]);
+    EXPECT_EQ(bred(*with, 2, next), bred(*with, 2));
+    advance(*with, waits, results_of(*with, of_panel));
+    EXPECT_EQ(waits, watched);
+}
+
+TEST(Breeding, CopiesShareAKind) {
+    const auto base = base_of(top + alone + both);
+    const auto trials = next_trials(*base, begin_breeding(*base), 3);
+    const Trial copy = trials[1];
+    EXPECT_EQ(&*copy.kinds[0], &*trials[0].kinds[0]) << "the opponent differs, not the individual";
+    EXPECT_EQ(copy.kinds, trials[1].kinds);
+    EXPECT_FALSE(copy.kinds == trials.back().kinds);
+    EXPECT_EQ(*copy.kinds[0], base->kind_of(Side::predator, copy.kinds[0].genome()));
+}
+
 TEST(Breeding, EachSchemeChoosesItsOpponents) {
     for (const OpponentsTraits& row : opponents_table) {
         const auto base =
@@ -318,7 +346,7 @@ TEST(Breeding, EachSchemeChoosesItsOpponents) {
         const auto& present = at(state.main.population, Side::prey);
         const auto trials = next_trials(*base, state, 3);
         std::set<const Kind*> met;
-        for (std::size_t i = 0; i < 18; ++i) met.insert(at(trials[i].kinds, Side::prey).get());
+        for (std::size_t i = 0; i < 18; ++i) met.insert(&*at(trials[i].kinds, Side::prey));
         const auto is_champion = [&](const Kind& kind, std::size_t generation) {
             return kind == base->kind_of(Side::prey, champions[generation].champion);
         };
