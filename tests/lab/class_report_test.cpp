@@ -481,8 +481,8 @@ TEST(ClassReport, PeopleWithoutAHandInThatCanBeGradedAreCounted) {
     EXPECT_EQ(summary.passed + in_table, summary.students) << "each student who does not pass is one mistake";
     for (const auto& [language, name] : shipped_languages()) {
         const std::string page = class_page(report, speaking(language), language);
-        const auto tile = [&](const std::string& value, const std::string& key) {
-            return "<div class=\"tile\"><b>" + value + "</b>" + std::string(speaking(language)(key)) + "</div>";
+        const auto tile = [words = speaking(language)](const std::string& value, const std::string& key) {
+            return "<div class=\"tile\"><b>" + value + "</b>" + std::string(words(key)) + "</div>";
         };
         for (const std::string& each : {tile("7", "report.students"), tile("2 / 7", "report.passed"),
                                         tile("4", "report.without"), tile("5", "report.not_counted")})

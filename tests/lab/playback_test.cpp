@@ -73,8 +73,8 @@ TEST(Playback, PausesAfterHalfASecondInTicksOfMoreThanATenthEachAndNotForFasterO
         Lab lab = opened_lab("2a-coward");
         handle(lab, Action::play_pause);
         for (int i = 0; i < frames; ++i)
-            advance(lab, 0.017, [&](const Snapshot&) {
-                const double end = thread_time() + milliseconds * 1e-3;
+            advance(lab, 0.017, [spent = milliseconds * 1e-3](const Snapshot&) {
+                const double end = thread_time() + spent;
                 while (thread_time() < end) continue;
             });
         EXPECT_EQ(lab.playback.mode, mode) << frames << " ticks of " << milliseconds << " ms";
