@@ -40,6 +40,7 @@ void replace_document(Lab& lab, Document next) {
     lab.notice = {};
     lab.findings.clear();
     if (lab.document.lesson) lab.document.lesson->last_hint_at = lab.wall_seconds;
+    if (lab.document.lesson && !lab.before_lecture) lab.view.watching = false;  // it was of another exercise
     watch(lab);
     keep_selection(lab);
 }

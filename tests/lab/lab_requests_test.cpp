@@ -28,6 +28,18 @@ TEST(LabRequests, WatchTheWiringWhilePlaying) {
     EXPECT_FALSE(lab.view.watching);
 }
 
+TEST(LabRequests, AnotherExerciseBeginsWithoutTheDiagramBesideIt) {
+    Lab lab = opened_lab("5-logic");
+    lab.view.watching = true;
+    replace_document(
+        lab, std::move(*open_document(std::string(BRAITENLAB_SOURCE) + "/exercises/guided/05-aggressor.toml", {}, {})));
+    EXPECT_FALSE(lab.view.watching);
+    lab.view.watching = true;
+    replace_document(
+        lab, std::move(*open_document(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/5-logic.toml", {}, {})));
+    EXPECT_TRUE(lab.view.watching) << "a scene keeps it";
+}
+
 TEST(LabRequests, RestartWithTheNextOrAGivenSeed) {
     Lab lab = opened_lab("predator-prey");
     const std::uint64_t seed = lab.document.session.seed();
