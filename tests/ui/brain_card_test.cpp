@@ -600,6 +600,18 @@ TEST(BrainCard, ANeuronMovesNoSlider) {
     EXPECT_EQ(desk.where("slider.LL").y, before);
 }
 
+TEST(BrainCard, ExplainsTheWheelsAboveThePictureWhereThatHasNoRoom) {
+    Desk desk(800, 600, 1, true);
+    desk.now = shipped_scene("predator-prey");
+    desk.frame(8);
+    const Rect sums = desk.where("equations");
+    const auto cause = std::find_if(desk.written.begin(), desk.written.end(),
+                                    [](const Written& each) { return each.words.starts_with("Both wheels"); });
+    ASSERT_NE(cause, desk.written.end());
+    EXPECT_GE(cause->rect.y, sums.y + sums.h);
+    EXPECT_LE(cause->rect.y + cause->rect.h, cause->clip.y + cause->clip.h) << "without scrolling";
+}
+
 TEST(BrainCard, ShowsItsPictureWholeInTheSmallestWindow) {
     for (const std::string& code : shipped_codes()) {
         Desk desk(800, 600, 1, true);

@@ -77,6 +77,29 @@ std::string parts_of(const Ui& ui, const BrainGraph& brain) {
     return fill(ui.strings("brain.parts"), {count(NodeKind::sensor), count(NodeKind::neuron), std::to_string(wires)});
 }
 
+// "flees heat", "slows near obstacles and turns away".
+std::string response(const Ui& ui, Character character, Channel channel) {
+    const std::string of_channel(word(channel)), named(name(character));
+    const std::string_view own = ui.strings.find("response_to." + named + "_" + of_channel, {});
+    return own.empty() ? fill(ui.strings("response." + named), {ui.strings("sense." + of_channel)}) : std::string(own);
+}
+
+// What the brain does with each pair ("attacks light, flees heat"). Nothing for one pair, whose character is in the
+// title row.
+std::string description(const Ui& ui, const Recognised& known) {
+    const auto wired =
+        std::count_if(known.pairs.begin(), known.pairs.end(), [](const PairCharacter& each) { return each.is_wired; });
+    if (wired < 2) return {};
+    std::vector<std::string> said;  // once for pairs that do the same
+    for (const PairCharacter& each : known.pairs)
+        if (std::string words = response(ui, each.character, each.pair.channel);
+            each.is_wired && std::find(said.begin(), said.end(), words) == said.end())
+            said.push_back(std::move(words));
+    std::string all;
+    for (const std::string& words : said) all += (all.empty() ? "" : ", ") + words;
+    return all;
+}
+
 // Role sign, name, and the recognised character as a chip.
 void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -110,30 +133,9 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     if (!row.hovered) return;
     std::string story(ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
     if (thinks && character != "hidden") story += "\n" + parts_of(ui, *brain_of(*view.now, vehicle));
+    if (const std::string words = description(ui, known); thinks && has_close_rows(view, ui) && !words.empty())
+        story = words + "\n" + story;
     tooltip(ui, row, story);
-}
-
-// "flees heat", "slows near obstacles and turns away".
-std::string response(const Ui& ui, Character character, Channel channel) {
-    const std::string of_channel(word(channel)), named(name(character));
-    const std::string_view own = ui.strings.find("response_to." + named + "_" + of_channel, {});
-    return own.empty() ? fill(ui.strings("response." + named), {ui.strings("sense." + of_channel)}) : std::string(own);
-}
-
-// What the brain does with each pair ("attacks light, flees heat"). Nothing for one pair, whose character is in the
-// title row.
-std::string description(const Ui& ui, const Recognised& known) {
-    const auto wired =
-        std::count_if(known.pairs.begin(), known.pairs.end(), [](const PairCharacter& each) { return each.is_wired; });
-    if (wired < 2) return {};
-    std::vector<std::string> said;  // once for pairs that do the same
-    for (const PairCharacter& each : known.pairs)
-        if (std::string words = response(ui, each.character, each.pair.channel);
-            each.is_wired && std::find(said.begin(), said.end(), words) == said.end())
-            said.push_back(std::move(words));
-    std::string all;
-    for (const std::string& words : said) all += (all.empty() ? "" : ", ") + words;
-    return all;
 }
 
 // The lines that the description always takes, so that the sliders below stay where they are while an edit changes the
@@ -152,17 +154,12 @@ float space_of_rows(const LabView& view, const Ui& ui, const VehicleView& vehicl
 
 // The words, or what fits into `count` lines with an ellipsis.
 std::string fitting_lines(const Ui& ui, const std::string& words, std::size_t count) {
-    std::string text = wrapped_at_spaces(ui, Face::label, words, card_width(ui));
-    std::size_t begin = 0;  // of the last line
-    for (std::size_t line = 1; line < count; ++line) {
-        const std::size_t end = text.find('\n', begin);
-        if (end == text.npos) return words;
-        begin = end + 1;
-    }
-    if (text.find('\n', begin) == text.npos) return words;
-    std::string last = text.substr(begin);
-    std::replace(last.begin(), last.end(), '\n', ' ');
-    return text.substr(0, begin) + shortened(ui, last, Face::label, card_width(ui));
+    const std::vector<std::string> lines = lines_of_words(ui, words, Face::label, card_width(ui));
+    if (lines.size() <= count) return words;
+    std::string text, last;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        (i + 1 < count ? text : last) += lines[i] + (i + 1 < count ? '\n' : ' ');
+    return text + shortened(ui, last, Face::label, card_width(ui));
 }
 
 // The description, in as many lines as it always takes; all of it is the tooltip. Before a prediction it takes the same
@@ -499,29 +496,42 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         }
         const bool has_wires = !offers_some(view) || !brain_of(*view.now, *vehicle)->wires.empty();
         const bool tells = !hides_outcome(view) && has_wires;
-        if (vehicle->driver == Driver::brain && has_wires && !view.lecture) describe_brain(view, state, ui, *vehicle);
+        const bool is_tight = has_close_rows(view, ui);  // then the tooltip of the name describes the brain
+        if (vehicle->driver == Driver::brain && has_wires && !view.lecture && !is_tight)
+            describe_brain(view, state, ui, *vehicle);
         missing_sensors_note(view, state, ui, *vehicle);
         if (!view.lecture) scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
         own_brain_note(view, ui, *vehicle);
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
-        if (has_controls) free_play_row(view, ui);
-        const bool is_tight = has_close_rows(view, ui);
+        const float height = is_tight && !offers_some(view) ? 84 : column.h < ui.px(low_column) ? 90 : 116;
+        const float of_picture = brain_picture_height(view, *vehicle, height);
+        // What explains the wheels comes before what there is no room for without scrolling.
+        const bool sums_first =
+            is_tight && vehicle->driver == Driver::brain && tells && would_be_cut(ui, sums_height + of_picture, column);
+        if (has_controls && !sums_first) free_play_row(view, ui);
         if (!is_tight) gap(ui, spacing::small);
         const bool shows_sums =
             vehicle->driver == Driver::brain && tells && !(view.lecture && would_be_cut(ui, sums_height, column));
         if (vehicle->driver != Driver::brain) driver_panel(state, ui, *vehicle);
         if (shows_sums) equations(view, ui, *vehicle);
+        const auto cause = [&] {  // its length changes during a run
+            if (shows_sums) cause_in_words(view, ui, *vehicle, bottom_of_card(view, ui, column), has_controls);
+        };
+        if (sums_first) {
+            const float below = ImGui::GetCursorPosY() + 2 * line_height(ui, Face::small) + between;
+            cause();
+            ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), below));
+            if (has_controls) free_play_row(view, ui);
+        }
         // The wiring canvas shows the same brain larger.
-        const float height = is_tight && !offers_some(view) ? 84 : column.h < ui.px(low_column) ? 90 : 116;
         const float below = shows_sums ? cause_height : 0;
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
-            !(view.lecture && would_be_cut(ui, brain_picture_height(view, *vehicle, height) + below, column)))
+            !(view.lecture && would_be_cut(ui, of_picture + below, column)))
             brain_picture(view, state, ui, *vehicle, height);
         else if (view.mode != Mode::wiring && hides_brain(view, vehicle->kind) && !view.lecture)
-            hidden_picture(ui, brain_picture_height(view, *vehicle, height));
-        // Below the picture, because its length changes during a run.
-        if (shows_sums) cause_in_words(view, ui, *vehicle, bottom_of_card(view, ui, column), has_controls);
+            hidden_picture(ui, of_picture);
+        if (!sums_first) cause();
         if (shows_sums && !view.lecture) say_parts(view, state, ui, *vehicle);
         const bool wanted = std::exchange(state.brain.presets.wanted, false) || buttons[0].pressed;
         ImGui::PopStyleVar();

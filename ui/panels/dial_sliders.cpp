@@ -242,6 +242,7 @@ private:
         look.low = limits.low, look.high = limits.high;
         look.words_width = names_room_;
         look.home = at(homes_, first);
+        look.height = height_of_each();
         put_name_above(look);
         const auto edit =
             slider(ui_, state_.sliders, slider_of(first).anchor, at(values_, first), width, view_.wall_seconds, look);
@@ -281,6 +282,7 @@ private:
         look.home = curve_home_.*member;
         look.signed_number = look.meaning = false;
         look.words_width = std::max(names_room_, room_for(look.words));
+        look.height = height_of_each();
         put_name_above(look);
         const auto edit = slider(ui_, state_.sliders, anchor, now.*member, width, view_.wall_seconds, look);
         if (!edit) return;
