@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/map_parts.h"
@@ -26,22 +27,22 @@ constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, o
 constexpr float metre_labels = 16;                                 // below the arena
 constexpr float wide_window = 1600;                                // has room for both columns and a watched canvas
 constexpr float narrow_window = 1200;                              // a narrower window has narrower cards and margins
-constexpr float least_window = 900;                                // below: as narrow as their texts allow
+constexpr float small_window = 900;                                // below: all cards are in one column
 constexpr float tab_width = 156, tab_pitch = 44;                   // of a folded card of a column without an open one
 constexpr float scene_aspect = 1.4f;                               // width by height, of most arenas
 constexpr float inset_height = 232;
 constexpr float upright_scene = 0.4f, upright_diagram = 0.55f;  // of the height between the bars
 constexpr float upright_cards = 300;                            // at least, below the diagram
 constexpr float two_row_toolbar = 720;                          // a narrower upright window has two rows of buttons
-constexpr float charts_height = 248, below_tools = 12;
-constexpr float narrow_scene = 480, above_scene = 4;
+constexpr float charts_height = 248, low_middle = 560, below_tools = 12;
+constexpr float narrow_scene = 520, above_scene = 4;
 
 struct ColumnWidths {
     float margin, left, right;
 };
 
 ColumnWidths column_widths(float layout_width, bool lecture) {
-    if (layout_width < least_window && !lecture) return {8, 252, 276};
+    if (layout_width < small_window && !lecture) return {8, 0, 292};
     if (layout_width < narrow_window) return {12, 264, 316};
     return {16, 304, 336};
 }
@@ -142,6 +143,14 @@ void fold_columns(WindowLayout& l, OpenCards open, float margin) {
                 std::max(l.scene.y, l.right.y + static_cast<float>(open.folded_right) * tab_pitch * l.scale), end);
         l.scene = shown(under) > shown(beside) ? under : beside;
     }
+}
+
+// The cards of both columns as those of the right one.
+OpenCards in_one_column(OpenCards open) {
+    open.right |= std::exchange(open.left, false);
+    open.folded_right = open.right ? 0 : open.folded_right + open.folded_left;
+    open.folded_left = 0;
+    return open;
 }
 
 // The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
@@ -260,8 +269,10 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
 
     const ColumnWidths c = column_widths(width / scale, view.lecture);
+    const bool is_small = !view.lecture && !upright && width / scale < small_window;
+    if (is_small) open = in_one_column(open);
     const bool is_narrow = width / scale < (view.lesson ? narrow_window : wide_window);
-    l.card_replaces_diagram = is_narrow && has_asked_card(view);
+    l.card_replaces_diagram = is_narrow && !is_small && has_asked_card(view);
     const bool watches = view.settings.watching && view.mode != Mode::wiring && !l.card_replaces_diagram;
     if (view.lecture) {
         l.menu_bar = {};
@@ -286,7 +297,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float right = std::min(c.right * scale, width * right_share(view, open) - margin);
     l.left = {margin, top, left, column};
     l.right = {width - margin - right, top, right, column};
-    if (watches && is_narrow) l.left = {};  // room for the canvas
+    if (is_small || (watches && is_narrow)) l.left = {};  // room for the scene or the canvas
+    l.left_on_right = is_small;
     const float from_left = l.left.w > 0 ? 2 * margin + left : margin;
     l.scene = {from_left, top, width - 2 * margin - right - from_left, column};
 
@@ -295,7 +307,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     else if (view.mode != Mode::wiring && !view.lecture)
         fold_columns(l, open, margin);
     if (open.charts && view.mode != Mode::wiring && !view.lecture) {
-        const float strip = std::min(charts_height * scale, column * 0.45f);
+        const float share = column < low_middle * scale ? 0.36f : 0.45f;
+        const float strip = std::min(charts_height * scale, column * share);
         l.charts = {l.scene.x, l.scene.y + l.scene.h - strip, l.scene.w, strip};
         l.scene.h -= strip + margin;
         l.tools = l.scene;

@@ -13,7 +13,7 @@ struct WindowLayout {
     Rect charts;                               // the chart card, below the scene, while it is open
     Rect timeline;                             // below canvas or scene
     bool exercise_on_right = false;            // its card has no left column and is above the cards of the right one
-    bool left_on_right = false;                // so are all cards of the left column, or below the scene
+    bool left_on_right = false;                // so are all cards of the left column: one column has all cards
     Rect canvas;  // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
     bool card_replaces_diagram = false;  // a card that was asked for has the room of a watched diagram
     Rect border;                         // between canvas and scene while it is watched; can be dragged
@@ -42,11 +42,12 @@ float fitting_scale(float scale, Rect window, bool lecture, bool fingers = false
 // True if not even that makes bars and cards fit: the window then asks for more room and shows nothing else.
 bool window_too_small(const WindowLayout&);
 
-// `scale`: window pixels per layout pixel. The layout fits windows of at least 1024 × 768 layout pixels. In
-// smaller windows the cards and the scene are narrower; the scene has at least a quarter of the width. A column whose
-// cards are all folded is as wide as their headings, and the scene is beside or below them. In a lecture open cards
-// leave it half of the width, or of the height where the diagram is shown, too. In an upright window all cards are in
-// one column below the scene or the diagram, as wide as the window.
+// `scale`: window pixels per layout pixel. The layout fits windows of at least 1024 × 768 layout pixels. In a window
+// that is narrower than 900 all cards are in one column, as in an upright one, so that the scene has three fifths of
+// the width, as the diagram has in the wiring editor. A column whose cards are all folded is as wide as their headings,
+// and the scene is beside or below them. In a lecture open cards leave it half of the width, or of the height where the
+// diagram is shown, too. In an upright window all cards are in one column below the scene or the diagram, as wide as
+// the window.
 WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, OpenCards = {});
 
 }  // namespace braitenlab::ui

@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "desk.h"
+#include "exercise_on_desk.h"
 #include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::cards_test {
@@ -62,6 +62,8 @@ TEST(Cards, NoRowOfTheBrainMovesWhenALampIsSelected) {
         desk.now.scene = scene;
         desk.now.sources.resize(1);
         desk.frame(8);
+        if (width == 800) desk.click("card.brain.fold");
+        desk.frame(4);
         std::map<std::string, Rect> before;
         for (const char* id : {"card.brain", "slider.LL", "slider.LR", "slider.RL", "slider.RR"})
             if (const Rect* at = desk.anchors.find(id)) before[id] = *at;
@@ -107,7 +109,7 @@ TEST(Cards, ShadeTheEdgesBeyondWhichThereIsMore) {
     EXPECT_EQ(shades(desk), (std::pair{0, 1}));
     const Rect card = desk.where("card.exercise");
     desk.point(card.x + card.w / 2, card.y + card.h / 2);
-    ImGui::GetIO().MouseWheel = -0.5f;
+    ImGui::GetIO().MouseWheel = -0.2f;
     desk.frame(4);
     EXPECT_EQ(shades(desk), (std::pair{1, 1}));
 }
@@ -268,6 +270,85 @@ TEST(Cards, TheBrainBelowTheExerciseOpensByAClickWhereItHasNoRoom) {
     desk.frame(4);
     EXPECT_GE(desk.where("card.brain").h, 139);
     EXPECT_GT(desk.where("card.exercise").h, 200);
+}
+
+bool is_open(const Desk& desk, Card which) { return !desk.panels.cards[static_cast<std::size_t>(which)].folded; }
+
+TEST(Cards, OfASmallWindowAreInOneColumnAndTheSceneHasMostOfTheWidth) {
+    for (const std::string& code : shipped_codes())
+        for (const bool exercise : {false, true})
+            for (const Card opened : {Card::brain, Card::sensors, Card::information}) {
+                Desk desk(800, 600, 1, true);
+                desk.strings = speaking(code);
+                if (exercise) desk.open_exercise();
+                desk.frame(6);
+                const Rect scene = desk.layout.scene;
+                EXPECT_GE(scene.w * scene.h, 0.36f * 800 * 600);
+                if (!is_open(desk, opened)) desk.click(std::string(traits(opened).anchor) + ".fold");
+                desk.frame(4);
+                EXPECT_TRUE(is_open(desk, opened)) << traits(opened).anchor;
+                EXPECT_EQ(desk.layout.scene, scene) << "the scene rests";
+                float end = desk.layout.right.y;
+                for (const CardTraits& row : cards()) {
+                    const Rect* card = desk.anchors.find(row.anchor);
+                    if (!card) continue;
+                    EXPECT_TRUE(inside(*card, desk.layout.right)) << row.anchor;
+                    if (is_open(desk, row.card)) {
+                        EXPECT_EQ(card->y, end) << row.anchor;
+                        end = card->y + card->h + 12;
+                    } else {
+                        EXPECT_GT(card->y, desk.where(traits(opened).anchor).y) << row.anchor;
+                    }
+                }
+            }
+}
+
+TEST(Cards, OfASmallWindowGiveWayToWhatIsOpenedAndComeBack) {
+    Desk desk(800, 600, 1, true);
+    desk.open_exercise();
+    predict_and_run(desk, 0);
+    desk.frame(6);
+    ASSERT_TRUE(is_open(desk, Card::exercise) && !is_open(desk, Card::brain));
+    desk.click("card.brain.fold");
+    desk.frame(4);
+    EXPECT_TRUE(is_open(desk, Card::brain) && !is_open(desk, Card::exercise));
+    EXPECT_TRUE(desk.says("0/3")) << "the folded exercise counts its steps";
+    for (bool ViewSettings::*const shown : {&ViewSettings::map, &ViewSettings::values}) {
+        desk.view.settings.*shown = true;
+        desk.frame(4);
+        EXPECT_TRUE(is_open(desk, shown == &ViewSettings::map ? Card::map : Card::values));
+        EXPECT_FALSE(is_open(desk, Card::brain));
+        desk.view.settings.*shown = false;
+        desk.frame(4);
+        EXPECT_TRUE(is_open(desk, Card::brain)) << "it gave way to what was asked for";
+    }
+}
+
+TEST(Cards, OfASmallWindowTheExerciseOpensWhenThereIsNewsOfIt) {
+    const char* const news[]{"a hint", "the outcome", "the grade", "another exercise"};
+    for (int which = 0; which < 4; ++which) {
+        Desk desk(800, 600, 1, true);
+        desk.open_exercise();
+        predict_and_run(desk, 0);
+        desk.frame(6);
+        desk.click("card.brain.fold");
+        desk.frame(4);
+        ASSERT_FALSE(is_open(desk, Card::exercise)) << news[which];
+        if (which == 0) desk.lesson.attempt.answers.hints_shown = 1;
+        if (which == 1) desk.lesson.attempt.work.outcome_known = true;
+        if (which == 2) desk.lesson.grade = graded({true, false}, false);
+        if (which == 3) desk.opened.id = "06-love";
+        desk.point(300, 300);
+        desk.button(0, true);
+        desk.frame(4);
+        if (which < 3) EXPECT_FALSE(is_open(desk, Card::exercise)) << news[which] << ", while a slider is held";
+        desk.button(0, false);
+        desk.frame(4);
+        EXPECT_TRUE(is_open(desk, Card::exercise)) << news[which];
+        desk.click("card.brain.fold");
+        desk.frame(6);
+        EXPECT_FALSE(is_open(desk, Card::exercise)) << news[which] << " is seen";
+    }
 }
 
 TEST(Cards, ACardBelowTheExerciseGrowsWhenItUnfolds) {

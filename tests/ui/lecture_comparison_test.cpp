@@ -126,6 +126,7 @@ TEST_F(LectureComparison, LeavesTheCardsAsTheyWereBeforeTheLecture) {
     store();
     compare();
     desk.view.lecture = false, desk.view.pages = nullptr;
+    ImGui::GetIO().DisplaySize = {1434, 1076};  // as many layout pixels as without the type of a lecture
     desk.frame(2);
     EXPECT_FALSE(desk.panels.card(Card::brain).folded);
     EXPECT_FALSE(desk.panels.card(Card::slots).folded);

@@ -19,6 +19,7 @@ namespace {
 
 constexpr float between_cards = spacing::medium, title_width = 150, around_title = 56;  // layout pixels
 constexpr float four_sliders = 200;  // layout pixels: heading, name and the weights of the brain
+constexpr float folded_row = 24;     // layout pixels, of a folded card below an open one
 
 #define CARD(id, draws, ...) {.card = Card::id, .draw = draws, __VA_ARGS__},
 
@@ -164,32 +165,131 @@ bool has_all_cards(const LabView& view, IsGuest is_guest) {
     return !view.lecture && is_guest && is_guest(traits(Card::scene));
 }
 
-// Folds cards until the open ones have room; `kept` stays open, or the one that the user has opened, or the most
-// important one.
-void fold_for_room(const Ui& ui, PanelState& state, const Stack& stack, Rect column, const CardTraits* kept) {
-    constexpr float useful = 220;  // layout pixels
+const CardTraits* find_row(const Stack& stack, auto&& wanted) {
+    const auto end = stack.rows + stack.count, found = std::find_if(stack.rows, end, wanted);
+    return found == end ? nullptr : *found;
+}
+
+// The rows of `stack` that are folded, or those that are open.
+Stack cards_where(PanelState& state, const Stack& stack, bool folded) {
+    Stack some;
+    for (const CardTraits* row : std::span(stack.rows, stack.count))
+        if (state.card(row->card).folded == folded) some.rows[some.count++] = row;
+    return some;
+}
+
+// Below an open card the folded ones are in rows of two, lower than their headings elsewhere.
+float height_of_folded(const Ui& ui, std::size_t count) {
+    const float rows = std::ceil(static_cast<float>(count) / 2);
+    return rows == 0 ? 0 : ui.px(spacing::small - spacing::tight) + rows * ui.px(ui.tall(folded_row) + spacing::tight);
+}
+
+float heading_width(const LabView& view, const Ui& ui, const CardTraits& row) {
+    return text_width(ui, Face::small,
+                      row.card == Card::exercise ? exercise_heading(view, ui) + "  0/0"
+                      : row.heading.empty()      ? std::string_view{}
+                                                 : ui.strings(row.heading));
+}
+
+bool closes_by_fold(const CardTraits& row) { return row.card == Card::map || row.card == Card::reality; }
+
+// True for a card that replaces the open one as soon as it is shown: the exercise, and what is asked for.
+bool opens_when_shown(const CardTraits& row) {
+    return row.card == Card::exercise || row.card == Card::values || closes_by_fold(row);
+}
+
+// The card that stays open where there is room for one: that which has just been opened, what the user has opened,
+// the exercise, the brain.
+const CardTraits* card_to_keep(PanelState& state, const Stack& stack) {
+    const auto is = [](const CardTraits* row, Card card) { return row->card == card; };
     const auto is_open = [&](const CardTraits* row) { return !state.card(row->card).folded; };
-    const auto find = [&](auto&& wanted) {
-        const auto end = stack.rows + stack.count, found = std::find_if(stack.rows, end, wanted);
-        return found == end ? nullptr : *found;
-    };
-    if (!kept) kept = find([&](auto* row) { return is_open(row) && state.card(row->card).opened_by_user; });
-    if (!kept) kept = find([&](auto* row) { return is_open(row) && row->card == Card::exercise; });
-    if (!kept) kept = find([&](auto* row) { return is_open(row) && row->card == Card::brain; });
+    const auto is_new = [&](const CardTraits* row) { return is_open(row) && !state.card(row->card).was_open; };
+    const CardTraits* kept = find_row(stack, [&](auto* row) { return is_new(row) && opens_when_shown(*row); });
+    if (!kept) kept = find_row(stack, [&](auto* row) { return is_new(row) && is(row, Card::brain); });
+    if (!kept) kept = find_row(stack, is_new);
+    if (!kept) kept = find_row(stack, [&](auto* row) { return is_open(row) && state.card(row->card).opened_by_user; });
+    if (!kept) kept = find_row(stack, [&](auto* row) { return is_open(row) && is(row, Card::exercise); });
+    if (!kept) kept = find_row(stack, [&](auto* row) { return is_open(row) && is(row, Card::brain); });
+    return kept;
+}
+
+void forget_way(PanelState& state) {
+    for (const CardTraits& row : card_traits) state.card(row.card).gave_way = false;
+}
+
+// Folds cards until the open ones have room; `kept` stays open.
+void fold_for_room(const Ui& ui, PanelState& state, const Stack& stack, Rect column, const CardTraits* kept) {
+    constexpr float useful = 220, useful_brain = 340;  // layout pixels; with the sums
     const auto needed = [&] {
-        float sum = -ui.px(between_cards);
-        for (const CardTraits* row : std::span(stack.rows, stack.count))
-            sum += ui.px(between_cards) + (is_open(row)
-                                               ? std::max(least_of(ui, state, *row, column),
-                                                          std::min(wanted_of(ui, state, *row, column), ui.px(useful)))
-                                               : folded_height(ui));
+        const Stack open = cards_where(state, stack, false);
+        float sum = height_of_folded(ui, stack.count - open.count) - ui.px(between_cards);
+        for (const CardTraits* row : std::span(open.rows, open.count)) {
+            const bool is_measured = state.card(row->card).content > 0;
+            const float most = ui.px(row->card == Card::brain ? useful_brain : useful);
+            const float wanted = is_measured ? std::min(wanted_of(ui, state, *row, column), most) : most;
+            sum += ui.px(between_cards) + std::max(least_of(ui, state, *row, column), wanted);
+        }
         return sum;
     };
     while (needed() > column.h) {
-        const CardTraits* next = find([&](auto* row) { return is_open(row) && row != kept; });
+        const CardTraits* next =
+            find_row(stack, [&](auto* row) { return row != kept && !state.card(row->card).folded; });
         if (!next) return;
+        forget_way(state);
+        state.card(next->card).gave_way = true;
         state.card(next->card).folded = true, state.card(next->card).opened_by_user = false;
     }
+}
+
+// Where the only open card is no longer shown, the one that gave way to it opens again, unless the user has folded it.
+void open_after(PanelState& state, const Stack& stack) {
+    const auto is_folded_now = [&](const CardTraits* row) {
+        return state.card(row->card).folded && state.card(row->card).was_open;
+    };
+    if (cards_where(state, stack, false).count > 0) return;
+    if (find_row(stack, is_folded_now)) return forget_way(state);
+    const CardTraits* next = find_row(stack, [&](auto* row) { return state.card(row->card).gave_way; });
+    if (!next) return;
+    state.card(next->card).folded = false;
+    state.is_unsettled = true;  // the layout of this frame has no open card
+}
+
+// Draws the folded cards at the end of the column, and takes their room from it. One that is pressed opens, and others
+// fold for it.
+void draw_folded(const LabView& view, PanelState& state, Ui& ui, const Stack& stack, Rect& column) {
+    const Stack folded = cards_where(state, stack, true);
+    const Rect whole = column;
+    column.h -= height_of_folded(ui, folded.count);
+    const float space = ui.px(spacing::small), height = ui.px(ui.tall(folded_row));
+    Rect place{column.x, column.y + column.h + space, 0, height};
+    for (std::size_t i = 0; i < folded.count; ++i) {
+        const bool is_first = i % 2 == 0, is_last = !is_first || i + 1 == folded.count;
+        const float right = column.x + column.w;
+        if (is_last) {
+            place.w = right - place.x;
+        } else {  // both have the same room around their words
+            const float more = heading_width(view, ui, *folded.rows[i]) - heading_width(view, ui, *folded.rows[i + 1]);
+            place.w = (column.w - space + more) / 2;
+        }
+        CardState& card = state.card(folded.rows[i]->card);
+        folded.rows[i]->draw(view, state, ui, place, place);
+        place = is_last ? Rect{column.x, place.y + height + ui.px(spacing::tight), 0, height}
+                        : Rect{place.x + place.w + space, place.y, 0, height};
+        if (card.folded || closes_by_fold(*folded.rows[i])) continue;
+        card.opened_by_user = true;
+        fold_for_room(ui, state, stack, whole, folded.rows[i]);
+        state.is_unsettled = true;  // it is open in the place of its heading
+    }
+}
+
+// One column has all cards: there is room for one or two open ones. A card that is not shown counts as open, so that it
+// folds nothing when it appears, unless it is to open then.
+void keep_open_cards(const Ui& ui, PanelState& state, const Stack& stack, Rect column) {
+    open_after(state, stack);
+    fold_for_room(ui, state, stack, column, card_to_keep(state, stack));
+    for (const CardTraits& row : card_traits) state.card(row.card).was_open = !opens_when_shown(row);
+    for (const CardTraits* row : std::span(stack.rows, stack.count))
+        state.card(row->card).was_open = closes_by_fold(*row) || !state.card(row->card).folded;
 }
 
 }  // namespace
@@ -219,10 +319,14 @@ void cut_to_fit(std::span<float> heights, float floor, float room) {
 void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, Rect column, IsGuest is_guest) {
     if (column.w <= 0) return;
     const float space = ui.px(between_cards);
-    const Stack stack = stack_of(which, view, is_guest);
+    Stack stack = stack_of(which, view, is_guest);
     const bool is_shared = shares_column(view, is_guest);
     const bool has_all = has_all_cards(view, is_guest);
-    if (has_all) fold_for_room(ui, state, stack, column, nullptr);
+    if (has_all) keep_open_cards(ui, state, stack, column);
+    if (const Stack open = cards_where(state, stack, false); has_all && open.count > 0) {
+        draw_folded(view, state, ui, stack, column);
+        stack = open;
+    }
     const CardTraits* folded_now = is_shared || has_all ? nullptr : fold_when_cramped(ui, state, stack, column);
     std::array<float, card_count> heights = heights_of(ui, state, stack, column, is_shared);
     fix_heights(ui, view, state, stack, column, heights);
@@ -240,7 +344,6 @@ void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, R
         state.is_unsettled |= !card.folded && card.is_cut;
         const bool changed = card.folded != was_folded;
         if (changed) card.opened_by_user = was_folded;
-        if (changed && was_folded && has_all) fold_for_room(ui, state, stack, column, &row);
         if (&row == folded_now && !changed) card.folded = false;
         rest.y += place.h + space;
         rest.h -= place.h + space;

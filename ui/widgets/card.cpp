@@ -18,6 +18,7 @@ namespace {
 
 constexpr float bottom_padding = spacing::medium, above_footer = spacing::small, below_head = spacing::small;
 constexpr float card_heading = 36, heading_button_height = 24;  // layout pixels
+constexpr float narrow_heading = 180;                           // layout pixels, of two in a row
 constexpr float unmeasured_head = 200;                          // at most, layout pixels
 constexpr ImGuiWindowFlags plain_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
@@ -59,18 +60,19 @@ float heading_button(Ui& ui, HeadingButton& extra, float left, float right, floa
 
 void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::span<HeadingButton> extras) {
     // Buttons first: of two widgets under the pointer Dear ImGui chooses the earlier one.
-    const float left = r.x + ui.px(side_padding) + text_width(ui, Face::small, words) + ui.px(spacing::small);
-    float right = r.x + r.w - ui.px(side_padding + 16);
+    const float padding = r.w < ui.px(narrow_heading) ? spacing::small : side_padding;
+    const float left = r.x + ui.px(padding) + text_width(ui, Face::small, words) + ui.px(spacing::small);
+    float right = r.x + r.w - ui.px(padding + 16);
     if (!state.folded)
         for (HeadingButton& extra : extras) right = heading_button(ui, extra, left, right, r.y) - ui.px(6);
     ImGui::SetCursorScreenPos({r.x, r.y});
     const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(ui.tall(card_heading)))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
-    const float y = row.rect.y + ui.px(ui.tall(card_heading)) / 2;
-    const float begin = r.x + ui.px(side_padding);
+    const float y = row.rect.y + row.rect.h / 2;
+    const float begin = r.x + ui.px(padding);
     put(ui, {begin, y - line_height(ui, Face::small) / 2}, shortened(ui, words, Face::small, right - begin), colour,
         Face::small);
-    put_icon(ui, {r.x + r.w - ui.px(side_padding + 4), y}, state.folded ? icon::folded : icon::unfolded, colour);
+    put_icon(ui, {r.x + r.w - ui.px(padding + 4), y}, state.folded ? icon::folded : icon::unfolded, colour);
     const bool on_a_button = std::any_of(extras.begin(), extras.end(), [](const auto& extra) { return extra.hovered; });
     tooltip(ui, row, on_a_button ? std::string_view{} : ui.strings(state.folded ? "card.unfold" : "card.fold"));
     if (row.pressed) state.folded = !state.folded;

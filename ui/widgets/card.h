@@ -14,6 +14,8 @@ namespace braitenlab::ui {
 struct CardState {
     bool folded = false;
     bool opened_by_user = false;  // stays open when the column is too low for all cards
+    bool was_open = false;        // in the last frame, in a column with all cards
+    bool gave_way = false;        // the card that was folded last to make room for another one
     std::optional<float> head;    // height of the part above the body that does not scroll; unset: there is none
     float footer = 0;             // height of the part below the body that does not scroll, window pixels
     bool in_head = false, in_body = false;

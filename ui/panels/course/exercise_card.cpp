@@ -29,8 +29,8 @@ namespace {
 // Layout pixels, of the card's height: below the first the steps are compact, below the second the goal is, too, below
 // the third title and goal scroll.
 constexpr float low_card = 660, lower_card = 520, least_height_with_head = 400;
+constexpr std::size_t few_steps = 3;       // more are a line each in the lower card
 constexpr float room_for_full_step = 330;  // layout pixels, height above the foot
-constexpr float narrow_parts = 230;        // layout pixels, width of its parts
 
 // False if the vehicles of all tested starts begin at one place: shown at once they are one.
 bool starts_differ(const Grade& grade) {
@@ -157,6 +157,31 @@ bool is_question_first(const LabView& view) {
            !view.lesson->attempt.work.outcome_known && !has_passed(*view.lesson);
 }
 
+// Opens the card that has given way to another one.
+void open_again(PanelState& state) {
+    CardState& card = state.card(Card::exercise);
+    if (!card.folded || !card.gave_way) return;
+    card.folded = false;
+    state.is_unsettled = true;
+}
+
+// True if the outcome, the grade or a hint has arrived while the card was folded.
+bool has_news(const LessonView& lesson, ExerciseState& seen) {
+    if (!lesson.grade) seen.grade_seen = false;
+    const bool has_outcome = is_asked(lesson.exercise->prediction) && lesson.attempt.work.outcome_known;
+    const auto hints = static_cast<std::size_t>(lesson.attempt.answers.hints_shown);
+    return (has_outcome && !seen.outcome_seen) || (lesson.grade && !seen.grade_seen) || hints > seen.hints_seen;
+}
+
+// The heading of the folded card tells how many steps are done.
+std::string heading_with_count(const LabView& view, const Ui& ui, bool folded) {
+    const std::vector<Verdict>& steps = view.lesson->verdicts;
+    std::string words = exercise_heading(view, ui);
+    if (!folded || view.lecture || !view.lesson->attempt.work.has_run || steps.empty()) return words;
+    const auto done = std::count_if(steps.begin(), steps.end(), [](const Verdict& each) { return each.done; });
+    return words + "  " + std::to_string(done) + "/" + std::to_string(steps.size());
+}
+
 // Forgets what the card of another exercise has scrolled to, and goes back to its top, on a page of a lecture that asks
 // its question to the end of that.
 void follow_exercise(const LessonView& lesson, PanelState& state) {
@@ -169,6 +194,7 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
     state.exercise.hand_in.asks = false;
     state.exercise.step_in_full = -1;
     state.exercise.hints_seen = 0;
+    open_again(state);
     CardState& sensors = state.card(Card::sensors);  // open, it would take the room of the question
     sensors.folded = traits(Card::sensors).folded, sensors.opened_by_user = false;
     aim_at(state.exercise.rows, state.lecture.asks_prediction ? ExerciseRows::Aim::outcome : ExerciseRows::Aim::top);
@@ -241,12 +267,15 @@ bool shows_title(const LabView& view) {
 void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal) {
     if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
     // The answers to a question need the room.
-    const bool has_room = card_width(ui) >= ui.px(narrow_parts) || !view.may.open_prediction;
+    const bool has_room = !has_close_rows(view, ui) || !view.may.open_prediction;
     if (!has_passed(*view.lesson) && view.lesson->standing.passed_before && has_room) passed_mark(ui);
     if (has_passed(*view.lesson)) return;
-    const bool has_question = is_question_first(view), is_begun = view.lesson->attempt.work.has_run;
+    const Attempt& attempt = view.lesson->attempt;
+    const bool has_question = is_question_first(view), is_begun = attempt.work.has_run;
+    const bool has_more = attempt.answers.hints_shown > 0 || attempt.work.outcome_known ||  // that needs the room
+                          view.lesson->exercise->steps.size() > few_steps;
     if (has_short_goal && (has_question || is_begun))
-        goal_in_lines(*view.lesson, state, ui, has_question ? 2 : 1);
+        goal_in_lines(*view.lesson, state, ui, has_question ? 2 : has_more ? 1 : 3);
     else
         goal(*view.lesson, state, ui);
 }
@@ -254,7 +283,7 @@ void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal) {
 void reason(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const bool has_reason = !lesson.exercise->why.empty() && shows_title(view);
-    if (!has_reason && card_width(ui) < ui.px(narrow_parts)) return;
+    if (!has_reason && has_close_rows(view, ui)) return;
     if (has_reason && fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.exercise.why_open,
                                ui.strings("exercise.why_how"))) {
         // It tells the answer to the prediction: the run shows that first.
@@ -270,11 +299,17 @@ bool is_goal_short(const LabView& view, const Ui& ui, float card) {
     return card < ui.px(lower_card) && view.mode != Mode::wiring;
 }
 
-// Where hints, or questions and answers of the foot, need the room, no step is in full.
+// Where hints, what came of the prediction, or questions and answers of the foot, need the room, no step is in full.
 StepsLook look_of_steps(const LessonView& lesson, const Ui& ui, float card, float foot) {
     if (card >= ui.px(low_card)) return StepsLook::full;
-    const bool has_hints = card < ui.px(lower_card) && lesson.attempt.answers.hints_shown > 0;
-    return has_hints || card - foot < ui.px(room_for_full_step) ? StepsLook::lines : StepsLook::compact;
+    const Attempt& attempt = lesson.attempt;
+    const bool has_hints = card < ui.px(lower_card) && attempt.answers.hints_shown > 0;
+    const bool has_outcome = attempt.work.outcome_known && lesson.as_given;
+    const bool has_many = lesson.exercise->steps.size() > few_steps;
+    return has_hints || (card < ui.px(lower_card) && (has_outcome || has_many)) ||
+                   card - foot < ui.px(room_for_full_step)
+               ? StepsLook::lines
+               : StepsLook::compact;
 }
 
 }  // namespace
@@ -295,6 +330,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
     follow_exercise(lesson, state);
+    if (!ImGui::IsMouseDown(0) && has_news(lesson, state.exercise)) open_again(state);
     CardState& card = state.card(Card::exercise);
     const bool asks = state.lecture.asks_prediction;  // then the question has the room of the buttons
     if (!asks) card.footer = std::max(card.footer, ui.px(ui.tall(button_height) + 8));
@@ -304,7 +340,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         card.head.reset();
     else if (!card.head)
         card.head = 0;
-    const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(view, ui));
+    const bool open = open_card(state, ui, Card::exercise, place, {}, heading_with_count(view, ui, card.folded));
     if (open) {
         ExerciseRows& rows = state.exercise.rows;
         const bool question_first = is_question_first(view), hints_first = view.mode == Mode::wiring && !passed;

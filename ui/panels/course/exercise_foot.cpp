@@ -27,7 +27,7 @@ constexpr float more_width = 26;  // layout pixels, of the button that unfolds t
 // of the longest words that may be there.
 struct FootPlaces {
     float hint = 0, next = 0, reset = 0;  // widths
-    bool folds = false;                   // the row has no room for Start over: all but hint and next are folded
+    bool folds = false;                   // there is no room for more: all but hint and next are folded
 };
 
 ButtonLook compact_look(const Ui& ui, std::string_view key, std::string_view icon = {}) {
@@ -52,7 +52,8 @@ FootPlaces foot_places(const LabView& view, const Ui& ui, float width) {
     for (const std::string_view id : {"exercise.hand_in", "exercise.lab_record"})
         others += space + small_button_width(ui, small_look(ui, id), true);
     const float row = places.hint + space + places.next + space + places.reset;
-    places.folds = std::max(row, is_handed_in(view) ? others : 0) > width + 0.5f;
+    // In the lowest windows the steps need the height.
+    places.folds = has_close_rows(view, ui) || std::max(row, is_handed_in(view) ? others : 0) > width + 0.5f;
     places.next = width - places.hint - 2 * space - (places.folds ? ui.px(more_width) : places.reset);
     return places;
 }

@@ -124,9 +124,11 @@ void made_prediction(const LessonView& lesson, Ui& ui) {
     const Prediction& asked = lesson.exercise->prediction;
     const auto chosen = static_cast<std::size_t>(answers.prediction);
     if (answers.prediction >= 0 && chosen < asked.options.size()) {
+        const bool result_first = is_in_low_body(ui);  // the rest may be below the edge
+        if (work.outcome_known && result_first) came_true(lesson, ui);
         paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
                   ui.palette.second_text);
-        if (work.outcome_known) came_true(lesson, ui);
+        if (work.outcome_known && !result_first) came_true(lesson, ui);
     }
     if (work.real_path.empty()) return;
     paragraph(ui,
