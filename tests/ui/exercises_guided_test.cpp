@@ -573,9 +573,10 @@ TEST(ExercisesGuided, AnswersAndTheFirstStepAreSeenWithoutScrollingInASmallWindo
 TEST(ExercisesGuided, NoTextOfAStepIsCutInASmallWindow) {
     for (const std::string& language : shipped_codes())
         for (const Exercise& exercise : course())
-            for (const bool has_outcome : {false, true}) {
-                SCOPED_TRACE(exercise.id + " " + language);
-                Opened it(exercise, 800, 600);
+            for (const auto& [width, has_outcome] :
+                 {std::pair{800.0f, false}, {800.0f, true}, {1024.0f, false}, {1024.0f, true}}) {
+                SCOPED_TRACE(exercise.id + " " + language + " " + std::to_string(width));
+                Opened it(exercise, width, 0.75f * width);
                 it.desk.strings = speaking(language);
                 if (language != "en") add_translations(it.desk.strings, texts_of(exercise), words_of_course(language));
                 it.play_after_prediction();
