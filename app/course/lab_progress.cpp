@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/course/authored_scene.h"
 #include "app/lab_reset.h"
 #include "core/lesson/hand_in.h"
 #include "core/lesson/submission.h"
@@ -92,7 +93,8 @@ void restore_student(Lab& lab) {
 }  // namespace
 
 void follow_progress(Lab& lab) {
-    if (!lab.document.lesson || lab.pages) return;  // a page of a lecture is no attempt of a student
+    if (!lab.document.lesson || lab.pages) return;           // a page of a lecture is no attempt of a student
+    if (has_draft(lab.authored.get(), lab.document)) return;  // nor is the author's trial
     Lesson& lesson = *lab.document.lesson;
     const ExerciseProgress* known = stored_progress(lab);
     if (is_new_attempt(lab)) lesson.attempt.notes = known ? known->notes : std::string();

@@ -265,6 +265,7 @@ struct FileCommands {
         if (const auto error = write_whole(path, text)) return fail(*error);
         auto opened = open_document(path, std::nullopt, {});
         if (!opened) return fail(opened.error());
+        lab.students.student().exercises.erase(path.string());  // it is another exercise now
         open_authored(lab, std::move(*opened), path, wanted.draft->vehicle);
         add_recent_file(state, path, lab.document);
         if (!view.listing.folder.empty()) list(view.listing.folder);
