@@ -11,6 +11,7 @@
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
+#include "core/lesson/reference.h"
 #include "core/lesson/submission.h"
 #include "core/maths/angle.h"
 #include "core/messages.h"
@@ -177,11 +178,40 @@ void warn_of_equal_starts(const Exercise& exercise, const WarningPlaces& places,
         places.in_scene("vehicle." + scene.starts.front().name, message_of("equal_starts", exercise.starts)));
 }
 
+// What the first vehicle does until the answer is visible, so that the author can compare it with the answer.
+Message run_before_answer(const Exercise& exercise) {
+    Reference run(exercise, as_shipped(exercise), 0, exercise.seed);
+    const ReferencePath& path = run.until(static_cast<std::uint64_t>(exercise.prediction.after / tick_seconds));
+    if (path.empty()) return {};
+    const Pose &first = path.front(), &last = path.back();
+    float driven = 0, turned = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        driven += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+        turned += maths::wrap_angle(path[i].heading - path[i - 1].heading);
+    }
+    Message said = message_of("run_before_answer", shortly(exercise.prediction.after), exercise.seed,
+                              fmt::format("{:.1f}", driven), fmt::format("{:.0f}", maths::degrees(turned)));
+    const Source* nearest = nullptr;
+    const auto away = [](const Source& source, const Pose& pose) {
+        return std::hypot(source.x - pose.x, source.y - pose.y);
+    };
+    for (const Source& each : exercise.scene.sources)
+        if (!nearest || away(each, first) < away(*nearest, first)) nearest = &each;
+    if (nearest)
+        said = said + message_of("source_before_answer", in_quotes(nearest->name),
+                                 fmt::format("{:.1f}", away(*nearest, first)),
+                                 fmt::format("{:.1f}", away(*nearest, last)));
+    return said;
+}
+
 void warn_of_prediction(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
     const Prediction& asked = exercise.prediction;
     if (asked.question.empty()) return;
-    if (checks_of_option(asked, static_cast<std::size_t>(asked.answer)).empty())
-        found.push_back(places.at("predict.answer", message_of("answer_untested")));
+    if (is_answer_untested(exercise))
+        found.push_back(places.at("predict.answer", message_of("answer_untested") + run_before_answer(exercise)));
+    if (asked.after > exercise.seconds)
+        found.push_back(places.at("predict.after",
+                                  message_of("answer_after_the_run", shortly(asked.after), shortly(exercise.seconds))));
     for (std::size_t i = 0; i < asked.shows.size() && !asked.options.empty(); ++i)
         if (asked.shows[i].option.empty())
             found.push_back(
@@ -207,6 +237,8 @@ void warn_of_wrong_answers(const Exercise& exercise, const WarningPlaces& places
         if (wrong.submission == exercise.solution.submission)
             found.push_back(places.at(key, message_of("wrong_is_solution")));
         if (wrong.text.empty()) found.push_back(places.at(key, message_of("wrong_without_text")));
+        if (const auto outside = outside_offers(exercise, wrong.submission); !outside.empty())
+            found.push_back(places.at(key, message_of("wrong_outside", outside.front())));
     }
 }
 
@@ -265,6 +297,11 @@ std::vector<Error> warnings_of(const Exercise& exercise, std::string_view toml, 
     warn_of_wrong_answers(exercise, places, found);
     std::stable_sort(found.begin(), found.end(), [](const Error& a, const Error& b) { return a.line < b.line; });
     return found;
+}
+
+bool is_answer_untested(const Exercise& exercise) {
+    const Prediction& asked = exercise.prediction;
+    return is_asked(asked) && checks_of_option(asked, static_cast<std::size_t>(asked.answer)).empty();
 }
 
 std::optional<Error> prediction_fault(const Exercise& exercise, std::string_view toml,

@@ -18,8 +18,11 @@ inline constexpr int most_first_words = 40;
 // The words of a text, separated by blanks; a sign alone, such as an arrow, is no word.
 int word_count(std::string_view);
 
+// True if the prediction has an answer that no check tests.
+bool is_answer_untested(const Exercise&);
+
 // Each with file and line. `toml`: the text of the file from which the exercise was read. Runs two ticks of each graded
-// start, and all starts as shipped for an exercise with a MedianRule.
+// start, all starts as shipped for an exercise with a MedianRule, and Prediction::after seconds for an untested answer.
 std::vector<Error> warnings_of(const Exercise&, std::string_view toml, const std::filesystem::path&);
 
 // Why the run with the shipped brain contradicts the prediction's answer: it meets the checks of another option, or the

@@ -142,6 +142,30 @@ TEST(Warnings, AnAnswerThatNothingTests) {
                    "[[predict.shows]]", "answer =");
 }
 
+TEST(Warnings, AnAnswerThatNothingTestsIsSaidBesideWhatTheRunDoes) {
+    const std::string untested =
+        replaced(sound, "[[predict.shows]]\noption = \"Straight on\"\ngoal = \"drives\"\nspeed = 0.1\n", "");
+    expect_warning(untested, "In 2 s of the run with the shipped brain and seed 1 the vehicle drives 1.", "answer =");
+    expect_warning(untested, "its distance to 'a' goes from 4.5 m to 3.", "answer =");
+    const std::string turning =
+        replaced(untested, "[scene.kind.car.brain]\nLM = 0.3", "[scene.kind.car.brain]\nLM = 0");
+    const auto found = warnings(turning);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].what.find(" turns 0°"), std::string::npos) << found[0].text();
+    EXPECT_EQ(found[0].what.find(" turns -"), std::string::npos) << "it turns to the left: " << found[0].text();
+}
+
+TEST(Warnings, AnAnswerThatIsVisibleAfterTheEndOfAGradedRun) {
+    expect_warning(replaced(sound, "offers =", "seconds = 1\noffers ="), "after 2 s, and a graded run lasts 1 s",
+                   "after =");
+}
+
+TEST(Warnings, AWrongAnswerWithAControlThatIsNotOffered) {
+    expect_warning(sound + "\n[[wrong]]\nname = \"no drive\"\ntext = \"It rests.\"\nLR = 1\nLM = 0.3\n", "changes 'RM'",
+                   "[[wrong]]");
+    EXPECT_TRUE(warnings(sound + "\n[[wrong]]\nname = \"half\"\ntext = \"No.\"\nLR = 1\nLM = 0.3\nRM = 0.3\n").empty());
+}
+
 TEST(Warnings, TwoOptionsThatAreTheSame) {
     expect_warning(replaced(sound, "\"To the lamp\"]", "\"To the lamp\", \"To the lamp\"]"),
                    "'To the lamp' is offered twice", "options =");

@@ -204,6 +204,34 @@ TEST_F(ExerciseCheckLab, NamesAPredictionThatTheRunContradicts) {
     EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
 }
 
+TEST_F(ExerciseCheckLab, APredictionThatNothingTestsIsNotCalledSound) {
+    draft.prediction = {
+        .question = "What happens?", .options = {"It flies", "It turns"}, .answer = 0, .outcome = "So."};
+    save();
+    check();
+    EXPECT_EQ(lab.notice.key, "author.sound_untested");
+    EXPECT_EQ(lab.notice.kind, NoticeKind::notice);
+    ASSERT_EQ(lab.findings.size(), 1u);
+    EXPECT_NE(lab.findings[0].said.words.find("of the run with the shipped brain"), std::string::npos)
+        << lab.findings[0].said.words;
+}
+
+TEST_F(ExerciseCheckLab, TheAuthorsOwnTrialIsNoAttemptOfAStudent) {
+    lab.students.student().exercises[file.string()] = {.passed = true, .best = 10, .starts = 10};
+    save();
+    lab.document.lesson->attempt.notes = "My trial.";
+    follow_progress(lab);
+    EXPECT_FALSE(lab.document.lesson->standing.passed_before) << "it is another exercise now";
+    EXPECT_FALSE(lab.students.student().exercises.contains(file.string()));
+    handle(lab, OpenRequest{file.string()});
+    execute_file_requests(lab, files, state, folders);
+    lab.document.lesson->attempt.notes = "As a student.";
+    follow_progress(lab);
+    lab.document.lesson->attempt.notes = "Later.";
+    follow_progress(lab);
+    EXPECT_TRUE(lab.students.student().exercises.contains(file.string()));
+}
+
 TEST_F(ExerciseCheckLab, ListsWhatTheCheckInTheTerminalPrints) {
     save();
     check();
