@@ -150,12 +150,15 @@ BrainGraph filed_brain(const Scene& file, const Start& start, const BrainGraph& 
     return kind < 0 ? otherwise : file.kinds[static_cast<std::size_t>(kind)].brain;
 }
 
-// The four wires of a four-neuron brain stay, with the weight 0, so that its sliders do.
+// The drives of the motors stay. The four wires of a four-neuron brain stay, too, with the weight 0, so that its
+// sliders do.
 BrainGraph without_wires(BrainGraph brain) {
-    if (is_four_neurons(brain)) return make_graph(FourNeurons{});
-    brain.wires.clear();
-    for (Node& node : brain.nodes) node.bias = 0;
-    return brain;
+    if (!is_four_neurons(brain)) {
+        brain.wires.clear();
+        return brain;
+    }
+    const auto drive = [&](const char* motor) { return find_node(brain, std::string(motor))->bias; };
+    return make_graph(FourNeurons{.LM = drive("ML"), .RM = drive("MR")});
 }
 
 BrainGraph shipped_brain(const ExerciseDraft& draft, const Scene& file, const Start& start, const BrainGraph& now) {

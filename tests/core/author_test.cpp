@@ -55,12 +55,20 @@ TEST_F(Author, TheBrainOfTheFileShipsAndTheOneInTheWindowIsTheSolution) {
     EXPECT_EQ(exercise.scene.sources, now.sources);
 }
 
-TEST_F(Author, ABrainWithoutWiresCanShip) {
+TEST_F(Author, ABrainWithoutWiresCanShipWithItsDrives) {
     draft.ships = ShippedBrain::without_wires;
     now = file;  // the scene as it was saved
+    now.kinds[0].brain = make_graph({.LL = 1.5f, .RR = 1.5f, .threshold_RR = 0.2f, .LM = 0.1f, .RM = 0.3f});
     const Exercise exercise = made();
-    EXPECT_TRUE(as_shipped(exercise).brain == make_graph(FourNeurons{}));
-    EXPECT_EQ(with_solution(exercise).brain, file.kinds[0].brain);
+    EXPECT_TRUE(as_shipped(exercise).brain == make_graph({.LM = 0.1f, .RM = 0.3f}));
+    EXPECT_EQ(with_solution(exercise).brain, now.kinds[0].brain);
+    Node neuron;
+    neuron.id = 9, neuron.name = "N1";
+    now.kinds[0].brain.nodes.push_back(neuron);
+    now.kinds[0].brain.wires.push_back({0, 9});
+    const BrainGraph shipped = as_shipped(made()).brain;
+    EXPECT_TRUE(shipped.wires.empty());
+    EXPECT_EQ(find_node(shipped, "MR")->bias, 0.3f);
 }
 
 TEST_F(Author, RefusesASceneWithoutASolutionOrAVehicle) {

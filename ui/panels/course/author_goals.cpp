@@ -104,6 +104,14 @@ const Goal* goal_list(const AuthorFields& page, const std::string& prefix, const
 
 // ── Steps ──
 
+// What a new step asks for: something that a standing vehicle does not do.
+const Goal& usual_goal(const std::vector<Goal>& goals) {
+    for (const std::string_view word : {"touches", "drives"})
+        for (const Goal& each : goals)
+            if (word_of(each) == word) return each;
+    return goals.front();
+}
+
 void add_step(const AuthorFields& page, const Goal& goal) {
     AuthorState& state = page.state;
     state.step_texts[state.draft.steps.size()].text = label_of(page, goal);
@@ -134,7 +142,7 @@ void step_bar(const AuthorFields& page, const std::vector<Goal>& goals) {
     const bool remove =
         state.draft.steps.size() > 1 && page.toggle("author.step.remove", page.words("author.remove_step"), false,
                                                     page.words("author.remove_step_how"), x);
-    if (add) add_step(page, goals.front());
+    if (add) add_step(page, usual_goal(goals));
     if (remove) remove_shown_step(state);
 }
 
@@ -208,7 +216,7 @@ void shown_goal(const AuthorFields& page) {
     }
     if (now) goal_values(page, "author.shown", *now);
     asked.after = page.number("author.after", page.words("author.after"), page.words("author.after_how"), asked.after,
-                              {"after", " s", {1, 60}, asked.after, Prediction{}.after, true});
+                              {"after", " s", {1, page.state.draft.seconds}, asked.after, Prediction{}.after, true});
 }
 
 // ── Wrong answers ──
@@ -232,11 +240,7 @@ void remove_wrong(AuthorState& state, std::size_t at) {
 void author_steps_page(const AuthorFields& page) {
     AuthorState& state = page.state;
     const std::vector<Goal> goals = goals_for(page.scene(), state.draft.vehicle);
-    if (state.draft.steps.empty()) {
-        const auto touches = std::find_if(
-            goals.begin(), goals.end(), [](const Goal& goal) { return std::holds_alternative<goals::Touches>(goal); });
-        add_step(page, touches == goals.end() ? goals.front() : *touches);
-    }
+    if (state.draft.steps.empty()) add_step(page, usual_goal(goals));
     step_bar(page, goals);
     gap(page.ui, 6);
     one_step(page, goals);

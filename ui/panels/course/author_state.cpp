@@ -63,7 +63,7 @@ ExerciseDraft finished_draft(const AuthorState& author) {
     draft.prediction.question = author.question.text;
     draft.prediction.outcome = author.outcome.text;
     draft.prediction.shows = author.draft.prediction.shows;
-    draft.prediction.after = author.draft.prediction.after;
+    draft.prediction.after = std::min(author.draft.prediction.after, draft.seconds);
     for (std::size_t i = 0; i < author.options.size(); ++i) {
         if (author.options[i].text.empty()) continue;
         if (static_cast<int>(i) == author.draft.prediction.answer)
