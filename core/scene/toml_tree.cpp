@@ -9,6 +9,7 @@
 #include "core/scene/nearest.h"
 #include "core/scene/schema.h"
 #include "core/scene/toml_advice.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
 
@@ -16,6 +17,12 @@ namespace {
 
 constexpr int deepest_key = 8;            // dots in one key; ours need four
 constexpr std::size_t most_faults = 200;  // of one file; a person reads less, and each is compared with all before it
+
+// The parser quotes names of the file whole and cuts its sentence after 1024 characters without a sign.
+std::string cut_sentence(std::string sentence) {
+    constexpr std::size_t most = 240;
+    return sentence.size() <= most ? sentence : utf8_cut(std::move(sentence), most) + "…";
+}
 
 // True for a quote after an odd number of backslashes in text[from, at).
 bool is_escaped(std::string_view text, std::size_t from, std::size_t at) {
@@ -277,11 +284,11 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
         return TomlFile{file_name, node_from(tree)};
     } catch (const toml::parse_error& mistake) {
         const int line = static_cast<int>(mistake.source().begin.line);
+        const std::string what = cut_sentence(std::string(mistake.description()));
         if (const int open = line_of_open_list(text, line))
-            return error_of(message_of("not_toml", mistake.description()) + message_of("advice_closing_bracket"),
-                            std::move(file_name), open);
-        return error_of(message_of("not_toml", mistake.description()) + toml_advice(text, line), std::move(file_name),
-                        line);
+            return error_of(message_of("not_toml", what) + message_of("advice_closing_bracket"), std::move(file_name),
+                            open);
+        return error_of(message_of("not_toml", what) + toml_advice(text, line), std::move(file_name), line);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/lesson/exercise_file.h"
+#include "core/utf8.h"
 
 namespace braitenlab::tests::toml_tree_test {
 namespace {
@@ -28,6 +29,18 @@ TEST(TomlTree, FindsADeepKeyAfterATextThatEndsWithQuotes) {
                   "f.toml:2: a key has too many dots; the longest is like "
                   "kind.NAME.body.wheel");
         EXPECT_EQ(complaint(std::string("x = ") + text + "\n"), "") << "the text alone";
+    }
+}
+
+TEST(TomlTree, CutsAQuotedNameOfTheFileWithASign) {
+    const std::string key(1500, 'a'), accented = "\"" + std::string(119, 'x') + "\u00e9\u00e9" + key + "\"";
+    for (const std::string& name : {key, accented}) {
+        const std::string said = complaint(name + " = 1\n" + name + " = 2\n");
+        const std::size_t sign = said.find("…");
+        ASSERT_NE(sign, said.npos) << said;
+        EXPECT_LT(sign, 300u);
+        EXPECT_TRUE(is_utf8(said));
+        EXPECT_NE(said.find("twice"), said.npos) << "the advice follows";
     }
 }
 
