@@ -80,6 +80,9 @@ float mean_input_side(const BrainGraph& brain, const Places& places, NodeId id, 
     return count > 0 ? sum / static_cast<float>(count) : 0;
 }
 
+// 0 for a name that ends in L, 2 for one that ends in R, else 1.
+int side_of_name(const Node& node) { return node.name.ends_with('L') ? 0 : node.name.ends_with('R') ? 2 : 1; }
+
 // Spreads the neurons of one row across the deck; returns their distance, m.
 float spread_row(const BrainGraph& brain, Places& places, int row, float x, float half_width) {
     std::vector<std::pair<float, NodeId>> across;
@@ -88,7 +91,11 @@ float spread_row(const BrainGraph& brain, Places& places, int row, float x, floa
         if (node.kind == NodeKind::neuron && found != places.end() && found->second.row == row)
             across.push_back({mean_input_side(brain, places, node.id, row), node.id});
     }
-    std::stable_sort(across.begin(), across.end(), [](auto& a, auto& b) { return a.first < b.first; });
+    // From right to left, as y points. Of several at one place the order is that of tidy() from the last to the first.
+    std::stable_sort(across.begin(), across.end(), [&](const auto& a, const auto& b) {
+        const auto rank = [&](NodeId id) { return std::pair(side_of_name(*find_node(brain, id)), id); };
+        return a.first != b.first ? a.first < b.first : rank(a.second) > rank(b.second);
+    });
     const float apart = std::min(0.14f, 2 * half_width / static_cast<float>(std::max<std::size_t>(across.size(), 1)));
     for (std::size_t i = 1; i < across.size(); ++i)
         across[i].first = std::max(across[i].first, across[i - 1].first + apart);

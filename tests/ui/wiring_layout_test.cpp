@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "core/brain/edit.h"
 #include "core/brain/four_neurons.h"
+#include "core/scene/scene_file.h"
+#include "ui/panels/brain_layout.h"
 #include "ui/wiring/layout.h"
 
 namespace braitenlab::tests::wiring_layout_test {
@@ -41,6 +45,34 @@ BrainGraph chain(int count) {
 
 bool overlap(vec2 a, vec2 a_size, vec2 b, vec2 b_size) {
     return std::abs(a.x - b.x) * 2 < a_size.x + b_size.x && std::abs(a.y - b.y) * 2 < a_size.y + b_size.y;
+}
+
+// Names of the neurons of the first kind that stand in one line in both pictures, and are in another order there.
+std::string mirrored(const std::string& scene_name) {
+    const auto scene =
+        load_scene(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/scenes" / (scene_name + ".toml"));
+    if (!scene) return scene.error().text();
+    const Kind& kind = scene->kinds.front();
+    const Positions places = tidy(kind.brain);
+    std::string found;
+    for (const bool is_sideways : {false, true}) {
+        const Rect area{0, 0, 400, 200};
+        const auto parts = is_sideways ? ui::sketch::lay_out_sideways(kind.brain, kind, {}, area, 1)
+                                       : ui::sketch::lay_out_graph(kind.brain, kind, {}, area, 1);
+        for (const auto& a : parts.neurons)
+            for (const auto& b : parts.neurons) {
+                const vec2 one = places.at(a.node->id), next = places.at(b.node->id);
+                const float along = is_sideways ? a.at.x - b.at.x : a.at.y - b.at.y;
+                const float across = is_sideways ? a.at.y - b.at.y : a.at.x - b.at.x;
+                if (one.x == next.x && std::fabs(along) < 1 && (one.y < next.y) != (across < 0) && a.node != b.node)
+                    found += a.name + " and " + b.name + ", ";
+            }
+    }
+    return found;
+}
+
+TEST(WiringLayout, ThePictureOfABrainHasTheLeftSideWhereTheDiagramHasItAbove) {
+    for (const char* scene : {"5-logic", "7-mnemotrix", "tortoise"}) EXPECT_EQ(mirrored(scene), "") << scene;
 }
 
 TEST(WiringLayout, HasEyesLeftMotorsRightAndLeftAboveRight) {
