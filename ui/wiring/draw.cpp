@@ -10,6 +10,7 @@
 #include "core/utf8.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::wiring {
@@ -84,15 +85,18 @@ void fade_out(ImDrawList& list, const ImVec2* pairs, int count, ImU32 colour) {
         list.PrimWriteVtx(pairs[i], white, i % 2 == 0 ? colour : colour & ~IM_COL32_A_MASK);
 }
 
-// The least width of a neuron's card in which every neuron's name is whole on the map, within the gap of two columns.
+// The least width of a neuron's card in which every neuron's name is whole, and beside its curve also the widest
+// number, within the gap of two columns.
 float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
     const float least = LetterRoom{}.neuron_width, most = 1.6f * least;
     const float own = compat::size_of(font(pen.ui, Face::strong)), height = pen.least_type() / pen.view.scale;
-    float widest = 0;
+    const bool map = detail_of(pen) == Detail::map;
+    const float beside = map ? 2 * map_name_margin : beside_neuron_text;
+    float widest = map ? 0 : text_width(pen.ui, Face::text, with_sign(pen.ui, 1, 2));
     for (const Node& node : graph.nodes)
         if (node.kind == NodeKind::neuron)
             widest = std::max(widest, text_width(pen.ui, Face::strong, shown_name(pen.ui, view, vehicle, node)));
-    return std::clamp(std::ceil(widest * height / own) + 2 * map_name_margin, least, most);
+    return std::clamp(std::ceil(widest * height / own) + beside, least, most);
 }
 
 // The obstacle sensors of a brain that a lecture watches, beside four numbers of another channel: they keep the vehicle
@@ -227,9 +231,8 @@ LetterRoom letter_room(const Pen& pen, const LabView& view, const VehicleView& v
     if (detail != Detail::map) {
         const float growth = pen.least_type() / pen.size(label_letters(detail));
         room.label_growth = std::max(1.0f, std::ceil(growth * steps) / steps);
-    } else if (view.lecture) {
-        room.neuron_width = neuron_width(pen, view, vehicle, graph);
     }
+    if (view.lecture) room.neuron_width = neuron_width(pen, view, vehicle, graph);
     const bool has_neurons = std::any_of(graph.nodes.begin(), graph.nodes.end(),
                                          [](const Node& node) { return node.kind == NodeKind::neuron; });
     room.has_free_labels = !view.lecture || !has_neurons;

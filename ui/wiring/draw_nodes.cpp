@@ -136,10 +136,11 @@ std::string name_of(const Pen& pen, const Picture& picture, const Node& node) {
 
 // The text of a card begins here, right of its icon; and ends here.
 float text_left(const NodeShape& shape) {
-    return shape.centre.x - shape.size.x / 2 + (shape.kind == NodeKind::neuron ? 66.0f : 78.0f);
+    return shape.centre.x - shape.size.x / 2 + (shape.kind == NodeKind::neuron ? before_neuron_text : 78.0f);
 }
 float text_right(const NodeShape& shape) {
-    return shape.centre.x + shape.size.x / 2 - (shape.kind == NodeKind::neuron ? 14.0f : 18.0f);
+    return shape.centre.x + shape.size.x / 2 -
+           (shape.kind == NodeKind::neuron ? beside_neuron_text - before_neuron_text : 18.0f);
 }
 
 // The width for the name in a card, beside the number in a sensor's or motor's card of full detail.
