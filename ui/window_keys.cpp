@@ -72,6 +72,14 @@ bool works_in_watched_canvas(KeyPress press) {
     return press.key != key::tab && (press.ctrl || press.key >= key::escape);
 }
 
+// True for a key that walks through the neurons of the diagram beside the scene: while it has the focus, and always in
+// a lecture.
+bool walks_watched_nodes(const LabView& view, const PanelState& state, KeyPress press) {
+    const auto action = action_for(press, KeyPlace::canvas);
+    if (view.mode == Mode::wiring || (action != Action::next_node && action != Action::previous_node)) return false;
+    return state.keyboard.focus == wiring::canvas_focus || (view.lecture && watches_diagram(view, state));
+}
+
 // Keys that work while a sheet is open: those of the window. Keys of the lab do nothing.
 bool works_under_a_sheet(KeyPress press) {
     const auto action = action_for(press);
@@ -267,6 +275,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;
     const bool watched = state.keyboard.focus == wiring::canvas_focus && view.mode != Mode::wiring;
     if (watched && works_in_watched_canvas(press) && key_for_canvas(state.canvas, press)) return true;
+    if (walks_watched_nodes(view, state, press) && key_for_canvas(state.canvas, press)) return true;
     if (key_for_focus(state.keyboard, press)) return true;
     const bool on_a_card = action_for(press) == Action::lesion && !state.brain.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;

@@ -229,6 +229,24 @@ TEST_F(LectureKeys, AKeyOfAnImpossibleActionSaysWhy) {
     }
 }
 
+TEST_F(LectureKeys, XWalksThroughTheDiagramBesideTheScene) {
+    show(1, 0);
+    desk.view.pages = nullptr;
+    desk.view.settings.watching = true;
+    desk.frame(4);
+    desk.all.clear();
+    desk.key({'X'});
+    EXPECT_TRUE(desk.actions().empty()) << "it is a key of the diagram";
+    desk.frame(3);
+    EXPECT_EQ(desk.panels.canvas.selection.nodes.size(), 1u);
+    EXPECT_TRUE(desk.anchors.find("canvas.sum"));
+    desk.view.settings.watching = false;
+    desk.frame(2);
+    desk.key({'X'});
+    ASSERT_TRUE(desk.last<NoticeRequest>());
+    EXPECT_EQ(desk.last<NoticeRequest>()->key, "unavailable.no_objects") << "it is the key of the scene";
+}
+
 TEST_F(LectureKeys, AskFirstIsAKeyOfTheLectureThatTheAudienceDoesNotSee) {
     show(1, 0);
     desk.key({'F', false, true});

@@ -247,6 +247,34 @@ TEST_F(WiringInput, AlignmentAndTidyingAreEdits) {
     EXPECT_EQ(edits.size(), 3u) << "the brain is tidy already";
 }
 
+TEST_F(WiringInput, KeysWalkThroughNeuronsAndMotorsWhichShowTheirSums) {
+    BrainGraph graph = *now.brains[0];
+    for (const NodeId id : {10u, 11u}) {
+        Node neuron;
+        neuron.id = static_cast<NodeId>(id), neuron.name = "N" + std::to_string(id);
+        graph.nodes.push_back(neuron);
+        graph.wires.push_back({SL, neuron.id, 0.5f});
+        graph.wires.push_back({neuron.id, ML, 0.5f});
+    }
+    now.brains[0] = std::make_shared<const BrainGraph>(graph);
+    now.neurons.resize(4);
+    now.vehicles[0].neuron_count = 4;
+    frames(2);
+    const auto selected = [&] {
+        return state.selection.nodes.size() == 1 ? *state.selection.nodes.begin() : NodeId(99);
+    };
+    for (const NodeId wanted : {NodeId(10), NodeId(11), ML, MR, NodeId(10)}) {
+        key(Action::next_node);
+        EXPECT_EQ(selected(), wanted);
+        EXPECT_TRUE(anchors.find("canvas.sum")) << wanted;
+    }
+    key(Action::previous_node);
+    EXPECT_EQ(selected(), MR);
+    state.selection = {{}, {{SL, ML}}};
+    key(Action::previous_node);
+    EXPECT_EQ(selected(), MR) << "without a node the last one";
+}
+
 TEST_F(WiringInput, ArrowKeysMoveTheSelectionAndDelRemovesIt) {
     key(Action::step_down);
     EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL})) << "without a focus the first card";

@@ -61,6 +61,10 @@ std::string_view no_node_to_probe(const LabView& view, const PanelState& state) 
     return state.canvas.selection.nodes.empty() ? "unavailable.no_node" : "";
 }
 
+std::string_view no_nodes_in_sight(const LabView& view, const PanelState& state) {
+    return view.mode == Mode::wiring || watches_diagram(view, state) ? "" : "unavailable.no_diagram";
+}
+
 std::string_view no_node_to_join(const LabView& view, const PanelState& state) {
     if (view.mode != Mode::wiring) return "unavailable.wiring_only";
     return state.canvas.selection.nodes.size() == 1 ? "" : "wiring.refused.join_one";
@@ -239,6 +243,10 @@ std::vector<Action> actions_in(Menu menu) {
         return std::pair(x.section, x.row) < std::pair(y.section, y.row);
     });
     return found;
+}
+
+bool watches_diagram(const LabView& view, const PanelState& state) {
+    return view.settings.watching && view.mode != Mode::wiring && !state.map.replaces_diagram;
 }
 
 std::string_view why_unavailable(const LabView& view, const PanelState& state, Action action) {

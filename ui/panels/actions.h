@@ -45,6 +45,9 @@ std::string_view why_unavailable(const LabView&, const PanelState&, Action);
 // Whether the action is a switch that is on; nullopt for other actions.
 std::optional<bool> switched_on(const LabView&, const PanelState&, Action);
 
+// True while the wiring diagram is beside or below the scene.
+bool watches_diagram(const LabView&, const PanelState&);
+
 // Executes what the action does to the panels. False for an action of the lab.
 bool act_on_panels(const Acting&, Action);
 

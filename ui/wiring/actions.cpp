@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/brain/four_neurons.h"
 #include "ui/wiring/edits.h"
@@ -64,17 +66,42 @@ void step_in_menu(CanvasMenu& menu, Direction direction) {
     if (direction == Direction::up) menu.current = (std::max(menu.current, 0) + count - 1) % count;
 }
 
+// Moves the camera to the part in focus. A fitted brain is in sight, and stays fitted.
+void reveal_focus(CanvasState& state, const CanvasFrame& frame) {
+    const auto at = centre_of(frame.layout, state.focus);
+    if (!at) return;
+    const maths::vec2 pixel = view_of(state.camera, frame.area, frame.ui_scale).to_window(*at);
+    if (state.camera.by_user || !frame.area.contains(pixel.x, pixel.y))
+        reveal(state.camera, frame.area, frame.ui_scale, *at);
+}
+
+// Selects the next neuron or motor, column by column and from top to bottom: the parts that have a sum.
+template <int count>
+void step_to_node(CanvasState& state, const CanvasFrame& frame, Outbox&) {
+    std::vector<const NodeShape*> nodes;
+    for (const NodeShape& each : frame.layout.nodes)
+        if (each.kind != NodeKind::sensor) nodes.push_back(&each);
+    if (nodes.empty() || state.joining) return;
+    std::sort(nodes.begin(), nodes.end(), [](const NodeShape* a, const NodeShape* b) {
+        return std::tie(a->centre.x, a->centre.y, a->id) < std::tie(b->centre.x, b->centre.y, b->id);
+    });
+    const bool has_one = state.selection.nodes.size() == 1 && state.selection.wires.empty();
+    const auto now = std::find_if(nodes.begin(), nodes.end(), [&](const NodeShape* each) {
+        return has_one && each->id == *state.selection.nodes.begin();
+    });
+    const auto all = static_cast<std::ptrdiff_t>(nodes.size());
+    const std::ptrdiff_t from = now != nodes.end() ? now - nodes.begin() : count > 0 ? -1 : all;
+    state.focus = {Part::node, nodes[static_cast<std::size_t>((from + count + all) % all)]->id, {}};
+    select(state, state.focus, false);
+    reveal_focus(state, frame);
+}
+
 template <Direction direction>
 void step(CanvasState& state, const CanvasFrame& frame, Outbox&) {
     if (state.menu.open()) return step_in_menu(state.menu, direction);
     state.focus = next_in(direction, frame.layout, state.focus, state.joining.has_value());
     if (!state.joining && state.focus.part != Part::nothing) select(state, state.focus, false);
-    const auto at = centre_of(frame.layout, state.focus);
-    if (!at) return;
-    // A fitted brain is in sight, and stays fitted.
-    const maths::vec2 pixel = view_of(state.camera, frame.area, frame.ui_scale).to_window(*at);
-    if (state.camera.by_user || !frame.area.contains(pixel.x, pixel.y))
-        reveal(state.camera, frame.area, frame.ui_scale, *at);
+    reveal_focus(state, frame);
 }
 
 void begin_joining(CanvasState& state, const CanvasFrame& frame, Outbox&) {
@@ -136,6 +163,8 @@ constexpr CanvasAction canvas_actions[]{
     {Action::step_right, step<Direction::right>, true},
     {Action::step_up, step<Direction::up>, true},
     {Action::step_down, step<Direction::down>, true},
+    {Action::next_node, step_to_node<1>},
+    {Action::previous_node, step_to_node<-1>},
     {Action::erase, erase_selected},
     {Action::fit, [](CanvasState& state, const CanvasFrame& frame,
                      Outbox&) { fit(state.camera, frame.layout, frame.area, frame.ui_scale, frame.has_buttons); }},
