@@ -191,6 +191,40 @@ TEST_F(AuthorSheet, ItsTabsStayWhereTheyAreWhenAListOpens) {
     EXPECT_EQ(desk.where("author.page.4").y, before.y);
 }
 
+TEST_F(AuthorSheet, HasOneHeightOnEveryPageAndStaysAfterAClickBesideIt) {
+    for (const ImVec2 size : {ImVec2{1024, 768}, ImVec2{1280, 800}, ImVec2{1920, 1080}}) {
+        ImGui::GetIO().DisplaySize = size;
+        page(3);
+        desk.frame(4);
+        const Rect before = desk.where("card.author");
+        for (int i = 1; i <= 5; ++i) {
+            page(i);
+            desk.frame(4);
+            const Rect now = desk.where("card.author");
+            EXPECT_EQ(now.y, before.y) << i << " at " << size.x;
+            EXPECT_EQ(now.h, before.h) << i << " at " << size.x;
+        }
+        desk.point(before.x - 10, before.y + 10);
+        desk.frame(2);
+        desk.button(0, true);
+        desk.frame(2);
+        desk.button(0, false);
+        desk.frame(2);
+        ASSERT_TRUE(desk.anchors.find("card.author")) << "what is typed stays in sight";
+    }
+}
+
+TEST_F(AuthorSheet, TheAnswerIsVisibleWithinTheRun) {
+    fill_in();
+    page(4);
+    type("author.question", "Where to?");
+    type("author.option.1", "Left");
+    type("author.option.2", "Right");
+    desk.panels.sheets.author.draft.seconds = 5;
+    desk.panels.sheets.author.draft.prediction.after = 30;
+    EXPECT_EQ(saved().draft->prediction.after, 5);
+}
+
 TEST_F(AuthorSheet, TakesThePresentBrainAsAWrongAnswerOnce) {
     fill_in();
     page(5);

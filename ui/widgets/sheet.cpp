@@ -33,10 +33,8 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
     const float margin = ui.px(least_margin),
                 around = sheet_heading(ui) + state.footer + sheet_row(ui) + 2 * ui.px(sheet_pad);
     const float w = std::min(ui.px(layout_width), window.w - 2 * margin);
-    const float middle = std::min((state.usual > 0 ? state.usual : state.content) + around, window.h - 2 * margin);
-    const float top = std::floor((window.h - middle) / 2),
-                h = std::min(state.content + around, window.h - margin - top);
-    const Rect r{window.x + std::floor((window.w - w) / 2), window.y + top, w, h};
+    const float h = std::min((state.fixed > 0 ? state.fixed : state.content) + around, window.h - 2 * margin);
+    const Rect r{window.x + std::floor((window.w - w) / 2), window.y + std::floor((window.h - h) / 2), w, h};
 
     begin_bar(ui, std::string(id).c_str(), window, true);
     hold_keyboard(ui.keyboard);

@@ -10,8 +10,7 @@ namespace braitenlab::ui {
 
 struct SheetState {
     float content = 0;        // height of its body in the last frame, window pixels; decides its height in the next one
-    float usual = 0;          // of the body: the sheet is in the middle so high, and extends down where it is higher;
-                              // window pixels, 0: it is always in the middle
+    float fixed = 0;          // of the body, which scrolls where it has more; window pixels, 0: as high as its content
     float footer = 0;         // of what stands between body and buttons, window pixels; likewise
     bool is_resized = false;  // in the last frame one of these had another height than in the one before
     Rect rect;                // in this frame

@@ -23,7 +23,7 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels: of a page, so that the buttons stay in their place; what a sheet as high as the window has besides.
-constexpr float page_height = 600, around_page = 148;
+constexpr float page_height = 726, around_page = 148;
 
 struct AuthorSheet : AuthorFields {
     // ── The pages ──
@@ -178,17 +178,14 @@ void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) 
     }
     const AuthorSheet parts{{view, panels, state, ui}};
     SheetState& sheet = open_sheet(panels, ui, Sheet::author, window);
-    // The tabs stay under the pointer.
-    const float height = std::min(ui.px(page_height), window.h - ui.px(around_page)) - sheet.footer;
-    sheet.usual = height;
-    const float bottom = ImGui::GetCursorPosY() + height;
+    // Tabs and buttons stay under the pointer.
+    sheet.fixed = std::min(ui.px(page_height), window.h - ui.px(around_page)) - sheet.footer;
     parts.pages();
-    if (ImGui::GetCursorPosY() < bottom) ImGui::Dummy({1, bottom - ImGui::GetCursorPosY()});
     sheet_buttons(ui, sheet, parts.problem());
     parts.buttons();
     if (!state.begun && ui.keyboard) ui.keyboard->focus = "author.title", ui.keyboard->revealed = true;
     state.begun = true;
-    if (end_sheet(sheet)) panels.sheet = Sheet::none;
+    (void)end_sheet(sheet);  // a click beside it would take what is typed out of sight
 }
 
 }  // namespace braitenlab::ui
