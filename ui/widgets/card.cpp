@@ -210,7 +210,7 @@ void begin_overlay(const Ui& ui, const char* name, Rect r, Colour border) {
     ImGui::SetNextWindowSize({r.w, r.h});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin(name, nullptr, only_drawn);
-    fill_box(ui, r, ui.palette.panel.with_alpha(0.95f));
+    fill_box(ui, r, ui.palette.panel);  // opaque: lamps and labels below words make them hard to read
     line_box(ui, r, border, Corner::box, 1.25f);
 }
 
