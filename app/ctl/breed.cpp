@@ -184,6 +184,7 @@ std::string summary_text(const BreedingBase& base, const BreedingState& state) {
         }
         text += '\n';
     }
+    if (rows < count) text += fmt::format("{} of {} generations; --csv has all\n", rows, count);
     text +=
         "\nbest and median: scores against the opponents of the generation, which change, too; a rise there is no "
         "progress by itself.\n";
