@@ -297,7 +297,10 @@ private:
 
     void draw_weight(ImVec2 at, const Wire& wire) {
         const Face face = is_low() ? Face::strong : Face::title;
-        const std::string words = with_sign(ui_, wire.weight, 2);
+        // What the wire does to the reading before the weight: without it the sum is not that of the numbers shown.
+        std::string words = with_sign(ui_, wire.weight, 2);
+        if (wire.threshold > 0) words += " > " + fixed(ui_, wire.threshold, 2);
+        if (wire.curve.response != Response::linear) words += " f";
         const float w = text_width(ui_, face, words) + ui_.px(14), h = line_height(ui_, face) + ui_.px(2);
         const Rect pill{at.x - w / 2, at.y - h / 2, w, h};
         fill_box(ui_, pill, ui_.palette.raised);
