@@ -148,7 +148,9 @@ struct Page {
         if (row.refusal) add(text_of(*row.refusal, strings));
         if (row.hand_in && row.hand_in->solution_shown && !row.passed) add(words("report.solution_shown"));
         if (row.unchanged) add(words("report.as_shipped"));
-        if (row.resembles) add(fill(strings("report.like"), {translated(exercise.wrong[*row.resembles].name)}));
+        if (row.resembles)
+            add(fill(strings(has_wires_of_mistake(report, row) ? "report.like" : "report.like_with_other_wires"),
+                     {translated(exercise.wrong[*row.resembles].name)}));
         if (states_another_result(report, row)) add(own_result(row));
         return text;
     }

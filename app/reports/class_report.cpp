@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -56,6 +57,17 @@ std::optional<std::size_t> same_wrong_answer(const Exercise& exercise, const Sub
     for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
         if (is_same_submission(submission, exercise.wrong[i].submission)) return i;
     return std::nullopt;
+}
+
+// From, to, and whether the weight is positive.
+using SignedWires = std::set<std::tuple<std::string, std::string, bool>>;
+
+SignedWires signed_wires(const BrainGraph& brain) {
+    SignedWires wires;
+    for (const Wire& wire : brain.wires)
+        if (wire.weight != 0 && !wire.cut)
+            wires.emplace(find_node(brain, wire.from)->name, find_node(brain, wire.to)->name, wire.weight > 0);
+    return wires;
 }
 
 std::string_view translated(const Strings& strings, const std::string& text) { return strings.find(text, text); }
@@ -315,6 +327,11 @@ std::string problem_text(const ClassRow& row, const Strings& strings) {
     return row.problem ? text_of(*row.problem, strings) : "";
 }
 
+bool has_wires_of_mistake(const ClassReport& report, const ClassRow& row) {
+    return !row.submission ||
+           signed_wires(row.submission->brain) == signed_wires(report.exercise->wrong[*row.resembles].submission.brain);
+}
+
 std::string feedback(const ClassReport& report, const ClassRow& row, const Strings& strings) {
     if (is_superseded(row)) return problem_text(row, strings);
     if (row.problem) return fill(strings("report.not_judged"), {own_problem_text(row, strings)});
@@ -329,7 +346,9 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
     if (row.unchanged)
         return text + std::string(strings(row.edited ? "report.no_effect" : "report.unchanged")) + " " + step;
     if (!row.resembles) return text + step;
-    // The behaviour is alike, not necessarily the brain: the text is that of the other answer.
+    // The behaviour is alike. What the text of the other answer says of wires is true only of a brain with the same.
+    if (!has_wires_of_mistake(report, row))
+        return text + std::string(strings("report.alike_with_other_wires")) + " " + step;
     const std::string words(translated(strings, report.exercise->wrong[*row.resembles].text));
     return text + fill(strings("report.alike"), {words}) + " " + step;
 }

@@ -90,6 +90,10 @@ void sort_by_student(std::vector<ClassRow>&);
 // `wrong` are the grades of the shipped brain and of the wrong answers from the same seeds.
 void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::vector<Grade>& wrong);
 
+// True if the submission has the wires of the wrong answer that it resembles, with the same signs: else what that
+// answer's text says of wires is not true of it. Precondition: the row has `resembles`.
+bool has_wires_of_mistake(const ClassReport&, const ClassRow&);
+
 // Number of starts from which the step was done.
 int starts_done(const Grade&, std::size_t step);
 

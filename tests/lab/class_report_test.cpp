@@ -78,6 +78,26 @@ TEST(ClassReport, ANameOfAFolderInDecomposedLettersIsTheSameName) {
     }
 }
 
+TEST(ClassReport, TheTextOfAWrongAnswerIsSaidOnlyOfABrainWithItsWires) {
+    ClassReport report = graded({row("b", hand_in("B", four_wires))});
+    ClassRow& like = report.rows[0];
+    ASSERT_TRUE(like.resembles);
+    const std::string text = aggressor()->wrong[*like.resembles].text;
+    for (const std::string& language : shipped_codes()) {
+        const Strings& strings = speaking(language);
+        like.submission->brain = four_wires;
+        EXPECT_TRUE(has_wires_of_mistake(report, like));
+        EXPECT_NE(feedback(report, like, strings).find(strings.find(text, text)), std::string::npos);
+        like.submission->brain = make_graph({.LR = 1.4f, .LM = 0.1f, .RM = 0.1f});
+        EXPECT_FALSE(has_wires_of_mistake(report, like));
+        const std::string other = feedback(report, like, strings);
+        EXPECT_EQ(other.find(strings.find(text, text)), std::string::npos) << other;
+        EXPECT_NE(other.find(strings("report.alike_with_other_wires")), std::string::npos) << other;
+        like.submission->brain = make_graph({.LL = 1.4f, .LR = 1.4f, .RL = -1.4f, .RR = 1.4f});
+        EXPECT_FALSE(has_wires_of_mistake(report, like)) << "another sign is another wire";
+    }
+}
+
 TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
     const ClassReport report =
         graded({row("a", hand_in("A", good)), row("b", hand_in("B", four_wires)), row("c", hand_in("C", as_at_first))});
