@@ -112,15 +112,16 @@ void cancel(Lab& lab) {
     end_lecture(lab);
 }
 
-// After a reveal it hides all again; it ends while all is hidden.
+// Reveals this scene, or hides it again; the next scene is hidden. It ends with the lecture.
 void ask_first(Lab& lab) {
     if (!lab.before_lecture) return;
     Revealed& revealed = lab.view.revealed;
-    revealed = revealed == hidden_until_asked ? Revealed{} : hidden_until_asked;
-    if (!revealed.asks_first)
-        say(lab, {NoticeKind::notice, "notice.asks_no_more"});
-    else if (!lab.pages && !lab.lectures.tally)
-        say(lab, {NoticeKind::notice, std::string(hidden_notice)});
+    if (revealed == hidden_until_asked) {
+        revealed = revealed_after_asking;
+        return say(lab, {NoticeKind::notice, "notice.asks_again"});
+    }
+    revealed = hidden_until_asked;
+    if (!lab.pages && !lab.lectures.tally) say(lab, {NoticeKind::notice, std::string(hidden_notice)});
 }
 
 // Shows the intensity of the next channel that has one in this scene; after the last, none.

@@ -72,6 +72,7 @@ struct Revealed {
     friend bool operator==(const Revealed&, const Revealed&) = default;
 };
 inline constexpr Revealed hidden_until_asked{.title = false, .character = false, .brain = false, .asks_first = true};
+inline constexpr Revealed revealed_after_asking{.asks_first = true};
 
 struct ViewSettings {
     Camera camera;

@@ -545,13 +545,15 @@ TEST_F(LabLecturePages, AskFirstHidesTitleCharacterAndBrainOfEachSceneThatIsOpen
     open("2b-aggressor");
     EXPECT_EQ(lab.view.revealed, hidden);
     press({'F', false, true});
-    EXPECT_EQ(lab.view.revealed, Revealed{});
-    press({'F', false, true});
+    EXPECT_EQ(lab.view.revealed, revealed_after_asking);
+    EXPECT_TRUE(disclosure_of(lab).brains);
+    open("3a-love");
+    EXPECT_EQ(lab.view.revealed, hidden) << "the next riddle after a reveal by the same key";
     press({key::f9});
     EXPECT_EQ(lab.view.revealed, Revealed{}) << "it ends with the lecture";
 }
 
-TEST_F(LabLecturePages, AfterARevealAskFirstHidesAllAgainAndItsEndIsSaid) {
+TEST_F(LabLecturePages, AfterARevealAskFirstHidesAllAgainAndSaysThatItGoesOn) {
     handle(lab, Action::lecture);
     press({'F', false, true});
     EXPECT_EQ(lab.notice.key, "notice.asks_first");
@@ -562,8 +564,10 @@ TEST_F(LabLecturePages, AfterARevealAskFirstHidesAllAgainAndItsEndIsSaid) {
     EXPECT_EQ(lab.view.revealed, hidden_until_asked);
     EXPECT_EQ(lab.notice.key, "notice.asks_first");
     press({'F', false, true});
-    EXPECT_EQ(lab.view.revealed, Revealed{});
-    EXPECT_EQ(lab.notice.key, "notice.asks_no_more");
+    EXPECT_EQ(lab.view.revealed, revealed_after_asking);
+    EXPECT_EQ(lab.notice.key, "notice.asks_again");
+    press({'F', false, true});
+    EXPECT_EQ(lab.view.revealed, hidden_until_asked);
 }
 
 TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhyThereIsNone) {
