@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/course/lab_progress.h"
 #include "app/files/disk.h"
 #include "app/files/file_commands.h"
 #include "app/lab_requests.h"
