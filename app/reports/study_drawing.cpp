@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "app/reports/axes.h"
 #include "app/reports/svg_file.h"
+#include "ui/words/measure_text.h"
 
 namespace braitenlab {
 
@@ -50,12 +52,18 @@ public:
 
     std::string panel(std::size_t measure, const std::string& x_label, const std::string& y_label) const {
         std::vector<std::vector<SeriesPoint>> series(names_.size());
+        std::vector<std::vector<double>> empty(names_.size());  // levels without a value
         double low = INFINITY, high = -INFINITY;
         for (std::size_t i = 0; i < study_.combinations(); ++i) {
             const maths::Spread spread = insight::summary_of(study_, rows_, i, measure).spread;
-            if (spread.count == 0 || !std::isfinite(spread.median)) continue;
-            const auto name = std::find(names_.begin(), names_.end(), series_of(i)) - names_.begin();
-            series[static_cast<std::size_t>(name)].push_back({levels()[levels_of(study_, i)[across_]], spread});
+            const auto name =
+                static_cast<std::size_t>(std::find(names_.begin(), names_.end(), series_of(i)) - names_.begin());
+            const double level = levels()[levels_of(study_, i)[across_]];
+            if (!has_value(spread)) {
+                empty[name].push_back(level);
+                continue;
+            }
+            series[name].push_back({level, spread});
             for (const double number : {spread.lower, spread.median, spread.upper})
                 if (std::isfinite(number)) low = std::min(low, number), high = std::max(high, number);
         }
@@ -72,7 +80,13 @@ public:
             std::sort(series[i].begin(), series[i].end(), [](const auto& a, const auto& b) { return a.x < b.x; });
             out += line(series[i], i, frame);
         }
-        return out;
+        return out + empty_places(empty, frame);
+    }
+
+    bool has_every_value(std::size_t measure) const {
+        for (std::size_t i = 0; i < study_.combinations(); ++i)
+            if (!has_value(insight::summary_of(study_, rows_, i, measure).spread)) return false;
+        return true;
     }
 
     std::string legend() const {
@@ -87,6 +101,8 @@ public:
     }
 
 private:
+    static bool has_value(const maths::Spread& spread) { return spread.count > 0 && std::isfinite(spread.median); }
+
     const std::vector<double>& levels() const { return study_.values[across_].levels; }
 
     // The other values of a combination, "speed 1.3 m/s"; empty for a study of one value.
@@ -94,11 +110,9 @@ private:
         const std::vector<std::size_t> levels = levels_of(study_, combination);
         std::string text;
         for (std::size_t i = 0; i < levels.size(); ++i)
-            if (i != across_) {
-                std::string level = level_text(study_.values[i], levels[i]);
-                std::replace(level.begin(), level.end(), '.', decimal_mark(strings_));
-                text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(i), level);
-            }
+            if (i != across_)
+                text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(i),
+                                    ui::level_words(strings_, study_.values[i], levels[i]));
         return text;
     }
 
@@ -125,7 +139,7 @@ private:
     }
 
     std::string line(const std::vector<SeriesPoint>& points, std::size_t index, const PlotFrame& frame) const {
-        const float aside = aside_ * (static_cast<float>(index) - static_cast<float>(names_.size() - 1) / 2);
+        const float aside = aside_of(index);
         std::string path, bars, dots;
         for (const SeriesPoint& point : points) {
             const float x = frame.x_of(point.x) + aside, y = y_of(frame, point.spread.median);
@@ -139,6 +153,27 @@ private:
             "<g stroke=\"{0}\" fill=\"{0}\"><path d=\"{1}\" fill=\"none\" stroke-width=\"2\"{2}/>\n"
             "<path d=\"{3}\" fill=\"none\" stroke-width=\"1.5\"/>\n{4}</g>\n",
             colour(index), path, dashes(index), bars, dots);
+    }
+
+    float aside_of(std::size_t series) const {
+        return aside_ * (static_cast<float>(series) - static_cast<float>(names_.size() - 1) / 2);
+    }
+
+    // A ring at the lower edge for each series without a value at a level, and words where no series has one.
+    std::string empty_places(const std::vector<std::vector<double>>& empty, const PlotFrame& frame) const {
+        std::string out;
+        std::map<double, std::size_t> series_without;
+        for (std::size_t i = 0; i < empty.size(); ++i)
+            for (const double level : empty[i]) {
+                const float x = frame.x_of(level);
+                out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"#fff\" stroke=\"{}\"/>\n",
+                                   x + aside_of(i), frame.height - 7, colour(i));
+                if (++series_without[level] == names_.size())
+                    out += words_at(
+                        0, 0, strings_("report.no_value"),
+                        fmt::format(" transform=\"translate({:.1f} {:.1f}) rotate(-90)\"", x + 5, frame.height - 18));
+            }
+        return out;
     }
 
     const Study& study_;
@@ -173,9 +208,14 @@ std::string study_drawing(const Study& study, const std::vector<insight::StudyRo
     drawn += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", panel_left + panel_width + 24, panel_top,
                          panels.legend());
     const float below = panel_top + panel_step * static_cast<float>(study.measures.size());
-    drawn += words_at(
-        panel_left, below - 18,
-        fill(strings("report.study_bars"), {std::to_string(study.seeds), tick_text(study.seconds, 1, strings)}));
+    std::string caption =
+        fill(strings("report.study_bars"), {std::to_string(study.seeds), tick_text(study.seconds, 1, strings)});
+    for (std::size_t i = 0; i < study.measures.size(); ++i)
+        if (!panels.has_every_value(i)) {
+            caption += " ○: " + std::string(strings("report.no_value")) + ".";
+            break;
+        }
+    drawn += words_at(panel_left, below - 18, caption);
     return svg_file(labels.title.empty() ? strings.find(study.title, study.title) : labels.title,
                     panel_left + panel_width + panel_legend, below + 10, drawn);
 }

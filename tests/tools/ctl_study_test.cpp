@@ -76,6 +76,25 @@ TEST(CtlStudy, DrawsMediansAndQuartilesWithNamedAxes) {
     std::filesystem::remove(file), std::filesystem::remove(svg);
 }
 
+TEST(CtlStudy, AFigureHasAnEmptyPlaceForALevelWithoutAValue) {
+    const std::string file = scratch("empty-study.toml"), svg = scratch("empty-study.svg");
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nseconds = 5\nseeds = 2\n"
+                           "measures = [\"touch\"]\n[[value]]\nname = \"weight\"\n"
+                           "paths = [\"kind.aggressor.brain.LR\", \"kind.aggressor.brain.RL\"]\nlevels = [-1, 1.5]\n"
+                           "[[value]]\nname = \"drive\"\npaths = [\"kind.aggressor.brain.LM\"]\nlevels = [-0.1, 0.1]\n";
+    for (const auto& [language, words] : {std::pair{"en", ">no value</text>"}, {"de", ">kein Wert</text>"}}) {
+        const Ran ran = ctl("study " + file + " --svg " + svg + " --lang " + language);
+        ASSERT_EQ(ran.code, 0) << ran.out;
+        const std::string text = shell("cat " + svg).out;
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+        EXPECT_NE(text.find("fill=\"#fff\" stroke=\"#0072b2\""), std::string::npos) << "the ring of its series";
+        EXPECT_NE(text.find("drive −0"), std::string::npos) << "a minus, no hyphen";
+        EXPECT_NE(text.find("○: "), std::string::npos) << "what a ring is";
+        EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
+    }
+    std::filesystem::remove(file), std::filesystem::remove(svg);
+}
+
 TEST(CtlStudy, AFigureHasTheWordsOfTheTableAndBarsSideBySide) {
     const std::string file = scratch("drawn-study.toml"), svg = scratch("study.svg");
     std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"predator-prey\"\nseconds = 1\nseeds = 2\n"

@@ -20,6 +20,7 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/measure_text.h"
 #include "ui/words/strings.h"
 
 namespace braitenlab::ui {
@@ -44,9 +45,8 @@ std::string row_words(const Ui& ui, const Study& study, std::size_t combination)
     const std::vector<std::size_t> levels = levels_of(study, combination);
     std::string words;
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        std::string level = level_text(study.values[i], levels[i]);
-        std::replace(level.begin(), level.end(), '.', decimal_mark(ui.strings));
-        words += (i > 0 ? ", " : "") + std::string(translated(ui, study.values[i].name)) + " " + level;
+        words += (i > 0 ? ", " : "") + std::string(translated(ui, study.values[i].name)) + " " +
+                 level_words(ui.strings, study.values[i], levels[i]);
     }
     return words;
 }

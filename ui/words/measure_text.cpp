@@ -85,6 +85,12 @@ std::string measure_text(const Strings& strings, const Measure& measure, bool do
     return unbroken(fill(strings(key), {value, number(measure.needed)}));
 }
 
+std::string level_words(const Strings& strings, const insight::StudyValue& value, std::size_t level) {
+    std::string words = level_text(value, level);
+    std::replace(words.begin(), words.end(), '.', decimal_mark(strings));
+    return words.starts_with('-') ? "−" + words.substr(1) : words;
+}
+
 std::string axis_name(const Strings& strings, const insight::AxisValue& value) {
     constexpr std::string_view of_threshold = "threshold_";
     constexpr std::array owners{"", "sensor_", "body_", "start_", "source_", "arena_"};  // by ValueOwner

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/insight/axis_value.h"
+#include "core/insight/study_file.h"
 #include "core/lesson/goals.h"
 #include "ui/words/strings.h"
 
@@ -15,6 +16,9 @@ std::string measure_text(const Strings&, const Measure&, bool done);
 
 // The measured value alone: "0.55 m".
 std::string value_text(const Strings&, const Measure&);
+
+// A level of a study's value with its unit, as text of figures and sheets: "−1.5 m".
+std::string level_words(const Strings&, const insight::StudyValue&, std::size_t level);
 
 // The name of a value of an axis: "mass", "lamp strength"; of dials "LL = RR", "θ LL".
 std::string axis_name(const Strings&, const insight::AxisValue&);
