@@ -186,6 +186,9 @@ std::set<std::string> composed() {
           "source_y",     "source_strength",  "arena_ambient",      "arena_friction",
           "arena_grip"})
         keys.insert("map.value." + std::string(value));
+    const auto exercises = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "guided";
+    for (const auto& file : std::filesystem::directory_iterator(exercises))  // ui/panels/file_lists.cpp
+        keys.insert("search." + file.path().stem().string());
     return keys;
 }
 

@@ -24,14 +24,15 @@ namespace {
 constexpr float least_list = 80, row_picture = 72;  // layout pixels
 constexpr std::size_t most_name_lines = 3;
 
-// True if the words shown of the entry have every word of the search. The title of an exercise that tells its outcome
-// is not searched until it is shown, but the name of its file from the beginning, as in the documentation: "05-a". A
-// lecturer who asks first searches what is hidden, too, and sees numbers.
+// True if the words of the entry have every word of the search: those shown, its subjects, and the name of the file, of
+// an exercise from the beginning, as in the documentation: "05-a". The title of an exercise that tells its outcome is
+// not searched until it is shown; a lecturer searches it in the chosen language and in English.
 bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
     if (entry.name.starts_with(search)) return true;
     std::string words = entry_words(view, ui, entry) + " ";
     words += entry.exercise ? translated(ui, entry.exercise->goal) : translated(ui, entry.story);
-    if (hides_titles(view)) words += " " + std::string(translated(ui, entry.title));
+    if (view.lecture) words += " " + std::string(translated(ui, entry.title)) + " " + entry.title;
+    words += " " + std::string(ui.strings.find("search." + entry.name, ""));
     if (!entry.exercise) words += " " + entry.name;
     words = plain_letters(words, Umlauts::as_vowels);
     for (std::size_t from = 0; from < search.size();) {
