@@ -1,4 +1,5 @@
 // The keys of the words: each key in the sources has words, and no words are without a key.
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <map>
