@@ -93,7 +93,7 @@ void restore_student(Lab& lab) {
 }  // namespace
 
 void follow_progress(Lab& lab) {
-    if (!lab.document.lesson || lab.pages) return;           // a page of a lecture is no attempt of a student
+    if (!lab.document.lesson || lab.pages) return;            // a page of a lecture is no attempt of a student
     if (has_draft(lab.authored.get(), lab.document)) return;  // nor is the author's trial
     Lesson& lesson = *lab.document.lesson;
     const ExerciseProgress* known = stored_progress(lab);

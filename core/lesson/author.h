@@ -10,7 +10,8 @@
 
 namespace braitenlab {
 
-// The brain that the student gets; the solution is the brain in the window. Without wires, it has the solution's drives.
+// The brain that the student gets; the solution is the brain in the window. Without wires, it has the solution's
+// drives.
 enum class ShippedBrain { of_file, without_wires };
 
 // A brain that must fail.

@@ -15,7 +15,7 @@
 
 namespace braitenlab::wiring {
 
-inline constexpr float too_small = 6;        // letters' heights, layout pixels
+inline constexpr float too_small = 6;  // letters' heights, layout pixels
 // Of a neuron's card: what is left of its words, for the curve, and beside them on both sides; units.
 inline constexpr float before_neuron_text = 66, beside_neuron_text = 80;
 inline constexpr float map_name_margin = 8;  // beside the letters in a neuron's card on the map of a lecture, units
