@@ -161,19 +161,6 @@ TEST_F(FilesSheet, ASearchFindsAnExerciseByItsSubjects) {
     }
 }
 
-TEST_F(FilesSheet, ALecturerSearchesTitlesInTheChosenLanguageAndInEnglish) {
-    desk.strings.add("Aggressor", "Angreifer");
-    desk.view.lecture = true;
-    begin_files(desk.panels.sheets.files, false);
-    desk.panels.sheets.files.place = FilesPlace::shipped;
-    desk.panels.sheet = Sheet::files;
-    for (const char* search : {"aggressor", "angreifer"}) {
-        desk.panels.sheets.files.search = search;
-        desk.frame(4);
-        EXPECT_TRUE(desk.anchors.find("gallery.05-aggressor")) << search;
-    }
-}
-
 TEST(FilesSheetNames, OfScenesAreWholeInTheSmallestWindow) {
     Desk desk(800, 600, 1, true);
     const std::string title = "Vehicle 3c: Four pairs of sensors, and what each of them prefers";

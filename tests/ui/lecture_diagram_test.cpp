@@ -115,26 +115,6 @@ TEST(LectureDiagram, AWholeNameIsInsideTheBoxOfItsNode) {
     });
 }
 
-TEST(LectureDiagram, TheEditorHasWholeNamesAndTheNumbersOfActiveNeurons) {
-    for (const Size& size : sizes)
-        for (const std::string& code : shipped_codes()) {
-            SCOPED_TRACE(code + " at " + std::to_string(size.width) + ", scale " + std::to_string(size.scale));
-            Diagram diagram(shipped_scene("5-logic"), size, code);
-            Desk& desk = diagram.desk;
-            std::fill(desk.now.neurons.begin(), desk.now.neurons.end(), 1.0f);
-            desk.view.mode = Mode::wiring;
-            desk.frame(6);
-            EXPECT_EQ(desk.shortened, 0);
-            const std::string one = code == "en" ? "1.00" : "1,00";
-            const auto numbers = std::count_if(desk.written.begin(), desk.written.end(), [&](const ui::Written& each) {
-                return each.words.starts_with("+" + one) || each.words.starts_with(one);
-            });
-            const auto& nodes = desk.now.brains[0]->nodes;
-            EXPECT_GE(numbers, std::count_if(nodes.begin(), nodes.end(),
-                                             [](const Node& node) { return node.kind == NodeKind::neuron; }));
-        }
-}
-
 TEST(LectureDiagram, SaysAtWhichSumANeuronSteps) {
     for (const std::string& code : shipped_codes())
         for (const int page : {10, 11}) {
