@@ -100,6 +100,7 @@ bool App::turn() {
     handle_files();
     lab_.dragging = ui::drags_vehicle(panels_, lab_.view.selection.vehicle);
     lab_.sheet_open = panels_.sheet != ui::Sheet::none || panels_.lecture.blank;
+    autosave_.follow_ending_labs(seconds_since(times_.began), settings_.errors);
     let_requests_interrupt(true);
     let_time_pass(passed);
     let_requests_interrupt(false);

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <sstream>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -219,30 +220,60 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
         std::error_code none;
         if (entry.path().extension() == broken_extension && is_too_old(entry.path())) fs::remove(entry.path(), none);
     });
-    for_each_leftover(folder_, [&](const fs::path& file) {
-        if (is_too_old(file)) return remove_with_lock(file);
-        const auto text = autosave_text(file);
-        const auto keys = text ? read_keys(*text, file.string()) : text.error();
-        std::optional<Error> fault = keys ? std::nullopt : std::optional(keys.error());
-        bool work = true;
-        if (keys && text->size() <= most_at_start) {
-            const auto opened = open_autosave(*text, file.string());
-            opened ? void(work = has_work(*opened)) : void(fault = opened.error());
-        }
-        if (fault) {
-            errors.push_back(
-                error_of(message_of(*fault) + Message("; its work cannot be recovered; the file is renamed to " +
-                                                      file.filename().string() + ".broken"),
-                         fault->file, fault->line));
-            set_aside_autosave(file);
-            return;
-        }
-        older_.push_back({file, {keys->title, keys->path.string(), keys->when, keys->ended, work}});
+    for_each_entry(folder_, [&](const fs::directory_entry& entry) {
+        const fs::path& file = entry.path();
+        if (file.extension() != autosave_extension) return;
+        lock_file(lock_of(file)) ? take_up(file, errors) : locked_.push_back(file);
     });
-    std::sort(older_.begin(), older_.end(), [](const Leftover& a, const Leftover& b) {
-        return std::pair(a.offer.has_work, a.offer.when) < std::pair(b.offer.has_work, b.offer.when);
-    });
+    offer_newest();
+}
+
+void Autosave::take_up(const fs::path& file, std::vector<Error>& errors) {
+    if (is_too_old(file)) return remove_with_lock(file);
+    const auto text = autosave_text(file);
+    const auto keys = text ? read_keys(*text, file.string()) : text.error();
+    std::optional<Error> fault = keys ? std::nullopt : std::optional(keys.error());
+    bool work = true;
+    if (keys && text->size() <= most_at_start) {
+        const auto opened = open_autosave(*text, file.string());
+        opened ? void(work = has_work(*opened)) : void(fault = opened.error());
+    }
+    if (fault) {
+        errors.push_back(
+            error_of(message_of(*fault) + Message("; its work cannot be recovered; the file is renamed to " +
+                                                  file.filename().string() + ".broken"),
+                     fault->file, fault->line));
+        set_aside_autosave(file);
+        return;
+    }
+    std::error_code none;
+    older_.push_back(
+        {file, {keys->title, keys->path.string(), keys->when, keys->ended, work}, fs::last_write_time(file, none)});
+}
+
+void Autosave::offer_newest() {
+    if (leftover_) older_.push_back(std::move(*leftover_));
+    const auto rank = [](const Leftover& each) {
+        return std::tuple(each.offer.has_work, std::string_view(each.offer.when), each.written);
+    };
+    std::sort(older_.begin(), older_.end(), [&](const Leftover& a, const Leftover& b) { return rank(a) < rank(b); });
     pass_over();
+}
+
+void Autosave::follow_ending_labs(double wall_seconds, std::vector<Error>& errors) {
+    constexpr double between = 0.1;  // s
+    if (locked_.empty() || wall_seconds - searched_at_ < between) return;
+    searched_at_ = wall_seconds;
+    const std::size_t known = older_.size();
+    std::error_code none;
+    std::erase_if(locked_, [&](const fs::path& file) {
+        if (!fs::exists(file, none)) return true;  // its lab has ended properly
+        if (!lock_file(lock_of(file))) return false;
+        take_up(file, errors);
+        return true;
+    });
+    if (older_.size() > known) offer_newest();
+    if (wall_seconds > still_ending) locked_.clear();
 }
 
 Result<Document> Autosave::recover() const {

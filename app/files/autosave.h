@@ -1,7 +1,8 @@
 // Autosave: the run and its edits, written every few seconds to a file that the next start offers after a crash.
 //
 // Every running lab holds a lock beside its file. If the lock of a file is free, its lab has crashed or was told to
-// end.
+// end. A lab that is killed holds it until the system has taken its memory back, which can take longer than the next
+// start.
 #pragma once
 
 #include <chrono>
@@ -53,6 +54,7 @@ Result<Autosaved> open_autosave(std::string_view text, std::string file_name);
 struct Leftover {
     std::filesystem::path file;
     RecoveryOffer offer;
+    std::filesystem::file_time_type written{};  // decides where RecoveryOffer::when, of whole seconds, is the same
 };
 
 // Runs a task before returning.
@@ -84,6 +86,8 @@ public:
 
     static constexpr std::chrono::hours kept_for{30 * 24};  // since the last write; older leftovers are removed
 
+    static constexpr double still_ending = 5;  // s after the start in which a lock that was held then may become free
+
     static constexpr std::size_t most_at_start = 4U << 20U;  // bytes of a leftover that is read whole at the start
 
     // Searches the folder for leftovers, removes those that are too old (broken ones, too) and offers the newest, first
@@ -96,13 +100,17 @@ public:
 
     const std::optional<Leftover>& leftover() const { return leftover_; }
 
+    // Call once a frame. Offers the work of a lab that was still ending at the start: the newest first, also before
+    // what is on offer.
+    void follow_ending_labs(double wall_seconds, std::vector<Error>& errors);
+
     // Opens the leftover. Its file stays until forget().
     Result<Document> recover() const;
     void forget();  // removes its file; the next one is offered
     // Renames the leftover, which recover() cannot read, as the constructor does; the next one is offered.
     void set_aside();
-    void pass_over();                         // leaves its file for the next start; the next one is offered
-    void offer_no_more() { older_.clear(); }  // leaves the others for the next start
+    void pass_over();  // leaves its file for the next start; the next one is offered
+    void offer_no_more() { older_.clear(), locked_.clear(); }  // leaves the others for the next start
 
     // Removes leftovers of a scene file that has been saved: the file has newer work.
     void forget_work_on(const std::filesystem::path& saved);
@@ -121,13 +129,17 @@ public:
     void finish();
 
 private:
+    void take_up(const std::filesystem::path&, std::vector<Error>& errors);  // a leftover
+    void offer_newest();
     bool lock();  // chooses a file name and locks it
     void write(const Document&, bool ended);
 
     std::filesystem::path folder_, file_;
     std::optional<FileLock> lock_;
     std::optional<Leftover> leftover_;
-    std::vector<Leftover> older_;  // offered after it, the newest last
+    std::vector<Leftover> older_;                // offered after it, the newest last
+    std::vector<std::filesystem::path> locked_;  // at the start: of labs that run or are still ending
+    double searched_at_ = 0;                     // wall seconds: the last look at them
     // Progress of the lab at the last write.
     struct Reached {
         std::int64_t edits = -1;

@@ -412,6 +412,38 @@ TEST_F(AutosaveTest, DoesNotOfferTheFileOfARunningLab) {
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
 }
 
+TEST_F(AutosaveTest, OffersTheWorkOfALabThatIsStillEndingAtTheStart) {
+    edit(lab, 1);
+    put_text(folder / "earlier.autosave", write_autosave(draft_of(lab.document), "2026-01-01 10:00:00"));
+    std::optional<Autosave> dying(std::in_place, folder.path, complaints);
+    edit(lab, 2);
+    EXPECT_FALSE(dying->keep(lab, 0, Autosave::Occasion::now));
+    Autosave next(folder.path, complaints);
+    const auto offered = [&](double second) {
+        next.follow_ending_labs(second, complaints);
+        return next.leftover() ? dials(*next.recover()).LR : 0.0f;
+    };
+    EXPECT_EQ(offered(0.5), 1.0f);
+    dying.reset();
+    EXPECT_EQ(offered(1), 2.0f) << "the newest first, although its lock became free after the start";
+    next.pass_over();
+    EXPECT_EQ(offered(1.5), 1.0f);
+    next.pass_over();
+    EXPECT_EQ(offered(2), 0.0f) << "each is offered once";
+    EXPECT_TRUE(complaints.empty());
+}
+
+TEST_F(AutosaveTest, DoesNotOfferTheWorkOfALabThatRunsOnAfterTheStart) {
+    std::optional<Autosave> other(std::in_place, folder.path, complaints);
+    edit(lab, 2);
+    EXPECT_FALSE(other->keep(lab, 0, Autosave::Occasion::now));
+    Autosave next(folder.path, complaints);
+    next.follow_ending_labs(Autosave::still_ending + 1, complaints);
+    other.reset();
+    next.follow_ending_labs(Autosave::still_ending + 2, complaints);
+    EXPECT_FALSE(next.leftover()) << "a window that crashes later is no reason to interrupt this one";
+}
+
 TEST_F(AutosaveTest, RestoresTheProgressOfAnExercise) {
     lab = open("05-aggressor");
     handle(lab, PredictRequest{2});
