@@ -138,10 +138,8 @@ bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view 
     if (has_picture) {
         const Rect place{x - ui.px(4), at.rect.y + (height - picture_height) / 2, picture, picture_height};
         if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}) &&
-            !put_scene_picture(view, ui, row.path, place)) {
-            fill_box(ui, place, p.raised, Corner::box);  // until it is rendered
-            put_icon(ui, {place.x + place.w / 2, place.y + place.h / 2}, icon::vehicle, p.second_text);
-        }
+            !put_scene_picture(view, ui, row.path, place))
+            fill_box(ui, place, mix(p.raised, p.line, 0.5f), Corner::box);  // until it is rendered
     } else if (has_icon) {
         put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);
     }
