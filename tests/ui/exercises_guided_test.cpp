@@ -269,6 +269,58 @@ TEST(ExercisesGuided, AfterARunThatFailedUnchangedTheNextStepIsAChange) {
 
 namespace {
 
+// The keys of sliders that the hint bar names, as caps.
+std::vector<std::string> slider_keys_in_bar(const Desk& desk) {
+    const Rect bar = desk.where("hint.bar");
+    std::vector<std::string> keys;
+    for (const Written& w : desk.written)
+        if (w.words.size() == 1 && w.words[0] >= '1' && w.words[0] <= '6' && bar.contains(w.rect.x, w.rect.y))
+            keys.push_back(w.words);
+    return keys;
+}
+
+}  // namespace
+
+// While a slider pulses, the bar names its key and that of no other slider, at each second second of the run as shipped
+// and after it.
+TEST(ExercisesGuided, TheKeyInTheBarIsThatOfTheSliderThatPulses) {
+    int named = 0;
+    for (const Exercise& exercise : course()) {
+        Opened it(exercise);
+        const auto check = [&](const std::string& when) {
+            it.desk.follow_disclosure();
+            it.desk.frame(2);
+            const std::string pulsing = it.desk.panels.prompts.highlight.anchor;
+            if (!is_slider(pulsing)) return;
+            const std::string wanted = std::to_string(number_of_slider(it.desk.view, pulsing) + 1);
+            for (const std::string& key : slider_keys_in_bar(it.desk)) {
+                EXPECT_EQ(key, wanted) << exercise.id << ", " << when << ": " << pulsing;
+                ++named;
+            }
+        };
+        check("before the prediction");
+        it.desk.lesson.attempt.answers.prediction = exercise.prediction.answer;
+        it.desk.lesson.attempt.answers.hint_ready = false;  // so that controls are what is left
+        check("predicted");
+        it.play_after_prediction();
+        for (int tick = 0; tick <= static_cast<int>(60 * (exercise.seconds + 1)) && it.subject(); ++tick) {
+            if (tick % 120 == 0) check(std::to_string(tick / 60) + " s");
+            it.world.step(), it.show();
+        }
+        it.desk.lesson.attempt.work.outcome_known = true;
+        it.desk.view.mode = Mode::paused;
+        check("after the run");
+        it.world = std::move(*World::create(exercise.scene, exercise.seed));
+        it.desk.view.timeline.latest = 0;
+        it.show();
+        it.desk.view.settings.selection.vehicle = it.desk.now.vehicles.front().id;
+        check("at the next start");
+    }
+    EXPECT_GT(named, 20);
+}
+
+namespace {
+
 // How much a value lacks of what is needed.
 float lacking(const Measure& measure) {
     if (!std::isfinite(measure.value)) return 1e3f;

@@ -571,6 +571,8 @@ TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
     desk.lesson.attempt.answers.prediction = -1;
     desk.follow_disclosure();
     EXPECT_EQ(next_change(desk.view), "hint.change.answer");
+    desk.view.may.open_prediction = false;
+    EXPECT_EQ(next_change(desk.view), "hint.change.answer_later") << "while a run is not at its start";
     for (const std::string& language : shipped_codes()) {
         desk.strings = speaking(language);
         desk.lesson.attempt.answers.prediction = 0;

@@ -337,6 +337,15 @@ std::vector<std::string_view> numbered_sliders(const LabView& view) {
     return anchors;
 }
 
+std::size_t number_of_slider(const LabView& view, std::string_view anchor) {
+    const std::vector<std::string_view> sliders = numbered_sliders(view);
+    if (offers_some(view))
+        for (const Offer& offer : offered_dials(*view.lesson->exercise))
+            for (const Dial dial : offer.dials)
+                if (anchor_of(dial) == anchor) anchor = anchor_of(offer.dials.front());
+    return static_cast<std::size_t>(std::find(sliders.begin(), sliders.end(), anchor) - sliders.begin());
+}
+
 std::string words_of(const Offer& offer) {
     std::string words;
     for (const Dial dial : offer.dials) words += (words.empty() ? "" : " = ") + shown_name(dial);

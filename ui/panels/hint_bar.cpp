@@ -181,14 +181,33 @@ std::string_view usual_hint(const LabView& view) {
     return has_none ? "hint.no_vehicle" : "hint.paused";
 }
 
-// The key that brings the focus to the slider that pulses, in brackets.
+// The key that brings the focus to the slider with this anchor, in brackets; without one, that to the next control.
 std::string key_to_slider(const LabView& view, std::string_view anchor) {
     constexpr std::array keys{Action::slider_LL, Action::slider_LR, Action::slider_RL,
                               Action::slider_RR, Action::slider_LM, Action::slider_RM};
-    const std::vector<std::string_view> sliders = numbered_sliders(view);
-    const auto number = static_cast<std::size_t>(std::find(sliders.begin(), sliders.end(), anchor) - sliders.begin());
-    const bool has_key = number < std::min(sliders.size(), keys.size());
+    const std::size_t number = number_of_slider(view, anchor);
+    const bool has_key = number < std::min(numbered_sliders(view).size(), keys.size());
     return "[" + std::string(name(has_key ? keys[number] : Action::next_card)) + "]";
+}
+
+// What the user may change next, with the key of the slider: of the one that pulses, else of the first one.
+std::string words_of_change(const LabView& view, const Ui& ui) {
+    const std::string_view change = next_change(view, ui.highlight);
+    const std::vector<std::string_view> sliders = numbered_sliders(view);
+    const std::string_view first = sliders.empty() ? "curve.peak" : sliders.front();
+    return fill(ui.strings(change), {key_to_slider(view, change == "hint.change.pulsing" ? ui.highlight : first)});
+}
+
+// The hint with what fills its gaps.
+std::string filled_hint(const LabView& view, const Ui& ui, std::string_view hint) {
+    const auto gap = [&]() -> std::string {
+        if (hint == "hint.passed") return std::string(ui.strings(next_exercise_key(view)));
+        if (hint == "hint.turn_slider" || hint == "hint.turn_slider_paused") return key_to_slider(view, ui.highlight);
+        if (hint == "hint.breed_against") return std::string(ui.strings("breeding.opponents_random"));
+        if (hint == "hint.breeding_runs") return breeding_percent(view.features.breeding, ui);
+        return words_of_change(view, ui);
+    };
+    return fill(ui.strings(hint), {gap()});
 }
 
 void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view hint) {
@@ -213,16 +232,8 @@ void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view
         put_icon(ui, {x + ui.px(6), bar.y + bar.h / 2}, icon::hint, ui.palette.accent, Face::small);
         if (has_icons(ui)) x += ui.px(20);
     }
-    const bool is_slider = hint == "hint.turn_slider" || hint == "hint.turn_slider_paused";
-    const std::string key = is_slider ? key_to_slider(view, ui.highlight) : std::string();
-    const std::string progress = hint == "hint.breeding_runs" ? breeding_percent(view.features.breeding, ui) : "";
-    const std::string words = fill(ui.strings(prompted ? hint : usual_hint(view)),
-                                   {hint == "hint.passed"          ? ui.strings(next_exercise_key(view))
-                                    : is_slider                    ? std::string_view(key)
-                                    : hint == "hint.breed_against" ? ui.strings("breeding.opponents_random")
-                                    : !progress.empty()            ? std::string_view(progress)
-                                                                   : ui.strings(next_change(view))});
-    hint_line(ui, words, prompted ? ui.palette.text : ui.palette.second_text, x, bar);
+    hint_line(ui, filled_hint(view, ui, prompted ? hint : usual_hint(view)),
+              prompted ? ui.palette.text : ui.palette.second_text, x, bar);
 }
 
 // A notice that is too long even for two lines is shown in full in its tooltip.
@@ -250,8 +261,7 @@ void write_notice(const LabView& view, Ui& ui, float x, Rect bar) {
 bool has_slider_focus(const Keyboard& keyboard) {
     if (!keyboard.shown) return false;
     const std::string& focus = keyboard.focus;
-    return focus.starts_with("slider.") || focus.starts_with("bias.") || focus.starts_with("threshold.") ||
-           focus.starts_with("curve.");
+    return is_slider(focus);
 }
 
 std::string_view sign_of(NoticeKind kind) {

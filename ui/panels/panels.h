@@ -105,6 +105,8 @@ inline bool shows_controls(const LabView& view, const PanelState& state) {
 // Anchors of the sliders that the keys 1 to 4 focus: LL, LR, RL and RR, or those that the exercise offers, from top to
 // bottom. In dial_sliders.cpp.
 std::vector<std::string_view> numbered_sliders(const LabView&);
+// Which of them has this anchor, which may be that of any dial of a slider of several; their count: none.
+std::size_t number_of_slider(const LabView&, std::string_view anchor);
 std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
 std::string words_of(const Offer&);  // of its slider: "LL = RR"
 // The sums of both motors.

@@ -532,9 +532,19 @@ bool is_subject_gone(const LabView& view) {
            std::none_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) { return v.kind == kind; });
 }
 
-std::string_view next_change(const LabView& view) {
+bool is_slider(std::string_view anchor) {
+    constexpr std::string_view stems[]{"slider.", "bias.", "threshold.", "curve."};
+    return std::any_of(std::begin(stems), std::end(stems), [&](auto stem) { return anchor.starts_with(stem); });
+}
+
+std::string_view next_change(const LabView& view, std::string_view pulsing) {
     const bool has_answered = view.lesson && has_predicted(view.lesson->attempt.answers);
-    if (view.mode != Mode::wiring && hides_outcome(view) && !has_answered && !view.lecture) return "hint.change.answer";
+    if (view.mode != Mode::wiring && hides_outcome(view) && !has_answered && !view.lecture)
+        return view.may.open_prediction ? "hint.change.answer" : "hint.change.answer_later";
+    if (is_slider(pulsing)) return "hint.change.pulsing";
+    if (pulsing == "button.wiring") return "hint.change.wire";
+    if (pulsing == "card.sensors") return "hint.change.sensor";
+    if (pulsing == "selection.open") return "hint.change.child";
     if (!offers_some(view)) return "hint.change.slider";
     const Exercise& exercise = *view.lesson->exercise;
     if (is_bred(view) && view.mode != Mode::wiring) return "hint.change.breed";

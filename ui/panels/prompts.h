@@ -24,9 +24,13 @@ Prompt next_prompt(PromptMemory&, const LabView&);
 // True once no vehicle that the student of the exercise changes is left: it was eaten or has used up its energy.
 bool is_subject_gone(const LabView&);
 
-// The key of a few words for what the user may change now: a slider, a wire, a sensor or a child, or the answer while
-// the prediction is asked for. They fill the gap of the hint.* texts that have one.
-std::string_view next_change(const LabView&);
+// True for the anchor of a slider of the brain.
+bool is_slider(std::string_view anchor);
+
+// The key of a few words for what the user may change now: what pulses, if it is a slider, the wiring, a sensor or the
+// children, else what the exercise offers first, or the answer while the prediction is asked for. They fill the gap of
+// the hint.* texts that have one; those of a slider have a gap for its key.
+std::string_view next_change(const LabView&, std::string_view pulsing = {});
 
 // For Ui::pulse: 0..1 with a period of 1.5 s; 1 where motion is reduced.
 float pulse(const LabView&);
