@@ -252,6 +252,33 @@ TEST_F(LessonPrompts, PointToResetOnceTheVehicleOfTheExerciseIsGone) {
     EXPECT_EQ(next().hint, "hint.gone") << "no control that a hint names can change this run";
 }
 
+TEST(EmptyScene, PointsAtNothingAndSaysHowToAddAVehicle) {
+    Desk desk;
+    desk.now = snapshot(0);
+    desk.now.vehicles.clear();
+    desk.view.settings.selection = {};
+    PromptMemory memory;
+    for (const Mode mode : {Mode::paused, Mode::playing}) {
+        desk.view.mode = mode;
+        EXPECT_EQ(next_prompt(memory, desk.view).anchor, "") << "Play would show nothing";
+        desk.frame(3);
+        EXPECT_TRUE(desk.says("The scene has no vehicle"));
+    }
+}
+
+TEST_F(LessonPrompts, SayThatSomethingIsInTheWayWhereEveryRunEndsThere) {
+    desk.opened.seconds = 40;
+    desk.opened.offers = {"LM", "RM"};
+    desk.lesson.attempt.answers.hint_ready = false;
+    desk.now.vehicles[0].start = 0;
+    at(0, Mode::paused), next();
+    desk.now.vehicles[0].speed = 0;
+    at(5), next(), at(11.5);
+    EXPECT_EQ(next().hint, "hint.change_blocked");
+    EXPECT_TRUE(is_slider(anchor())) << anchor();
+    EXPECT_EQ(next_change(desk.view, anchor()), "hint.change.pulsing");
+}
+
 TEST_F(Prompts, PointToResetIfASingleVehicleIsStuck) {
     alone();
     desk.now.vehicles[0].speed = 0;

@@ -398,6 +398,13 @@ Prompt next_try(const PromptMemory& memory, const LabView& view) {
     return change;
 }
 
+// The same for a run in which the vehicle stands: the words say so where something is in its way.
+Prompt next_try_of_standing(const PromptMemory& memory, const LabView& view, std::string_view why) {
+    Prompt next = next_try(memory, view);
+    if (why == "hint.blocked" && next.hint == "hint.change_then_reset") next.hint = "hint.change_blocked";
+    return next;
+}
+
 // Notes that the brain and the sensors with which the run began have failed in it.
 void remember_failure(PromptMemory& memory, const LabView& view) {
     if (!view.lesson || view.now->tick == 0 || all_steps_done(*view.lesson) || !is_as_at_start(memory, view)) return;
@@ -422,7 +429,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
     const bool is_repeated = is_as_at_start(memory, view);
     if (const Prompt out = way_out(memory, view); !out.anchor.empty() && !waits_for_a_step(view))
-        return is_repeated ? next_try(memory, view) : out;
+        return is_repeated ? next_try_of_standing(memory, view, out.hint) : out;
     const bool has_failed_as_changed = has_failed(view) && has_changed_since_start(memory, view);
     if (has_failed_as_changed || has_missed_a_change(memory, view)) return {"button.reset", "hint.changed_since"};
     if (has_failed(view) && is_repeated) return next_try(memory, view);
@@ -519,6 +526,7 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
             return prompt;
     if (is_bred(view)) return {};
     if (view.lesson && (!view.lesson->attempt.work.has_run || view.lesson->attempt.answers.hints_shown > 0)) return {};
+    if (!view.lesson && view.now->vehicles.empty()) return {};  // the usual hint is to add one
     if (!view.lesson && has_nothing_to_drive(view)) return {"bias.LM", "hint.no_wires"};
     if (!view.lesson)
         if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
