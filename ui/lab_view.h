@@ -25,6 +25,7 @@
 #include "core/lesson/lecture.h"
 #include "core/lesson/progress.h"
 #include "core/lesson/referee.h"
+#include "core/lesson/selection.h"
 #include "core/lesson/submission.h"
 #include "core/scene/sensor_pairs.h"
 #include "core/world/character.h"
@@ -69,6 +70,14 @@ struct LessonView {
     std::optional<SelectionView> selection;  // nullopt: the exercise does not offer it
     bool together = false;                   // the graded starts run at once in place of the exercise's own run
 };
+
+// True while a question waits for a run of the scene as given, which the student has changed: only Start over leads
+// there. A question about a selection is about its end.
+inline bool needs_start_over(const LessonView& lesson) {
+    const bool passed = lesson.grade && lesson.grade->good;
+    return is_asked(lesson.exercise->prediction) && !lesson.as_given && !lesson.attempt.work.outcome_known && !passed &&
+           !offers_selection(*lesson.exercise);
+}
 
 // True while the prediction is asked for: before the first run, and until it is made.
 inline bool awaits_prediction(const LessonView& lesson) {
@@ -343,6 +352,12 @@ inline bool is_in_tab_order(const LabView& view, const VehicleView& vehicle) {
 
 // True if the brains of this kind may not be shown now: they are secret, or their wires would tell the outcome.
 inline bool hides_brain(const LabView& view, int kind) { return !view.may.brains || is_brain_secret(view, kind); }
+
+// The key of what a person does before the brain that the question hides is shown.
+inline std::string_view way_to_brain(const LabView& view) {
+    if (view.lesson && needs_start_over(*view.lesson)) return "wiring.answer_after_start_over";
+    return view.may.open_prediction ? "wiring.answer_first" : "wiring.answer_after_reset";
+}
 
 // True if this vehicle's brain drives it and is shown.
 inline bool shows_driving_brain(const LabView& view, const VehicleView& vehicle) {

@@ -161,6 +161,33 @@ TEST(PredictionPart, AsksForARunOfTheSceneAsGivenOnceTheStudentHasChangedIt) {
     EXPECT_FALSE(desk.anchors.find("exercise.as_given"));
 }
 
+TEST(PredictionPart, ShowsTheWayBackToTheSceneAsGivenInCardAndBrain) {
+    for (const std::string& language : shipped_codes()) {
+        Desk desk(800, 600, 1, true);
+        desk.strings = speaking(language);
+        desk.open_exercise();
+        desk.opened.prediction.hides_brain = true;
+        const auto says = [&](std::string_view key) {
+            desk.follow_disclosure();
+            desk.frame(6);
+            EXPECT_EQ(way_to_brain(desk.view), key);
+            const std::string words(desk.strings(key));
+            return desk.says(words.substr(0, words.find(' ')));
+        };
+        EXPECT_TRUE(says("wiring.answer_first")) << language;
+        EXPECT_FALSE(desk.anchors.find("exercise.reset")) << "folded below “…”, " << language;
+        desk.lesson.as_given = false;  // a slider was turned before the answer
+        EXPECT_TRUE(says("wiring.answer_after_start_over")) << language;
+        const Rect* way = desk.anchors.find("exercise.reset");
+        ASSERT_TRUE(way) << language;
+        EXPECT_TRUE(inside(*way, desk.where("card.exercise"))) << language;
+        EXPECT_FALSE(desk.anchors.find("exercise.note")) << "alone, " << language;
+        desk.lesson.as_given = true;
+        begin_run(desk);
+        EXPECT_TRUE(says("wiring.answer_after_reset")) << language;
+    }
+}
+
 TEST(PredictionPart, TheFirstPlayPointsToTheQuestionAndTheSecondSkipsIt) {
     for (const KeyPress key : {KeyPress{' '}, KeyPress{'.'}}) {
         Desk desk(1024, 768, 1, true);

@@ -411,13 +411,13 @@ bool is_alone_in_exercise(const LabView& view, const VehicleView& vehicle) {
 }
 
 // The room of the picture while the prediction hides it, so that nothing is new there but the picture.
-void hidden_picture(Ui& ui, float layout_height) {
+void hidden_picture(const LabView& view, Ui& ui, float layout_height) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, card_width(ui), ui.px(layout_height)};
     fill_box(ui, box, ui.palette.ground.with_alpha(0.45f));
     const float inset = ui.px(spacing::small);
     ImGui::SetCursorScreenPos({at.x + inset, at.y + inset});
-    paragraph(ui, ui.strings("wiring.answer_first"), ui.palette.second_text, Face::small, box.w - 2 * inset);
+    paragraph(ui, ui.strings(way_to_brain(view)), ui.palette.second_text, Face::small, box.w - 2 * inset);
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({box.w, box.h});
 }
@@ -530,7 +530,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             !(view.lecture && would_be_cut(ui, of_picture + below, column)))
             brain_picture(view, state, ui, *vehicle, height);
         else if (view.mode != Mode::wiring && hides_brain(view, vehicle->kind) && !view.lecture)
-            hidden_picture(ui, of_picture);
+            hidden_picture(view, ui, of_picture);
         if (!sums_first) cause();
         if (shows_sums && !view.lecture) say_parts(view, state, ui, *vehicle);
         const bool wanted = std::exchange(state.brain.presets.wanted, false) || buttons[0].pressed;

@@ -292,7 +292,7 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
         draw_ground(pen, area);
         const bool asks_first = hidden && hides_outcome(view) && !is_brain_secret(view, vehicle->kind);
         draw_no_brain(ui, area,
-                      asks_first                   ? "wiring.answer_first"
+                      asks_first                   ? way_to_brain(view)
                       : hidden                     ? "wiring.hidden"
                       : view.now->vehicles.empty() ? "brain.empty_scene"
                                                    : "wiring.no_vehicle");

@@ -135,10 +135,10 @@ bool small_in_row(Ui& ui, std::string_view id, std::string_view how, bool shown,
     return small_push_button(ui, look, ui.strings(how));
 }
 
-// Notes, hand in and the lab record; Start over where the row below has no room for it.
-void other_buttons(const LabView& view, PanelState& state, Ui& ui, float width, bool has_reset) {
+// Notes, hand in and the lab record, unless only Start over is wanted; this where the row below has no room for it.
+void other_buttons(const LabView& view, PanelState& state, Ui& ui, float width, bool has_reset, bool only_reset) {
     const float right = ImGui::GetCursorScreenPos().x + width;
-    if (is_handed_in(view)) {
+    if (is_handed_in(view) && !only_reset) {
         const bool has_run = view.lesson->attempt.work.has_run;
         note_button(view, state, ui);
         if (small_in_row(ui, "exercise.hand_in", "exercise.hand_in_how", has_run, right))
@@ -162,8 +162,8 @@ void exercise_foot(const LabView& view, PanelState& state, Ui& ui, float width) 
     const FootPlaces places = foot_places(view, ui, width);
     ask_before_reset(view, state, ui, width);
     if (is_handed_in(view)) hand_in_answer(view, state, ui, width);
-    if (!places.folds || state.exercise.more_open || points_at_other(ui.highlight))
-        other_buttons(view, state, ui, width, places.folds);
+    const bool shows_all = !places.folds || state.exercise.more_open || points_at_other(ui.highlight);
+    if (shows_all || needs_start_over(*view.lesson)) other_buttons(view, state, ui, width, places.folds, !shows_all);
     const ImVec2 row = ImGui::GetCursorScreenPos();
     const float space = ui.px(spacing::small), next = row.x + places.hint + space;
     const bool passed = has_passed(*view.lesson);

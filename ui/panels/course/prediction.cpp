@@ -178,7 +178,7 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     const bool is_known = lesson.attempt.work.outcome_known, has_answer = has_predicted(lesson.attempt.answers);
     const bool passed = lesson.grade && lesson.grade->good, is_open = !is_known && !passed;
     if (!is_asked(asked) || (!is_open && !has_answer && !is_known)) return;
-    const bool asks_for_a_run = !lesson.as_given && is_open && !offers_selection(*lesson.exercise);
+    const bool asks_for_a_run = needs_start_over(lesson);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ExerciseRows& rows = state.exercise.rows;
     const float top = begin_row(rows);
