@@ -275,6 +275,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.highlight = prompt.anchor;
     Highlight& highlight = state.prompts.highlight;
     if (highlight.anchor != prompt.anchor) highlight.anchor = prompt.anchor, highlight.reveals = true;
+    highlight.hint = prompt.hint;
     ui.reveals = &highlight.reveals;
     pass_keys_to_rows(state);
     scroll_by_finger(state.finger_scroll, ui, state.sliders.dragged.empty() && !state.playhead_held);

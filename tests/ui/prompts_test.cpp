@@ -718,6 +718,42 @@ TEST_F(BredPrompts, WaitWhileTheBreedingRunsThenTakeTheChampionResetAndPlay) {
     EXPECT_EQ(next().hint, "hint.breeding_runs");
 }
 
+TEST_F(BredPrompts, ThatANewChampionIsTriedBeforeAnotherIsChosen) {
+    desk.lesson.attempt.work.outcome_known = true;
+    const int all = BredOnDesk(0).base->breeding().generations + 1;
+    BredOnDesk first(all), second(all);
+    show_breeding(first);
+    take_champion();
+    at(0, Mode::paused), next();
+    at(15.5);
+    EXPECT_EQ(anchor(), "breeding.matrix") << "it has failed";
+    show_breeding(second);
+    EXPECT_EQ(anchor(), "breeding.take") << "of the new breeding none has been tried";
+    EXPECT_EQ(next().hint, "hint.take_champion");
+    take_champion();
+    at(0, Mode::paused), next();
+    EXPECT_EQ(anchor(), "button.play");
+    at(15.5);
+    EXPECT_EQ(anchor(), "breeding.matrix");
+}
+
+TEST_F(BredPrompts, SayBeforeTheFirstBreedingThatItsOpponentsBringNoChampion) {
+    desk.lesson.attempt.work.outcome_known = true;
+    BredOnDesk bred(0, 2, "chase");
+    at(16);
+    EXPECT_EQ(next().hint, "hint.breed") << "none is open";
+    show_breeding(bred);
+    desk.view.features.breeding.shipped = &bred.shipped;
+    desk.opened.offers.back() = "breeding:chase";
+    EXPECT_EQ(next().hint, "hint.breed_shipped");
+    EXPECT_EQ(anchor(), "breeding.start");
+    desk.panels.sheet = Sheet::breeding;
+    desk.frame(4);
+    EXPECT_TRUE(desk.anchors.find("breeding.hint")) << "the sheet covers the bar";
+    for (evolve::Breeding& each : bred.shipped) each.opponents = evolve::Opponents::generalist;
+    EXPECT_EQ(next().hint, "hint.breed") << "others are chosen";
+}
+
 TEST_F(BredPrompts, LeadToOtherOpponentsWhereThoseOfTheFileBringNoChampion) {
     desk.lesson.attempt.work.outcome_known = true;
     BredOnDesk bred(30, 2, "chase");

@@ -315,6 +315,13 @@ bool breeding_buttons(const LabView& lab, OpenChoices& choices, bool folds, Ui& 
     return closes || close.pressed;
 }
 
+// The words of the prompt: the sheet covers the hint bar.
+void prompt_on_sheet(const LabView& lab, std::string_view hint, Ui& ui) {
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    paragraph(ui, words_of_hint(lab, ui, hint), ui.palette.text, Face::small);
+    mark(ui, "breeding.hint", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
+}
+
 }  // namespace
 
 void follow_breeding(const LabView& lab, PanelState& state, Ui&) {
@@ -332,6 +339,7 @@ void breeding_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) 
     const float top = ImGui::GetCursorScreenPos().y;
     bool is_low = false;
     OpenChoices choices;
+    if (ui.highlight.starts_with("breeding.")) prompt_on_sheet(lab, state.prompts.highlight.hint, ui);
     const bool is_open = !view.base || choices.row(view.base->breeding(), ui);
     if (is_open) choices_of_breeding(lab, state, ui);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);

@@ -203,7 +203,8 @@ std::string filled_hint(const LabView& view, const Ui& ui, std::string_view hint
     const auto gap = [&]() -> std::string {
         if (hint == "hint.passed") return std::string(ui.strings(next_exercise_key(view)));
         if (hint == "hint.turn_slider" || hint == "hint.turn_slider_paused") return key_to_slider(view, ui.highlight);
-        if (hint == "hint.breed_against") return std::string(ui.strings("breeding.opponents_random"));
+        if (hint == "hint.breed_against" || hint == "hint.breed_shipped")
+            return std::string(ui.strings("breeding.opponents_random"));
         if (hint == "hint.breeding_runs") return breeding_percent(view.features.breeding, ui);
         return words_of_change(view, ui);
     };
@@ -257,6 +258,10 @@ void write_notice(const LabView& view, Ui& ui, float x, Rect bar) {
 }
 
 }  // namespace
+
+std::string words_of_hint(const LabView& view, const Ui& ui, std::string_view hint) {
+    return plain_hint(ui, filled_hint(view, ui, hint));
+}
 
 bool has_slider_focus(const Keyboard& keyboard) {
     if (!keyboard.shown) return false;

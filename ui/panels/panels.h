@@ -102,13 +102,15 @@ bool has_close_rows(const LabView&, const Ui&);
 inline bool shows_controls(const LabView& view, const PanelState& state) {
     return !view.lecture || state.lecture.controls;
 }
-// Anchors of the sliders that the keys 1 to 4 focus: LL, LR, RL and RR, or those that the exercise offers, from top to
-// bottom. In dial_sliders.cpp.
+// Anchors of the sliders that the keys 1 to 6 focus: LL, LR, RL, RR, LM and RM, or those that the exercise offers, from
+// top to bottom. In dial_sliders.cpp.
 std::vector<std::string_view> numbered_sliders(const LabView&);
 // Which of them has this anchor, which may be that of any dial of a slider of several; their count: none.
 std::size_t number_of_slider(const LabView&, std::string_view anchor);
 std::string_view anchor_of(Dial);    // of its slider, in dial_sliders.cpp
 std::string words_of(const Offer&);  // of its slider: "LL = RR"
+// A hint of the bar with what fills its gaps, and keys in brackets. In hint_bar.cpp.
+std::string words_of_hint(const LabView&, const Ui&, std::string_view hint);
 // The sums of both motors.
 void equations(const LabView&, Ui&, const VehicleView&);
 // The cause of a turn, with the buttons of further explanations; `column` is the height that the card has at most.

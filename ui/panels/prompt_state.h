@@ -27,6 +27,7 @@ struct PromptsFollowed {
 // The widget that pulses; see prompts.h.
 struct Highlight {
     std::string anchor;    // in the last frame
+    std::string hint;      // key of its words in the hint bar
     bool reveals = false;  // its card has not yet scrolled to it
 };
 
@@ -49,6 +50,8 @@ struct PromptMemory {
     double blind_since = -1, still_since = -1;   // simulated seconds; negative: it sees a stimulus or stands; it moves
     double dark_since = -1;                      // the same; negative: it sees a stimulus
     std::optional<TriedBrain> at_start, failed;  // of the student's vehicle; nullopt: opened later, none has failed
+    std::shared_ptr<const void> failed_base{};   // the breeding on its sheet when `failed` did, null: none
+    int failed_generation = -1;                  // its last complete generation then
     bool has_begun = false;                      // the run is after its start
     bool halted_blind = false;                   // it rested without a stimulus in this run, at the start in the last
     std::vector<float> most_read;                // by each of its sensors in this run, at the start in the last one

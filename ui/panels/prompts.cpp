@@ -335,8 +335,10 @@ Prompt of_breeding(const PromptMemory& memory, const LabView& view) {
     if ((has_hint || has_champion) && has_shipped_opponents(view))
         return {"breeding.against.random", "hint.breed_against"};
     const bool is_complete = bred.base && last_generation(bred) >= bred.base->breeding().generations;
-    if (!is_complete) return {"breeding.start", "hint.breed"};
-    return has_champion ? Prompt{"breeding.matrix", "hint.breed_again"} : Prompt{"breeding.take", "hint.take_champion"};
+    if (!is_complete) return {"breeding.start", has_shipped_opponents(view) ? "hint.breed_shipped" : "hint.breed"};
+    const bool is_tried = memory.failed_base == bred.base && memory.failed_generation == last_generation(bred);
+    return has_champion && is_tried ? Prompt{"breeding.matrix", "hint.breed_again"}
+                                    : Prompt{"breeding.take", "hint.take_champion"};
 }
 
 // True if the dial of this vehicle has the value of the file: it is not tried yet.
@@ -409,7 +411,11 @@ Prompt next_try_of_standing(const PromptMemory& memory, const LabView& view, std
 void remember_failure(PromptMemory& memory, const LabView& view) {
     if (!view.lesson || view.now->tick == 0 || all_steps_done(*view.lesson) || !is_as_at_start(memory, view)) return;
     const bool is_out = !way_out(memory, view).anchor.empty() && !waits_for_a_step(view);
-    if (is_out || has_failed(view) || is_subject_gone(view)) memory.failed = memory.at_start;
+    if (!is_out && !has_failed(view) && !is_subject_gone(view)) return;
+    if (are_equal(memory.failed, memory.at_start)) return;
+    memory.failed = memory.at_start;
+    memory.failed_base = view.features.breeding.base;
+    memory.failed_generation = last_generation(view.features.breeding);
 }
 
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
