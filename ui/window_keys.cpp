@@ -10,6 +10,7 @@
 #include "core/io/link.h"
 #include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/prompts.h"
 #include "ui/panels/sheets.h"
 #include "ui/panels/signal_drag.h"
 #include "ui/widgets/keyboard.h"
@@ -53,6 +54,8 @@ bool key_for_focus(Keyboard& keyboard, KeyPress press) {
     if (keyboard.focus.empty()) return false;
     const auto action = action_for(press, KeyPlace::widget);
     if (!action) return false;
+    // A slider that only the mouse has used shows no ring: Del deletes what is selected, as everywhere else.
+    if (*action == Action::restore && !keyboard.shown && is_slider(keyboard.focus)) return false;
     if (*action == Action::cancel)
         keyboard.focus.clear();
     else

@@ -105,6 +105,28 @@ TEST(Slider, RightClickRestoresTheValueOfTheFile) {
     EXPECT_FLOAT_EQ(turned(desk.edits()[0]).value, 1.5f);
 }
 
+TEST(Slider, DelActsOnItOnlyWhileItShowsTheRing) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.LR");
+    ASSERT_EQ(desk.panels.keyboard.focus, "slider.LR");
+    desk.all.clear();
+    desk.key({key::del});
+    desk.frame();
+    EXPECT_TRUE(desk.edits().empty());
+    EXPECT_EQ(desk.actions(), std::vector<Action>{Action::erase}) << "the mouse has used the slider: no ring";
+    desk.all.clear();
+    desk.key({'2'});
+    desk.key({key::del});
+    desk.frame();
+    EXPECT_EQ(desk.actions(), std::vector<Action>{});
+    const bool tells = std::any_of(desk.all.begin(), desk.all.end(), [](const Request& request) {
+        const auto* notice = std::get_if<NoticeRequest>(&request);
+        return notice && notice->key == "notice.restored";
+    });
+    EXPECT_TRUE(tells) << "that the vehicle stays, and how it is deleted";
+}
+
 TEST(Slider, RightClickSetsZeroWithoutAFile) {
     Desk desk;
     desk.frame(3);

@@ -228,7 +228,9 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
         open_text(state, id, slider_text(ui, wanted.value_or(value), look));
         takes_text(ui.keyboard, id, false);
         state.dragged.clear();
-    } else if ((at.hovered && ImGui::IsMouseClicked(1)) || (at.focused && take(*ui.keyboard, key::del))) {
+    } else if (const bool by_key = at.focused && take(*ui.keyboard, key::del);
+               by_key || (at.hovered && ImGui::IsMouseClicked(1))) {
+        if (by_key) ui.outbox.push_back(NoticeRequest{"notice.restored", {}, {}});
         ++state.gesture;
         wanted = look.home;
         least_change = 0;
