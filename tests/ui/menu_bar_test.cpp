@@ -466,6 +466,32 @@ TEST(MenuBarInEachWindow, OpensAtTheFirstExerciseWhileASceneIsOpen) {
     EXPECT_GE(row->y, panel.y);
 }
 
+TEST(MenuBarInEachWindow, OpensWithItsFirstRowsWhereTheRowOfTheOpenFileIsInSightToo) {
+    Desk low(800, 600, 1, true);
+    std::vector<CatalogueEntry> catalogue;
+    for (int i = 1; i <= 22; ++i) {
+        const std::string number = std::to_string(i);
+        catalogue.push_back({"exercise-" + number, number + ".toml", "Title " + number, "", i});
+    }
+    for (int i = 1; i <= 20; ++i)  // below the exercises: they do not fit
+        catalogue.push_back({"scene-" + std::to_string(i), std::to_string(i) + ".toml", "A scene", ""});
+    low.view.documents.catalogue = &catalogue;
+    for (const int opened : {1, 6, 18}) {
+        low.view.documents.opened = "exercise-" + std::to_string(opened);
+        low.frame(2);
+        low.panels.menu_bar.open = "exercises";
+        low.frame(3);
+        const Rect panel = low.where("menu.rows");
+        for (const std::string& row : {std::string("hint"), low.view.documents.opened}) {
+            const Rect* at = low.anchors.find("menu.exercises." + row);
+            ASSERT_TRUE(at) << row << ", " << opened;
+            EXPECT_TRUE(at->y >= panel.y && at->y + at->h <= panel.y + panel.h) << row << ", " << opened;
+        }
+        low.panels.menu_bar.open.clear();
+        low.frame(2);
+    }
+}
+
 TEST(MenuBarInEachWindow, ScrollsToTheFocusWhereTheWindowIsTooLow) {
     Desk low(940, 300, 1, true);
     low.frame(2);

@@ -124,7 +124,9 @@ int draw_entries(Ui& ui, std::span<const MenuEntry> entries, ImVec2 size, bool w
             ImGui::Dummy({width, ui.px(menu_rule)});
         }
         if (menu_entry(ui, entries[i], size, look)) chosen = static_cast<int>(i);
-        if (opens && entries[i].in_sight) ImGui::SetScrollHereY();
+        const float hidden =
+            ImGui::GetCursorPosY() + size.y - ImGui::GetWindowHeight();  // one row below it is shown, too
+        if (opens && entries[i].in_sight && hidden > 0) ImGui::SetScrollY(hidden);
     }
     ImGui::PopStyleVar();
     return chosen;

@@ -24,7 +24,7 @@ struct MenuEntry {
     std::string how{};         // tooltip; of a disabled row: why it cannot be chosen now
     std::optional<bool> on{};  // of a switch or an option
     bool open = false;         // the row of the open file: a dot before it
-    bool in_sight = false;     // the menu opens scrolled to it
+    bool in_sight = false;     // the menu opens scrolled as far as it takes to show it
     bool enabled = true;
     bool heading = false;
     bool rule_above = false;
