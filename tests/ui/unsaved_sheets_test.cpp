@@ -46,6 +46,15 @@ TEST_F(UnsavedSheets, SayThatAPassedExerciseIsKept) {
     EXPECT_FALSE(desk.says("has unsaved changes"));
 }
 
+TEST_F(UnsavedSheets, SayOfAnExerciseWhatItsProgressKeeps) {
+    const std::string rule(desk.strings("leaving.of_exercise"));
+    ask();
+    EXPECT_FALSE(desk.says(rule)) << "a scene";
+    desk.open_exercise();
+    desk.frame(3);
+    EXPECT_TRUE(desk.says(rule.substr(0, rule.find(' ', 20))));
+}
+
 TEST_F(UnsavedSheets, TellTheTimeOfTheKeptWorkAndItsFile) {
     ui::Ui ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked, {}, 1};
     EXPECT_EQ(time_words(ui, "2026-03-01 14:05:42", "2026-03-01"), "today at 14:05");

@@ -48,6 +48,7 @@ void leaving_question(const LabView& view, Ui& ui) {
                                        : fill(ui.strings("leaving.open"), {known_title(view, ui, leaving.title),
                                                                            known_title(view, ui, leaving.next_title)}),
                   p.text);
+    if (view.lesson && !leaving.passed) paragraph(ui, ui.strings("leaving.of_exercise"), p.second_text, Face::small);
     if (files.refused) paragraph(ui, text_of(*files.refused, ui.strings), legible(p.warning, p.panel, p.text));
 }
 
