@@ -35,6 +35,8 @@ bool acts_on_own_run(const Request& request) {
 
 void handle_breeding(Lab& lab, const BreedingRequest& wanted) {
     if (auto match = handle_breeding(lab.breeding, lab, wanted)) lab.window.files.push_back(std::move(*match));
+    // The run does not go on with champions in its middle when the sheet closes.
+    if (wanted.edit == BreedingEdit::take && lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
 }
 
 // While the graded starts run at once, their vehicles cannot be selected.

@@ -258,6 +258,17 @@ TEST_F(LabBreeding, ChampionsAreTakenIntoASceneWithPredatorAndPrey) {
     EXPECT_EQ(kinds(), before) << "one step of undo";
 }
 
+TEST_F(LabBreeding, ARunThatPlaysPausesWhenChampionsAreTaken) {
+    breed_to_the_end();
+    auto hunt = open_document(*find_shipped("predator-prey"), std::nullopt, {});
+    ASSERT_TRUE(hunt);
+    replace_document(lab, std::move(*hunt));
+    handle(lab, Action::play_pause);
+    ASSERT_EQ(lab.playback.mode, Mode::playing);
+    handle(lab, BreedingRequest{.edit = BreedingEdit::take, .cell = {3, 2}});
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+}
+
 TEST_F(LabBreeding, ASceneWithoutRolesGetsTheMatchInstead) {
     breed_to_the_end();
     ask(BreedingEdit::take, {3, 2});
