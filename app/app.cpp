@@ -79,6 +79,7 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     settings_.errors.insert(settings_.errors.begin(), errors.begin(), errors.end());
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
+    if (!options_.only_draws() && !title_ && !lab_.before_lecture) tell_what_is_off();
     times_.began = times_.turn = Clock::now();
 }
 

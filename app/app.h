@@ -127,6 +127,7 @@ private:
     void make_pictures();
     // Leaves the title page.
     void begin();
+    void tell_what_is_off();
     // Draws with the level of quality that was asked for, or the measured one; measures some frames. Returns false if
     // the last picture stays.
     bool draw_measured(Picture);

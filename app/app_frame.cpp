@@ -14,6 +14,7 @@
 #include "app/lab_requests.h"
 #include "app/platform/page.h"
 #include "app/platform/platform.h"
+#include "app/remembered.h"
 #include "app/title.h"
 #include "render/view/between.h"
 #include "ui/panels/cards.h"
@@ -261,9 +262,18 @@ void App::make_pictures() {
     frame_.makes_pictures = gallery_.make_next(renderer_, files, lab_.preferences.theme);
 }
 
+// Switches of the view outlast the program; a person who has not switched them off misses what they show.
+void App::tell_what_is_off() {
+    std::string names;
+    for (const Action action : switched_off(lab_.view))
+        names += (names.empty() ? "" : ", ") + std::string(words_.strings("action." + std::string(name(action))));
+    if (!names.empty()) say(lab_, {NoticeKind::notice, "notice.switched_off", names});
+}
+
 void App::begin() {
     title_.reset();
     viewport_ = {};
+    tell_what_is_off();
 }
 
 CameraKeys App::camera_keys(bool arrows_are_free) const {

@@ -24,6 +24,17 @@ void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
             std::find(stored.folded->begin(), stored.folded->end(), row.anchor) != stored.folded->end();
 }
 
+std::vector<Action> switched_off(const ViewSettings& view) {
+    const ViewSettings usual;
+    std::vector<Action> off;
+#define LAB_ACTION(id, ...)
+#define UI_ACTION(id, ...)
+#define VIEW_SWITCH(id, keys, flag, ...) \
+    if (usual.flag && !view.flag) off.push_back(Action::id);
+#include "ui/actions.def"
+    return off;
+}
+
 StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
     const ViewSettings& shown = lab.before_lecture ? lab.before_lecture->view : lab.view;
     StoredView stored{.settings = for_another_scene(shown)};

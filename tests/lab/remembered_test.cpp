@@ -59,6 +59,16 @@ TEST(Remembered, KeepsEverySwitchOfTheViewButTheCardOfTheValues) {
 #include "ui/actions.def"
 }
 
+TEST(Remembered, NamesTheSwitchesThatAPersonHasLeftOff) {
+    Lab lab = opened_lab("2a-coward"), next = opened_lab("2a-coward");
+    ui::PanelState panels;
+    EXPECT_EQ(switched_off(lab.view), std::vector<Action>{});
+    for (const Action action : {Action::trails, Action::sensors, Action::outlines, Action::values}) handle(lab, action);
+    restore_view(next, panels, view_to_store(lab, panels));
+    EXPECT_EQ(switched_off(next.view), (std::vector{Action::sensors, Action::trails}))
+        << "outlines are off at the first start, too";
+}
+
 TEST(Remembered, DoesNotKeepTheWatchedDiagram) {
     Lab lab = opened_lab("2a-coward");
     const ui::PanelState panels;
