@@ -631,6 +631,10 @@ TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     EXPECT_EQ(next().hint, "hint.steps_done") << "the other starts have no dots yet";
     desk.lesson.grade = graded({true, false}, false);
     EXPECT_EQ(next().hint, "hint.other_starts");
+    EXPECT_EQ(anchor(), "exercise.hint") << "what is seen from this start does not help further";
+    desk.lesson.attempt.answers.hint_ready = false;
+    EXPECT_TRUE(is_slider(anchor())) << "until the next hint";
+    desk.lesson.attempt.answers.hint_ready = true;
     desk.lesson.standing.changed_since_done = true;
     EXPECT_EQ(next().hint, "hint.changed_since") << "the steps say nothing about the present brain";
     EXPECT_EQ(anchor(), "button.reset");

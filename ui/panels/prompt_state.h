@@ -47,6 +47,7 @@ struct PromptMemory {
     Suggested lamp, wiring, timeline;            // of free play, in this order
     int edits_before_wiring = -1;                // number of edits when the wiring was opened; −1: it is closed
     int hint = 0, edits_before_hint = 0;         // number of hints shown, and of edits when the last one came
+    int runs_before_hint = 0;                    // the same of runs
     double blind_since = -1, still_since = -1;   // simulated seconds; negative: it sees a stimulus or stands; it moves
     double dark_since = -1;                      // the same; negative: it sees a stimulus
     std::optional<TriedBrain> at_start, failed;  // of the student's vehicle; nullopt: opened later, none has failed

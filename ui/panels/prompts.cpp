@@ -229,13 +229,21 @@ bool is_pressed_already(const LabView& view, std::string_view button) {
     return button == "exercise.compare" && view.lesson->attempt.work.compares;
 }
 
-// The newest hint, until the next edit.
+bool has_failed(const LabView&);
+
+// The newest hint, until the next edit, or until a later run has failed without one and the next hint may be shown.
 const Hint* hinted(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const int shown = lesson.attempt.answers.hints_shown;
-    if (memory.hint != shown) memory.hint = shown, memory.edits_before_hint = edit_count(view);
+    if (memory.hint != shown) {
+        memory.hint = shown, memory.edits_before_hint = edit_count(view);
+        memory.runs_before_hint = lesson.attempt.work.runs;
+    }
     const int newest = std::min(shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
     if (newest < 0 || edit_count(view) != memory.edits_before_hint) return nullptr;
+    const bool is_next_ready =
+        lesson.attempt.answers.hint_ready && static_cast<int>(lesson.exercise->hints.size()) > shown;
+    if (is_next_ready && lesson.attempt.work.runs > memory.runs_before_hint && has_failed(view)) return nullptr;
     return &lesson.exercise->hints[static_cast<std::size_t>(newest)];
 }
 
@@ -418,6 +426,16 @@ void remember_failure(PromptMemory& memory, const LabView& view) {
     memory.failed_generation = last_generation(view.features.breeding);
 }
 
+// While too few of the other starts pass: the newest hint, or the next one, or a control.
+Prompt of_other_starts(PromptMemory& memory, const LabView& view) {
+    const Attempt::Answers& answers = view.lesson->attempt.answers;
+    if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
+    if (answers.hint_ready && answers.hints_shown < static_cast<int>(view.lesson->exercise->hints.size()))
+        return {"exercise.hint", "hint.other_starts"};
+    const Prompt change = change_for_next_run(memory, view);
+    return change.anchor.empty() ? Prompt{{}, "hint.other_starts"} : change;
+}
+
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
@@ -425,7 +443,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (!lesson.attempt.work.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
     if (all_steps_done(lesson) && lesson.standing.changed_since_done) return {"button.reset", "hint.changed_since"};
-    if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
+    if (all_steps_done(lesson)) return lesson.grade ? of_other_starts(memory, view) : Prompt{{}, "hint.steps_done"};
     if (is_subject_gone(view)) return {"button.reset", "hint.gone"};
     if (is_bred(view)) return of_breeding(memory, view);
     if (const Prompt prompt = of_hint(memory, view); !prompt.hint.empty()) return prompt;
