@@ -38,6 +38,10 @@ test("Without storage the lab starts and says that nothing is kept", limit, () =
     withLab("?open=01-drive", async (lab) => {
         assert.match(await noticeText(lab), /keep nothing/);
         assert.equal(await lab.page.isVisible("#notice-act"), false, "there is nothing to download");
+        await lab.frames(3);
+        const [x, y, w, h] = await lab.rectangle("hint.bar");
+        const notice = await lab.page.locator("#notice").boundingBox();
+        assert.ok(y + h <= notice.y + 1 && w > 1000, "the notice covers nothing of the lab");
         await predict(lab);
         await lab.page.waitForSelector("#notice-act:not([hidden])");
         assert.match(await noticeText(lab), /keep nothing/);
