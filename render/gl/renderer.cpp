@@ -1,9 +1,11 @@
 #include "render/gl/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +21,7 @@
 #include "render/text/set_type.h"
 #include "render/view/draw_list.h"
 #include "render/view/fine_shapes.h"
+#include "render/view/hidden_parts.h"
 #include "render/view/shapes.h"
 
 namespace braitenlab::render {
@@ -71,6 +74,14 @@ void clear_depth_to(float depth) {
 void set_viewport(const Rect& window) {
     glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
                static_cast<GLsizei>(window.h));
+}
+
+// `part`: pixels of the window with y down; `share`: as Picture::resolution.
+void set_scissor(const Rect& part, const Rect& window, float share) {
+    const auto pixel = [share](float at) { return static_cast<GLint>(std::lround(at * share)); };
+    const GLint left = pixel(window.x + part.x), right = pixel(window.x + part.x + part.w);
+    const GLint high = pixel(window.y + window.h - part.y), low = pixel(window.y + window.h - part.y - part.h);
+    glScissor(left, low, right - left, high - low);
 }
 
 template <class Instance>
@@ -159,10 +170,11 @@ struct Renderer::Parts {
     std::vector<FloorInstance> floor_size{1};
     bool walled = true;  // has_walls()
     int calls = 0;
-    double seconds = -1;         // of the last snapshot
-    float resolution = 1;        // of the last picture
-    bool reused = false;         // the last picture was one of `whole`
-    std::uint64_t lettered = 0;  // hash of the last picture's labels
+    double seconds = -1;                // of the last snapshot
+    float resolution = 1;               // of the last picture
+    bool reused = false;                // the last picture was one of `whole`
+    std::uint64_t lettered = 0;         // hash of the last picture's labels
+    std::vector<Rect> hidden, visible;  // of the picture; see find_visible
 
     Parts() {
         glGenBuffers(1, &frame_buffer);
@@ -320,19 +332,23 @@ struct Renderer::Parts {
         glDepthMask(GL_TRUE);
     }
 
-    // Nothing passes the depth test below what is opaque, such as cards, which cover nearly half of the pixels of a
-    // small window. `share`: pixels drawn per pixel of the window, in width and in height.
-    void leave_out_hidden(const Picture& picture, float share) {
+    // The parts of the picture that are copied. Only what hides much is left out: each part is a call of its own.
+    void find_visible(const Picture& picture) {
+        constexpr float least_share = 1.0f / 32;
+        hidden = hidden_parts(picture);
         const Rect& window = picture.camera_view.window;
-        const float inside = 5 * picture.pixel_scale;  // round corners are not opaque
+        std::vector<Rect> large = hidden;
+        std::erase_if(large, [&](const Rect& r) { return r.w * r.h < least_share * window.w * window.h; });
+        visible = visible_parts({0, 0, window.w, window.h}, large);
+    }
+
+    // Nothing passes the depth test in what is hidden. `share`: pixels drawn per pixel of the window, in width and in
+    // height.
+    void leave_out_hidden(const Rect& window, float share) const {
         glEnable(GL_SCISSOR_TEST);
         clear_depth_to(0);
-        for (const Rect& r : picture.opaque) {
-            const auto pixel = [share](float at) { return static_cast<GLint>(std::lround(at * share)); };
-            const GLint left = pixel(r.x + inside), right = pixel(r.x + r.w - inside);
-            const GLint low = pixel(window.h - r.y - r.h + inside), high = pixel(window.h - r.y - inside);
-            if (left >= right || low >= high) continue;
-            glScissor(left, low, right - left, high - low);
+        for (const Rect& part : hidden) {
+            set_scissor(part, window, share);
             glClear(GL_DEPTH_BUFFER_BIT);
         }
         clear_depth_to(1);
@@ -351,8 +367,9 @@ struct Renderer::Parts {
         const bool in_backdrop = !smooth && update_backdrop(drawn);
         glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         // The copy comes before all draw calls: a software renderer waits for those before it.
-        if (in_backdrop) backdrop.copy();
-        leave_out_hidden(picture, coarse ? resolution : 1);
+        const Rect all{0, 0, drawn.window.x, drawn.window.y};
+        if (in_backdrop) backdrop.copy(coarse ? std::span(&all, 1) : std::span<const Rect>(visible));
+        leave_out_hidden(window, coarse ? resolution : 1);
         draw_solids(picture.quality);
         if (!in_backdrop) draw_ground_below();
         draw_flat();
@@ -360,15 +377,22 @@ struct Renderer::Parts {
         if (!coarse) return;
         set_viewport(window);
         upload(frame);
-        enlarge();
+        enlarge(window);
     }
 
-    // Draws the coarse picture over the viewport. SwiftShader takes twice the time for a copy that changes the size.
-    void enlarge() {
+    // Draws the visible parts of the coarse picture over the viewport. SwiftShader takes twice the time for a copy that
+    // changes the size.
+    void enlarge(const Rect& window) {
+        glClear(GL_COLOR_BUFFER_BIT);
         glDisable(GL_BLEND);
         glDisable(GL_DEPTH_TEST);
         resampling.coarse().bind();
-        draw(with.enlarge, floors);
+        glEnable(GL_SCISSOR_TEST);
+        for (const Rect& part : visible) {
+            set_scissor(part, window, 1);
+            draw(with.enlarge, floors);
+        }
+        glDisable(GL_SCISSOR_TEST);
     }
 
     // The state in which everything is drawn.
@@ -448,9 +472,10 @@ bool Renderer::draw(const Snapshot& now, const Picture& picture) {
     const std::uint64_t labels = hash_of(p.type), labels_before = std::exchange(p.lettered, labels);
     if (p.reused && picture.may_stay && labels == labels_before) return false;
     p.begin_picture(picture);
+    p.find_visible(picture);
     if (p.reused) {
         glClear(GL_DEPTH_BUFFER_BIT);  // as copy() demands
-        p.whole.copy();
+        p.whole.copy(p.visible);
         p.upload(frame);
     } else {
         p.draw_scene(frame, picture);

@@ -77,11 +77,16 @@ void StoredPicture::store() {
     stored_ = last_;
 }
 
-void StoredPicture::copy() const {
+void StoredPicture::copy(std::span<const Rect> parts) const {
     const int left = static_cast<int>(last_->frame.window.z), low = static_cast<int>(last_->frame.window.w);
-    const int first = mirrored_ ? height_ : 0, last = height_ - first;
+    const auto row = [this](int y) { return mirrored_ ? height_ - y : y; };
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-    glBlitFramebuffer(0, first, width_, last, left, low, left + width_, low + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    for (const Rect& part : parts) {
+        const int x0 = static_cast<int>(part.x), x1 = static_cast<int>(part.x + part.w);
+        const int y0 = height_ - static_cast<int>(part.y + part.h), y1 = height_ - static_cast<int>(part.y);
+        glBlitFramebuffer(x0, row(y0), x1, row(y1), left + x0, low + y0, left + x1, low + y1, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+    }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound_));
 }
 

@@ -9,9 +9,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "render/gl/frame.h"
 #include "render/gl/texture.h"
+#include "render/view/camera.h"
 
 namespace braitenlab::render {
 
@@ -43,9 +45,10 @@ public:
     // Copies the colours of the bound framebuffer into the stored picture.
     void store();
 
-    // Copies the stored picture into the bound framebuffer: colours only. Precondition: a buffer of it has been cleared
-    // in this frame. WebGL erases the canvas at the first clear or draw call of a frame, and a copy is neither.
-    void copy() const;
+    // Copies these parts of the stored picture, in its pixels with y down, into the bound framebuffer: colours only.
+    // Precondition: a buffer of it has been cleared in this frame. WebGL erases the canvas at the first clear or draw
+    // call of a frame, and a copy is neither.
+    void copy(std::span<const Rect> parts) const;
 
     // Discards the stored picture, for example after the shaders have changed.
     void forget();
