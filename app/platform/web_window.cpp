@@ -296,6 +296,7 @@ Result<Window> Window::open(const WindowOptions&) {
     EmscriptenWebGLContextAttributes wanted;
     emscripten_webgl_init_context_attributes(&wanted);
     wanted.majorVersion = 2;
+    wanted.alpha = false;
     wanted.antialias = false;  // high quality has multisampling of its own (render/gl/resampling.h)
     wanted.powerPreference = EM_WEBGL_POWER_PREFERENCE_DEFAULT;
     native->context = emscripten_webgl_create_context(canvas, &wanted);

@@ -90,8 +90,9 @@ element("again").onclick = () => location.reload();
 // What the browser lacks; an empty text if nothing.
 function whatIsMissing() {
     if (typeof WebAssembly !== "object" || !WebAssembly.Tag || typeof DecompressionStream !== "function") return words.old;
-    // The program uses this context. It draws smooth edges by itself (render/gl/resampling.h).
-    const context = element("canvas").getContext("webgl2", { antialias: false });
+    // The program uses this context. It draws smooth edges by itself (render/gl/resampling.h). Nothing is seen through it,
+    // so the browser need not blend it with the page.
+    const context = element("canvas").getContext("webgl2", { antialias: false, alpha: false });
     if (!context) return words.graphics;
     const info = context.getExtension("WEBGL_debug_renderer_info");
     const renderer = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
