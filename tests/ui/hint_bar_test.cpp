@@ -101,6 +101,27 @@ TEST(HintBar, SaysHowToPlayWhileAPausedSliderHasTheFocus) {
     EXPECT_TRUE(says(desk, "The brain was changed")) << "more urgent than the keys";
 }
 
+TEST(HintBar, NamesNoKeyToAFinger) {
+    for (const std::string& language : shipped_codes()) {
+        Desk desk(1280, 800, 1, true);
+        desk.strings = speaking(language);
+        const std::string key = key_name(Action::play_pause, desk.strings);
+        const auto has_key = [&] {
+            desk.frame(3);
+            const Rect bar = desk.where("hint.bar");
+            return std::any_of(desk.written.begin(), desk.written.end(),
+                               [&](const Written& w) { return bar.contains(w.rect.x, w.rect.y) && w.words == key; });
+        };
+        for (const Mode mode : {Mode::paused, Mode::playing}) {
+            desk.view.mode = mode;
+            desk.view.program.touch = false;
+            EXPECT_TRUE(has_key()) << language;
+            desk.view.program.touch = true;
+            EXPECT_FALSE(has_key()) << language;
+        }
+    }
+}
+
 TEST(HintBar, SaysWhileTheMouseDragsASliderHowItMovesFinely) {
     for (const std::string& language : shipped_codes()) {
         Desk desk(1024, 768, 1, true);

@@ -80,6 +80,53 @@ float width_of(const Ui& ui, const HintPiece& piece, Face face) {
     return piece.is_key ? key_cap_width(ui, piece.text, face) : text_width(ui, face, piece.text);
 }
 
+// Hints that say another thing to a finger than that it has no keys.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> hints_for_fingers{
+    {{"hint.draw_path", "hint.draw_path_finger"},
+     {"hint.turn_slider", "hint.turn_slider_finger"},
+     {"hint.turn_slider_paused", "hint.turn_slider_paused_finger"},
+     {"hint.slider_drag", "hint.slider_drag_finger"},
+     {"hint.first_wire", "hint.first_wire_finger"},
+     {"hint.wiring", "hint.wiring_finger"},
+     {"hint.wiring_exercise", "hint.wiring_exercise_finger"},
+     {"hint.change.slider", "hint.change.slider_finger"},
+     {"hint.change.pulsing", "hint.change.pulsing_finger"}}};
+
+constexpr std::string_view between_parts = "  ·  ";
+
+// A part of a hint without its keys: "Play [play_pause]" is "Play", "helps: [hint]" is "helps: Hint". Empty if it
+// begins with a key.
+std::string part_without_keys(const Ui& ui, std::string_view part) {
+    if (part.starts_with('[')) return {};
+    std::string words;
+    for (;;) {
+        const std::size_t open = part.find(" ["), close = part.find(']', open);
+        words += part.substr(0, open);
+        if (open == part.npos || close == part.npos) return words;
+        if (words.ends_with(':')) words += " " + std::string(ui.strings("exercise.hint"));
+        part.remove_prefix(close + 1);
+    }
+}
+
+std::string without_keys(const Ui& ui, std::string_view hint) {
+    std::string all;
+    while (!hint.empty()) {
+        const std::size_t end = hint.find(between_parts);
+        const std::string part = part_without_keys(ui, hint.substr(0, end));
+        if (!part.empty()) all += (all.empty() ? "" : std::string(between_parts)) + part;
+        hint.remove_prefix(end == hint.npos ? hint.size() : end + between_parts.size());
+    }
+    return all;
+}
+
+// The text of a hint. To a finger it names no keys and no mouse.
+std::string hint_text(const LabView& view, const Ui& ui, std::string_view key) {
+    if (!view.program.touch) return std::string(ui.strings(key));
+    const auto own = std::find_if(hints_for_fingers.begin(), hints_for_fingers.end(),
+                                  [key](const auto& row) { return row.first == key; });
+    return own != hints_for_fingers.end() ? std::string(ui.strings(own->second)) : without_keys(ui, ui.strings(key));
+}
+
 // The hint in lines that are no wider than the room, unless a word is; words of a line are one piece.
 std::vector<HintLine> lines_of_hint(const Ui& ui, std::string_view hint, Face face, float room) {
     std::vector<HintLine> lines(1);
@@ -118,9 +165,8 @@ bool fits_in(const Ui& ui, std::string_view hint, HintType type, float room) {
 
 // The hint, without the last of its parts and then of its words as far as it does not fit in this type.
 std::string fitting_hint(const Ui& ui, std::string_view hint, HintType type, float room) {
-    constexpr std::string_view between = "  ·  ";
     for (auto cut = hint.npos; !fits_in(ui, hint, type, room); hint = hint.substr(0, cut))
-        if (cut = hint.rfind(between); cut == hint.npos) break;
+        if (cut = hint.rfind(between_parts); cut == hint.npos) break;
     if (fits_in(ui, hint, type, room)) return std::string(hint);
     std::string words;
     do {
@@ -164,9 +210,9 @@ std::string mode_hint(const LabView& view, const Ui& ui) {
     const bool drives = vehicle && vehicle->driver == Driver::manual,
                rides = view.settings.camera.mode == CameraMode::driver;
     std::string hint;
-    if (drives) hint = ui.strings("hint.driving");
-    if (drives && rides) hint += "  ·  ";
-    if (rides) hint += ui.strings("hint.eyes");
+    if (drives) hint = hint_text(view, ui, "hint.driving");
+    if (!hint.empty() && rides) hint += between_parts;
+    if (rides) hint += hint_text(view, ui, "hint.eyes");
     return hint;
 }
 
@@ -195,7 +241,8 @@ std::string words_of_change(const LabView& view, const Ui& ui) {
     const std::string_view change = next_change(view, ui.highlight);
     const std::vector<std::string_view> sliders = numbered_sliders(view);
     const std::string_view first = sliders.empty() ? "curve.peak" : sliders.front();
-    return fill(ui.strings(change), {key_to_slider(view, change == "hint.change.pulsing" ? ui.highlight : first)});
+    return fill(hint_text(view, ui, change),
+                {key_to_slider(view, change == "hint.change.pulsing" ? ui.highlight : first)});
 }
 
 // The hint with what fills its gaps.
@@ -208,21 +255,21 @@ std::string filled_hint(const LabView& view, const Ui& ui, std::string_view hint
         if (hint == "hint.breeding_runs") return breeding_percent(view.features.breeding, ui);
         return words_of_change(view, ui);
     };
-    return fill(ui.strings(hint), {gap()});
+    return fill(hint_text(view, ui, hint), {gap()});
 }
 
 void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view hint) {
     if (hint == "hint.slider_drag") {
-        hint_line(ui, fill(ui.strings(hint), {ui.strings("key.shift")}), ui.palette.text, x, bar);
+        hint_line(ui, fill(hint_text(view, ui, hint), {ui.strings("key.shift")}), ui.palette.text, x, bar);
         return;
     }
     if (const VehicleView* drawn = hint == "hint.draw_path" ? vehicle_to_draw_for(view) : nullptr) {
-        hint_line(ui, fill(ui.strings(hint), {std::to_string(drawn->id + 1)}), ui.palette.text, x, bar);
+        hint_line(ui, fill(hint_text(view, ui, hint), {std::to_string(drawn->id + 1)}), ui.palette.text, x, bar);
         return;
     }
     if (const std::string of_mode = mode_hint(view, ui); !of_mode.empty())
         return hint_line(ui, of_mode, ui.palette.text, x, bar);
-    const bool is_slider_focused = ui.keyboard && has_slider_focus(*ui.keyboard);
+    const bool is_slider_focused = !view.program.touch && ui.keyboard && has_slider_focus(*ui.keyboard);
     if (is_slider_focused && hint != "hint.changed_since" && hint != "hint.passed") {
         const std::string_view keys = view.mode == Mode::paused ? "hint.slider_keys_paused" : "hint.slider_keys";
         hint_line(ui, fill(ui.strings(keys), {ui.strings("key.shift")}), ui.palette.text, x, bar);

@@ -150,7 +150,8 @@ void show_nothing(Inspected& in) {
     paragraph(in.ui, in.words("inspector.nothing"), in.ui.palette.text, Face::text);
     paragraph(in.ui, counts, in.ui.palette.second_text, Face::small);
     const bool room = ImGui::GetContentRegionAvail().y >= line_height(in.ui, Face::small);
-    if (room) paragraph(in.ui, in.words("inspector.keys"), in.ui.palette.second_text, Face::small);
+    if (room && !in.view.program.touch)
+        paragraph(in.ui, in.words("inspector.keys"), in.ui.palette.second_text, Face::small);
 }
 
 void show(Inspected& in) {
