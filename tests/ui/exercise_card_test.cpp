@@ -143,6 +143,22 @@ TEST(ExerciseCard, NoButtonOfItsFootComesWhereAnotherOneWas) {
         }
 }
 
+TEST(ExerciseCard, FoldsItsOtherButtonsForAFingerUntilItIsPassed) {
+    Desk desk(1024, 768, 1, true);
+    desk.view.program.touch = true, desk.view.program.finger = 44;
+    desk.open_exercise();
+    predict_and_run(desk, 0);
+    desk.frame(6);
+    EXPECT_FALSE(desk.anchors.find("exercise.note") || desk.anchors.find("exercise.reset"));
+    desk.click("exercise.others");
+    desk.frame(6);
+    EXPECT_TRUE(desk.anchors.find("exercise.note") && desk.anchors.find("exercise.reset"));
+    desk.click("exercise.others");
+    pass(desk);
+    desk.frame(6);
+    EXPECT_TRUE(desk.anchors.find("exercise.hand_in")) << "it is handed in next";
+}
+
 TEST(ExerciseCard, StartOverAsksBeforeItTakesChangesBack) {
     for (const float width : {800.0f, 1280.0f}) {
         Desk desk(width, width == 800 ? 600.0f : 800.0f, 1, true);

@@ -27,7 +27,7 @@ constexpr float more_width = 26;  // layout pixels, of the button that unfolds t
 // of the longest words that may be there.
 struct FootPlaces {
     float hint = 0, next = 0, reset = 0;  // widths
-    bool folds = false;                   // there is no room for more: all but hint and next are folded
+    bool folds = false;                   // all but hint and next are folded
 };
 
 ButtonLook compact_look(const Ui& ui, std::string_view key, std::string_view icon = {}) {
@@ -52,8 +52,9 @@ FootPlaces foot_places(const LabView& view, const Ui& ui, float width) {
     for (const std::string_view id : {"exercise.hand_in", "exercise.lab_record"})
         others += space + small_button_width(ui, small_look(ui, id), true);
     const float row = places.hint + space + places.next + space + places.reset;
-    // In the lowest windows the steps need the height.
-    places.folds = has_close_rows(view, ui) || std::max(row, is_handed_in(view) ? others : 0) > width + 0.5f;
+    // In the lowest windows the steps need the height; to a finger rows are high, and the answers need the room.
+    const bool has_no_room = std::max(row, is_handed_in(view) ? others : 0) > width + 0.5f;
+    places.folds = has_no_room || has_close_rows(view, ui) || view.program.touch;
     places.next = width - places.hint - 2 * space - (places.folds ? ui.px(more_width) : places.reset);
     return places;
 }
@@ -162,7 +163,8 @@ void exercise_foot(const LabView& view, PanelState& state, Ui& ui, float width) 
     const FootPlaces places = foot_places(view, ui, width);
     ask_before_reset(view, state, ui, width);
     if (is_handed_in(view)) hand_in_answer(view, state, ui, width);
-    const bool shows_all = !places.folds || state.exercise.more_open || points_at_other(ui.highlight);
+    const bool hands_in_next = view.program.touch && has_passed(*view.lesson);
+    const bool shows_all = !places.folds || state.exercise.more_open || hands_in_next || points_at_other(ui.highlight);
     if (shows_all || needs_start_over(*view.lesson)) other_buttons(view, state, ui, width, places.folds, !shows_all);
     const ImVec2 row = ImGui::GetCursorScreenPos();
     const float space = ui.px(spacing::small), next = row.x + places.hint + space;
