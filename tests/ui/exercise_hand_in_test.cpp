@@ -101,6 +101,20 @@ TEST(ExerciseHandIn, TheCardSaysWhyNothingWasHandedIn) {
     EXPECT_TRUE(desk.says("at most 2"));
 }
 
+TEST(ExerciseHandIn, OnAPageTheWholeNameOfTheFileIsShownInPlaceOfItsPath) {
+    Desk desk(800, 600, 1, true);
+    desk.view.program.uploads = true;
+    desk.open_exercise();
+    desk.lesson.attempt.work.has_run = true;
+    desk.lesson.attempt.work.written = "05-aggressor-ana-maria-gonzalez.braiten-handin.toml";
+    desk.frame(3);
+    EXPECT_TRUE(desk.says(desk.lesson.attempt.work.written));
+    EXPECT_FALSE(desk.anchors.find("exercise.copy_path"));
+    desk.lesson.attempt.work.written = "05-aggressor-ana.html";
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("exercise.open_record"));
+}
+
 TEST(ExerciseHandIn, TheFileHandedInIsNamedAndItsPathCanBeCopied) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();

@@ -32,17 +32,19 @@ void name_student(const LabView& view, Ui& ui, const std::string& name) {
         ui.outbox.emplace_back(StudentRequest{StudentEdit::rename, 0, name});
 }
 
-// The name of the last written file, and a button that opens it, if it is a page, or copies its path.
-void written_file(const LessonView& lesson, Ui& ui, float width) {
-    const std::string& written = lesson.attempt.work.written;
+// The name of the last written file, and a button that opens it, if it is a page, or copies its path. A download has no
+// path.
+void written_file(const LabView& view, Ui& ui, float width) {
+    const std::string& written = view.lesson->attempt.work.written;
     if (written.empty()) return;
     const bool is_page = written.ends_with(".html");
+    const std::string name = written.substr(written.find_last_of('/') + 1);
+    if (view.program.uploads && !is_page) return paragraph(ui, name, ui.palette.second_text, Face::small, width);
     const SmallButton copy{is_page ? "exercise.open_record" : "exercise.copy_path",
                            {},
                            ui.strings(is_page ? "exercise.open_record" : "exercise.copy_path")};
     const float beside = width - small_button_width(ui, copy, true) - ui.px(8);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string name = written.substr(written.find_last_of('/') + 1);
     put(ui, {at.x, at.y + (ui.px(ui.tall(small_button_height)) - line_height(ui, Face::small)) / 2},
         shortened(ui, name, Face::small, beside), ui.palette.second_text, Face::small);
     ImGui::SetCursorScreenPos({at.x + beside + ui.px(8), at.y});
@@ -95,7 +97,7 @@ void hand_in_answer(const LabView& view, PanelState& state, Ui& ui, float width)
         if (was_active && !asked.name.active && !begins) asked.asks = false;
         if (is_entered) hand_in_pressed(view, state, ui);
     }
-    written_file(*view.lesson, ui, width);
+    written_file(view, ui, width);
     refused_hand_in(view, asked, ui, width);
 }
 
