@@ -220,7 +220,7 @@ struct FileCommands {
             return fail(error_of(message_of("foreign_folder") + message_of("foreign_folder_window"), into.string()));
         if (const auto error = write_export(into, *wanted.files)) return fail(*error);
         view.exported_to = into.string();
-        say(lab, {NoticeKind::done, "notice.exported", into.string()});
+        say_saved(lab, "notice.exported", into);
         done(into, {});
     }
 

@@ -559,6 +559,20 @@ TEST_F(FilesSheet, AsksBeforeItCreatesAFolder) {
     EXPECT_EQ(creates(), (std::vector{false, true, false})) << "another name, another folder";
 }
 
+TEST_F(FilesSheet, ShowsNoFoldersWhereASaveIsADownload) {
+    press({'S', true, true});
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("file.pictures") && desk.anchors.find("file.up"));
+    desk.view.program.uploads = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("file.pictures") || desk.anchors.find("file.up"));
+    EXPECT_TRUE(desk.anchors.find("file.mine.toml"));
+    desk.panels.sheets.files.saving = false;
+    desk.panels.sheets.files.place = FilesPlace::folder;
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("file.pictures")) << "files are opened from folders";
+}
+
 TEST_F(FilesSheet, SavesWithoutAQuestionIfTheSceneHasAFile) {
     files.save_to = "/home/me/mine.toml";
     press({'S', true});

@@ -384,13 +384,14 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     const FolderListing& listing = view.documents.files->listing;
     begin_list(files, ui, listing.folder, bottom);
     const std::string up = folder_of(listing.folder), below = listing.folder == "/" ? "/" : listing.folder + "/";
-    if (listing.folder != "/" &&
+    const bool has_folders = !files.saving || !view.program.uploads;  // a download has none
+    if (has_folders && listing.folder != "/" &&
         list_row(view, ui, {"file.up", "..", "", std::string(ui.strings("files.up")), icon::folder}, up))
         ui.outbox.push_back(BrowseRequest{up});
     bool any = false;
     std::array<int, file_kinds> numbers{};  // of files so far, by kind
     for (const FileEntry& entry : listing.entries) {
-        if (!is_shown(files, entry)) continue;
+        if (!is_shown(files, entry) || (entry.is_folder && !has_folders)) continue;
         any = true;
         FileRow row{"file." + entry.name, entry.name, "", "", entry.is_folder ? icon::folder : icon::file};
         if (!entry.is_folder && hides_titles(view))
