@@ -338,7 +338,11 @@ inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
 // Shorter names of what LabView::may says.
 inline bool hides_outcome(const LabView& view) { return !view.may.outcome; }
 inline bool may_show_future(const LabView& view) { return view.may.future; }
-inline bool can_compare(const LabView& view) { return view.may.solution_run; }
+inline bool can_compare(const LabView& view) {
+    if (!view.may.solution_run || !view.lesson) return false;
+    const Attempt& attempt = view.lesson->attempt;
+    return attempt.work.runs > 1 || attempt.work.compares || attempt.answers.hints_shown > 0 || view.lesson->grade;
+}
 
 // True for a kind whose brains are hidden by the scene or by the exercise.
 inline bool is_brain_secret(const LabView& view, int kind) {

@@ -276,7 +276,7 @@ TEST_F(PathPrediction, TheFirstPlayPointsToTheDrawing) {
     EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "Space skips it";
 }
 
-TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {
+TEST(PredictionPart, OffersToCompareAfterThePredictionOnceTheFirstRunHasEnded) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.frame(3);
@@ -285,6 +285,9 @@ TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.compare")) << "before the prediction";
     predict_and_run(desk, 0);
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.compare")) << "in the first run";
+    desk.lesson.attempt.work.runs = 2;
     desk.frame(3);
     desk.click("exercise.compare");
     ASSERT_TRUE(desk.last<CompareRequest>());
