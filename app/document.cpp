@@ -115,8 +115,8 @@ Result<Document> open_document(const std::filesystem::path& path, std::optional<
     return open_document(*file, seed, settings);
 }
 
-Document resume_document(SavedRun run) {
-    Document document{.session = Session::resume(std::move(run))};
+Document resume_document(SavedRun run, Edits edits) {
+    Document document{.session = Session::resume(std::move(run), {}, std::move(edits))};
     document.file = std::make_shared<const Scene>(document.session.scene());
     return document;
 }

@@ -137,6 +137,6 @@ Result<Document> open_document(const std::filesystem::path&, std::optional<std::
                                const std::vector<Setting>& settings);
 
 // Continues a run; the document has no file.
-Document resume_document(SavedRun);
+Document resume_document(SavedRun, Edits = {});
 
 }  // namespace braitenlab

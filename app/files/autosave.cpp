@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/edits_json.h"
 #include "app/files/file_commands.h"
 #include "app/files/safe_file.h"
 #include "core/io/checked_json.h"
@@ -27,7 +28,8 @@ namespace {
 
 constexpr const char* autosave_extension = ".autosave";
 constexpr const char* broken_extension = ".broken";
-constexpr int deepest_nesting = 32;  // of arrays and objects
+constexpr std::size_t most_edits_kept = 50;  // a browser has room for about 5 MB
+constexpr int deepest_nesting = 32;          // of arrays and objects
 
 std::string local_time() {
     const std::time_t now = std::time(nullptr);
@@ -65,6 +67,7 @@ struct AutosaveKeys {
     std::optional<std::uint64_t> content;
     bool ended = false;
     std::optional<Draft::Progress> exercise;
+    Edits edits;
 };
 
 // Reads no more than these keys, with which the file begins.
@@ -82,6 +85,7 @@ Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_na
         json.at("ended").get_to(keys.ended);
         if (const auto& content = json.value("content", nlohmann::json()); !content.is_null())
             keys.content = content.get<std::uint64_t>();
+        if (json.contains("edits")) keys.edits = read_edits(json.at("edits")).value_or(Edits{});
         if (const auto& exercise = json.at("exercise"); !exercise.is_null())
             keys.exercise =
                 Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run"),
@@ -95,7 +99,7 @@ Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_na
 
 Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
     if (!keys.exercise) {
-        Document document = resume_document(std::move(run));
+        Document document = resume_document(std::move(run), keys.edits);
         document.name = keys.name;
         document.path = keys.path;
         document.on_disk = mark_of(keys.path);
@@ -119,7 +123,7 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         attempt.work.outcome_known = keys.exercise->outcome_known;
         attempt.answers.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
     }
-    document->session = Session::resume(std::move(run), std::move(observer));
+    document->session = Session::resume(std::move(run), std::move(observer), keys.edits);
     return document;
 }
 
@@ -171,8 +175,8 @@ Error cannot_store(const Error& reason) {
 }  // namespace
 
 Draft draft_of(const Document& document) {
-    Draft draft{title_of(document),      document.name, document.path, document.content,
-                document.session.save(), std::nullopt,  false};
+    Draft draft{title_of(document),       document.name, document.path, document.content, document.session.save(),
+                document.session.edits(), std::nullopt,  false};
     if (document.lesson) {
         const Attempt& attempt = document.lesson->attempt;
         draft.hides_brain = !document.lesson->exercise->hides.empty();
@@ -180,6 +184,9 @@ Draft draft_of(const Document& document) {
         draft.exercise = Draft::Progress{attempt.answers.prediction, attempt.answers.hints_shown, attempt.work.has_run,
                                          attempt.work.outcome_known, write_referee_state(referee.state())};
     }
+    const auto& kinds = document.session.snapshot().scene->kinds;
+    const bool has_hidden = std::any_of(kinds.begin(), kinds.end(), [](const Kind& kind) { return kind.hidden; });
+    if (has_hidden || draft.hides_brain) draft.edits = {};
     return draft;
 }
 
@@ -192,6 +199,7 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
                         {"exercise", nullptr},
                         {"content", nullptr}};
     if (draft.content) keys["content"] = *draft.content;
+    keys["edits"] = edits_json(draft.edits, most_edits_kept);
     if (draft.exercise)
         keys["exercise"] = {{"prediction", draft.exercise->prediction},
                             {"has_run", draft.exercise->has_run},

@@ -28,6 +28,7 @@ struct Draft {
     std::filesystem::path path;            // absolute; empty: not saved yet
     std::optional<std::uint64_t> content;  // Document::content
     SavedRun run;
+    Edits edits;  // none where a brain is hidden: only the run is sealed
     struct Progress {
         int prediction = -1, hints_shown = 0;
         bool has_run = false, outcome_known = false;

@@ -57,12 +57,14 @@ Result<Session> Session::open(const Scene& scene, std::uint64_t seed, RunObserve
     return Session(scene, std::move(*world), std::move(observer));
 }
 
-Session Session::resume(SavedRun run, RunObserver at_keyframe) {
+Session Session::resume(SavedRun run, RunObserver at_keyframe, Edits edits) {
     const Checkpoint& to = run.checkpoint;
     World world = World::restore({to.keyframe, to.keyframe_tick, {}, to.keyframe_tick});
     Session session(std::move(run.opened), std::move(world), std::move(at_keyframe));
     session.recording_ = Recording(to, session.observer_);
     session.restore(to.tick);
+    session.edits_ = std::move(edits);
+    session.remember_edits();
     return session;
 }
 

@@ -55,8 +55,8 @@ public:
     static Result<Session> open(const Scene&, std::uint64_t seed, RunObserver = {});
 
     // Continues a saved run, identical to the uninterrupted run. The observer is as it was at the run's last keyframe,
-    // see observer_at_keyframe().
-    static Session resume(SavedRun, RunObserver at_keyframe = {});
+    // see observer_at_keyframe(). The edits can be undone at its tick.
+    static Session resume(SavedRun, RunObserver at_keyframe = {}, Edits = {});
 
     // Executes a command of the user. Every edit can be undone; edits with the same gesture (not 0, one number per
     // drag) are one undo step. At a tick before latest(), a command removes the later recorded ticks unless it is
@@ -81,6 +81,7 @@ public:
     // later recorded ticks, its undo before the next step restores them.
     UndoResult undo();
     UndoResult redo();
+    const Edits& edits() const { return edits_; }
     int undo_depth() const { return static_cast<int>(edits_.done.size()); }
     int redo_depth() const { return static_cast<int>(edits_.undone.size()); }
 

@@ -70,6 +70,27 @@ std::optional<float> kept_in(const fs::path& folder) {
     return std::nullopt;
 }
 
+TEST_F(AutosaveTest, KeepsWhatCanBeUndone) {
+    for (const char* name : {"2a-coward", "05-aggressor"}) {
+        Folder own;
+        lab = open(name);
+        Autosave dying(own.path, complaints);
+        const float before = dials(lab.document).LR;
+        edit(lab, before + 0.5f), edit(lab, before + 0.25f);
+        handle(lab, Action::undo);
+        ASSERT_FALSE(dying.keep(lab, 0, Autosave::Occasion::now));
+        const auto files = files_in(own.path);
+        ASSERT_EQ(files.size(), 1u);
+        auto kept = open_autosave(text_of(files[0]), "a");
+        ASSERT_TRUE(kept) << kept.error().text();
+        EXPECT_EQ(dials(kept->document).LR, before + 0.5f);
+        EXPECT_TRUE(kept->document.session.redo());
+        EXPECT_EQ(dials(kept->document).LR, before + 0.25f);
+        EXPECT_TRUE(kept->document.session.undo() && kept->document.session.undo());
+        EXPECT_EQ(dials(kept->document).LR, before) << name;
+    }
+}
+
 TEST_F(AutosaveTest, WritesEachEditWithinASecondAlsoSoonAfterTheLastWrite) {
     Autosave autosave(folder.path, complaints);
     const auto at = [&](double second) {
