@@ -123,7 +123,7 @@ int open_and_run(Options options) {
     SettingsFiles files(folders.config, folders.state);
     Settings settings = read_settings(
         std::move(files), {options.theme, options.language, options.graphics.has_quality, options.graphics.quality},
-        native_language(*data / "ui" / "strings"));
+        native_language(*data / "ui" / "strings"), prefers_light() ? Theme::light : Theme::dark);
     options.title |= is_first_start(options, settings);
     auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());

@@ -310,8 +310,10 @@ std::optional<Error> SettingsFiles::write(const Preferences& preferences, const 
     return failed;
 }
 
-Settings read_settings(SettingsFiles files, const PreferenceOverrides& overrides, const std::string& native_language) {
+Settings read_settings(SettingsFiles files, const PreferenceOverrides& overrides, const std::string& native_language,
+                       Theme native_theme) {
     Settings settings{.files = std::move(files)};
+    settings.stored.theme = native_theme;
     settings.stored.language = settings.native_language = native_language;
     settings.errors = settings.files.read(settings.stored, settings.state);
     settings.at_start = settings.stored;

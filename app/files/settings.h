@@ -97,8 +97,9 @@ struct Settings {
     std::vector<Error> errors;  // of files that could not be read
 };
 
-// `native_language` is used until the user chooses a language.
-Settings read_settings(SettingsFiles, const PreferenceOverrides&, const std::string& native_language);
+// `native_language` and `native_theme` are used until a preference is stored.
+Settings read_settings(SettingsFiles, const PreferenceOverrides&, const std::string& native_language,
+                       Theme native_theme = Theme::dark);
 
 // Writes what has changed. Values that come from the overrides alone are not stored.
 std::optional<Error> save(Settings&, const Preferences& now, std::pair<int, int> window_size);

@@ -9,6 +9,8 @@ void repeat(std::function<bool()> turn) {
 
 bool is_on_page() { return false; }
 
+bool prefers_light() { return false; }
+
 std::string page_address() { return {}; }
 
 void tell_page(const DocumentOnPage&) {}

@@ -13,6 +13,9 @@ void repeat(std::function<bool()> turn);
 // True in a browser: files come by upload and leave by download, and the program has no terminal.
 bool is_on_page();
 
+// True if the user asks pages for light colours (prefers-color-scheme); false elsewhere.
+bool prefers_light();
+
 // The address of the page without what follows '?' or '#'; empty elsewhere.
 std::string page_address();
 

@@ -37,9 +37,10 @@ EM_JS(void, work_soon_on_page, (), {
     Module.toWork.postMessage(0);
 });
 EM_JS(void, choose_files_on_page, (), { Module.chooseFiles(); });
-// Released by the caller.
+EM_JS(bool, page_prefers_light, (), { return matchMedia("(prefers-color-scheme: light)").matches; });
+// Empty for a page that has none, such as a frame by srcdoc. Released by the caller.
 EM_JS(char*, address_of_page, (), {
-    const text = location.href.split(/[?#]/)[0];
+    const text = (/^(https?|file):/.test(location.href) ? location.href : "").split(/[?#]/)[0];
     const size = lengthBytesUTF8(text) + 1;
     const bytes = _malloc(size);
     stringToUTF8(text, bytes, size);
@@ -86,6 +87,8 @@ void repeat(std::function<bool()> turn) {
 }
 
 bool is_on_page() { return true; }
+
+bool prefers_light() { return page_prefers_light(); }
 
 std::string page_address() {
     char* bytes = address_of_page();

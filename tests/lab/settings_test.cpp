@@ -175,6 +175,17 @@ TEST(Settings, LeaveOutRecentFilesWithoutAPath) {
     EXPECT_EQ(state->recent, (std::vector<RecentFile>{{"/a.toml"}, {"/b.toml", "B"}}));
 }
 
+TEST_F(SettingsOnDisk, TheThemeOfTheSystemAppliesUntilAPreferenceIsStored) {
+    const auto next = [&] { return read_settings({folder / "config", folder / "state"}, {}, "en", Theme::light); };
+    Settings first = next();
+    EXPECT_EQ(first.at_start.theme, Theme::light);
+    ASSERT_FALSE(save(first, first.at_start, {1280, 800}));
+    EXPECT_FALSE(fs::exists(folder / "config" / "settings.toml")) << "nothing is chosen";
+    first.at_start.theme = Theme::dark;
+    ASSERT_FALSE(save(first, first.at_start, {1280, 800}));
+    EXPECT_EQ(next().at_start.theme, Theme::dark);
+}
+
 TEST_F(SettingsOnDisk, OverridesApplyToOneStartOnly) {
     preferences.quality = Quality::high;
     ASSERT_FALSE(files.write(preferences, state));

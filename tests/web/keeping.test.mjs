@@ -56,6 +56,17 @@ test("Without storage the lab starts and says that nothing is kept", limit, () =
         },
     }));
 
+test("The first theme is the one that the browser asks for, until one is chosen", limit, async () => {
+    await withLab("?open=01-drive", async (lab) => {
+        assert.equal((await lab.state()).theme, "light");
+        await lab.page.keyboard.press("t");
+        await lab.until((state) => state.theme === "dark");
+        await lab.page.waitForFunction(() => localStorage.getItem("braitenlab:/home/web_user/config/settings.toml"));
+        const two = await Lab.openIn(lab.page.context(), labs.server.address + "?open=01-drive");
+        assert.equal((await two.state()).theme, "dark");
+    }, { colorScheme: "light" });
+});
+
 test("In a browser that refuses cookies the lab starts and says that nothing is kept", limit, async () => {
     const folder = await mkdtemp(path.join(os.tmpdir(), "braitenlab-"));
     await mkdir(path.join(folder, "Default"));

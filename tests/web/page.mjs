@@ -41,7 +41,7 @@ export const openBrowser = (extra) => chromium.launch(program(extra));
 
 // A browser with the settings and the storage of a user, who has this folder.
 export function openUser(folder) {
-    return chromium.launchPersistentContext(folder, { ...program(), viewport: { width: 1280, height: 800 }, locale: "en-US" });
+    return chromium.launchPersistentContext(folder, { ...program(), viewport: { width: 1280, height: 800 }, locale: "en-US", colorScheme: "dark" });
 }
 
 // Runs the window of the desktop without settings of the user until it has written its picture. For keys: window.mjs.
@@ -149,7 +149,7 @@ export class Lab {
     }
 
     static async open(browser, address, options = {}, init) {
-        const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-US", ...options });
+        const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-US", colorScheme: "dark", ...options });
         if (init) await context.addInitScript(init);
         return Lab.openIn(context, address);
     }
