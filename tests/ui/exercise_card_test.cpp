@@ -150,6 +150,8 @@ TEST(ExerciseCard, FoldsItsOtherButtonsForAFingerUntilItIsPassed) {
     predict_and_run(desk, 0);
     desk.frame(6);
     EXPECT_FALSE(desk.anchors.find("exercise.note") || desk.anchors.find("exercise.reset"));
+    const Rect card = desk.where("card.exercise"), others = desk.where("exercise.others");
+    EXPECT_LT(others.x + others.w, card.x + card.w);
     desk.click("exercise.others");
     desk.frame(6);
     EXPECT_TRUE(desk.anchors.find("exercise.note") && desk.anchors.find("exercise.reset"));

@@ -36,6 +36,13 @@ ButtonLook compact_look(const Ui& ui, std::string_view key, std::string_view ico
     return look;
 }
 
+// The button that unfolds the others.
+ButtonLook more_look() {
+    ButtonLook look{{}, "…"};
+    look.min_width = more_width, look.compact = true;
+    return look;
+}
+
 SmallButton small_look(const Ui& ui, std::string_view id) { return {id, {}, ui.strings(id)}; }
 
 // False on a page of a lecture: its exercise is not handed in.
@@ -55,7 +62,7 @@ FootPlaces foot_places(const LabView& view, const Ui& ui, float width) {
     // In the lowest windows the steps need the height; to a finger rows are high, and the answers need the room.
     const bool has_no_room = std::max(row, is_handed_in(view) ? others : 0) > width + 0.5f;
     places.folds = has_no_room || has_close_rows(view, ui) || view.program.touch;
-    places.next = width - places.hint - 2 * space - (places.folds ? ui.px(more_width) : places.reset);
+    places.next = width - places.hint - 2 * space - (places.folds ? button_width(ui, more_look()) : places.reset);
     return places;
 }
 
@@ -176,8 +183,8 @@ void exercise_foot(const LabView& view, PanelState& state, Ui& ui, float width) 
     }
     ImGui::SetCursorScreenPos({next + places.next + space, row.y});
     if (places.folds) {
-        ButtonLook more{{}, "…"};
-        more.min_width = more_width, more.on = state.exercise.more_open, more.compact = true;
+        ButtonLook more = more_look();
+        more.on = state.exercise.more_open;
         if (push_button(ui, "exercise.others", more, ui.strings("exercise.others_how")))
             state.exercise.more_open = !state.exercise.more_open;
     } else if (push_button(ui, "exercise.reset", compact_look(ui, "exercise.reset"),
