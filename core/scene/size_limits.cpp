@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -88,63 +89,47 @@ public:
             smallest_ = std::min(smallest_, floor_area(kind.body));
         }
         const auto place = [&](const auto& own) {
-            squares_.push_back({{std::llround(own.x / side_), std::llround(own.y / side_)}, 1});
+            const int vehicles = ++squares_[{std::llround(own.x / side_), std::llround(own.y / side_)}];
+            most_ = std::max(most_, vehicles);
         };
         for (const Start& start : scene.starts) place(start);
         for (const Member& member : scene.members)
             if (member.placed) place(member);
-        std::sort(squares_.begin(), squares_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-        std::size_t unique = 0;
-        for (std::size_t i = 1; i < squares_.size(); ++i)
-            if (squares_[i].at == squares_[unique].at)
-                ++squares_[unique].vehicles;
-            else
-                squares_[++unique] = squares_[i];
-        if (!squares_.empty()) squares_.resize(unique + 1);
-        for (const Square& square : squares_) most_ = std::max(most_, square.vehicles);
     }
 
     float side() const { return side_; }  // m
     int most() const { return most_; }    // in one square
     // How many times as many as find room side by side, where most are; at least 1.
     double crowding() const { return std::max(1.0, most_ / room()); }
+    double smallest() const { return smallest_; }  // m², floor of the smallest vehicle
 
     // Calls each(vehicles, others) for the vehicles of each square and those of the nine squares around, less those
     // that find room there side by side, where physics keeps them: these overlap.
     void for_each_overlap(const auto& each) const {
         if (most_ <= room()) return;
-        for (const Square& square : squares_) {
+        for (const auto& [at, vehicles] : squares_) {
             double near = 0;
-            for (std::int64_t x = square.at.first - 1; x <= square.at.first + 1; ++x) {
-                const std::pair from{x, square.at.second - 1};
-                auto other = std::lower_bound(squares_.begin(), squares_.end(), from,
-                                              [](const Square& s, const auto& at) { return s.at < at; });
-                for (; other != squares_.end() && other->at.first == x && other->at.second <= square.at.second + 1;
-                     ++other)
-                    near += other->vehicles;
+            for (std::int64_t x = at.first - 1; x <= at.first + 1; ++x) {
+                const auto end = squares_.upper_bound({x, at.second + 1});
+                for (auto other = squares_.lower_bound({x, at.second - 1}); other != end; ++other)
+                    near += other->second;
             }
-            if (near > 9 * room()) each(static_cast<double>(square.vehicles), near - 9 * room());
+            if (near > 9 * room()) each(static_cast<double>(vehicles), near - 9 * room());
         }
     }
 
 private:
     double room() const { return static_cast<double>(side_) * static_cast<double>(side_) / smallest_; }  // of a square
 
-    struct Square {
-        std::pair<std::int64_t, std::int64_t> at;  // in sides
-        int vehicles = 0;
-    };
     float side_ = 0;
-    double smallest_ = std::numeric_limits<double>::max();  // m², floor of the smallest vehicle
-    std::vector<Square> squares_;                           // ascending
+    double smallest_ = std::numeric_limits<double>::max();
+    std::map<std::pair<std::int64_t, std::int64_t>, int> squares_;  // vehicles by place, in sides
     int most_ = 0;
 };
 
 // The same for vehicles that the file places: only so many on the floor of one.
-std::optional<Fault> crowd_fault(const Scene& scene) {
+std::optional<Fault> crowd_fault(const PlacedVehicles& placed) {
     constexpr int most = 32;
-    if (scene.starts.size() + scene.members.size() <= most) return std::nullopt;
-    const PlacedVehicles placed(scene);
     if (placed.most() <= most) return std::nullopt;
     return Fault{"", message_of("too_crowded", most, fmt::format("{:.3g}", placed.side()))};
 }
@@ -263,15 +248,14 @@ private:
 // each other.
 class WorkOfATick {
 public:
-    WorkOfATick(const Scene& scene, const PresentParts& parts)
-        : scene_(scene), parts_(parts), placed_(scene), vehicles_(vehicle_count(scene)) {
+    WorkOfATick(const Scene& scene, const PresentParts& parts, const PlacedVehicles& placed)
+        : scene_(scene), parts_(parts), placed_(placed), vehicles_(vehicle_count(scene)) {
         const auto force = [](const Zone& z) { return std::fabs(z.wind_x) + std::fabs(z.wind_y) + std::fabs(z.pull); };
         float push = 0, fastest = 0;  // N, m/s
         double beyond = 0;            // wheels beside a chassis, which are bodies of their own
         for (const Zone& zone : scene.zones) push += force(zone);
         for (const Kind& kind : scene.kinds) {
             const Body& body = kind.body;
-            smallest_ = std::min(smallest_, floor_area(body));
             marks_ = std::max(marks_, static_cast<double>(kind.memory.marks));
             side_ = std::max(side_, std::hypot(body.length, body.width));
             fastest = std::max({fastest, body.top_speed * voltage_share(body), push / body.mass});  // after a second
@@ -341,7 +325,7 @@ private:
     // The share of the vehicles that find room in this rectangle, grown by `margin` (m).
     double share_in(maths::vec2 extent, float margin) const {
         const auto area = static_cast<double>((2 * extent.x + margin) * (2 * extent.y + margin));
-        return std::min(1.0, placed_.crowding() * area / (smallest_ * vehicles_));
+        return std::min(1.0, placed_.crowding() * area / (placed_.smallest() * vehicles_));
     }
     // How often something within `reach` (m) is found across the seams of a torus.
     double images(float reach) const {
@@ -363,7 +347,7 @@ private:
         if (!row_of(sensor.channel).is_summed) return 0;
         const auto channel = static_cast<std::size_t>(sensor.channel);
         const double reach = static_cast<double>(sensor.range + side_);
-        const double near = std::min(vehicles_, maths::pi_d * reach * reach / smallest_);  // side by side
+        const double near = std::min(vehicles_, maths::pi_d * reach * reach / placed_.smallest());  // side by side
         const bool is_slow = scene_.arena.edge == Boundary::torus || sensor.response == SensorResponse::photocell ||
                              sensor.response == SensorResponse::table;
         double of_one = is_slow ? cost::slow_stimulus : 1;
@@ -380,10 +364,9 @@ private:
 
     const Scene& scene_;
     const PresentParts& parts_;
-    PlacedVehicles placed_;
+    const PlacedVehicles& placed_;
     double vehicles_;
     float side_ = 0;                                                // m, longest of any vehicle
-    double smallest_ = std::numeric_limits<double>::max();          // m², floor of the smallest vehicle
     double touched_ = 0, impacts_ = 0, zones_ = 0;                  // bodies beside a vehicle, zones below it
     double sides_ = 0, hiding_sides_ = 0, marks_ = 0;               // of all outlines, of obstacles; of a memory
     std::array<double, channel_table.size()> fixed_{}, carried_{};  // stimuli by channel; of one vehicle
@@ -391,8 +374,8 @@ private:
 
 // A tick is not interrupted, so its work decides how soon the window answers. Without a limit a short file of 20,000
 // vehicles that see 100 m far asks for a tick of minutes.
-std::optional<Fault> work_fault(const Scene& scene, const PresentParts& parts) {
-    const double work = work_of_a_tick(scene, parts);
+std::optional<Fault> work_fault(const Scene& scene, const PresentParts& parts, const PlacedVehicles& placed) {
+    const double work = WorkOfATick(scene, parts, placed).total();
     if (work <= most_work) return std::nullopt;
     return Fault{"ecology.population", message_of("too_much_work", std::llround(vehicle_count(scene)),
                                                   std::llround(work / 1e6), std::llround(most_work / 1e6))};
@@ -402,15 +385,18 @@ std::optional<Fault> work_fault(const Scene& scene, const PresentParts& parts) {
 
 double work_of_a_tick(const Scene& scene) { return work_of_a_tick(scene, parts_of(scene)); }
 
-double work_of_a_tick(const Scene& scene, const PresentParts& parts) { return WorkOfATick(scene, parts).total(); }
+double work_of_a_tick(const Scene& scene, const PresentParts& parts) {
+    return WorkOfATick(scene, parts, PlacedVehicles(scene)).total();
+}
 
 std::optional<Fault> size_fault(const Scene& scene) { return size_fault(scene, parts_of(scene)); }
 
 std::optional<Fault> size_fault(const Scene& scene, const PresentParts& parts) {
-    if (auto fault = crowd_fault(scene)) return fault;
+    const PlacedVehicles placed(scene);
+    if (auto fault = crowd_fault(placed)) return fault;
     if (auto fault = density_fault(scene)) return fault;
     if (auto fault = memory_fault(scene, parts)) return fault;
-    return work_fault(scene, parts);
+    return work_fault(scene, parts, placed);
 }
 
 }  // namespace braitenlab
