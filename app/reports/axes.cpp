@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "app/reports/html.h"
 #include "core/utf8.h"
+#include "core/xml_text.h"
 #include "ui/words/number_text.h"
 
 namespace braitenlab {
@@ -26,6 +26,10 @@ std::vector<float> axis_ticks(float a, float b, float step) {
 std::string tick_text(float value, float step, const Strings& strings) {
     const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-4f)), 0, 6);
     return ui::fixed(value == 0 ? 0 : value, decimals, decimal_mark(strings));
+}
+
+std::string placed(float x, float y, std::string_view content) {
+    return fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", x, y, content);
 }
 
 std::string words_at(float x, float y, std::string_view words, std::string_view more) {

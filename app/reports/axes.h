@@ -1,6 +1,7 @@
 // What the drawings with axes share: frames with ticks, words, the scale of colours, and labels with an outline.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,13 @@ std::vector<float> axis_ticks(float a, float b, float step);
 
 // The number at a tick, with the decimals that the step needs.
 std::string tick_text(float value, float step, const Strings&);
+
+// Of M. Okabe and K. Ito's colours, those that are dark enough on white, and more of other lightness.
+inline constexpr std::array<const char*, 8> series_colours{"#0072b2", "#d55e00", "#007a5a", "#a3477f",
+                                                           "#4a4a46", "#8a6d00", "#5b3fa0", "#2f9ccc"};
+
+// A group of elements, moved.
+std::string placed(float x, float y, std::string_view content);
 
 // A text of 13 px. `more`: attributes, with a space before each.
 std::string words_at(float x, float y, std::string_view words, std::string_view more = "");

@@ -35,10 +35,6 @@ std::string panel_heading(Side side, const Strings& strings) {
     return words_at(0, -12, side_name(side, strings), " font-weight=\"bold\"");
 }
 
-std::string placed(float x, float y, const std::string& content) {
-    return fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", x, y, content);
-}
-
 // What the score counts.
 std::string counted_text(const evolve::Breeding& breeding, const Strings& strings) {
     const std::string seconds =

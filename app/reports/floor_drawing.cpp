@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "app/reports/html.h"
 #include "core/maths/angle.h"
+#include "core/xml_text.h"
 
 namespace braitenlab {
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/lesson/grade.h"
-#include "core/lesson/submission.h"
 #include "ui/words/strings.h"
 
 namespace braitenlab {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/reports/floor_drawing.h"
-#include "app/reports/html.h"
+#include "core/xml_text.h"
 
 namespace braitenlab {
 

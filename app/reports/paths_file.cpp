@@ -1,7 +1,6 @@
 #include "app/reports/paths_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -10,7 +9,6 @@
 
 #include "app/reports/axes.h"
 #include "app/reports/floor_drawing.h"
-#include "app/reports/html.h"
 #include "app/reports/svg_file.h"
 #include "core/maths/angle.h"
 #include "core/session/recorded_run.h"
@@ -24,10 +22,7 @@ constexpr float across = 800, margin = 24, above = 48, row = 22;  // px
 constexpr std::uint64_t stride = 6;                               // ticks
 constexpr std::size_t most_named = 8;                             // vehicles
 constexpr std::size_t most_points = 2000;                         // of a path
-
-// Of M. Okabe and K. Ito's colours, those that are dark enough on white, and more of other lightness.
-constexpr std::array<const char*, most_named> colours{"#0072b2", "#d55e00", "#007a5a", "#a3477f",
-                                                      "#4a4a46", "#8a6d00", "#5b3fa0", "#2f9ccc"};
+static_assert(series_colours.size() == most_named);
 
 struct LegendRow {
     std::string words;
@@ -37,11 +32,6 @@ struct LegendRow {
 std::string name_of(const Scene& scene, const VehicleView& vehicle) {
     if (vehicle.start >= 0) return scene.starts[static_cast<std::size_t>(vehicle.start)].name;
     return fmt::format("{} {}", scene.kinds[static_cast<std::size_t>(vehicle.kind)].name, vehicle.id + 1);
-}
-
-std::string text(float x, float y, std::string_view words, std::string_view more = "") {
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\" fill=\"#1c1c1a\"{}>{}</text>\n", x, y, more,
-                       xml_text(words));
 }
 
 std::string edge_svg(const Arena& arena, const FloorMap& map) {
@@ -129,15 +119,15 @@ std::string scale_bar(const FloorMap& map, float y, const Strings& strings) {
                "<path d=\"M{0:.1f} {1:.1f}v10M{0:.1f} {2:.1f}H{3:.1f}M{3:.1f} {1:.1f}v10\" fill=\"none\" "
                "stroke=\"#1c1c1a\" stroke-width=\"2\"/>\n",
                x, y - 5, y, across) +
-           text((x + across) / 2, y + 20, ui::fixed(metres, decimals, decimal_mark(strings)) + " m",
-                " text-anchor=\"middle\"");
+           words_at((x + across) / 2, y + 20, ui::fixed(metres, decimals, decimal_mark(strings)) + " m",
+                    " text-anchor=\"middle\"");
 }
 
 std::string legend_svg(const std::vector<LegendRow>& rows, float y) {
     std::string out;
     for (const LegendRow& each : rows) {
         out += fmt::format("<path d=\"M0 {0:.1f}H30\" stroke=\"{1}\" stroke-width=\"3\"/>\n", y, each.colour) +
-               text(40, y + 5, each.words);
+               words_at(40, y + 5, each.words);
         y += row;
     }
     return out;
@@ -160,7 +150,7 @@ std::string paths_file(const Recording& recording, std::uint64_t from, std::uint
     for (const auto& [id, path] : paths) {
         const auto kind = static_cast<std::size_t>(path.last.kind);
         const std::size_t number = is_named ? legend.size() : kind;
-        const char* colour = colours[number % colours.size()];
+        const char* colour = series_colours[number % most_named];
         const std::string name = is_named ? name_of(scene, path.last) : std::string();
         drawn += path_svg(path, scene.arena, map, colour, name, points, taken);
         if (is_named)
@@ -170,12 +160,12 @@ std::string paths_file(const Recording& recording, std::uint64_t from, std::uint
     }
     for (const auto& [kind, count] : of_kind)
         legend.push_back({fmt::format("{} ({})", scene.kinds[static_cast<std::size_t>(kind)].name, count),
-                          colours[static_cast<std::size_t>(kind) % colours.size()]});
+                          series_colours[static_cast<std::size_t>(kind) % most_named]});
     const float below = map.height + 36;
     const auto seconds = [&](std::uint64_t tick) {
         return ui::fixed(static_cast<float>(tick) / 60, 1, decimal_mark(strings));
     };
-    drawn += text(0, below, fill(strings("report.paths_time"), {seconds(from), seconds(to)})) +
+    drawn += words_at(0, below, fill(strings("report.paths_time"), {seconds(from), seconds(to)})) +
              legend_svg(legend, below + row) + scale_bar(map, below - 8, strings);
     const float height = above + below + row * (static_cast<float>(legend.size()) + 1) + margin;
     return svg_file(title, across + 2 * margin, height,

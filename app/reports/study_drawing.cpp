@@ -1,7 +1,6 @@
 #include "app/reports/study_drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -20,10 +19,6 @@ using insight::Study;
 constexpr float panel_width = 520, panel_height = 260, panel_step = 350, panel_left = 92, panel_top = 60,
                 panel_legend = 260;  // px
 constexpr float wanted_aside = 12;   // px, so that points of 8 px do not touch
-// Of M. Okabe and K. Ito's colours, those that are dark enough on white, and more of other lightness.
-constexpr std::array<const char*, 8> series_colours{"#0072b2", "#d55e00", "#007a5a", "#a3477f",
-                                                    "#4a4a46", "#8a6d00", "#5b3fa0", "#2f9ccc"};
-
 std::string with_unit(std::string_view name, std::string_view unit) {
     return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
 }
@@ -202,11 +197,9 @@ std::string study_drawing(const Study& study, const std::vector<insight::StudyRo
         const bool is_labelled = i == 0 && !labels.y.empty();
         const std::string y_label =
             is_labelled ? labels.y : with_unit(strings("study.measure." + std::string(traits.word)), traits.unit);
-        drawn += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", panel_left,
-                             panel_top + panel_step * static_cast<float>(i), panels.panel(i, x_label, y_label));
+        drawn += placed(panel_left, panel_top + panel_step * static_cast<float>(i), panels.panel(i, x_label, y_label));
     }
-    drawn += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", panel_left + panel_width + 24, panel_top,
-                         panels.legend());
+    drawn += placed(panel_left + panel_width + 24, panel_top, panels.legend());
     const float below = panel_top + panel_step * static_cast<float>(study.measures.size());
     std::string caption =
         fill(strings("report.study_bars"), {std::to_string(study.seeds), tick_text(study.seconds, 1, strings)});

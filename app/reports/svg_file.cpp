@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/reports/html.h"
+#include "core/xml_text.h"
 
 namespace braitenlab {
 
