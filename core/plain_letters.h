@@ -1,4 +1,4 @@
-// Texts in small letters without accents, to search them and to name files.
+// Texts in small letters, also without accents, to search them and to name files.
 #pragma once
 
 #include <array>
@@ -8,6 +8,28 @@
 #include "core/utf8.h"
 
 namespace braitenlab {
+
+// Of ASCII letters.
+constexpr char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+inline std::string lower_case(std::string text) {
+    for (char& c : text) c = lower_case(c);
+    return text;
+}
+
+// Small ASCII letters and digits, and single '-' for what is between them; `others`: letters of other scripts stay.
+inline std::string with_dashes(std::string_view text, bool others = false) {
+    std::string name;
+    for (const char letter : text) {
+        const char c = lower_case(letter);
+        const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (is_plain || (others && static_cast<unsigned char>(c) >= 0x80))
+            name += c;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    }
+    while (name.ends_with('-')) name.pop_back();
+    return name;
+}
 
 enum class Umlauts { as_vowels, spelled };  // ä as "a", or as "ae" as German spells it without umlauts
 
@@ -39,10 +61,8 @@ inline std::string plain_letters(std::string_view text, Umlauts umlauts) {
             constexpr std::string_view vowels = "aou";
             const bool is_umlaut = code == 0x308 && !plain.empty() && vowels.find(plain.back()) != vowels.npos;
             if (is_umlaut && umlauts == Umlauts::spelled) plain += 'e';
-        } else if (code >= 'A' && code <= 'Z') {
-            plain += static_cast<char>(code - 'A' + 'a');
         } else {
-            plain += text.substr(0, size);
+            plain += lower_case(std::string(text.substr(0, size)));
         }
         text.remove_prefix(size);
     }

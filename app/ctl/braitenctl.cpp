@@ -1,6 +1,5 @@
 // Braitenlab without a window. Exit codes: 0 done or passed, 1 failed, 2 bad input, 130 interrupted.
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -25,6 +24,7 @@
 #include "core/export/export.h"
 #include "core/insight/behaviour.h"
 #include "core/io/vehicle_table.h"
+#include "core/plain_letters.h"
 #include "core/scene/nearest.h"
 
 namespace braitenlab {
@@ -45,10 +45,7 @@ int interrupted() {
 }
 
 std::optional<Error> ending_fault(std::string_view option, const std::string& file, std::string_view ending) {
-    if (file.empty()) return std::nullopt;
-    std::string own = std::filesystem::path(file).extension().string();
-    std::transform(own.begin(), own.end(), own.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (own == ending) return std::nullopt;
+    if (file.empty() || lower_case(std::filesystem::path(file).extension().string()) == ending) return std::nullopt;
     return Error{fmt::format("{} writes a file {}; end its name with it", option, ending), file};
 }
 

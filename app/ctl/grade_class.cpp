@@ -18,6 +18,7 @@
 #include "app/terminal.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/submission.h"
+#include "core/plain_letters.h"
 #include "core/scene/file_kind.h"
 #include "core/utf8.h"
 
@@ -44,9 +45,7 @@ bool is_no_text(std::string_view content) {
 // The key of the words for a file of another program, by its content or its ending; empty for none that is known.
 std::string_view foreign_key(const fs::path& file, std::string_view content) {
     const auto begins = [&](std::string_view text) { return content.starts_with(text); };
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    const std::string ending = lower_case(file.extension().string());
     if (begins("%PDF") || ending == ".pdf") return "report.is_pdf";
     if (ending == ".zip" || (is_zip(content) && ending == ".toml")) return "report.is_archive";
     if (begins("\x89PNG") || begins("\xFF\xD8\xFF") || ending == ".png" || ending == ".jpg" || ending == ".jpeg")

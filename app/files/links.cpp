@@ -8,6 +8,7 @@
 #include "app/files/disk.h"
 #include "core/io/link.h"
 #include "core/messages.h"
+#include "core/plain_letters.h"
 
 namespace braitenlab {
 
@@ -15,15 +16,7 @@ namespace {
 
 // A name for a file: the letters and digits of the title with a '-' between its words.
 std::string name_of_title(const std::string& title) {
-    std::string name;
-    for (const char c : title) {
-        const bool is_upper = c >= 'A' && c <= 'Z';
-        if (is_upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-            name += is_upper ? static_cast<char>(c - 'A' + 'a') : c;
-        else if (!name.empty() && name.back() != '-')
-            name += '-';
-    }
-    while (name.ends_with('-')) name.pop_back();
+    const std::string name = with_dashes(title);
     return name.empty() ? "link" : name;
 }
 

@@ -10,6 +10,7 @@
 #include "app/files/safe_file.h"
 #include "core/lesson/hand_in.h"
 #include "core/messages.h"
+#include "core/plain_letters.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/folder_entries.h"
 
@@ -52,16 +53,7 @@ std::vector<fs::path> progress_files(const fs::path& folder) {
 
 // Lower-case ASCII letters, digits and '-'; never empty.
 std::string stem_of(const std::string& name) {
-    std::string stem;
-    for (const char letter : name) {
-        const char lower = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-        const bool plain = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
-        if (plain)
-            stem += lower;
-        else if (!stem.empty() && stem.back() != '-')
-            stem += '-';
-    }
-    while (!stem.empty() && stem.back() == '-') stem.pop_back();
+    const std::string stem = with_dashes(name);
     return stem.empty() ? "student" : stem;
 }
 

@@ -1,7 +1,5 @@
 #include "app/pictures/clip_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "app/pictures/gif.h"
 #include "app/platform/platform.h"
 #include "core/messages.h"
+#include "core/plain_letters.h"
 
 namespace braitenlab {
 
@@ -111,9 +110,7 @@ struct FfmpegFile final : ClipFile::Writer {
 }  // namespace
 
 Result<ClipFormat> clip_format_of(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_case(path.extension().string());
     for (const ClipFormatTraits& row : clip_formats)
         if (row.extension == extension) return row.value;
     return error_of(message_of("no_clip_format"), path.string());

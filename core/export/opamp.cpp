@@ -13,6 +13,7 @@
 #include "core/export/texts.h"
 #include "core/maths/fnv.h"
 #include "core/messages.h"
+#include "core/plain_letters.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
 
@@ -86,8 +87,7 @@ std::vector<std::pair<std::string, const PlanUnit*>> motors_of(const Plan& plan)
 // SPICE ignores a second subcircuit of the same name, and the case of names. The digits are those of the contents, so
 // that brains of the same title differ.
 std::string subcircuit_name(const std::string& title, const std::string& contents) {
-    std::string name = Identifiers().make("brain_", title).substr(0, 40);
-    std::transform(name.begin(), name.end(), name.begin(), lower_case);
+    const std::string name = lower_case(Identifiers().make("brain_", title).substr(0, 40));
     return fmt::format("{}_{:06x}", name, maths::fnv(contents) & 0xffffffU);
 }
 

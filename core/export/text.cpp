@@ -1,8 +1,8 @@
 #include "core/export/text.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include "core/plain_letters.h"
 
 namespace braitenlab::robots {
 
@@ -11,8 +11,6 @@ namespace {
 bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
 }  // namespace
-
-char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 std::string number(float value) {
     std::string text = fmt::format("{}", value);
@@ -48,13 +46,8 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 std::string Identifiers::make(std::string_view prefix, std::string_view name) {
     std::string id(prefix);
     for (const char c : name) id += is_letter_or_digit(c) ? c : '_';
-    const auto is_new = [&] {
-        std::string lower = id;
-        std::transform(lower.begin(), lower.end(), lower.begin(), lower_case);
-        return made_.insert(lower).second;
-    };
     const std::string stem = id;
-    for (int i = 2; !is_new(); ++i) id = fmt::format("{}_{}", stem, i);
+    for (int i = 2; !made_.insert(lower_case(id)).second; ++i) id = fmt::format("{}_{}", stem, i);
     return id;
 }
 

@@ -14,9 +14,6 @@ std::string number(float);
 // The same as a float constant of C: "0.8f".
 std::string c_number(float);
 
-// Of ASCII letters.
-char lower_case(char);
-
 // A name that a user typed, for a comment of C, Python, Aseba or SPICE: without line ends and without characters that
 // end or begin a comment.
 std::string comment_text(std::string_view);

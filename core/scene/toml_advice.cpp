@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/plain_letters.h"
 #include "core/scene/nearest.h"
 #include "core/utf8.h"
 
@@ -162,9 +163,7 @@ Advice of_bare_word(const KeyLine& line) {
     if (line.value.empty()) return std::nullopt;
     const auto first = static_cast<unsigned char>(line.value[0]);
     if (!std::isalpha(first) && first < 0x80) return std::nullopt;
-    std::string lower(line.value);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string lower = lower_case(std::string(line.value));
     if (lower == "true" || lower == "false") return message_of("advice_small_letters", lower);
     return message_of("advice_text_in_quotes", in_quotes(line.value));
 }
