@@ -129,18 +129,11 @@ Breeding read_breeding_file(TomlFile& file) {
 }  // namespace
 
 Result<Breeding> parse_breeding(std::string_view toml, const std::string& file_name) {
-    auto file = parse_toml(toml, file_name);
-    if (!file) return file.error();
-    Breeding breeding = read_breeding_file(*file);
-    if (file->failed()) return file->error();
-    return breeding;
+    return read_whole(toml, file_name, read_breeding_file);
 }
 
-ReadBreeding read_breeding_fully(std::string_view toml, const std::string& file_name) {
-    auto file = parse_toml(toml, file_name);
-    if (!file) return {{}, {file.error()}};
-    Breeding breeding = read_breeding_file(*file);
-    return {std::move(breeding), file->errors()};
+ReadFile<Breeding> read_breeding_fully(std::string_view toml, const std::string& file_name) {
+    return read_fully(toml, file_name, read_breeding_file);
 }
 
 std::string write_breeding(const Breeding& breeding) { return write_top(breeding); }
@@ -153,9 +146,8 @@ std::vector<TranslatableText> texts_of(const Breeding& breeding) {
 }
 
 std::string describe_breeding_format() {
-    FormatTable<Breeding> table("", "The top of the file", "");
-    describe(table, Of<Breeding>{});
-    std::string text = table.text() + "\n## Opponents\n\n| `opponents` | An individual meets |\n|---|---|\n";
+    std::string text =
+        describe_top<Breeding>() + "\n## Opponents\n\n| `opponents` | An individual meets |\n|---|---|\n";
     for (const OpponentsTraits& row : opponents_table) text += fmt::format("| `{}` | {} |\n", row.word, row.meaning);
     text += fmt::format(
         "\n## Fitness\n\n| `fitness` | Unit | Number of a trial |\n|---|---|---|\n| `{}` | s | until the prey is "

@@ -94,12 +94,8 @@ struct Breeding {
 // Errors carry file and line: syntax, unknown keys and measures, missing values, ranges, more parents than individuals.
 Result<Breeding> parse_breeding(std::string_view toml, const std::string& file_name);
 
-// As parse_breeding(), with every independent error by line. The breeding is meaningful only without errors.
-struct ReadBreeding {
-    Breeding breeding;
-    std::vector<Error> errors{};
-};
-ReadBreeding read_breeding_fully(std::string_view toml, const std::string& file_name);
+// As parse_breeding(), with every independent error by line.
+ReadFile<Breeding> read_breeding_fully(std::string_view toml, const std::string& file_name);
 
 // The file of a breeding, without values at their defaults.
 std::string write_breeding(const Breeding&);

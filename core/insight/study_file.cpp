@@ -136,18 +136,11 @@ std::size_t Study::combinations() const {
 }
 
 Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
-    auto file = parse_toml(toml, file_name);
-    if (!file) return file.error();
-    Study study = read_study_file(*file);
-    if (file->failed()) return file->error();
-    return study;
+    return read_whole(toml, file_name, read_study_file);
 }
 
-ReadStudy read_study_fully(std::string_view toml, const std::string& file_name) {
-    auto file = parse_toml(toml, file_name);
-    if (!file) return {{}, {file.error()}};
-    Study study = read_study_file(*file);
-    return {std::move(study), file->errors()};
+ReadFile<Study> read_study_fully(std::string_view toml, const std::string& file_name) {
+    return read_fully(toml, file_name, read_study_file);
 }
 
 std::string write_study(const Study& study) { return write_top(study); }
@@ -204,10 +197,8 @@ std::vector<TranslatableText> texts_of(const Study& study) {
 }
 
 std::string describe_study_format() {
-    FormatTable<Study> table("", "The top of the file", "");
-    describe(table, Of<Study>{});
-    std::string text =
-        table.text() + "\n## Measures\n\nThe words of `measures`.\n\n| Measure | Unit | Meaning |\n|---|---|---|\n";
+    std::string text = describe_top<Study>() +
+                       "\n## Measures\n\nThe words of `measures`.\n\n| Measure | Unit | Meaning |\n|---|---|---|\n";
     for (const StudyMeasureTraits& row : study_measure_table)
         text += fmt::format("| `{}` | {} | {} |\n", row.word, row.unit, row.meaning);
     return text;

@@ -11,6 +11,7 @@
 
 #include "core/enum_table.h"
 #include "core/result.h"
+#include "core/scene/toml_tree.h"
 #include "core/scene/translatable.h"
 
 namespace braitenlab::insight {
@@ -103,12 +104,8 @@ struct Study {
 // limits::study_runs runs.
 Result<Study> parse_study(std::string_view toml, const std::string& file_name);
 
-// As parse_study(), with every independent error by line. The study is meaningful only without errors.
-struct ReadStudy {
-    Study study;
-    std::vector<Error> errors{};
-};
-ReadStudy read_study_fully(std::string_view toml, const std::string& file_name);
+// As parse_study(), with every independent error by line.
+ReadFile<Study> read_study_fully(std::string_view toml, const std::string& file_name);
 
 // The file of a study, without values at their defaults. parse_study(write_study(s)) is s, but for its id.
 std::string write_study(const Study&);

@@ -166,18 +166,11 @@ Exercise read_exercise_file(TomlFile& file, const std::filesystem::path& path, c
 
 Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& path,
                                 const std::vector<Setting>& more) {
-    auto file = parse_toml(toml, path.string());
-    if (!file) return file.error();
-    Exercise exercise = read_exercise_file(*file, path, more);
-    if (file->failed()) return file->error();
-    return exercise;
+    return read_whole(toml, path.string(), [&](TomlFile& file) { return read_exercise_file(file, path, more); });
 }
 
 std::vector<Error> errors_of_exercise(std::string_view toml, const std::filesystem::path& path) {
-    auto file = parse_toml(toml, path.string());
-    if (!file) return {file.error()};
-    (void)read_exercise_file(*file, path, {});
-    return file->errors();
+    return read_fully(toml, path.string(), [&](TomlFile& file) { return read_exercise_file(file, path, {}); }).errors;
 }
 
 Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vector<Setting>& more) {
@@ -187,9 +180,7 @@ Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vec
 }
 
 std::string describe_exercise_format() {
-    FormatTable<Exercise> table("", "The top of the file", "");
-    describe(table, Of<Exercise>{});
-    return table.text() + describe_goals(Goal{}) + describe_anchors();
+    return describe_top<Exercise>() + describe_goals(Goal{}) + describe_anchors();
 }
 
 std::vector<TranslatableText> texts_of(const Exercise& exercise) {

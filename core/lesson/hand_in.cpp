@@ -38,16 +38,8 @@ namespace {
 
 // Small ASCII letters, digits and single '-'; letters of other scripts stay as they are.
 std::string for_file_name(std::string_view text) {
-    std::string name;
-    for (const char c : plain_letters(text, Umlauts::spelled)) {
-        const bool stays = static_cast<unsigned char>(c) >= 0x80 || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z');
-        if (stays)
-            name += c;
-        else if (!name.empty() && name.back() != '-')
-            name += '-';
-    }
-    name = utf8_cut(std::move(name), 80);
-    while (!name.empty() && name.back() == '-') name.pop_back();
+    std::string name = utf8_cut(with_dashes(plain_letters(text, Umlauts::spelled), true), 80);
+    if (name.ends_with('-')) name.pop_back();
     return name.empty() ? "student" : name;
 }
 
@@ -88,14 +80,13 @@ std::string write_hand_in(HandIn hand_in) {
     return write_top(hand_in) + (hand_in.submission.brain.nodes.empty() ? "\n[submission.brain]\n" : "");
 }
 
-Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name) {
-    auto file = parse_toml(toml, std::move(file_name));
-    if (!file) return file.error();
-    HandIn hand_in;
-    TomlTable top = read_top(*file, hand_in);
-    if (!file->failed()) check_hand_in(top, hand_in);
-    if (file->failed()) return file->error();
-    return hand_in;
+Result<HandIn> parse_hand_in(std::string_view toml, const std::string& file_name) {
+    return read_whole(toml, file_name, [](TomlFile& file) {
+        HandIn hand_in;
+        TomlTable top = read_top(file, hand_in);
+        if (!file.failed()) check_hand_in(top, hand_in);
+        return hand_in;
+    });
 }
 
 std::string for_comparison(std::string_view name) {
@@ -103,7 +94,7 @@ std::string for_comparison(std::string_view name) {
     for (const char c : name) {
         const bool is_space = c == ' ' || c == '\t';
         if (is_space && (words.empty() || words.back() == ' ')) continue;
-        words += is_space ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        words += is_space ? ' ' : lower_case(c);
     }
     if (!words.empty() && words.back() == ' ') words.pop_back();
     return words;

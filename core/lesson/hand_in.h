@@ -51,7 +51,7 @@ std::string write_hand_in(HandIn);
 
 // Errors carry file and line: syntax, unknown key, wrong type, value out of range, a missing student, exercise or
 // submission, a brain that does not compile.
-Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name);
+Result<HandIn> parse_hand_in(std::string_view toml, const std::string& file_name);
 
 // Two names of one student: equal but for spaces at the ends, repeated spaces and the case of ASCII letters.
 bool is_same_student(std::string_view, std::string_view);

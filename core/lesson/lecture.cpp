@@ -250,11 +250,7 @@ float minutes_of_pages(const Lecture& lecture) {
 }
 
 Result<Lecture> parse_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
-    auto file = parse_toml(toml, path.string());
-    if (!file) return file.error();
-    Lecture lecture = read_lecture_file(*file, path, exercises);
-    if (file->failed()) return file->error();
-    return lecture;
+    return read_whole(toml, path.string(), [&](TomlFile& file) { return read_lecture_file(file, path, exercises); });
 }
 
 Result<Lecture> load_lecture(const fs::path& path, const fs::path& exercises) {
@@ -301,9 +297,7 @@ std::vector<TranslatableText> texts_of(const Lecture& lecture) {
 }
 
 std::string describe_lecture_format() {
-    FormatTable<Lecture> table("", "The top of the file", "");
-    describe(table, Of<Lecture>{});
-    std::string text = table.text() +
+    std::string text = describe_top<Lecture>() +
                        "\n## Parts of a page\n\nThe words of `show`, `hide` and `steps`.\n\n"
                        "| Part | At first | Meaning |\n|---|---|---|\n";
     for (const PagePartTraits& part : page_part_table)

@@ -133,4 +133,12 @@ private:
     std::string path_, heading_, rows_, tables_;
 };
 
+// All tables of a file whose top is a T.
+template <class T>
+std::string describe_top() {
+    FormatTable<T> table("", "The top of the file", "");
+    describe(table, Of<T>{});
+    return table.text();
+}
+
 }  // namespace braitenlab

@@ -209,11 +209,7 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     return content.brain;
 }
 
-std::string describe_scene_format() {
-    FormatTable<Scene> table("", "The top of the file", "");
-    describe(table, Of<Scene>{});
-    return table.text();
-}
+std::string describe_scene_format() { return describe_top<Scene>(); }
 
 std::optional<Error> check_scene(const Scene& scene) {
     const auto fault = find_fault(scene);

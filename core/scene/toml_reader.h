@@ -289,4 +289,23 @@ TomlTable read_top(TomlFile& file, T& object) {
     return top;
 }
 
+// What read(TomlFile&) reads from a text, with every independent error by line.
+template <class Read, class T = std::invoke_result_t<Read, TomlFile&>>
+ReadFile<T> read_fully(std::string_view toml, const std::string& file_name, const Read& read) {
+    auto file = parse_toml(toml, file_name);
+    if (!file) return {{}, {file.error()}};
+    T object = read(*file);
+    return {std::move(object), file->errors()};
+}
+
+// The same, or the error that is found first.
+template <class Read, class T = std::invoke_result_t<Read, TomlFile&>>
+Result<T> read_whole(std::string_view toml, const std::string& file_name, const Read& read) {
+    auto file = parse_toml(toml, file_name);
+    if (!file) return file.error();
+    T object = read(*file);
+    if (file->failed()) return file->error();
+    return object;
+}
+
 }  // namespace braitenlab

@@ -97,6 +97,13 @@ std::vector<Error> in_order(std::vector<Error>, std::string_view file);
 // stack with neither its size nor its depth.
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name);
 
+// What a file says; meaningful only without errors.
+template <class T>
+struct ReadFile {
+    T object{};
+    std::vector<Error> errors{};
+};
+
 // Sets a value in the tree and makes the tables on the way. In a list the path goes on in the table whose name or
 // FROM-TO is the next part of the path. The text is read as a TOML value, else taken as a string. False when the path
 // runs through another value, or through a list without such a table.
