@@ -278,9 +278,7 @@ int print_matrix(const BreedOptions& options, const Base& base, const BreedingSt
     const auto tournament = run_tournament(options, base, state);
     if (!tournament) return complain(tournament.error());
     if (tournament->size() == 0) return interrupted();
-    if (!options.csv.empty())
-        if (const auto error = write_table(options.csv, style, matrix_table(*tournament, kind)))
-            return complain(*error);
+    if (const auto error = write_table(options.csv, style, matrix_table(*tournament, kind))) return complain(*error);
     if (!options.svg.empty())
         if (const auto error =
                 write_whole(options.svg, matrix_drawing(*base, *tournament, kind, options.labels, strings)))
@@ -313,9 +311,8 @@ int write_report(const BreedOptions& options, const Base& base, const BreedingSt
 
 int print_scores(const BreedOptions& options, const Base& base, const BreedingState& state, const Strings& strings,
                  const io::CsvStyle& style) {
-    if (!options.csv.empty())
-        if (const auto error = write_table(options.csv, style, breeding_table(*base, state, nullptr)))
-            return complain(*error);
+    if (const auto error = write_table(options.csv, style, breeding_table(*base, state, nullptr)))
+        return complain(*error);
     if (!options.svg.empty())
         if (const auto error = write_whole(options.svg, curves_drawing(*base, state, options.labels, strings)))
             return complain(*error);

@@ -206,7 +206,7 @@ std::string plain_text(const insight::MapQuestion& question, const MapCells& cel
         text += fmt::format("{:8.2f}  ", insight::value_at(question.y, y, cells.size));
         for (int x = 0; x < cells.size; ++x) {
             const insight::Outcome& of = cells.at({x, y})->outcome;
-            const float number = insight::number_of(of, measure);
+            const float number = is_kind ? NAN : insight::number_of(of, measure);
             if (is_kind)
                 text += letters[static_cast<std::size_t>(of.behaviour)];
             else
@@ -234,11 +234,9 @@ std::optional<Error> check_outputs(const MapOptions& options) {
 // The files that were asked for.
 std::optional<Error> write_map(const MapOptions& options, const insight::MapQuestion& asked, const MapCells& cells,
                                MapMeasure measure, const Strings& strings) {
-    if (!options.csv.empty()) {
-        const auto style = style_of(options.table);
-        if (!style) return style.error();
-        if (auto error = write_table(options.csv, *style, table_text(asked, cells))) return error;
-    }
+    const auto style = style_of(options.table);
+    if (!style) return style.error();
+    if (auto error = write_table(options.csv, *style, table_text(asked, cells))) return error;
     if (!options.png.empty())
         if (auto error = write_whole(options.png, picture(cells, measure))) return error;
     if (options.svg.empty()) return std::nullopt;

@@ -164,8 +164,7 @@ int robustness(const RobustnessOptions& options) {
     if (is_told_to_end()) return interrupted();
     const auto report = *job.take();
     if (!report) return complain(report.error());
-    if (!options.csv.empty())
-        if (const auto error = write_table(options.csv, *style, table_text(*report))) return complain(*error);
+    if (const auto error = write_table(options.csv, *style, table_text(*report))) return complain(*error);
     if (options.json) std::cout << json_text(*tried, **robots, *report);
     if (!options.json && options.csv != standard_output) std::cout << plain_text(*tried, **robots, *report);
     return exit_code::done;

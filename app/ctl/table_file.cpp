@@ -36,6 +36,7 @@ std::optional<Error> TableFile::close() {
 }
 
 std::optional<Error> write_table(const std::string& path, const io::CsvStyle& style, std::string_view lines) {
+    if (path.empty()) return std::nullopt;
     TableFile table(path, style);
     table.write(lines);
     return table.close();

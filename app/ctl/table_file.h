@@ -41,7 +41,7 @@ private:
     std::ostream* stream_ = nullptr;  // standard output or `device_`; null for a regular file
 };
 
-// A table of one piece.
+// A table of one piece; without a path nothing is written.
 std::optional<Error> write_table(const std::string& path, const io::CsvStyle&, std::string_view lines);
 
 // The options --excel and --lang of a table.
