@@ -61,7 +61,7 @@ template <class Cells>
 MapScale scale_of(const Cells& cells, insight::MapMeasure measure) {
     float low = INFINITY, high = -INFINITY;
     for (const auto& cell : cells) {
-        if (!cell) continue;
+        if (!cell || measure == insight::MapMeasure::behaviour) continue;
         const float number = insight::number_of(cell->outcome, measure);
         if (std::isfinite(number)) low = std::min(low, number), high = std::max(high, number);
     }

@@ -46,21 +46,6 @@ float gap(vec2 offset, float heading, float half_length, float half_width) {
 
 }  // namespace
 
-float number_of(const Outcome& outcome, MapMeasure measure) {
-    switch (measure) {
-        case MapMeasure::closest:
-            return outcome.closest;
-        case MapMeasure::final_distance:
-            return outcome.final_distance;
-        case MapMeasure::time_to_touch:
-            return outcome.time_to_touch;
-        case MapMeasure::captures:
-            return outcome.captures;
-        default:
-            return outcome.survival;
-    }
-}
-
 Judge::Judge(const Snapshot& start, VehicleId id)
     : arena_(start.scene->arena),
       seam_(arena_),

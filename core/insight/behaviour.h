@@ -32,23 +32,6 @@ static_assert(is_complete_table<behaviour_table>());
 constexpr const auto& table_of(Behaviour) { return behaviour_table; }
 inline constexpr std::size_t behaviour_count = behaviour_table.size();
 
-// What a map shows: the kind of behaviour or a number.
-enum class MapMeasure { behaviour, closest, final_distance, time_to_touch, captures, survival };
-struct MapMeasureTraits {
-    MapMeasure value;
-    std::string_view word, unit;
-};
-inline constexpr auto map_measure_table = std::to_array<MapMeasureTraits>({
-    {MapMeasure::behaviour, "kind", ""},
-    {MapMeasure::closest, "closest", "m"},
-    {MapMeasure::final_distance, "final", "m"},
-    {MapMeasure::time_to_touch, "touch", "s"},
-    {MapMeasure::captures, "captures", ""},
-    {MapMeasure::survival, "survival", "s"},
-});
-static_assert(is_complete_table<map_measure_table>());
-constexpr const auto& table_of(MapMeasure) { return map_measure_table; }
-
 // What one run shows. Distances are those of the vehicle's origin from the object.
 struct Outcome {
     Behaviour behaviour = Behaviour::stands;
@@ -57,8 +40,27 @@ struct Outcome {
     float captures = 0;                     // by all vehicles of the run
     float survival = 0;                     // s until the vehicle died or fell over an edge; else the whole run
 };
+
+// What a map shows: the kind of behaviour or a number.
+enum class MapMeasure { behaviour, closest, final_distance, time_to_touch, captures, survival };
+struct MapMeasureTraits {
+    MapMeasure value;
+    std::string_view word, unit;
+    float Outcome::*number = nullptr;  // null: the kind
+};
+inline constexpr auto map_measure_table = std::to_array<MapMeasureTraits>({
+    {MapMeasure::behaviour, "kind", ""},
+    {MapMeasure::closest, "closest", "m", &Outcome::closest},
+    {MapMeasure::final_distance, "final", "m", &Outcome::final_distance},
+    {MapMeasure::time_to_touch, "touch", "s", &Outcome::time_to_touch},
+    {MapMeasure::captures, "captures", "", &Outcome::captures},
+    {MapMeasure::survival, "survival", "s", &Outcome::survival},
+});
+static_assert(is_complete_table<map_measure_table>());
+constexpr const auto& table_of(MapMeasure) { return map_measure_table; }
+
 // The number of a measure. Precondition: not MapMeasure::behaviour.
-float number_of(const Outcome&, MapMeasure);
+inline float number_of(const Outcome& outcome, MapMeasure measure) { return outcome.*row_of(measure).number; }
 
 // Follows one vehicle from the first tick of a run.
 class Judge {
