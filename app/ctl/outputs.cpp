@@ -92,15 +92,7 @@ void add_named_files(const fs::path& file, std::vector<fs::path>& files) {
     if (!text || find_kind(file, *text).value_or(FileKind::run) == FileKind::run) return;
     const auto toml = parse_toml(*text, file.string());
     if (!toml) return;
-    const auto add = [&](const TomlNode& table) {
-        for (const char* key : {"scene", "exercise"})
-            if (const TomlNode* named = table.get(key); named && named->as_text())
-                files.push_back(file.parent_path() / *named->as_text());
-    };
-    add(toml->root);
-    const TomlNode* pages = toml->root.get("page");
-    if (!pages || !pages->as_list()) return;
-    for (const TomlNode& page : *pages->as_list()) add(page);
+    for (const TomlNode* named : named_files(toml->root)) files.push_back(file.parent_path() / *named->as_text());
 }
 
 std::vector<fs::path> files_read(const CLI::App& command) {

@@ -100,6 +100,16 @@ Result<fs::path> scene_beside(const fs::path& file, const std::string& scene) {
     return fs::is_regular_file(beside, none) ? beside : find_shipped(scene);
 }
 
+std::vector<const TomlNode*> named_files(const TomlNode& root) {
+    std::vector<const TomlNode*> tables{&root}, named;
+    if (const TomlNode* pages = root.get("page"); pages && pages->as_list())
+        for (const TomlNode& page : *pages->as_list()) tables.push_back(&page);
+    for (const TomlNode* table : tables)
+        for (const char* key : {"scene", "exercise"})
+            if (const TomlNode* value = table->get(key); value && value->as_text()) named.push_back(value);
+    return named;
+}
+
 std::vector<fs::path> shipped_exercises() { return shipped_in("guided"); }
 std::vector<fs::path> shipped_scenes() { return shipped_in("scenes"); }
 std::vector<fs::path> shipped_robots() { return shipped_in("robots"); }

@@ -11,6 +11,7 @@ namespace braitenlab {
 
 struct CatalogueEntry;
 struct Lecture;
+struct TomlNode;
 
 // The program's version: "0.1.0".
 const char* version_text();
@@ -29,6 +30,9 @@ Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Ship
 
 // The scene that a file names: a path relative to the file, or the name of a shipped scene.
 Result<std::filesystem::path> scene_beside(const std::filesystem::path& file, const std::string& scene);
+
+// The values in a study, a breeding, an exercise or a lecture that name other files: texts.
+std::vector<const TomlNode*> named_files(const TomlNode& root);
 
 // The shipped exercises, scenes, scenes of robots, lectures, studies and breedings, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();

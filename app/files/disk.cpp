@@ -150,16 +150,10 @@ std::optional<Error> fault_of_dropped(const FileText& file) {
     if (!names_files) return std::nullopt;
     const auto toml = parse_toml(file.text, file.path.string());
     if (!toml) return std::nullopt;  // opening it reports the error
-    std::vector<const TomlNode*> tables{&toml->root};
-    if (const TomlNode* pages = toml->root.get("page"); pages && pages->as_list())
-        for (const TomlNode& page : *pages->as_list()) tables.push_back(&page);
-    for (const TomlNode* table : tables)
-        for (const char* key : {"scene", "exercise"}) {
-            const TomlNode* named = table->get(key);
-            if (named && named->as_text() && leaves_folder(file.path.parent_path(), *named->as_text()))
-                return error_of(message_of("leaves_folder", in_quotes(*named->as_text())), file.path.string(),
-                                static_cast<int>(named->place.line));
-        }
+    for (const TomlNode* named : named_files(toml->root))
+        if (leaves_folder(file.path.parent_path(), *named->as_text()))
+            return error_of(message_of("leaves_folder", in_quotes(*named->as_text())), file.path.string(),
+                            static_cast<int>(named->place.line));
     return std::nullopt;
 }
 
