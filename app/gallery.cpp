@@ -10,7 +10,7 @@
 
 #include "app/document.h"
 #include "app/files/data.h"
-#include "app/files/screenshot.h"
+#include "app/files/png.h"
 #include "core/maths/fnv.h"
 #include "core/scene/file_kind.h"
 #include "render/view/framing.h"

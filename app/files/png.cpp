@@ -6,6 +6,8 @@
 
 #include <zlib.h>
 
+#include "app/files/safe_file.h"
+
 namespace braitenlab {
 
 namespace {
@@ -71,6 +73,13 @@ std::string png(int width, int height, const std::vector<unsigned char>& rgb) {
     add_chunk(file, "IDAT", compressed(rows));
     add_chunk(file, "IEND", "");
     return file;
+}
+
+std::optional<Error> write_png(const std::filesystem::path& path, int width, int height,
+                               const std::vector<unsigned char>& rgb) {
+    FileWriter writer(path);
+    writer.write(png(width, height, rgb));
+    return writer.commit();
 }
 
 }  // namespace braitenlab

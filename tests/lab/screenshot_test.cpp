@@ -1,8 +1,7 @@
 // Pictures as files.
-#include "app/files/screenshot.h"
-
 #include <gtest/gtest.h>
 
+#include "app/files/png.h"
 #include "tests/folder.h"
 #include "tests/full_disk.h"
 
