@@ -67,10 +67,9 @@ struct SettingsReader {
     }
     template <std::size_t n, class Enum>
     void word(const char* key, const std::array<std::string_view, n>& words, Enum& value) {
-        std::string read;
-        text(key, read);
-        for (std::size_t i = 0; i < n; ++i)
-            if (words[i] == read) value = static_cast<Enum>(i);
+        std::optional<Enum> read = value;
+        word(key, words, read);
+        value = read.value_or(value);
     }
     template <std::size_t n, class Enum>
     void word(const char* key, const std::array<std::string_view, n>& words, std::optional<Enum>& value) {
@@ -81,7 +80,7 @@ struct SettingsReader {
             if (words[i] == read) value = static_cast<Enum>(i);
     }
     void texts(const char* key, std::optional<std::vector<std::string>>& values) {
-        elements(key, values.emplace(), [](const TomlNode& node) { return optional_of(node.as_text()); });
+        texts(key, values.emplace());
         if (!file.root.contains(key)) values.reset();
     }
     void texts(const char* key, std::vector<std::string>& values) {
@@ -127,7 +126,7 @@ struct SettingsWriter {
     }
     template <std::size_t n, class Enum>
     void word(const char* key, const std::array<std::string_view, n>& words, Enum value) {
-        text(key, words[static_cast<std::size_t>(value)]);
+        word(key, words, std::optional(value));
     }
     template <std::size_t n, class Enum>
     void word(const char* key, const std::array<std::string_view, n>& words, std::optional<Enum> value) {
