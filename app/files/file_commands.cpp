@@ -178,29 +178,20 @@ struct FileCommands {
         lab.window.exit = true;
     }
 
-    // Writes a new file. The notice shows the whole path, because the user has not chosen it.
     void save_numbers(const ExportRequest& wanted, const fs::path& into) const {
-        std::error_code none;  // write_whole() reports it
-        fs::create_directories(into, none);
-        const fs::path path = free_name(into, "braitenlab-" + wanted.name, ".csv");
-        if (const auto error = write_whole(path, wanted.text)) return fail(*error);
-        say_saved(lab, "notice.numbers", path);
+        if (const auto error = write_new(lab, into, "braitenlab-" + wanted.name, ".csv", wanted.text, "notice.numbers"))
+            fail(*error);
     }
 
     // The progress of the present student, as another computer takes it over.
     void save_progress(const fs::path& into) const {
-        std::error_code none;  // write_whole() reports it
-        fs::create_directories(into, none);
-        const fs::path path = free_name(into, "braitenlab-progress", ".json");
-        if (const auto error = write_whole(path, write_progress(lab.students.student()))) return fail(*error);
-        say_saved(lab, "files.saved", path);
+        const std::string text = write_progress(lab.students.student());
+        if (const auto error = write_new(lab, into, "braitenlab-progress", ".json", text, "files.saved")) fail(*error);
     }
 
     // The study of the open scene and the table of a study.
     void save_results(const fs::path& folder) const {
         if (!lab.study.base) return;
-        std::error_code none;  // writing reports it
-        fs::create_directories(folder, none);
         const auto table = save_study(lab.study, folder);
         if (!table) return fail(table.error());
         say_saved(lab, "notice.study", *table);
@@ -329,6 +320,15 @@ void reload(Lab& lab, FilesView& view, Document opened) {
 void say_saved(Lab& lab, std::string_view key, const fs::path& path) {
     if (saves_by_download()) return say(lab, {NoticeKind::notice, "notice.downloaded", path.filename().string()});
     say(lab, {NoticeKind::done, std::string(key), path.string()});
+}
+
+// The notice shows the whole path, because the user has not chosen it.
+std::optional<Error> write_new(Lab& lab, const fs::path& folder, const std::string& stem, std::string_view extension,
+                               std::string_view text, std::string_view key) {
+    const fs::path path = free_name(folder, stem, extension);
+    if (auto error = write_whole(path, text)) return error;
+    say_saved(lab, key, path);
+    return std::nullopt;
 }
 
 void add_recent_file(StoredState& state, const fs::path& file, const Document& document) {

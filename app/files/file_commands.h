@@ -11,6 +11,10 @@ namespace braitenlab {
 // Tells where a new file is, whose name the user has not chosen: `key` with its path, on a page among the downloads.
 void say_saved(Lab&, std::string_view key, const std::filesystem::path&);
 
+// Writes a new file, named free_name(), and tells where it is by say_saved().
+std::optional<Error> write_new(Lab&, const std::filesystem::path& folder, const std::string& stem,
+                               std::string_view extension, std::string_view text, std::string_view key);
+
 // Makes the file of the document the last one opened. Its folder becomes the browser's folder, unless the file ships
 // with the lab.
 void add_recent_file(StoredState&, const std::filesystem::path&, const Document&);

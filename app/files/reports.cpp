@@ -164,12 +164,8 @@ bool has_all_runs(const StudyRuns& study) { return study.base && study.rows.size
 
 std::optional<Error> write_figure(Lab& lab, const Strings& strings, const fs::path& folder) {
     const insight::Study& study = lab.study.base->study();
-    std::error_code none;  // write_whole() reports it
-    fs::create_directories(folder, none);
-    const fs::path path = free_name(folder, "braitenlab-" + study.id, ".svg");
-    if (auto error = write_whole(path, study_drawing(study, lab.study.rows, {}, strings))) return error;
-    say_saved(lab, "notice.figure", path);
-    return std::nullopt;
+    return write_new(lab, folder, "braitenlab-" + study.id, ".svg", study_drawing(study, lab.study.rows, {}, strings),
+                     "notice.figure");
 }
 
 }  // namespace
