@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -42,6 +41,16 @@ struct Kit {
     Instances instances;
     Batch batch;
 };
+
+// make() of each role, and of the channel of each shape of sources.
+template <auto... keys>
+auto one_for_each(const auto& make) {
+    return std::array{make(keys)...};
+}
+auto by_role(const auto& make) { return one_for_each<Role::none, Role::predator, Role::prey>(make); }
+auto by_source(const auto& make) {
+    return one_for_each<Channel::light, Channel::heat, Channel::smell, Channel::oxygen>(make);
+}
 
 // True for SwiftShader, which draws each instance as a call of its own.
 bool draws_instances_one_by_one() {
@@ -116,24 +125,16 @@ struct Renderer::Parts {
     Kit blocks = kit<BlockInstance>(prism());
     Batch skirts{skirt(), blocks.instances};
     Kit zones = kit<ZoneInstance>(quad());
-    std::array<Kit, role_count> hulls{kit<HullInstance>(hull_shape(Role::none)),
-                                      kit<HullInstance>(hull_shape(Role::predator)),
-                                      kit<HullInstance>(hull_shape(Role::prey))};
-    std::array<Kit, role_count> signs{kit<SignInstance>(sign_shape(Role::none)),
-                                      kit<SignInstance>(sign_shape(Role::predator)),
-                                      kit<SignInstance>(sign_shape(Role::prey))};
-    std::array<Batch, role_count> rims{Batch{rim_shape(Role::none), hulls[0].instances},
-                                       Batch{rim_shape(Role::predator), hulls[1].instances},
-                                       Batch{rim_shape(Role::prey), hulls[2].instances}};
+    std::array<Kit, role_count> hulls = by_role([&](Role role) { return kit<HullInstance>(hull_shape(role)); });
+    std::array<Kit, role_count> signs = by_role([&](Role role) { return kit<SignInstance>(sign_shape(role)); });
+    const Instances& hulls_of(Role role) const { return hulls[static_cast<std::size_t>(role)].instances; }
+    std::array<Batch, role_count> rims = by_role([&](Role role) { return Batch(rim_shape(role), hulls_of(role)); });
     Kit wheels = kit<WheelInstance>(wheel_shape());
     Kit eyes = kit<EyeInstance>(quad());
-    std::array<Batch, role_count> coarse_hulls{Batch{hull_shape(Role::none, Mesh::coarse), hulls[0].instances},
-                                               Batch{hull_shape(Role::predator, Mesh::coarse), hulls[1].instances},
-                                               Batch{hull_shape(Role::prey, Mesh::coarse), hulls[2].instances}};
+    std::array<Batch, role_count> coarse_hulls =
+        by_role([&](Role role) { return Batch(hull_shape(role, Mesh::coarse), hulls_of(role)); });
     Batch coarse_wheels{wheel_shape(Mesh::coarse), wheels.instances};
-    std::array<Kit, role_count> bodies{kit<HullInstance>(fine_hull_shape(Role::none)),
-                                       kit<HullInstance>(fine_hull_shape(Role::predator)),
-                                       kit<HullInstance>(fine_hull_shape(Role::prey))};
+    std::array<Kit, role_count> bodies = by_role([&](Role role) { return kit<HullInstance>(fine_hull_shape(role)); });
     Kit tyres = kit<WheelInstance>(tyre_shape());
     Kit eyeballs = kit<EyeballInstance>(eyeball_shape());
     Kit casts = kit<CastInstance>(quad());
@@ -149,13 +150,11 @@ struct Renderer::Parts {
     Batch field_points = Batch::points(fields.instances);
     Kit marks = kit<MarkInstance>(quad());
     Kit rings = kit<MarkInstance>(quad());
-    std::array<Kit, source_shape_count> sources{
-        kit<SourceInstance>(source_shape(Channel::light)), kit<SourceInstance>(source_shape(Channel::heat)),
-        kit<SourceInstance>(source_shape(Channel::smell)), kit<SourceInstance>(source_shape(Channel::oxygen))};
-    std::array<Batch, source_shape_count> fine_sources{Batch{fine_source_shape(Channel::light), sources[0].instances},
-                                                       Batch{fine_source_shape(Channel::heat), sources[1].instances},
-                                                       Batch{fine_source_shape(Channel::smell), sources[2].instances},
-                                                       Batch{fine_source_shape(Channel::oxygen), sources[3].instances}};
+    std::array<Kit, source_shape_count> sources =
+        by_source([&](Channel channel) { return kit<SourceInstance>(source_shape(channel)); });
+    std::array<Batch, source_shape_count> fine_sources = by_source([&](Channel channel) {
+        return Batch(fine_source_shape(channel), sources[static_cast<std::size_t>(source_shape_of(channel))].instances);
+    });
     Kit halos = kit<HaloInstance>(quad());
     Kit trail_strips = kit<TrailInstance>(strip(4));
     Batch coarse_trails{strip(1), trail_strips.instances};
