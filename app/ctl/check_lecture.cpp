@@ -2,8 +2,6 @@
 #include <cmath>
 #include <iostream>
 
-#include <fmt/format.h>
-
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/terminal.h"

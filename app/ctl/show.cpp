@@ -1,8 +1,6 @@
 // braitenctl show: prints what a file contains.
 #include <iostream>
 
-#include <fmt/format.h>
-
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/terminal.h"

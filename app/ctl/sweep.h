@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "core/scene/scene_file.h"
+#include "core/scene/settings.h"
 
 namespace braitenlab {
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>

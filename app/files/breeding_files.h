@@ -2,7 +2,6 @@
 // continued.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>

@@ -6,12 +6,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "app/pictures/clip_file.h"
 #include "core/session/recorded_run.h"
 #include "render/gl/renderer.h"
-#include "render/view/framing.h"
 
 namespace braitenlab {
 

@@ -1,8 +1,6 @@
 // A trial as it can be watched.
 #pragma once
 
-#include <optional>
-
 #include "core/evolve/breeding.h"
 #include "core/world/snapshot.h"
 

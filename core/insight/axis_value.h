@@ -1,7 +1,6 @@
 // The values of a vehicle and its scene that an axis of a map or a study can vary, as a list to choose from.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

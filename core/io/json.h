@@ -7,7 +7,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "core/brain/four_neurons.h"
 #include "core/io/checked_json.h"

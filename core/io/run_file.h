@@ -4,7 +4,6 @@
 // and the number of ticks since. Where the brain of a kind is hidden, all of it is sealed (core/scene/sealed.h).
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>

@@ -7,8 +7,6 @@
 // and saved state derive from these.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>

@@ -4,7 +4,6 @@
 // counter-clockwise from +x (files hold degrees). Range of every value: core/scene/schema.h; defaults: here.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

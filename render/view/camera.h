@@ -3,7 +3,6 @@
 // The world's (x, y, height) is GL's (x, height, −y).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>

@@ -1,8 +1,6 @@
 // Trails of vehicles.
 #include <algorithm>
-#include <cmath>
 
-#include "core/maths/angle.h"
 #include "render/view/drawing.h"
 
 namespace braitenlab::render {

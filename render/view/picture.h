@@ -1,11 +1,9 @@
 // What a picture shows beyond the world itself.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/world/snapshot.h"
