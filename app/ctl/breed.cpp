@@ -167,17 +167,15 @@ std::string trend_text(const std::vector<float>& scores) {
 
 std::string summary_text(const BreedingBase& base, const BreedingState& state) {
     std::string text = fmt::format("{:>10}", "generation");
-    for (const Side side : evolve::both_sides)
-        if (base.breed(side))
-            for (const char* column : {"best", "median", "diversity", "panel"})
-                text += fmt::format("  {:>18}", fmt::format("{} {}", word(side), column));
+    for (const Side side : base.bred_sides())
+        for (const char* column : {"best", "median", "diversity", "panel"})
+            text += fmt::format("  {:>18}", fmt::format("{} {}", word(side), column));
     text += '\n';
     const int count = complete_generations(base, state), rows = std::min(count, 11);
     for (int row = 0; row < rows; ++row) {
         const auto generation = static_cast<std::size_t>(rows == 1 ? 0 : row * (count - 1) / (rows - 1));
         text += fmt::format("{:>10}", generation);
-        for (const Side side : evolve::both_sides) {
-            if (!base.breed(side)) continue;
+        for (const Side side : base.bred_sides()) {
             const Generation& g = at(state.main.generations, side)[generation];
             for (const float number : {g.best, g.median, g.diversity, g.panel})
                 text += fmt::format("  {:>18}", number < 0 ? "–" : fmt::format("{:.3f}", number));
@@ -190,10 +188,8 @@ std::string summary_text(const BreedingBase& base, const BreedingState& state) {
         "progress by itself.\n";
     if (base.breeding().panel == 0) return text;
     text += "panel: score of the best against opponents that were bred apart and never decided who had children.\n";
-    for (const Side side : evolve::both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides())
         text += fmt::format("{} against the panel: {}\n", word(side), trend_text(panel_scores(state, side)));
-    }
     return text;
 }
 
@@ -201,8 +197,7 @@ std::string summary_json(const BreedingBase& base, const Bred& bred, double seco
     const int generation = complete_generations(base, bred.state) - 1;
     nlohmann::ordered_json json;
     json["generation"] = generation;
-    for (const Side side : evolve::both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides()) {
         const Generation& last = at(bred.state.main.generations, side)[static_cast<std::size_t>(generation)];
         const std::string name(word(side));
         json["best"][name] = last.best;

@@ -122,8 +122,7 @@ std::string curves_drawing(const BreedingBase& base, const BreedingState& state,
     const bool has_panel = base.breeding().panel > 0;
     std::string drawn;
     float top = drawing_top;
-    for (const Side side : evolve::both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides()) {
         const std::vector<Generation>& all = at(state.main.generations, side);
         const PlotFrame frame{curves_width, curves_height, generation_axis(0, static_cast<int>(count) - 1), {0, 1}};
         const bool is_first = top == drawing_top;
@@ -150,8 +149,7 @@ std::string matrix_drawing(const BreedingBase& base, const Tournament& tournamen
                           matrix_side / static_cast<float>(tournament.size()) / 2};
     std::string drawn;
     float left = drawing_left;
-    for (const Side side : evolve::both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides()) {
         const bool is_first = left == drawing_left;
         const auto label = [&](const std::string& given, Side of) {
             return is_first && !given.empty()

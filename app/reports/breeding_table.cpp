@@ -91,8 +91,7 @@ std::string matrix_table(const Tournament& tournament, MatrixKind kind) {
 
 std::string breeding_table(const BreedingBase& base, const BreedingState& state, const Tournament* tournament) {
     std::string text = "measure,side,generation,of,value\n";
-    for (const Side side : evolve::both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides()) {
         const std::vector<Generation> generations = complete_ones(base, state, side);
         for (std::size_t i = 0; i < generations.size(); ++i) {
             const Generation& each = generations[i];
@@ -119,9 +118,8 @@ std::string breeding_json(const BreedingBase& base, const BreedingState& state, 
                       {"opponents", word(breeding.opponents)},
                       {"seed", breeding.seed},
                       {"generation", complete_generations(base, state) - 1}};
-    for (const Side side : evolve::both_sides)
-        if (base.breed(side))
-            json[std::string(word(side))] = side_json(complete_ones(base, state, side), tournament, side);
+    for (const Side side : base.bred_sides())
+        json[std::string(word(side))] = side_json(complete_ones(base, state, side), tournament, side);
     json["tournament"] = tournament_json(tournament);
     return io::json_text(json, 1) + "\n";
 }

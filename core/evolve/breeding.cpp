@@ -177,8 +177,7 @@ std::vector<Genome> genomes_of(const std::vector<Individual>& population) {
 std::vector<Trial> trials_of_generation(const BreedingBase& base, const Lineage& lineage, bool is_panel) {
     const std::uint64_t run = run_seed(base.breeding(), is_panel);
     std::vector<Trial> trials;
-    for (const Side side : both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides()) {
         add_trials(trials, base, side, genomes_of(at(lineage.population, side)), opponents_of(base, lineage, side, run),
                    1, [&](std::size_t individual, std::size_t opponent, int) {
                        // Those that are compared against each opponent have the same start.
@@ -202,8 +201,7 @@ std::vector<Genome> panel_of(const BreedingBase& base, const BreedingState& stat
 std::vector<Trial> trials_of_panel(const BreedingBase& base, const BreedingState& state) {
     const Breeding& breeding = base.breeding();
     std::vector<Trial> trials;
-    for (const Side side : both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides()) {
         add_trials(trials, base, side, {at(state.main.generations, side).back().champion},
                    panel_of(base, state, other(side)), panel_trials,
                    [&](std::size_t, std::size_t opponent, int repeat) {
@@ -286,8 +284,7 @@ void advance_generation(const BreedingBase& base, Lineage& lineage, bool is_pane
 // Returns the number of trials.
 std::size_t take_panel_scores(const BreedingBase& base, BreedingState& state, std::span<const float> numbers) {
     std::size_t next = 0;
-    for (const Side side : both_sides) {
-        if (!base.breed(side)) continue;
+    for (const Side side : base.bred_sides()) {
         const std::size_t count = panel_of(base, state, other(side)).size() * panel_trials;
         std::vector<float> scores(count);
         for (float& score : scores) score = score_of(base.breeding(), side, numbers[next++]);
@@ -304,9 +301,9 @@ bool breeds_panel(const BreedingBase& base, const BreedingState& state) {
 // The last generation has no score against the panel yet.
 bool awaits_panel(const BreedingBase& base, const BreedingState& state) {
     if (base.breeding().panel == 0 || generation_of(state.main) == 0) return false;
-    return std::any_of(both_sides.begin(), both_sides.end(), [&](Side side) {
-        return base.breed(side) && at(state.main.generations, side).back().panel < 0;
-    });
+    const std::vector<Side> sides = base.bred_sides();
+    return std::any_of(sides.begin(), sides.end(),
+                       [&](Side side) { return at(state.main.generations, side).back().panel < 0; });
 }
 
 }  // namespace
@@ -372,6 +369,13 @@ std::vector<Error> BreedingBase::errors(Breeding breeding, std::string_view scen
 const Breed* BreedingBase::breed(Side side) const {
     const int index = at(breeds_, side);
     return index < 0 ? nullptr : &breeding_.breeds[static_cast<std::size_t>(index)];
+}
+
+std::vector<Side> BreedingBase::bred_sides() const {
+    std::vector<Side> sides;
+    for (const Side side : both_sides)
+        if (breed(side)) sides.push_back(side);
+    return sides;
 }
 
 Kind BreedingBase::kind_of(Side side, const Genome& genome) const {

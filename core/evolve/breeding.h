@@ -86,6 +86,7 @@ public:
     const Scene& scene() const { return scene_; }
     // The breed of a side; null for a side that stays as in the scene.
     const Breed* breed(Side) const;
+    std::vector<Side> bred_sides() const;  // those with a breed
     // The kind of a side in the scene.
     const Kind& kind(Side side) const { return scene_.kinds[static_cast<std::size_t>(at(kinds_, side))]; }
     // The same with the numbers of a genome.
