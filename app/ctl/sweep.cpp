@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -12,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "core/scene/nearest.h"
-#include "core/scene/settings.h"
+#include "core/text_parts.h"
 
 namespace braitenlab {
 
@@ -37,19 +36,6 @@ std::vector<std::string> split(std::string_view text, char separator) {
             parts.back() += c;
     }
     return parts;
-}
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
-// strtod, because libc++ has no from_chars for floating point. The program uses the C locale only.
-std::optional<double> number_of(const std::string& text) {
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
-    return number;
 }
 
 std::optional<std::uint64_t> seed_of(std::string_view text) {
@@ -79,7 +65,7 @@ Result<std::vector<std::string>> range(const std::string& text, const std::strin
                      "a range has three numbers, like 0:1:0.25; put other text with a colon in quotes");
     double numbers[3];
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto number = number_of(trimmed(parts[i]));
+        const auto number = real_number(trimmed(parts[i]));
         if (!number)
             return wrong("--set", argument,
                          in_quotes(parts[i]) + " is not a number; write a range like 0:1:0.25, other text in quotes");
@@ -107,7 +93,7 @@ Result<std::vector<std::string>> range(const std::string& text, const std::strin
 std::string meant_range(const std::string& text) {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos) return "";
-    const auto from = number_of(trimmed(text.substr(0, dots))), to = number_of(trimmed(text.substr(dots + 2)));
+    const auto from = real_number(trimmed(text.substr(0, dots))), to = real_number(trimmed(text.substr(dots + 2)));
     return from && to && *from != *to ? fmt::format("{:.10g}:{:.10g}:{:.10g}", *from, *to, (*to - *from) / 10) : "";
 }
 
@@ -131,7 +117,7 @@ Result<Parsed> parse_values(const std::string& argument) {
     }
     parsed.is_several = list.size() > 1;
     for (const std::string& part : list) {
-        std::string value = trimmed(part);
+        std::string value(trimmed(part));
         if (parsed.is_several && value.empty())
             return wrong("--set", argument, "a value is missing beside a comma; put other text with a comma in quotes");
         if (parsed.is_several && parse_setting(value))
@@ -211,7 +197,7 @@ std::vector<std::string> values_of(const Sweep& sweep, std::size_t index) {
 }
 
 std::vector<std::string> cells_of(const Sweep& sweep, std::size_t index) {
-    const auto is_number = [](const std::string& text) { return number_of(text).has_value(); };
+    const auto is_number = [](const std::string& text) { return real_number(text).has_value(); };
     const auto has_point = [](const std::string& text) { return text.find_first_of(".eE") != std::string::npos; };
     std::vector<std::string> cells = values_of(sweep, index);
     for (std::size_t i = 0; i < cells.size(); ++i) {

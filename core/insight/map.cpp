@@ -1,37 +1,17 @@
 #include "core/insight/map.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
+#include "core/text_parts.h"
 
 namespace braitenlab::insight {
 
 namespace {
-
-std::vector<std::string> parts_of(std::string_view text, char separator) {
-    std::vector<std::string> parts(1);
-    for (const char c : text) {
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
-// strtod, because libc++ has no from_chars for floating point. The program uses the C locale only.
-std::optional<float> axis_number(const std::string& text) {
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
-    return static_cast<float>(number);
-}
 
 std::vector<std::string_view> dial_words() {
     std::vector<std::string_view> words;
@@ -128,7 +108,7 @@ Result<MapAxis> parse_axis(const std::string& argument, const std::string& optio
     if (numbers.size() != 2) return Error{"an axis is PATH=A:B, like LL=RR=-1:1 or kind.prey.body.mass=5:20", where};
     auto axis = axis_of(argument.substr(0, equals));
     if (!axis) return Error{axis.error().what, where};
-    const auto from = axis_number(numbers[0]), to = axis_number(numbers[1]);
+    const std::optional<float> from = real_number(numbers[0]), to = real_number(numbers[1]);
     if (!from || !to) return Error{in_quotes(from ? numbers[1] : numbers[0]) + " is not a number", where};
     if (*from == *to) return Error{"both ends of the axis are the same; give two different numbers", where};
     axis->from = *from, axis->to = *to;

@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/text_parts.h"
+
 namespace braitenlab {
 
 namespace {
 
 bool is_number(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-std::vector<std::string_view> parts_of(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, at), text.size());
-        parts.push_back(text.substr(at, end - at));
-        at = end + 1;
-    }
-    return parts;
 }
 
 std::optional<Submitter> of_moodle(std::string_view name) {

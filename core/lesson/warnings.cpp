@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -19,6 +18,7 @@
 #include "core/scene/nearest.h"
 #include "core/scene/sensor_pairs.h"
 #include "core/scene/toml_tree.h"
+#include "core/text_parts.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
@@ -332,7 +332,7 @@ std::vector<Error> missing_translations(const Exercise& exercise, std::string_vi
     std::vector<Error> found;
     for (const TranslatableText& each : texts_of(exercise)) {
         const TomlNode* node = &words->root;
-        for (const std::string& part : split_path(each.id)) node = node ? node->get(part) : nullptr;
+        for (const std::string& part : parts_of(each.id, '.')) node = node ? node->get(part) : nullptr;
         if (!node || !node->as_text())
             found.push_back(places.at(key_of_text(each.id, exercise),
                                       message_of("not_translated", translations.string(), in_quotes(each.id))));

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/text_parts.h"
+
 namespace braitenlab {
 
 namespace {
@@ -22,11 +24,6 @@ Lines lines_of(std::string_view text) {
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return lines;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
 // The position of the '#' that begins a comment, outside quotes; npos: none.

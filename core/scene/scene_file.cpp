@@ -9,6 +9,7 @@
 #include "core/scene/schema.h"
 #include "core/scene/sealed.h"
 #include "core/scene/toml_reader.h"
+#include "core/text_parts.h"
 #include "core/utf8.h"
 
 namespace braitenlab {
@@ -72,7 +73,7 @@ bool is_in_brain_list(const TomlNode& root, std::string_view path) {
         const std::size_t at = path.find(list);
         if (at == path.npos) continue;
         const TomlNode* node = &root;
-        for (const std::string& part : split_path(path.substr(0, at + list.size() - 1)))
+        for (const std::string& part : parts_of(path.substr(0, at + list.size() - 1), '.'))
             if (node) node = node->get(part);
         return node && node->as_list();
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/maths/angle.h"
-#include "core/scene/toml_tree.h"
+#include "core/text_parts.h"
 
 namespace braitenlab {
 
@@ -106,7 +106,7 @@ bool set_number(Source& of, std::string_view key, double value) { return write_n
 bool set_number(Start& of, std::string_view key, double value) { return write_number(of, key, value); }
 
 bool set_number_at(Scene& scene, std::string_view path, double value) {
-    const std::vector<std::string> parts = split_path(path);
+    const std::vector<std::string> parts = parts_of(path, '.');
     const std::string& table = parts.front();
     if (table == "arena" && parts.size() == 2) return set_number(scene.arena, parts[1], value);
     if (parts.size() < 3) return false;

@@ -4,6 +4,7 @@
 
 #include "core/brain/four_neurons.h"
 #include "core/scene/nearest.h"
+#include "core/text_parts.h"
 
 namespace braitenlab {
 
@@ -19,11 +20,7 @@ Result<Setting> parse_setting(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos || equals == 0)
         return Error{in_quotes(text) + " is no setting; write PATH=VALUE, like kind.prey.brain.LL=0.5", "--set"};
-    const auto trim = [](std::string_view part) {
-        const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
-        return first == std::string_view::npos ? std::string() : std::string(part.substr(first, last - first + 1));
-    };
-    return Setting{trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
+    return Setting{std::string(trimmed(text.substr(0, equals))), std::string(trimmed(text.substr(equals + 1)))};
 }
 
 Result<JoinedSetting> parse_joined_setting(std::string_view text) {

@@ -8,16 +8,14 @@
 
 #include "core/plain_letters.h"
 #include "core/scene/nearest.h"
+#include "core/text_parts.h"
 #include "core/utf8.h"
 
 namespace braitenlab {
 
 namespace {
 
-std::string_view trimmed_of(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
-    return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
-}
+constexpr const char* line_blanks = " \t\r";
 
 std::string_view line_of(std::string_view text, int line) {
     for (; line > 1 && text.find('\n') != std::string_view::npos; --line) text.remove_prefix(text.find('\n') + 1);
@@ -67,11 +65,11 @@ struct KeyLine {
 };
 
 KeyLine key_line_of(std::string_view line) {
-    KeyLine found{.whole = trimmed_of(without_comment(line))};
+    KeyLine found{.whole = trimmed(without_comment(line), line_blanks)};
     const std::size_t equals = found.whole.find('=');
     found.has_value = equals != std::string_view::npos && !found.whole.starts_with('[');
-    found.key = trimmed_of(found.whole.substr(0, std::min(equals, found.whole.size())));
-    if (found.has_value) found.value = trimmed_of(found.whole.substr(equals + 1));
+    found.key = trimmed(found.whole.substr(0, std::min(equals, found.whole.size())), line_blanks);
+    if (found.has_value) found.value = trimmed(found.whole.substr(equals + 1), line_blanks);
     return found;
 }
 
@@ -152,7 +150,7 @@ bool is_exponent(std::string_view text) {
 
 Advice of_unit(const KeyLine& line) {
     const std::string_view number = number_at_begin(line.value);
-    const std::string_view unit = trimmed_of(line.value.substr(number.size()));
+    const std::string_view unit = trimmed(line.value.substr(number.size()), line_blanks);
     if (number.empty() || unit.empty() || is_exponent(unit)) return std::nullopt;
     const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || (c & 0x80); };
     if (!is_letter(unit[0]) && unit[0] != '%') return std::nullopt;

@@ -9,6 +9,7 @@
 #include "core/scene/nearest.h"
 #include "core/scene/schema.h"
 #include "core/scene/toml_advice.h"
+#include "core/text_parts.h"
 #include "core/utf8.h"
 
 namespace braitenlab {
@@ -242,7 +243,7 @@ bool TomlFile::failed_at(std::string_view path) const {
 
 Error TomlFile::fault_at(const std::string& path, Message what) const {
     const TomlNode* node = &root;
-    for (const std::string& part : split_path(path)) {
+    for (const std::string& part : parts_of(path, '.')) {
         const TomlNode* next = child(*node, part);
         if (!next) break;
         node = next;
@@ -294,7 +295,7 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
 
 bool put(TomlNode& root, const Setting& setting) {
     TomlNode* node = &root;
-    for (const std::string& part : split_path(setting.path)) {
+    for (const std::string& part : parts_of(setting.path, '.')) {
         if (auto* list = std::get_if<TomlNode::List>(&node->content)) {
             node = list_element(*list, part);
             if (!node) return false;
@@ -317,16 +318,6 @@ void check_format(TomlFile& file) {
     } else if (*format->as_whole() != 1) {
         file.fail("format", format, message_of("other_format"));
     }
-}
-
-std::vector<std::string> split_path(std::string_view path) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from <= path.size();) {
-        const std::size_t dot = std::min(path.find('.', from), path.size());
-        parts.emplace_back(path.substr(from, dot - from));
-        from = dot + 1;
-    }
-    return parts;
 }
 
 }  // namespace braitenlab

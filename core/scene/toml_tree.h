@@ -112,7 +112,4 @@ bool put(TomlNode& root, const Setting&);
 // Adds an error unless `format = 1` is in the file.
 void check_format(TomlFile&);
 
-// The parts of "a.b.c".
-std::vector<std::string> split_path(std::string_view path);
-
 }  // namespace braitenlab
