@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "app/files/data.h"
 #include "core/io/run_file.h"
@@ -23,8 +22,7 @@ namespace {
 template <class Named>
 Result<std::size_t> index_of(const std::vector<Named>& all, const std::string& name, const std::string& what,
                              const std::string& file) {
-    std::vector<std::string_view> names;
-    for (const Named& one : all) names.emplace_back(one.name);
+    const std::vector<std::string_view> names = known_names(all);
     const auto found = std::find(names.begin(), names.end(), name);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
     return Error{"there is no " + what + " " + in_quotes(name) + name_nearest(name, names), file};

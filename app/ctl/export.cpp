@@ -47,9 +47,7 @@ Result<robots::Target> target_of(const std::string& given) {
 Result<const robots::Robot*> robot_of(const std::string& given, robots::Target target) {
     const std::string name = given.empty() ? std::string(row_of(target).robot) : given;
     if (const robots::Robot* robot = robots::find_robot(name)) return robot;
-    std::vector<std::string_view> names;
-    for (const robots::Robot& robot : robots::robots()) names.push_back(robot.name);
-    return Error{"there is no robot " + in_quotes(name) + name_nearest(name, names), "--robot"};
+    return Error{"there is no robot " + in_quotes(name) + name_nearest(name, known_names(robots::robots())), "--robot"};
 }
 
 }  // namespace

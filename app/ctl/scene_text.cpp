@@ -52,8 +52,7 @@ Result<Scene> read_scene_with(const std::string& file, const std::vector<std::st
 Result<VehicleId> vehicle_at_start(const Snapshot& start, const std::string& name, const std::string& file) {
     if (start.vehicles.empty()) return Error{"the scene has no vehicle", file};
     if (name.empty()) return start.vehicles.front().id;
-    std::vector<std::string_view> names;
-    for (const Start& each : start.scene->starts) names.push_back(each.name);
+    const std::vector<std::string_view> names = known_names(start.scene->starts);
     const auto found = std::find(names.begin(), names.end(), name);
     const auto with_start = std::find_if(start.vehicles.begin(), start.vehicles.end(), [&](const VehicleView& each) {
         return found != names.end() && each.start == found - names.begin();

@@ -112,11 +112,9 @@ Result<std::shared_ptr<const StudyBase>> StudyBase::create(Study study, std::str
     const auto first = base->world(0);
     if (!first) return first.error();
     if (is_about_vehicle(base->study_) && base->vehicle(*first) == no_vehicle) {
-        std::vector<std::string_view> names;
-        for (const Start& start : base->scenes_.front().starts) names.push_back(start.name);
         if (base->study_.vehicle.empty()) return error_of(message_of("study_without_vehicle"), scene_file);
         return error_of(message_of("no_vehicle_of_scene", in_quotes(base->study_.vehicle)) +
-                            nearest_of(base->study_.vehicle, names),
+                            nearest_of(base->study_.vehicle, known_names(base->scenes_.front().starts)),
                         scene_file);
     }
     return std::shared_ptr<const StudyBase>(std::move(base));

@@ -54,8 +54,7 @@ struct ExercisePart {
     template <class Named>
     bool check_known(const char* key, const std::string& name, const std::vector<Named>& known,
                      MessageId<1> unknown) const {
-        std::vector<std::string_view> names;
-        for (const Named& each : known) names.emplace_back(each.name);
+        const std::vector<std::string_view> names = known_names(known);
         if (std::find(names.begin(), names.end(), name) != names.end()) return true;
         fail(key, message_of(unknown, in_quotes(name)) + nearest_of(name, names));
         return false;

@@ -215,8 +215,7 @@ std::optional<Error> error_of_page(const Lecture& lecture, const LecturePage& pa
         scene = exercise ? Result<Scene>(std::move(exercise->scene)) : exercise.error();
     }
     if (!scene) return scene.error();
-    std::vector<std::string_view> names;
-    for (const Start& start : scene->starts) names.emplace_back(start.name);
+    const std::vector<std::string_view> names = known_names(scene->starts);
     // A camera on a vehicle needs one.
     const bool needs_vehicle = page.camera == PageCamera::follow || page.camera == PageCamera::driver;
     if (page.select.empty() || (page.select == nothing_selected && !needs_vehicle) ||

@@ -114,13 +114,6 @@ std::optional<Fault> range_fault(const T& object) {
     return fault;
 }
 
-template <class Named>
-std::vector<std::string_view> known_names(const std::vector<Named>& all) {
-    std::vector<std::string_view> names;
-    for (const Named& one : all) names.emplace_back(one.name);
-    return names;
-}
-
 std::optional<Fault> wheels_fault(const Kind& kind) {
     float load = 0;
     for (const Wheel& wheel : kind.body.wheels) load += wheel.load;

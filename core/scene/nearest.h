@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/messages.h"
 
@@ -23,6 +24,13 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 // "; the nearest is 'prey'" when the distance is at most half the length, the word abbreviates it or there is one
 // candidate; else "; known are 'none', 'predator', 'prey'", at most 12 of them. Empty without candidates.
 std::string name_nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+// The names of things, as candidates. Valid as long as the things.
+std::vector<std::string_view> known_names(const auto& all) {
+    std::vector<std::string_view> names;
+    for (const auto& one : all) names.emplace_back(one.name);
+    return names;
+}
 
 // name_nearest() as a message.
 Message nearest_of(std::string_view word, std::span<const std::string_view> candidates);
