@@ -1,9 +1,7 @@
 #include "app/files/autosave.h"
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
-#include <string_view>
 #include <tuple>
 #include <utility>
 

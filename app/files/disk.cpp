@@ -1,11 +1,9 @@
 #include "app/files/disk.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <sstream>
 #include <vector>
 
-#include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"
 #include "core/evolve/breeding_file.h"

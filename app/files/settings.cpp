@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <tuple>
-#include <utility>
 
 #include <fmt/format.h>
 

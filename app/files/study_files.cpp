@@ -1,7 +1,5 @@
 #include "app/files/study_files.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "app/files/data.h"

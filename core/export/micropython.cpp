@@ -1,7 +1,6 @@
 #include "core/export/micropython.h"
 
 #include <cmath>
-#include <string_view>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 #include "core/export/plan.h"
 
-#include <algorithm>
 #include <set>
 
 #include "core/export/text.h"

@@ -1,7 +1,6 @@
 #include "core/export/robot.h"
 
 #include <algorithm>
-#include <array>
 
 namespace braitenlab::robots {
 

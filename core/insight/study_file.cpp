@@ -1,7 +1,6 @@
 #include "core/insight/study_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <set>

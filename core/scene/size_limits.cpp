@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 

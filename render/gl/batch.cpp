@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cassert>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "render/gl/opengl.h"
 

@@ -1,7 +1,6 @@
 #include "render/view/camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/maths/angle.h"
