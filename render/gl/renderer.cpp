@@ -381,11 +381,12 @@ struct Renderer::Parts {
     // Draws the visible parts of the coarse picture over the viewport. SwiftShader takes twice the time for a copy that
     // changes the size.
     void enlarge(const Rect& window) {
-        glClear(GL_COLOR_BUFFER_BIT);
         glDisable(GL_BLEND);
         glDisable(GL_DEPTH_TEST);
         resampling.coarse().bind();
         glEnable(GL_SCISSOR_TEST);
+        set_scissor({0, 0, window.w, window.h}, window, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
         for (const Rect& part : visible) {
             set_scissor(part, window, 1);
             draw(with.enlarge, floors);

@@ -163,7 +163,7 @@ TEST(PredictionPart, AsksForARunOfTheSceneAsGivenOnceTheStudentHasChangedIt) {
 
 TEST(PredictionPart, ShowsTheWayBackToTheSceneAsGivenInCardAndBrain) {
     for (const std::string& language : shipped_codes()) {
-        Desk desk(800, 600, 1, true);
+        Desk desk(1024, 600, 1, true);  // low, but with both cards beside the scene
         desk.strings = speaking(language);
         desk.open_exercise();
         desk.opened.prediction.hides_brain = true;
