@@ -18,7 +18,7 @@
 #include "app/title.h"
 #include "render/view/between.h"
 #include "ui/panels/cards.h"
-#include "ui/panels/course/exercise_names.h"
+#include "ui/panels/exercise_names.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
 #include "ui/widgets/drawn.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/panels/course/exercise_names.h"
-#include "ui/panels/map_parts.h"
+#include "ui/panels/exercise_names.h"
+#include "ui/panels/map/map_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/menu_bar.h"
 

@@ -15,7 +15,7 @@
 #include "core/scene/toml_tree.h"
 #include "core/scene/toml_writer.h"
 #include "core/utf8.h"
-#include "ui/panels/chart_data.h"
+#include "ui/panels/charts/chart_data.h"
 
 namespace braitenlab {
 

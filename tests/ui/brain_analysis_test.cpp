@@ -1,4 +1,4 @@
-#include "ui/panels/brain_analysis.h"
+#include "ui/panels/brain/brain_analysis.h"
 
 #include "core/brain/presets.h"
 #include "core/insight/why.h"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "brain_on_desk.h"
-#include "ui/panels/brain_sketch.h"
+#include "ui/panels/brain/brain_sketch.h"
 
 namespace braitenlab::tests::brain_lesions_test {
 

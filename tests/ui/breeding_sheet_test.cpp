@@ -1,4 +1,4 @@
-// The sheet of a breeding (ui/panels/breeding_sheet.cpp).
+// The sheet of a breeding (ui/panels/breeding/breeding_sheet.cpp).
 #include <algorithm>
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-#include "ui/panels/chart_data.h"
+#include "ui/panels/charts/chart_data.h"
 
 #include <algorithm>
 #include <cmath>

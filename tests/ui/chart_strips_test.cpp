@@ -1,5 +1,5 @@
 // The strips of the chart card: choosing signals and removing them.
-#include "ui/panels/chart_strips.h"
+#include "ui/panels/charts/chart_strips.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include "core/lesson/exercise_file.h"
 #include "desk.h"
 #include "ui/imgui_compat.h"
-#include "ui/panels/course/exercise_names.h"
-#include "ui/panels/course/scene_picture.h"
+#include "ui/panels/exercise_names.h"
+#include "ui/panels/scene_picture.h"
 #include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::gallery_test {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "desk.h"
-#include "ui/panels/chart_data.h"
+#include "ui/panels/charts/chart_data.h"
 
 namespace braitenlab::tests::probes_test {
 

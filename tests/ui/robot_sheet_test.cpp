@@ -1,7 +1,7 @@
 // The sheet that exports the selected vehicle's brain to a robot.
 #include "core/messages.h"
 #include "desk.h"
-#include "ui/panels/robot_state.h"
+#include "ui/panels/robots/robot_state.h"
 
 namespace braitenlab::tests::robot_sheet_test {
 

@@ -158,28 +158,28 @@ std::set<std::string> composed() {
     });
     for (const MessageText& message : message_table) keys.insert("error." + std::string(message.id));
     for (const char* row : {"kind.name", "kind.count", "body.track", "body.wheel_radius", "sensors.noise",
-                            "sensors.latency"})  // ui/panels/kind_editor.cpp
+                            "sensors.latency"})  // ui/panels/kind/kind_editor.cpp
         for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
     for (const char* unit : {"rounds", "laps", "contacts", "captures", "vehicles", "times"})
         keys.insert("unit." + std::string(unit));        // ui/panels/course/lesson_text.cpp
-    for (const robots::Robot& robot : robots::robots())  // ui/panels/robot_sheet.cpp
+    for (const robots::Robot& robot : robots::robots())  // ui/panels/robots/robot_sheet.cpp
         for (const char* stem : {"robot.to_", "robot.next_"}) keys.insert(stem + std::string(robot.word()));
     for (const char* role : {"predator", "prey"}) keys.insert("scene.goal_" + std::string(role));
     for (int chapter = 1; chapter <= 5; ++chapter) keys.insert("chapter." + std::to_string(chapter));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("hidden"));
-    for (const char* key : {"sensors.name", "sensors.name_how"}) keys.insert(key);  // ui/panels/sensor_card.cpp
+    for (const char* key : {"sensors.name", "sensors.name_how"}) keys.insert(key);  // ui/panels/kind/sensor_card.cpp
     for (const GlossaryTerm& term : terms())
         for (const char* end : {".name", ".text", ".forms"}) keys.insert("glossary." + std::string(term.id) + end);
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     for (const auto& row : insight::behaviour_table) keys.insert("map.kind." + std::string(row.word));
     for (const auto& row : insight::study_measure_table) keys.insert("study.measure." + std::string(row.word));
-    for (const auto& row : evolve::opponents_table)  // ui/panels/breeding_sheet.cpp
+    for (const auto& row : evolve::opponents_table)  // ui/panels/breeding/breeding_sheet.cpp
         for (const char* end : {"", "_how"}) keys.insert("breeding.opponents_" + std::string(row.word) + end);
     for (const char* number : {"generations", "population", "seed"})
         for (const char* end : {"", "_how"}) keys.insert("breeding." + std::string(number) + end);
     for (const auto& row : insight::map_measure_table) keys.insert("map.measure." + std::string(row.word));
     for (const char* group : {"brain", "body", "scene"}) keys.insert("map.group." + std::string(group));
-    for (const char* value :  // ui/panels/map_choices.cpp
+    for (const char* value :  // ui/panels/map/map_choices.cpp
          {"sensor_angle", "sensor_field",     "sensor_range",       "sensor_half_distance",
           "sensor_noise", "sensor_latency",   "sensor_gain_spread", "body_top_speed",
           "body_mass",    "body_motor_force", "body_mismatch",      "body_dead_band",
@@ -188,7 +188,7 @@ std::set<std::string> composed() {
           "arena_grip"})
         keys.insert("map.value." + std::string(value));
     const auto exercises = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "guided";
-    for (const auto& file : std::filesystem::directory_iterator(exercises))  // ui/panels/file_lists.cpp
+    for (const auto& file : std::filesystem::directory_iterator(exercises))  // ui/panels/files/file_lists.cpp
         keys.insert("search." + file.path().stem().string());
     return keys;
 }

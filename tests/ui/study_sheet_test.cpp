@@ -1,4 +1,4 @@
-// The sheet of a study (ui/panels/study_sheet.cpp).
+// The sheet of a study (ui/panels/study/study_sheet.cpp).
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-// The sheet for pictures and clips (ui/panels/take_away_sheet.cpp).
+// The sheet for pictures and clips (ui/panels/files/take_away_sheet.cpp).
 #include <algorithm>
 #include <string>
 

@@ -8,7 +8,7 @@
 #include "core/brain/edit.h"
 #include "core/brain/four_neurons.h"
 #include "core/scene/scene_file.h"
-#include "ui/panels/brain_layout.h"
+#include "ui/panels/brain/brain_layout.h"
 #include "ui/wiring/layout.h"
 
 namespace braitenlab::tests::wiring_layout_test {

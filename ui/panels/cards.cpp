@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/panels/map_parts.h"
+#include "ui/panels/map/map_parts.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/paint.h"

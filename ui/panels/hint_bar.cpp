@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
-#include "ui/panels/breeding_parts.h"
-#include "ui/panels/course/exercise_names.h"
+#include "ui/panels/breeding/breeding_parts.h"
+#include "ui/panels/exercise_names.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"

@@ -7,7 +7,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
-#include "ui/panels/chart_data.h"
+#include "ui/panels/charts/chart_data.h"
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets/card.h"

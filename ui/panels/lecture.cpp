@@ -9,7 +9,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
-#include "ui/panels/map_parts.h"
+#include "ui/panels/map/map_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"

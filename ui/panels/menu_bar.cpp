@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/scene/enums.h"
-#include "ui/panels/course/exercise_names.h"
-#include "ui/panels/file_lists.h"
+#include "ui/panels/exercise_names.h"
+#include "ui/panels/files/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/trail_legend.h"
 #include "ui/scene_input/edits.h"

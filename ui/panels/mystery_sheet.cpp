@@ -7,8 +7,8 @@
 
 #include <imgui.h>
 
-#include "ui/panels/course/scene_picture.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/scene_picture.h"
 #include "ui/panels/sheets.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"

@@ -9,7 +9,7 @@
 
 #include "core/brain/brain.h"
 #include "ui/imgui_compat.h"
-#include "ui/panels/chart_strips.h"
+#include "ui/panels/charts/chart_strips.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"

@@ -9,8 +9,8 @@
 
 #include "core/lesson/selection.h"
 #include "ui/imgui_compat.h"
-#include "ui/panels/course/path_picture.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/path_picture.h"
 #include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets/button.h"

@@ -8,11 +8,11 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/panels/cards.h"
-#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/exercise_parts.h"
 #include "ui/panels/course/exercise_rows.h"
 #include "ui/panels/course/pages.h"
 #include "ui/panels/course/prediction.h"
+#include "ui/panels/exercise_names.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/button.h"

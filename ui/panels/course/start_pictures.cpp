@@ -6,9 +6,9 @@
 #include <imgui.h>
 
 #include "ui/panels/course/lesson_text.h"
-#include "ui/panels/course/path_picture.h"
-#include "ui/panels/course/scene_picture.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/path_picture.h"
+#include "ui/panels/scene_picture.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
