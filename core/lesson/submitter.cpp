@@ -26,11 +26,10 @@ std::optional<Submitter> of_ilias(std::string_view folder) {
     const auto parts = parts_of(folder, '_');
     const bool has_gap = std::any_of(parts.begin(), parts.end(), [](std::string_view part) { return part.empty(); });
     if (parts.size() < 4 || has_gap || !is_number(parts.back())) return std::nullopt;
-    const std::string last_name(parts[0]), login(parts[parts.size() - 2]);
-    std::string first_name(parts[1]);
-    for (std::size_t i = 2; i + 2 < parts.size(); ++i) first_name += " " + std::string(parts[i]);
-    return Submitter{
-        {}, std::string(parts.back()), last_name + " " + first_name, std::string(folder), last_name, first_name, login};
+    const std::string &last_name = parts[0], &login = parts[parts.size() - 2];
+    std::string first_name = parts[1];
+    for (std::size_t i = 2; i + 2 < parts.size(); ++i) first_name += " " + parts[i];
+    return Submitter{{}, parts.back(), last_name + " " + first_name, std::string(folder), last_name, first_name, login};
 }
 
 std::optional<Submitter> of_canvas(std::string_view file) {
@@ -38,7 +37,7 @@ std::optional<Submitter> of_canvas(std::string_view file) {
     const std::size_t id = parts.size() > 1 && parts[1] == "LATE" ? 2 : 1;
     const bool has_numbers = parts.size() > id + 2 && is_number(parts[id]) && is_number(parts[id + 1]);
     if (!has_numbers || parts[0].empty()) return std::nullopt;
-    const std::string name(parts[0]), number(parts[id]);
+    const std::string &name = parts[0], &number = parts[id];
     return Submitter{{}, number, name, name + "_" + number};
 }
 
