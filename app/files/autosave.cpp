@@ -353,17 +353,16 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
     }
     if (here == written_ && occasion != Occasion::end) return error;
     if (dirty_since_ < 0) dirty_since_ = wall_seconds;
-    if (edited_since_ < 0 && here.edits != written_.edits) edited_since_ = wall_seconds;
     const double by_period = std::max(dirty_since_ + soon, written_at_ + period);
     const bool is_costly = failed_ || !has_threads();  // a page writes on the window's thread, also when it is hidden
-    const double due_at = edited_since_ < 0 || is_costly ? by_period : edited_since_ + soon;
+    const double due_at = here.edits == written_.edits || is_costly ? by_period : written_at_ + soon;
     if (!now && !due_ && wall_seconds < due_at) return error;
     if (here.tick == document.saved_tick && !has_unsaved_edits(lab)) {
         finish();
         written_ = here;
         return error;
     }
-    dirty_since_ = edited_since_ = -1;
+    dirty_since_ = -1;
     written_at_ = wall_seconds;
     due_ = false;
     written_ = here;
@@ -389,7 +388,7 @@ void Autosave::write(const Document& document, bool ended) {
 void Autosave::finish() {
     (void)settle();
     written_ = {};
-    dirty_since_ = edited_since_ = -1;
+    dirty_since_ = -1;
     written_at_ = -period;
     due_ = false;
     if (!lock_) return;

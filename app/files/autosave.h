@@ -80,7 +80,7 @@ std::future<std::optional<Error>> start_or_run(const Task& task, const Launch& l
 class Autosave {
 public:
     static constexpr double period = 19.5;  // s between two writes of a run; a crash loses at most 20 s of it
-    static constexpr double soon = 0.5;     // s after an edit; a crash, or a lost display, loses at most 1 s of edits
+    static constexpr double soon = 0.5;     // s between two writes of edits; a crash loses at most 1 s of them
 
     // frame: writes when due. now: the file is on the disk before keep() returns. end: the same, as the last call.
     enum class Occasion { frame, now, end };
@@ -116,11 +116,11 @@ public:
     // Removes leftovers of a scene file that has been saved: the file has newer work.
     void forget_work_on(const std::filesystem::path& saved);
 
-    // Writes if there are edits or ticks that are neither in the document's file nor in the autosave: `soon` after the
-    // first edit of them; without edits `soon` after the first tick and at least `period` after the last write; and at
-    // once when the mode changes. Edits that are undone do not count; their autosave is removed when the next write is
-    // due. Writing happens on another thread; where there is none, edits also wait for the period. An error is returned
-    // once until writing succeeds again; every period it is tried again.
+    // Writes if there are edits or ticks that are neither in the document's file nor in the autosave: edits at once,
+    // but at least `soon` after the last write; without edits `soon` after the first tick and at least `period` after
+    // the last write; and at once when the mode changes. Edits that are undone do not count; their autosave is removed
+    // when the next write is due. Writing happens on another thread; where there is none, edits also wait for the
+    // period. An error is returned once until writing succeeds again; every period it is tried again.
     std::optional<Error> keep(const Lab&, double wall_seconds, Occasion = Occasion::frame);
 
     // Waits until the write that keep() has started is on the disk.
@@ -148,7 +148,7 @@ private:
         friend bool operator==(const Reached&, const Reached&) = default;
     };
     Reached written_;
-    double dirty_since_ = -1, edited_since_ = -1;  // wall seconds; negative: nothing to write, no edits
+    double dirty_since_ = -1;  // wall seconds; negative: nothing to write
     double written_at_ = -period;
     Mode mode_ = Mode::paused;
     bool due_ = false;                           // write as soon as the current write has finished
