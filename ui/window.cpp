@@ -206,6 +206,7 @@ Prompt within_reach(Prompt prompt, const LabView& view, const PanelState& state)
     const auto is_of = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };
     const bool is_in_diagram = std::any_of(of_diagram.begin(), of_diagram.end(), is_of);
     if (prompt.hint == "hint.think" && is_in_diagram && !view.settings.watching) prompt.anchor = "button.watch";
+    if (prompt.anchor == "exercise.reset" && state.exercise.reset_asked) prompt.anchor = "exercise.reset_yes";
     if (prompt.anchor.starts_with("breeding.") && state.sheet != Sheet::breeding) prompt.anchor = "exercise.breeding";
     constexpr std::array of_brain{"slider.", "bias.", "threshold.", "curve.", "lesion.", "brain.", "button.watch"};
     const auto begins = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };

@@ -182,6 +182,14 @@ TEST(PredictionPart, ShowsTheWayBackToTheSceneAsGivenInCardAndBrain) {
         ASSERT_TRUE(way) << language;
         EXPECT_TRUE(inside(*way, desk.where("card.exercise"))) << language;
         EXPECT_FALSE(desk.anchors.find("exercise.note")) << "alone, " << language;
+        const std::string& pulsing = desk.panels.prompts.highlight.anchor;
+        EXPECT_EQ(pulsing, "exercise.reset") << language;
+        desk.view.undo_depth = 1;
+        desk.click("exercise.reset");
+        desk.frame(2);
+        EXPECT_EQ(pulsing, "exercise.reset_yes") << "it asks, " << language;
+        desk.click("exercise.reset_no");
+        desk.view.undo_depth = 0;
         desk.lesson.as_given = true;
         begin_run(desk);
         EXPECT_TRUE(says("wiring.answer_after_reset")) << language;

@@ -303,6 +303,21 @@ TEST_F(LessonPrompts, RequestAPredictionBeforeTheFirstPlay) {
     EXPECT_EQ(anchor(), "button.play");
 }
 
+TEST_F(LessonPrompts, PointToStartOverWhereTheSceneOfTheQuestionIsChanged) {
+    at(0, Mode::paused);
+    desk.lesson.attempt.work.has_run = false;
+    for (const int answer : {-1, 0}) {
+        desk.lesson.attempt.answers.prediction = answer;
+        desk.lesson.as_given = true;
+        EXPECT_NE(next().hint, "hint.start_over") << answer;
+        desk.lesson.as_given = false;
+        EXPECT_EQ(next().hint, "hint.start_over") << answer;
+        EXPECT_EQ(anchor(), "exercise.reset") << answer;
+    }
+    desk.lesson.attempt.work.has_run = true;
+    EXPECT_NE(next().hint, "hint.start_over") << "a run of a changed scene is the choice of the student";
+}
+
 TEST_F(LessonPrompts, PointToTheAnchorOfTheNewestHintUntilItIsUsed) {
     at(5), see(0);
     desk.lesson.attempt.answers.hints_shown = 3;

@@ -439,6 +439,7 @@ Prompt of_other_starts(PromptMemory& memory, const LabView& view) {
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
+    if (!lesson.attempt.work.has_run && needs_start_over(lesson)) return {"exercise.reset", "hint.start_over"};
     if (awaits_prediction(lesson)) return {"exercise.predict", "hint.predict"};
     if (!lesson.attempt.work.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};

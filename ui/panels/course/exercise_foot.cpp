@@ -171,8 +171,10 @@ void exercise_foot(const LabView& view, PanelState& state, Ui& ui, float width) 
     ask_before_reset(view, state, ui, width);
     if (is_handed_in(view)) hand_in_answer(view, state, ui, width);
     const bool hands_in_next = view.program.touch && has_passed(*view.lesson);
-    const bool shows_all = !places.folds || state.exercise.more_open || hands_in_next || points_at_other(ui.highlight);
-    if (shows_all || needs_start_over(*view.lesson)) other_buttons(view, state, ui, width, places.folds, !shows_all);
+    const bool starts_over = needs_start_over(*view.lesson);
+    const bool points = points_at_other(ui.highlight) && !(starts_over && ui.highlight == "exercise.reset");
+    const bool shows_all = !places.folds || state.exercise.more_open || hands_in_next || points;
+    if (shows_all || starts_over) other_buttons(view, state, ui, width, places.folds, !shows_all);
     const ImVec2 row = ImGui::GetCursorScreenPos();
     const float space = ui.px(spacing::small), next = row.x + places.hint + space;
     const bool passed = has_passed(*view.lesson);
