@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "app/ctl/ctl.h"
+#include "app/ctl/outputs.h"
 #include "app/ctl/table_file.h"
 #include "app/files/export_folder.h"
 #include "app/terminal.h"
@@ -69,11 +70,14 @@ int export_to_robot(const ExportOptions& options) {
         error->what += ", or --force to write into it";
         return complain(*error);
     }
+    std::vector<std::filesystem::path> written;
+    for (const robots::ExportedFile& file : *files)
+        written.push_back(std::filesystem::path(options.folder) / file.name);
+    if (const auto error = output_fault(options.file, written)) return complain(*error);
     if (const auto error = write_export(options.folder, *files)) return complain(*error);
     for (const Error& warning : robots::export_warnings(*brain, **robot))
         std::cerr << format_lines("braitenctl: warning: {}\n", warning.text());
-    for (const robots::ExportedFile& file : *files)
-        std::cout << format_lines("{}\n", (std::filesystem::path(options.folder) / file.name).string());
+    for (const std::filesystem::path& path : written) std::cout << format_lines("{}\n", path.string());
     return exit_code::done;
 }
 

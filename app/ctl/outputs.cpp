@@ -86,6 +86,18 @@ std::vector<Output> outputs_of(const CLI::App& command) {
     return outputs;
 }
 
+std::optional<Error> empty_name_fault(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const bool is_output = is_named(*option, "--report") ||
+                               std::any_of(output_options.begin(), output_options.end(),
+                                           [&](const OutputOption& each) { return is_named(*option, each.name); });
+        const std::vector<std::string>& names = option->results();
+        if (is_output && std::find(names.begin(), names.end(), "") != names.end())
+            return Error{"has an empty name; give the name of a file or a folder", option->get_name()};
+    }
+    return std::nullopt;
+}
+
 // The files that a study, a breeding, an exercise or a lecture names.
 void add_named_files(const fs::path& file, std::vector<fs::path>& files) {
     const auto text = read_text(file);
@@ -146,7 +158,24 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
+std::optional<Error> output_fault(const std::string& read, const std::vector<fs::path>& written) {
+    std::vector<fs::path> files{standard_output_file};
+    if (const auto file = find_shipped(read)) {
+        files.push_back(*file);
+        add_named_files(*file, files);
+    }
+    for (const fs::path& path : written) {
+        const auto is_same = [&](const fs::path& file) { return is_same_file(path, file); };
+        if (std::any_of(files.begin(), files.end(), is_same))
+            return Error{"would be replaced, and is read or standard output; give another folder", path.string()};
+        if (loses_work(path, Written::page))
+            return Error{"is a scene, another file of the lab, or an archive; give another folder", path.string()};
+    }
+    return std::nullopt;
+}
+
 std::optional<Error> output_fault(const CLI::App& command) {
+    if (const auto fault = empty_name_fault(command)) return fault;
     const std::vector<fs::path> read = files_read(command);
     const auto is_in = [](const fs::path& path, const std::vector<fs::path>& files) {
         return std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return is_same_file(path, file); });

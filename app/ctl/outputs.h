@@ -1,7 +1,10 @@
 // What every command of braitenctl promises about its outputs.
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/result.h"
 
@@ -18,6 +21,9 @@ namespace braitenlab {
 // a brain by --out; and when it cannot be replaced at all, as a device. Call it
 // after the arguments have been read, before anything is written.
 std::optional<Error> output_fault(const CLI::App& command);
+
+// The same for the files that an export writes, whose names are known late. `read`: the file of the brain.
+std::optional<Error> output_fault(const std::string& read, const std::vector<std::filesystem::path>& written);
 
 // Writes what standard output still holds. Returns the exit code of the
 // command; exit_code::bad_input, with a message, unless it was interrupted,

@@ -221,6 +221,32 @@ TEST(CtlOutput, OverAFileOfTheLabIsRefusedWhateverItsName) {
     }
 }
 
+TEST(CtlOutput, OfAnExportOverAnInputWorkOrStandardOutputIsRefused) {
+    const Folder folder;
+    const std::string scene = text_of(fs::path(BRAITENLAB_SOURCE) / "exercises/scenes/2a-coward.toml");
+    const Refusals refusals{folder.path};
+    for (const auto& [target, name] : {std::pair("c", "brain.h"), {"opamp", "parts.csv"}, {"thymio", "README.md"}}) {
+        const std::string out = std::string("e-") + target, file = out + "/" + name;
+        const std::string to = std::string(" --to ") + target + " --out " + out;
+        ASSERT_EQ(
+            shell("cd " + folder.path.string() + " && " BRAITENLAB_BINARY "/braitenctl export 2a-coward" + to).code, 0);
+        EXPECT_EQ(
+            shell("cd " + folder.path.string() + " && " BRAITENLAB_BINARY "/braitenctl export 2a-coward" + to).code, 0)
+            << "over an earlier one";
+        refusals.expect({"export 2a-coward" + to + " >> " + file}, "would be replaced");
+        put_text(folder / file, scene);
+        refusals.expect({"export " + file + to + " --force"}, "would be replaced");
+        refusals.expect({"export 2a-coward" + to + " --force"}, "is a scene");
+        EXPECT_EQ(text_of(folder / file), scene);
+    }
+}
+
+TEST(CtlOutput, WithAnEmptyNameIsRefused) {
+    for (const char* call : {"run 2a-coward --csv ''", "picture 2a-coward --wiring ''", "think 2a-coward --vectors ''",
+                             "export 2a-coward --to c --out ''", "map 2a-coward --png ''"})
+        expect_refused(call, "has an empty name");
+}
+
 TEST(CtlOutput, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
     const Folder folder;
     study_in(folder);
