@@ -10,10 +10,7 @@ namespace braitenlab {
 
 namespace {
 
-bool acts_on_terminal(char32_t code) {
-    return code == '\r' || is_control(code) || code == 0x2028 || code == 0x2029 || code == 0x200E || code == 0x200F ||
-           code == 0x061C || (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-}
+bool acts_on_terminal(char32_t code) { return code == '\r' || is_control(code) || is_layout_mark(code); }
 
 }  // namespace
 

@@ -52,6 +52,12 @@ constexpr bool is_control(char32_t code) {
     return code != '\t' && code != '\n' && code != '\r' && (code < 0x20 || (code >= 0x7F && code < 0xA0));
 }
 
+// A mark that ends a line or changes the direction of writing, so that a text looks like another one.
+constexpr bool is_layout_mark(char32_t code) {
+    return code == 0x2028 || code == 0x2029 || code == 0x200E || code == 0x200F || code == 0x061C ||
+           (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
 // The text with U+FFFD for each byte that is no UTF-8 and each character with is_unwanted(char32_t).
 template <class Unwanted>
 std::string utf8_without(std::string_view text, const Unwanted& is_unwanted) {

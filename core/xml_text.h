@@ -8,8 +8,9 @@
 
 namespace braitenlab {
 
-// The text with &, <, >, " and ' as references. Control characters, which XML does not allow, become spaces; bytes that
-// are no UTF-8 and the two codes that XML has no character for become U+FFFD.
+// The text with &, <, >, " and ' as references. Control characters, of which XML allows some, become spaces; bytes
+// that are no UTF-8, the two codes that XML has no character for, and marks that change the order of the text on the
+// page become U+FFFD.
 inline std::string xml_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {
@@ -31,9 +32,9 @@ inline std::string xml_text(std::string_view text) {
                 out += "&#39;";
                 break;
             default:
-                if (code < 0x20 && code != '\n')
+                if ((code < 0x20 && code != '\n') || (code >= 0x7F && code < 0xA0))
                     out += ' ';
-                else if (!is_valid || code == 0xFFFE || code == 0xFFFF)
+                else if (!is_valid || code == 0xFFFE || code == 0xFFFF || is_layout_mark(code))
                     out += "\xEF\xBF\xBD";
                 else
                     out += text.substr(0, size);

@@ -41,14 +41,16 @@ bool is_plain_number(std::string_view text) {
     return skip_digits() && text.empty();
 }
 
-// Blanks that a spreadsheet removes from the beginning of a cell.
+// Blanks that a spreadsheet removes from the beginning of a cell, and characters that are not seen there.
 bool is_blank(char32_t code) {
-    return code == ' ' || code == 0xA0 || code == 0x1680 || (code >= 0x2000 && code <= 0x200F) || code == 0x2028 ||
-           code == 0x2029 || code == 0x202F || code == 0x205F || code == 0x2060 || code == 0x3000 || code == 0xFEFF;
+    constexpr std::u32string_view others =
+        U" \u00A0\u00AD\u034F\u115F\u1160\u1680\u202F\u205F\u2800\u3000\u3164\uFEFF\uFFA0";
+    return (code >= 0x2000 && code <= 0x200F) || (code >= 0x2060 && code <= 0x206F) || is_layout_mark(code) ||
+           others.find(code) != std::u32string_view::npos;
 }
 
 bool begins_as_formula(std::string_view text) {
-    constexpr std::u32string_view dangerous = U"=+-@\uFF1D\uFF0B\uFF0D\uFF20";
+    constexpr std::u32string_view dangerous = U"=+-@\u2212\uFE62\uFE63\uFE66\uFE6B\uFF1D\uFF0B\uFF0D\uFF20";
     while (!text.empty()) {
         const CodePoint first = first_code_point(text);
         if (first.code < 0x20 || (first.code >= 0x7F && first.code < 0xA0)) return true;
@@ -79,7 +81,9 @@ std::string spreadsheet_text(std::string_view text) {
     return (!is_plain_number(text) && begins_as_formula(text) ? "'" : "") + std::string(text);
 }
 
-std::string table_text(std::string_view text) { return utf8_without(spreadsheet_text(text), is_control); }
+std::string table_text(std::string_view text) {
+    return utf8_without(spreadsheet_text(text), [](char32_t code) { return is_control(code) || is_layout_mark(code); });
+}
 
 std::string real_text(double number, int digits) {
     if (!std::isfinite(number)) return "";

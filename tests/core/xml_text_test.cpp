@@ -17,6 +17,8 @@ TEST(XmlText, ReplacesBytesThatAreNoUtf8AndControlCharacters) {
     EXPECT_EQ(xml_text("\xC0\xAF"), sign + sign) << "a slash in two bytes";
     EXPECT_EQ(xml_text("\xED\xA0\x80"), sign + sign + sign) << "a surrogate";
     EXPECT_EQ(xml_text("\xEF\xBF\xBE"), sign) << "no character of XML";
+    EXPECT_EQ(xml_text("a\u202Eb\u2066"), "a" + sign + "b" + sign) << "no mark that turns the order of a line";
+    EXPECT_EQ(xml_text("a\x7F\u0085z"), "a  z");
     EXPECT_EQ(xml_text("\xF0\x9F\x98\x80"), "\xF0\x9F\x98\x80");
 }
 
