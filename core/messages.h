@@ -66,6 +66,8 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"advice_utf8", "; save the file as UTF-8"},
     {"advice_no_zero", "; remove the character of value 0 in this line"},
     {"advice_plain_blanks", "; write a plain space in place of the no-break space"},
+    {"advice_no_invisible", "; remove the invisible character {}"},
+    {"advice_open_text", "; the text that begins here has no end; write {} after it"},
     {"advice_plain_minus", "; write a plain minus - instead of {}"},
     {"advice_straight_quotes", "; write straight quotes \" instead of {}"},
     {"advice_closing_quote", "; a quote \" is missing at the end of a text"},

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/plain_letters.h"
 #include "core/scene/nearest.h"
@@ -89,6 +90,16 @@ Advice of_no_break_space(const KeyLine& line) {
     const std::string outside = outside_quotes(line.whole);
     for (const std::string_view blank : {"\u00A0", "\u202F", "\u2007"})
         if (outside.find(blank) != std::string::npos) return message_of("advice_plain_blanks");
+    return std::nullopt;
+}
+
+Advice of_invisible(const KeyLine& line) {
+    constexpr std::pair<std::string_view, std::string_view> names[]{
+        {"\u200B", "U+200B"}, {"\u200C", "U+200C"}, {"\u200D", "U+200D"}, {"\u2060", "U+2060"}, {"\uFEFF", "U+FEFF"},
+        {"\u00AD", "U+00AD"}, {"\u2028", "U+2028"}, {"\u2029", "U+2029"}, {"\u0085", "U+0085"}};
+    const std::string outside = outside_quotes(line.whole);
+    for (const auto& [character, called] : names)
+        if (outside.find(character) != std::string::npos) return message_of("advice_no_invisible", called);
     return std::nullopt;
 }
 
@@ -189,9 +200,9 @@ Advice of_repetition(std::string_view above, const KeyLine& line) {
     return std::nullopt;
 }
 
-constexpr std::array causes{of_no_break_space, of_typographic_minus, of_typographic_quotes, of_open_quote,
-                            of_heading,        of_missing_parts,     of_decimal_comma,      of_unit,
-                            of_bare_word};
+constexpr std::array causes{of_invisible,  of_no_break_space, of_typographic_minus, of_typographic_quotes,
+                            of_open_quote, of_heading,        of_missing_parts,     of_decimal_comma,
+                            of_unit,       of_bare_word};
 
 }  // namespace
 
@@ -207,6 +218,32 @@ Message toml_advice(std::string_view text, int line) {
         if (auto advice = cause(parts)) return *advice;
     const std::string_view above = text.substr(0, static_cast<std::size_t>(found.data() - text.data()));
     return of_repetition(above, parts).value_or(Message());
+}
+
+std::optional<OpenText> open_text(std::string_view text) {
+    constexpr std::string_view all_quotes[]{"\"\"\"", "'''", "\"", "'"};
+    OpenText open;  // without quotes outside a text
+    int line = 1;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view rest = text.substr(i);
+        if (rest[0] == '\n') {
+            ++line;
+            if (open.quotes.size() == 1) open = {};
+        } else if (open.quotes.empty() && rest[0] == '#') {
+            i += std::min(rest.find('\n'), rest.size()) - 1;
+        } else if (open.quotes.empty()) {
+            const auto quotes = std::find_if(std::begin(all_quotes), std::end(all_quotes),
+                                             [&](std::string_view each) { return rest.starts_with(each); });
+            if (quotes == std::end(all_quotes)) continue;
+            open = {line, *quotes};
+            i += quotes->size() - 1;
+        } else if (rest.starts_with(open.quotes)) {
+            i += std::exchange(open, {}).quotes.size() - 1;
+        } else if (open.quotes[0] == '"' && rest[0] == '\\' && rest.size() > 1 && rest[1] != '\n') {
+            ++i;
+        }
+    }
+    return open.quotes.size() == 3 ? std::optional(open) : std::nullopt;
 }
 
 int line_of_open_list(std::string_view text, int line) {

@@ -286,6 +286,9 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     } catch (const toml::parse_error& mistake) {
         const int line = static_cast<int>(mistake.source().begin.line);
         const std::string what = cut_sentence(std::string(mistake.description()));
+        if (const auto open = open_text(text); open && open->line <= line)
+            return error_of(message_of("not_toml", what) + message_of("advice_open_text", open->quotes),
+                            std::move(file_name), open->line);
         if (const int open = line_of_open_list(text, line))
             return error_of(message_of("not_toml", what) + message_of("advice_closing_bracket"), std::move(file_name),
                             open);

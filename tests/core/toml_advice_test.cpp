@@ -36,6 +36,8 @@ TEST(TomlAdvice, SaysWhatToDoAboutAMistakeOfTheLine) {
                             {"x =", "; write a value after x ="},
                             {"x =\u00A03", "; write a plain space in place of the no-break space"},
                             {"x = 3\u202Fm", "; write a plain space in place of the no-break space"},
+                            {"x = \u200B16", "; remove the invisible character U+200B"},
+                            {"x = 16\u2028", "; remove the invisible character U+2028"},
                             {"x = \u22123", "; write a plain minus - instead of \u2212"},
                             {"x: 3", "; write a key and its value, like x = 1.5"},
                             {"[arena", "; a bracket ] is missing"},
@@ -61,6 +63,17 @@ TEST(TomlAdvice, NamesAHeadingOrAKeyThatStandsTwice) {
 TEST(TomlAdvice, KnowsANumberThatIsTooLargeAndAZeroByte) {
     EXPECT_TRUE(complaint("width = 1e400\n").ends_with("could not be interpreted as a value"));
     EXPECT_TRUE(complaint(std::string("width = 1\0\n", 11)).ends_with(message_of("advice_no_zero").text));
+}
+
+TEST(TomlAdvice, ATextOfSeveralLinesThatIsNotClosedIsToldAtItsLine) {
+    for (const std::string quotes : {"\"\"\"", "'''"}) {
+        const std::string text = "# '''\na = 1\ntitle = " + quotes + "A \"quote\"\nsolid = true\nx = 1,5\n";
+        const std::string told = complaint(text);
+        EXPECT_TRUE(told.starts_with("f.toml:3: not TOML: ")) << told;
+        EXPECT_TRUE(told.ends_with("; the text that begins here has no end; write " + quotes + " after it")) << told;
+        EXPECT_FALSE(open_text("title = " + quotes + "A\n\\\nB" + quotes + "\nx = \"'''\"\n"));
+    }
+    EXPECT_FALSE(open_text("a = \"\\\"\"\nb = 1,5\n")) << "a quote that is closed";
 }
 
 TEST(TomlAdvice, AListThatIsNotClosedIsToldAtItsLine) {
