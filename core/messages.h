@@ -369,6 +369,17 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"circuit_may_stand",
      "the wheel of {} may never turn: its command is {} at most, and an L298 turns it for certain from {} on, a TB6612 "
      "from {} on; raise its bias or its weights, or take a driver with an analog input"},
+    {"circuit_rest",
+     "while its sensors sense nothing, the command of {} is {}, with which the lab's vehicle drives, and the driver {} "
+     "turns the wheel for certain from {} on; raise its bias, or start the robot near what it senses"},
+    {"circuit_inverted",
+     "the part for {} gives nearly 1 above black and less above white, the reverse of the lab; give its wires the "
+     "other "
+     "sign, and add their old weight to the bias of the wire's motor"},
+    {"part_beyond",
+     "beyond the chassis, where nothing holds a sensor: {}; move each to at most half of its length and half of its "
+     "width from the middle"},
+    {"part_range", "the part reads up to {} m, the lab's sensor further: {}; set its range in the lab to that"},
     {"circuit_weak", "the wire from {} to {} is too weak for a resistor; set it to 0 or to {}"},
 });
 

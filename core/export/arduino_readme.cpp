@@ -55,7 +55,7 @@ std::string readme(const Plan& plan, int robot_rate) {
         texts::arduino_readme_md,
         {{"TITLE", comment_text(plan.title)},
          {"PINS", pin_table()},
-         {"PLACES", std::string(about_places)},
+         {"PLACES", places_text(plan, Board::uno)},
          {"SENSORS", sensors},
          {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
          {"OWN_SUPPLY", own_supply_text(parts, "Arduino")},
@@ -77,15 +77,15 @@ std::string parts_csv(const Plan& plan) {
 std::string wiring_svg(const Plan& plan) {
     Wiring wiring{
         .board = "Arduino Uno",
-        .driver = "TB6612 (L298N)",
+        .driver = "TB6612 or L298N",
         .kind = Board::uno,
         .button = std::to_string(button_pin),
         .left_outputs = "AO1, AO2 (OUT1, OUT2)",
         .right_outputs = "BO1, BO2 (OUT3, OUT4)",
         .motor_supply = "VM (12V)",
         .notes = {"All grounds are connected. The Arduino is supplied by USB; the battery supplies the motors alone.",
-                  "L298N: remove the jumpers of ENA and ENB, leave the 5 V jumper, and connect nothing to its "
-                  "5 V pin. Names in brackets are those of an L298N."}};
+                  "L298N (names in brackets): remove the jumpers of ENA and ENB; 10 kΩ from each of them to GND. Leave "
+                  "the 5 V jumper; nothing at its 5 V pin."}};
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) wiring.inputs.push_back(pin_of_input(i));
     for (const MotorPin& pin : motor_pins)
         wiring.pins.push_back({std::to_string(pin.pin), pin.l298n.empty()

@@ -113,9 +113,14 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
 }
 
 std::vector<Error> export_warnings(const BrainToExport& given, const Robot& robot) {
-    if (robot.target != Target::opamp) return {};
+    if (robot.target == Target::c || robot.is_thymio) return {};  // these have no list of parts
     const auto plan = make_plan(given, static_cast<float>(robot.rate_hz));
-    return plan ? opamp::warnings(*plan) : std::vector<Error>{};
+    if (!plan) return {};
+    if (robot.target != Target::opamp)
+        return place_warnings(*plan, robot.target == Target::arduino ? Board::uno : Board::microbit);
+    std::vector<Error> found = opamp::warnings(*plan);
+    for (Error& warning : place_warnings(*plan, Board::circuit)) found.push_back(std::move(warning));
+    return found;
 }
 
 }  // namespace braitenlab::robots

@@ -19,7 +19,8 @@ struct ExportedFile {
 // a part that the target cannot hold: the message names the part and says what to do.
 Result<std::vector<ExportedFile>> export_brain(const BrainToExport&, Target, const Robot&);
 
-// What is exported, and yet does not work on the robot, with what to do. Precondition: export_brain() exports it.
+// What is exported, and yet does not work on the robot as in the lab, with what to do. Precondition: export_brain()
+// exports it.
 std::vector<Error> export_warnings(const BrainToExport&, const Robot&);
 
 // How sigmoids and humps are computed: by expf(), or looked up between the values of a table in program memory, which

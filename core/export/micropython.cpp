@@ -180,7 +180,7 @@ std::string readme(const Plan& plan) {
     return filled(texts::micropython_readme_md,
                   {{"TITLE", comment_text(plan.title)},
                    {"BYTES", std::to_string(brain_py(plan).size())},
-                   {"PLACES", std::string(about_places)},
+                   {"PLACES", places_text(plan, Board::microbit)},
                    {"SENSORS", sensors},
                    {"OWN_SUPPLY", own_supply_text(parts, "micro:bit")},
                    {"WARM_UP", warm_up == 0 ? ""

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/export/e24.h"
 #include "core/export/sensor_parts.h"
 #include "core/export/text.h"
 #include "core/export/texts.h"
@@ -99,15 +100,18 @@ std::string node_text(const std::string& node) {
 
 constexpr int sensor_pin = 3;  // of a sensor's connector, after 5 V and ground
 
-// What a driver whose input is high from these volts on does with commands of this range.
-std::string_view verdict_on(const Range& commands, double high_volts) {
-    if (static_cast<double>(commands.high) <= command_at(low_volts)) return "never turns";
-    return static_cast<double>(commands.high) < command_at(high_volts) ? "may never turn" : "turns";
+// What a driver that turns a wheel from this command on does with commands of this range.
+std::string_view verdict_on(const Range& commands, double turns_from) {
+    if (static_cast<double>(commands.high) <= stands_below) return "never turns";
+    return static_cast<double>(commands.high) < turns_from ? "may never turn" : "turns";
 }
 
 constexpr std::string_view either_driver = "Both drivers turn each wheel; the list of parts has a TB6612.";
 constexpr std::string_view only_l298n =
     "A TB6612 does not turn each wheel for certain. The list of parts has an L298N, which needs lower commands.";
+constexpr std::string_view no_driver =
+    "**Neither driver turns each wheel for certain.** The list of parts has an L298N, which needs the lower commands: "
+    "build it\nafter the brain gives each wheel at least the command from which it turns.";
 
 constexpr std::string_view enough_of_a_block =
     "A block battery of 9 V gives that for a test; six alkaline AA cells in series, also 9 V,\nlast longer.";
@@ -129,41 +133,94 @@ constexpr std::string_view motor_rows =
     "2,motor,TT motor 1:48 with a wheel of 65 mm,the outputs of the driver,,\n"
     "2,capacitor,100 nF,at the terminals of each motor,,\n"
     "1,chassis,for two TT motors with a castor,,,\n"
+    "1,breadboard,half,J2,,\n"
     "1,set of jumper wires,,,,\n";
 
-bool turns_each_wheel(const Plan& plan, double high_volts) {
+bool turns_each_wheel(const Plan& plan, double turns_from) {
     return std::all_of(plan.units.begin(), plan.units.end(), [&](const PlanUnit& motor) {
-        return static_cast<double>(commands_of(plan, motor).high) >= command_at(high_volts);
+        return static_cast<double>(commands_of(plan, motor).high) >= turns_from;
     });
 }
 
-// What gives the lab's readings to a sensor that reads less than 0 to 1.
+// A TB6612 where it turns each wheel, else an L298N.
+bool takes_tb6612(const Plan& plan) { return turns_each_wheel(plan, tb6612_turns_from); }
+double turns_from(const Plan& plan) { return takes_tb6612(plan) ? tb6612_turns_from : l298_turns_from; }
+
+std::string_view driver_text(const Plan& plan) {
+    if (takes_tb6612(plan)) return either_driver;
+    return turns_each_wheel(plan, l298_turns_from) ? only_l298n : no_driver;
+}
+
+// A limit that is certain is rounded to the safe side.
+std::string rounded_up(double value) { return fmt::format("{:.2f}", std::ceil(100 * value) / 100); }
+std::string rounded_down(double value) { return fmt::format("{:.2f}", std::floor(100 * value) / 100); }
+
+// The weight and the bias that give the lab's effect to a wire of a sensor that reads less than 0 to 1.
+std::string scaled_wire(const PlanUnit& motor, const PlanTap& tap, const Range& readings) {
+    const double old = static_cast<double>(tap.weight), low = static_cast<double>(readings.low),
+                 wanted = old / static_cast<double>(readings.high - readings.low),
+                 most = static_cast<double>(limits::weight), weight = std::clamp(wanted, -most, most);
+    std::string text = fmt::format("  - to {}: {:.2f} instead of {:.2f}, and {:+.2f} to the bias",
+                                   table_cell(motor.name), weight, old, -weight * low);
+    if (weight != wanted)
+        text += fmt::format(". The same effect would take {:.1f}, but a weight ends at ±{:g}: it has {:.0f} % of it",
+                            wanted, most, 100 * weight / wanted);
+    return text + "\n";
+}
+
 std::string scale_text(const Plan& plan) {
     std::string text;
-    for (const Input& input : plan.inputs) {
-        const Range readings = part_of(input, Board::circuit).readings;
-        if (readings == Range{0, 1}) continue;
-        const double factor = 1 / static_cast<double>(readings.high - readings.low);
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+        const Range readings = part_of(plan.inputs[i], Board::circuit).readings;
+        // A photoresistor has the curve of the lab's photocell.
+        if (readings == Range{0, 1} || is_photoresistor(plan.inputs[i])) continue;
         text += fmt::format(
-            "- {}: it reads {:.2g} to {:.2g}, not 0 to 1. Multiply the weights of its wires by {:.1f}, and "
-            "subtract {:.2f} ·\n  old weight from the bias of each wire's motor.\n",
-            table_cell(input.name), static_cast<double>(readings.low), static_cast<double>(readings.high), factor,
-            factor * static_cast<double>(readings.low));
+            "- {}: it reads {:.2g} to {:.2g}, not 0 to 1. Weights of its wires with the lab's effect:\n",
+            table_cell(plan.inputs[i].name), static_cast<double>(readings.low), static_cast<double>(readings.high));
+        for (const PlanUnit& motor : plan.units)
+            for (const PlanTap& tap : motor.taps)
+                if (tap.source == static_cast<int>(i)) text += scaled_wire(motor, tap, readings);
     }
-    return text.empty() ? text : "\n" + text;
+    return text.empty()
+               ? text
+               : "\n" + text +
+                     "\nSet them once: this text is written from the weights of the export, and a second export "
+                     "says the same again.\n";
+}
+
+// "SR 0.61 (510 lx)": the sensor that turns a wheel with the least reading, and for an eye the light that gives it.
+std::string reading_text(const Plan& plan, const PlanUnit& motor) {
+    const double command = turns_from(plan);
+    if (command_at_rest(plan, motor) >= command) return "any reading";
+    double least = 2;
+    std::string text;
+    for (const PlanTap& tap : motor.taps) {
+        const std::optional<double> reading = reading_for(plan, motor, tap, command);
+        if (!reading || *reading >= least) continue;
+        const Input& input = input_of(plan, tap);
+        least = *reading;
+        text = fmt::format("{} {}", table_cell(input.name), rounded_up(least));
+        if (is_photoresistor(input)) text += fmt::format(" ({})", lux_text(lux_at(input, least)));
+    }
+    if (!text.empty()) return text;
+    return static_cast<double>(commands_of(plan, motor).high) < command ? "no reading" : "several sensors together";
+}
+
+// The command that tells in a table that a wheel stands at rest.
+std::string rest_text(const Plan& plan, const PlanUnit& motor) {
+    const double command = command_at_rest(plan, motor);
+    const std::string_view verdict = command <= stands_below      ? "stands"
+                                     : command < turns_from(plan) ? "may stand"
+                                                                  : "turns";
+    return fmt::format("{:.2f}: {}", command, verdict);
+}
+
+// The volts of a summer's output while all sensors have 0 V.
+std::string test_volts(const PlanUnit& motor) {
+    return fmt::format("{:.1f}", std::clamp(5 * static_cast<double>(motor.bias), 0.0, 7.5));
 }
 
 }  // namespace
-
-double nearest_e24(double ohms) {
-    constexpr double series[] = {1.0, 1.1, 1.2, 1.3, 1.5, 1.6, 1.8, 2.0, 2.2, 2.4, 2.7, 3.0, 3.3,
-                                 3.6, 3.9, 4.3, 4.7, 5.1, 5.6, 6.2, 6.8, 7.5, 8.2, 9.1, 10.0};
-    const double decade = std::pow(10.0, std::floor(std::log10(ohms)));
-    double best = series[0];
-    for (const double value : series)
-        if (std::fabs(std::log(value * decade / ohms)) < std::fabs(std::log(best * decade / ohms))) best = value;
-    return best * decade;
-}
 
 std::vector<Resistor> summer(const Plan& plan, const PlanUnit& motor, const std::string& side) {
     std::vector<Resistor> resistors;
@@ -240,19 +297,40 @@ Range commands_of(const Plan& plan, const PlanUnit& motor) {
     return commands;
 }
 
+double command_at_rest(const Plan& plan, const PlanUnit& motor) {
+    double command = static_cast<double>(motor.bias);
+    for (const PlanTap& tap : motor.taps)
+        command += static_cast<double>(tap.weight * part_of(input_of(plan, tap), Board::circuit).readings.low);
+    return command;
+}
+
+std::optional<double> reading_for(const Plan& plan, const PlanUnit& motor, const PlanTap& tap, double command) {
+    if (tap.weight <= 0) return std::nullopt;
+    const Range readings = part_of(input_of(plan, tap), Board::circuit).readings;
+    const double reading =
+        static_cast<double>(readings.low) + (command - command_at_rest(plan, motor)) / static_cast<double>(tap.weight);
+    return reading <= static_cast<double>(readings.high) ? std::optional(reading) : std::nullopt;
+}
+
 std::vector<Error> warnings(const Plan& plan) {
     const auto text = [](double value) { return fmt::format("{:.2f}", value); };
-    const auto rounded_up = [&](double value) { return text(std::ceil(100 * value) / 100); };
     std::vector<Error> found;
     for (const auto& [side, motor] : motors_of(plan)) {
-        const double most = static_cast<double>(commands_of(plan, *motor).high);
-        if (most >= command_at(l298_high_volts)) continue;
-        const std::string name = in_quotes(motor->name), l298 = rounded_up(command_at(l298_high_volts)),
-                          tb6612 = rounded_up(command_at(tb6612_high_volts));
-        found.push_back(error_of(most <= command_at(low_volts)
-                                     ? message_of("circuit_stands", name, text(most), l298, tb6612)
-                                     : message_of("circuit_may_stand", name, text(most), l298, tb6612)));
+        const double most = static_cast<double>(commands_of(plan, *motor).high), rest = command_at_rest(plan, *motor);
+        const std::string name = in_quotes(motor->name);
+        if (most < l298_turns_from) {
+            const std::string l298 = rounded_up(l298_turns_from), tb6612 = rounded_up(tb6612_turns_from);
+            found.push_back(error_of(most <= stands_below
+                                         ? message_of("circuit_stands", name, text(most), l298, tb6612)
+                                         : message_of("circuit_may_stand", name, text(most), l298, tb6612)));
+        } else if (const double least = turns_from(plan); rest >= 0.005 && rest < least) {
+            found.push_back(error_of(message_of("circuit_rest", name, text(rest),
+                                                takes_tb6612(plan) ? "TB6612" : "L298N", rounded_up(least))));
+        }
     }
+    for (const Input& input : plan.inputs)
+        if (part_of(input, Board::circuit).is_inverted)
+            found.push_back(error_of(message_of("circuit_inverted", in_quotes(input.name))));
     return found;
 }
 
@@ -303,16 +381,18 @@ std::string readme(const Plan& plan) {
                                joining_text(parts[i]), doubt_about(plan.inputs[i]), parts[i].uncalibrated);
     for (const auto& [side, motor] : motors_of(plan)) {
         const Range commands = commands_of(plan, *motor);
-        wheels += fmt::format("| {} ({}) | {:.2f} to {:.2f} | {} | {} |\n", side, table_cell(motor->name),
+        wheels += fmt::format("| {} ({}) | {:.2f} to {:.2f} | {} | {} | {} | {} |\n", side, table_cell(motor->name),
                               static_cast<double>(commands.low), static_cast<double>(commands.high),
-                              verdict_on(commands, tb6612_high_volts), verdict_on(commands, l298_high_volts));
+                              verdict_on(commands, tb6612_turns_from), verdict_on(commands, l298_turns_from),
+                              rest_text(plan, *motor), reading_text(plan, *motor));
     }
     std::string warned;
     for (const Error& warning : warnings(plan)) warned += fmt::format("**Warning: {}.**\n", warning.what);
     const double load = milliamperes_at_9_volts(plan);
     const std::size_t count = wiring_sheets(plan).size();
     std::string sheets =
-        "| `robot.svg` | the whole robot: this board, sensors, driver, motors, batteries |\n"
+        "| `robot.svg` | this board as a box with its sensors, the driver, the motors and their battery; not the 9 V "
+        "at J1 |\n"
         "| `wiring.svg` | the schematic of the board with the E24 values, to be printed on A4 |\n";
     for (std::size_t sheet = 2; sheet <= count; ++sheet)
         sheets += fmt::format("| `wiring-{}.svg` | its sheet {} |\n", sheet, sheet);
@@ -320,12 +400,18 @@ std::string readme(const Plan& plan) {
                   {{"TITLE", comment_text(plan.title)},
                    {"CHIPS", std::to_string(circuit.chips())},
                    {"SHEETS", sheets},
-                   {"PLACES", std::string(about_places)},
+                   {"PLACES", places_text(plan, Board::circuit)},
                    {"SENSORS", sensors},
                    {"SCALES", scale_text(plan)},
                    {"OWN_SUPPLY", own_supply_text(parts, "circuit")},
                    {"WHEELS", wheels},
-                   {"DRIVER", std::string(turns_each_wheel(plan, tb6612_high_volts) ? either_driver : only_l298n)},
+                   {"DRIVER", std::string(driver_text(plan))},
+                   {"LISTED", takes_tb6612(plan) ? "TB6612" : "L298N"},
+                   {"STANDS", rounded_down(stands_below)},
+                   {"L298_TURNS", rounded_up(l298_turns_from)},
+                   {"TB6612_TURNS", rounded_up(tb6612_turns_from)},
+                   {"LEFT_TEST", test_volts(plan.units[plan.hidden()])},
+                   {"RIGHT_TEST", test_volts(plan.units[plan.hidden() + 1])},
                    {"WARNINGS", warned.empty() ? "" : warned + "\n"},
                    {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
                    {"SUPPLY", std::string(load > block_milliamperes ? too_much_for_a_block : enough_of_a_block)},
@@ -335,7 +421,7 @@ std::string readme(const Plan& plan) {
 }
 
 std::string parts_csv(const Plan& plan) {
-    std::string text = "number,part,value,from,to,name\n";
+    std::string text = "number,part,value or use,from,to,name\n";
     const Circuit circuit = circuit_of(plan);
     std::map<double, std::vector<std::string>> resistors;  // names of equal ones
     for (const Resistor& r : circuit.resistors)
@@ -354,12 +440,12 @@ std::string parts_csv(const Plan& plan) {
     if (load > block_milliamperes) text += "1,heat sink,for a TO-220 case,,,for the regulator\n";
     for (const Connector& connector : circuit.connectors)
         text += fmt::format("1,connector,{} pins,{},,{}\n", connector.nodes.size(), connector.value, connector.name);
-    const bool takes_tb6612 = turns_each_wheel(plan, tb6612_high_volts);
-    text += fmt::format("1,motor driver,{},J2,,\n", takes_tb6612 ? "TB6612 board" : "L298N board");
+    const bool has_tb6612 = takes_tb6612(plan);
+    text += fmt::format("1,motor driver,{},J2,,\n", has_tb6612 ? "TB6612 board" : "L298N board");
     text += load > block_milliamperes
                 ? "1,holder for six AA cells with a switch,9 V,J1,,\n6,alkaline AA cell,9 V,J1,,\n"
                 : "1,block battery with clip and switch,9 V,J1,,\n";
-    return text + std::string(board_rows) + std::string(takes_tb6612 ? rows_for_tb6612 : rows_for_l298n) +
+    return text + std::string(board_rows) + std::string(has_tb6612 ? rows_for_tb6612 : rows_for_l298n) +
            std::string(motor_rows) + sensor_rows(plan, Board::circuit, ",,,");
 }
 

@@ -29,10 +29,22 @@ inline constexpr double share_of_driver = driver_pull_down_ohms / (limit_ohms + 
 // From 5 V to ground: takes what the two diodes bring (2.5 mA each at 8.2 V), which a regulator does not sink.
 inline constexpr double load_ohms = 1e3;
 
-// The inputs of the motor drivers with 5 V at their logic. TB6612 (data sheet of Toshiba): low to 0.3 VCC, high from
-// 0.7 VCC to VCC + 0.2 V. L298 (data sheet of ST): low to 1.5 V, high from 2.3 V.
+// The inputs of the motor drivers. TB6612 (data sheet of Toshiba): low to 0.3 VCC, high from 0.7 VCC to VCC + 0.2 V,
+// with the 5 V of this circuit at VCC. L298 (data sheet of ST) at 5 V of its own: low to 1.5 V, high from 2.3 V.
 inline constexpr double low_volts = 1.5, tb6612_high_volts = 3.5, l298_high_volts = 2.3, largest_driver_volts = 5.2;
-constexpr double command_at(double driver_volts) { return driver_volts / (5 * share_of_driver); }
+
+// The 5 V of an L7805 are 4.8 V to 5.2 V (data sheet of Texas Instruments), a divider of 1 % is off by 0.6 %, and
+// resistors of 1 % change a command by up to 0.02 (shipped brains in ngspice).
+inline constexpr double least_5_volts = 4.8, most_5_volts = 5.2, divider_error = 0.006, command_error = 0.02;
+
+// The commands below which no driver turns a wheel, and from which each one does, whatever the parts are within their
+// tolerances. The threshold of a TB6612 follows the 5 V.
+inline constexpr double stands_below =
+    low_volts / (most_5_volts * share_of_driver * (1 + divider_error)) - command_error;
+inline constexpr double l298_turns_from =
+    l298_high_volts / (least_5_volts * share_of_driver * (1 - divider_error)) + command_error;
+inline constexpr double tb6612_turns_from =
+    tb6612_high_volts / (5 * share_of_driver * (1 - divider_error)) + command_error;
 
 // A block battery of 9 V gives more than this for a short time only.
 inline constexpr double block_milliamperes = 100;
@@ -49,9 +61,6 @@ struct Resistor {
 // The resistors of one motor. `side`: "left" or "right".
 std::vector<Resistor> summer(const Plan&, const PlanUnit& motor, const std::string& side);
 
-// The nearest value of the series E24 (IEC 60063), by ratio.
-double nearest_e24(double ohms);
-
 // The first part that the circuit cannot hold, with its name: sensors without a part, neurons, thresholds, curves,
 // memories, learning wires, weights for which there is no resistor.
 std::optional<Error> refusal(const Plan&);
@@ -67,7 +76,15 @@ double largest_reading_of_dark(const Plan&);
 // The commands of a motor for the readings of its sensors without a calibration (SensorPart::readings).
 Range commands_of(const Plan&, const PlanUnit& motor);
 
-// Wheels that no command turns for certain, with both drivers.
+// The command of a motor while its sensors sense nothing (SensorPart::readings.low).
+double command_at_rest(const Plan&, const PlanUnit& motor);
+
+// The reading of a wire's sensor that gives this command to its motor while all others sense nothing; nullopt: none
+// does.
+std::optional<double> reading_for(const Plan&, const PlanUnit& motor, const PlanTap&, double command);
+
+// Wheels that no command turns for certain, with both drivers; wheels that stand while their sensors sense nothing,
+// where the lab's vehicle drives; sensors that read less where the lab's read more.
 std::vector<Error> warnings(const Plan&);
 
 // Largest current from 9 V with a TB6612 at 5 V; that of 5 V is a part of it. Without sensors that have a supply of
@@ -123,7 +140,6 @@ inline constexpr int regulator_in_pin = 1, regulator_ground_pin = 2, regulator_o
 std::string buffered(const Input&);                 // node of the sensor's buffer: "buffered_SL"
 std::string limited(const std::string& side);       // node of the diode: "left_limit"
 std::string driver_input(const std::string& side);  // node of the motor driver's input: "left_driver"
-std::string ohms_text(double ohms);                 // "120 kΩ"
 
 // For ngspice and LTspice, to be included in a deck of its user: a subcircuit whose name begins with "brain_" and
 // differs, also without case, from that of every other brain, so that several fit into one deck. It sets no options.

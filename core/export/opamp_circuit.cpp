@@ -37,11 +37,6 @@ std::string limited(const std::string& side) { return side + "_limit"; }
 
 std::string driver_input(const std::string& side) { return side + "_driver"; }
 
-std::string ohms_text(double ohms) {
-    if (ohms >= 1e6) return fmt::format("{:.4g} MΩ", ohms / 1e6);
-    return ohms >= 1e3 ? fmt::format("{:.4g} kΩ", ohms / 1e3) : fmt::format("{:.4g} Ω", ohms);
-}
-
 std::string Amplifier::name() const { return chip_name(chip) + letter; }
 
 std::string chip_name(std::size_t chip) { return fmt::format("U{}", chip + 1); }

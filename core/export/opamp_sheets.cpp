@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/export/e24.h"
 #include "core/export/opamp.h"
 #include "core/export/opamp_symbols.h"
 #include "core/export/sensor_parts.h"
@@ -481,7 +482,7 @@ std::vector<Sheet> sheets_of(const std::vector<Block>& blocks) {
 std::string robot_svg(const Plan& plan) {
     Wiring wiring{
         .board = "circuit",
-        .driver = "TB6612 (L298N)",
+        .driver = "TB6612 or L298N",
         .kind = Board::circuit,
         .pins = {{"J2 pin 1", "PWMA (ENA)"},
                  {"J2 pin 3: 5 V", "AIN1 (IN1)"},
@@ -493,11 +494,11 @@ std::string robot_svg(const Plan& plan) {
         .left_outputs = "AO1, AO2 (OUT1, OUT2)",
         .right_outputs = "BO1, BO2 (OUT3, OUT4)",
         .motor_supply = "VM (12V)",
-        .notes = {"All grounds are connected. The battery of the motors is drawn; that of the circuit, 9 V, is at J1. "
-                  "Pins of "
-                  "sensors: 1 is 5 V, 2 ground, 3 the input.",
-                  "L298N: remove the jumpers of ENA and ENB, leave the 5 V jumper, and connect nothing to its 5 V pin. "
-                  "Names in brackets are those of an L298N."}};
+        .notes = {
+            "All grounds are connected. Only the battery of the motors is drawn; that of the circuit, 9 V, is at J1. "
+            "Pins of sensors: 1 is 5 V, 2 ground, 3 the input.",
+            "L298N: remove the jumpers of ENA and ENB, leave the 5 V jumper, and connect nothing to its 5 V pin. "
+            "Names in brackets are those of an L298N."}};
     for (std::size_t i = 0; i < plan.inputs.size(); ++i)
         wiring.inputs.push_back(fmt::format("{} pin 3", sensor_connector(i)));
     return robots::wiring_svg(plan, wiring);

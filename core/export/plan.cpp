@@ -65,13 +65,23 @@ std::vector<const Node*> sensors_by_id(const BrainGraph& graph) {
     return sensors;
 }
 
+float lab_range_of(const Sensor& sensor) {
+    const bool is_table = sensor.response == SensorResponse::table && !sensor.points.empty();
+    return is_table ? std::min(sensor.range, sensor.points.back().distance) : sensor.range;
+}
+
 // With what the vehicle's sensor of this name says of it.
 Input input_of(const BrainToExport& given, const std::string& name) {
     const bool is_share = given.length > 0 && given.width > 0;
     const float length = is_share ? given.length : 1, width = is_share ? given.width : 1;
     for (const Sensor& sensor : given.sensors)
         if (sensor.name == name)
-            return {name, "", sensor.channel, Place{sensor.x / length, sensor.y / width, sensor.angle, is_share}};
+            return {name,
+                    "",
+                    sensor.channel,
+                    Place{sensor.x / length, sensor.y / width, sensor.angle, is_share},
+                    sensor.response == SensorResponse::photocell ? sensor.half_lux : Sensor{}.half_lux,
+                    lab_range_of(sensor)};
     return {name, ""};
 }
 

@@ -28,10 +28,12 @@ struct Place {
 
 // A sensor that has an effect on a motor.
 struct Input {
-    std::string name;                  // of the brain's node
-    std::string id;                    // "sensor_SL": an identifier of C, Python and Aseba
-    std::optional<Channel> channel{};  // what it senses; nullopt: a brain alone does not say
-    std::optional<Place> place{};      // nullopt: a brain alone does not say
+    std::string name;                    // of the brain's node
+    std::string id;                      // "sensor_SL": an identifier of C, Python and Aseba
+    std::optional<Channel> channel{};    // what it senses; nullopt: a brain alone does not say
+    std::optional<Place> place{};        // nullopt: a brain alone does not say
+    float half_lux = Sensor{}.half_lux;  // of a photocell; the default for other sensors
+    float range = 0;                     // m, to which it reads in the lab; 0: a brain alone does not say
 };
 
 // Which value a wire reads: a sensor, a unit of this tick (`now`) or one of the previous tick (`before`).

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "core/export/e24.h"
 #include "core/export/text.h"
 #include "core/io/csv.h"
 #include "core/messages.h"
@@ -19,7 +21,7 @@ namespace braitenlab::robots {
 namespace {
 
 // Infrared light passes filters of colour, so the part must not see it: a TEPT4400 sees visible light only.
-constexpr SensorPart eye_for(Channel colour, std::string_view part, std::string_view lamp) {
+SensorPart eye_for(Channel colour, std::string_view part, std::string_view lamp) {
     return {.channel = colour,
             .part = part,
             .supply = "5 V",
@@ -35,101 +37,117 @@ constexpr SensorPart eye_for(Channel colour, std::string_view part, std::string_
 }
 constexpr std::string_view own_supply = "5 V of its own";
 
-constexpr SensorPart none_for(Channel channel) {
-    return {.channel = channel, .part = "", .supply = "", .zero = "", .one = ""};
-}
+SensorPart none_for(Channel channel) { return {.channel = channel, .part = "", .supply = "", .zero = "", .one = ""}; }
 
 // Currents at 5 V: of a divider with the part at 0 Ω; of a GP2Y0A21 40 mA at most (data sheet of Sharp), of the heater
 // of an MQ-3 180 mA (900 mW, data sheet of Winsen; 750 mW in that of Hanwei), of a TCRT5000 module its LED through
 // 220 Ω and a lamp: 20 mA. Voltages of a GP2Y0A21: 0.4 V at 80 cm, 1.9 V more at 10 cm (data sheet of Sharp, typical);
 // resistance of a thermistor of B = 3950 K at 60 °C: 2.5 kΩ.
-constexpr auto parts_at_5_volts = std::to_array<SensorPart>({
-    {.channel = Channel::light,
-     .part = "photoresistor GL5528",
-     .supply = "5 V",
-     .to_ground = "1.5 kΩ",
-     .milliamperes = 3.3,
-     .symbol = PartSymbol::photoresistor,
-     .zero = "covered",
-     .one = "the lamp right in front of it",
-     .uncalibrated = "0 in the dark, 0.5 at 268 lx, 0.9 at 6,000 lx"},
-    eye_for(Channel::red, "phototransistor TEPT4400 behind a red filter", "a red LED lamp right in front of it"),
-    eye_for(Channel::green, "phototransistor TEPT4400 behind a green filter", "a green LED lamp right in front of it"),
-    eye_for(Channel::blue, "phototransistor TEPT4400 behind a blue filter", "a blue LED lamp right in front of it"),
-    {.channel = Channel::heat,
-     .part = "thermistor NTC 10 kΩ",
-     .supply = "5 V",
-     .to_ground = "10 kΩ",
-     .milliamperes = 0.5,
-     .zero = "at room temperature",
-     .one = "the warm source in front of it",
-     .uncalibrated = "0.5 at 25 °C, 0.8 at 60 °C",
-     .readings = {0.5f, 0.8f}},
-    {.channel = Channel::smell,
-     .part = "gas sensor module MQ-3, analog output",
-     .supply = "5 V",
-     .joining = Joining::module,
-     .milliamperes = 180,
-     .warm_up = 300,
-     .zero = "in clean air",
-     .one = "alcohol in front of it",
-     .note = "its heater takes up to 180 mA at 5 V; it reads steadily after 5 minutes, a new one after a day",
-     .uncalibrated = "more than 0 in clean air; measure its output there, and subtract weight · V / 5 of each of its "
-                     "wires from the bias of the wire's motor"},
-    none_for(Channel::oxygen),
-    {.channel = Channel::obstacle,
-     .part = "infrared distance sensor GP2Y0A21 (10 cm to 80 cm)",
-     .supply = "5 V",
-     .joining = Joining::module,
-     .capacitor = "10 µF",
-     .milliamperes = 40,
-     .zero = "nothing in front of it",
-     .one = "an obstacle at 10 cm",
-     .note = "nearer than 10 cm it reads less again, so it sits 10 cm inside the edge of the robot",
-     .uncalibrated = "0.08 (0.4 V) at 80 cm to 0.46 (2.3 V) at 10 cm",
-     .readings = {0.08f, 0.46f}},
-    none_for(Channel::predator),
-    none_for(Channel::prey),
-    none_for(Channel::vehicle),
-    none_for(Channel::memory),
-    {.channel = Channel::touch,
-     .part = "switch",
-     .supply = "5 V",
-     .to_ground = "10 kΩ",
-     .milliamperes = 0.5,
-     .symbol = PartSymbol::button,
-     .zero = "released",
-     .one = "pressed",
-     .uncalibrated = "0 released, 1 pressed"},
-    {.channel = Channel::floor,
-     .part = "reflective sensor TCRT5000 module, analog output",
-     .supply = "5 V",
-     .joining = Joining::module,
-     .milliamperes = 20,
-     .zero = "above black",
-     .one = "above white",
-     .note = "3 mm above the floor",
-     .uncalibrated = "inverted: most modules give nearly 1 above black and less above white. Give its wires the other "
-                     "sign, and add their old weight to the bias of the wire's motor"},
-    {.channel = Channel::energy,
-     .part = "battery of the motors",
-     .supply = "battery +",
-     .joining = Joining::battery,
-     .to_ground = "10 kΩ",
-     .in_series = "10 kΩ",
-     .zero = "an empty battery",
-     .one = "a full battery",
-     .uncalibrated = "0.6 at 6 V, 0.4 at 4 V",
-     .readings = {0.4f, 0.96f}},
-    none_for(Channel::random),
-});
+const auto& parts_at_5_volts() {
+    static const auto parts = std::to_array<SensorPart>({
+        {.channel = Channel::light,
+         .part = "photoresistor GL5528",
+         .supply = "5 V",
+         .symbol = PartSymbol::photoresistor,
+         .zero = "covered",
+         .one = "the lamp right in front of it",
+         .readings = {0, 0.9f}},
+        eye_for(Channel::red, "phototransistor TEPT4400 behind a red filter", "a red LED lamp right in front of it"),
+        eye_for(Channel::green, "phototransistor TEPT4400 behind a green filter",
+                "a green LED lamp right in front of it"),
+        eye_for(Channel::blue, "phototransistor TEPT4400 behind a blue filter", "a blue LED lamp right in front of it"),
+        {.channel = Channel::heat,
+         .part = "thermistor NTC 10 kΩ",
+         .supply = "5 V",
+         .to_ground = "10 kΩ",
+         .milliamperes = 0.5,
+         .zero = "at room temperature",
+         .one = "the warm source in front of it",
+         .uncalibrated = "0.5 at 25 °C, 0.8 at 60 °C",
+         .readings = {0.5f, 0.8f}},
+        {.channel = Channel::smell,
+         .part = "gas sensor module MQ-3, analog output",
+         .supply = "5 V",
+         .joining = Joining::module,
+         .milliamperes = 180,
+         .warm_up = 300,
+         .zero = "in clean air",
+         .one = "alcohol in front of it",
+         .note = "its heater takes up to 180 mA at 5 V; it reads steadily after 5 minutes, a new one after a day",
+         .uncalibrated =
+             "more than 0 in clean air; measure its output there, and subtract weight · V / 5 of each of its "
+             "wires from the bias of the wire's motor"},
+        none_for(Channel::oxygen),
+        {.channel = Channel::obstacle,
+         .part = "infrared distance sensor GP2Y0A21 (10 cm to 80 cm)",
+         .supply = "5 V",
+         .joining = Joining::module,
+         .capacitor = "10 µF",
+         .milliamperes = 40,
+         .zero = "nothing in front of it",
+         .one = "an obstacle at 10 cm",
+         .note = "nearer than 10 cm it reads less again; it may sit further back than its place in the scene, so that "
+                 "nothing "
+                 "comes nearer",
+         .uncalibrated = "0.08 (0.4 V) at 80 cm to 0.46 (2.3 V) at 10 cm",
+         .readings = {0.08f, 0.46f},
+         .range = 0.8f},
+        none_for(Channel::predator),
+        none_for(Channel::prey),
+        none_for(Channel::vehicle),
+        none_for(Channel::memory),
+        {.channel = Channel::touch,
+         .part = "switch",
+         .supply = "5 V",
+         .to_ground = "10 kΩ",
+         .milliamperes = 0.5,
+         .symbol = PartSymbol::button,
+         .zero = "released",
+         .one = "pressed",
+         .uncalibrated = "0 released, 1 pressed"},
+        {.channel = Channel::floor,
+         .part = "reflective sensor TCRT5000 module, analog output",
+         .supply = "5 V",
+         .joining = Joining::module,
+         .milliamperes = 20,
+         .zero = "above black",
+         .one = "above white",
+         .note = "3 mm above the floor",
+         .uncalibrated =
+             "inverted: most modules give nearly 1 above black and less above white. Give its wires the other "
+             "sign, and add their old weight to the bias of the wire's motor",
+         .is_inverted = true},
+        {.channel = Channel::energy,
+         .part = "battery of the motors",
+         .supply = "battery +",
+         .joining = Joining::battery,
+         .to_ground = "10 kΩ",
+         .in_series = "10 kΩ",
+         .zero = "an empty battery",
+         .one = "a full battery",
+         .uncalibrated = "0.6 at 6 V, 0.4 at 4 V",
+         .readings = {0.4f, 0.96f}},
+        none_for(Channel::random),
+    });
+    static_assert(std::tuple_size_v<decltype(parts)> == channel_table.size());
+    return parts;
+}
 
-// part_of() takes the row of a channel by its number.
-static_assert([] {
-    for (std::size_t i = 0; i < parts_at_5_volts.size(); ++i)
-        if (parts_at_5_volts[i].channel != channel_table[i].value) return false;
-    return parts_at_5_volts.size() == channel_table.size();
-}());
+constexpr double photoresistor_ohms = 15e3, photoresistor_lux = 10, photoresistor_exponent = 0.7, least_ohms = 220;
+
+double ohms_to_ground(const Input& eye) {
+    const double lux = static_cast<double>(eye.half_lux) / photoresistor_lux;
+    return nearest_e24(std::max(photoresistor_ohms * std::pow(lux, -photoresistor_exponent), least_ohms));
+}
+
+SensorPart with_resistor(SensorPart part, const Input& eye) {
+    const double ohms = ohms_to_ground(eye);
+    part.to_ground = ohms_text(ohms);
+    part.milliamperes = 5e3 / ohms;
+    part.uncalibrated =
+        fmt::format("0 in the dark, 0.5 at {}, 0.9 at {}", lux_text(lux_at(eye, 0.5)), lux_text(lux_at(eye, 0.9)));
+    return part;
+}
 
 // What differs at 3 V: a pin takes no more. 5 V through 10 kΩ : 15 kΩ give 3 V; a battery of 6.4 V through
 // 20 kΩ : 10 kΩ gives 2.1 V, one of six cells 3.2 V.
@@ -138,6 +156,7 @@ SensorPart at_3_volts(SensorPart part) {
         case Channel::obstacle:  // the GP2Y0A21 needs 4.5 V
             part.part = "infrared distance sensor GP2Y0A60SZ for 3 V (10 cm to 150 cm)";
             part.milliamperes = 50;  // at most (data sheet of Sharp)
+            part.range = 1.5f;
             break;
         case Channel::smell:
             part.supply = own_supply, part.has_own_supply = true;
@@ -165,8 +184,26 @@ std::string csv_cell(std::string_view text) {
 }  // namespace
 
 SensorPart part_of(const Input& input, Board board) {
-    const SensorPart& part = parts_at_5_volts[static_cast<std::size_t>(input.channel.value_or(Channel::light))];
-    return board == Board::microbit ? at_3_volts(part) : part;
+    const Channel channel = input.channel.value_or(Channel::light);
+    SensorPart part = parts_at_5_volts()[static_cast<std::size_t>(channel)];
+    assert(part.channel == channel);
+    if (is_photoresistor(input)) part = with_resistor(std::move(part), input);
+    return board == Board::microbit ? at_3_volts(std::move(part)) : part;
+}
+
+bool is_photoresistor(const Input& input) { return input.channel.value_or(Channel::light) == Channel::light; }
+
+double lux_at(const Input& eye, double reading) {
+    const double ohms = ohms_to_ground(eye) * (1 / reading - 1);
+    return photoresistor_lux * std::pow(ohms / photoresistor_ohms, -1 / photoresistor_exponent);
+}
+
+std::string lux_text(double lux) {
+    if (lux < 10) return fmt::format("{:.2g} lx", lux);
+    if (lux < 1000) return fmt::format("{:.0f} lx", lux);
+    const double step = std::pow(10, std::floor(std::log10(lux)) - 1);  // two digits
+    const auto whole = static_cast<long long>(std::round(lux / step) * step);
+    return fmt::format("{},{:03} lx", whole / 1000, whole % 1000);
 }
 
 std::vector<SensorPart> parts_of(const Plan& plan, Board board) {
@@ -196,6 +233,31 @@ int warm_up_of(const std::vector<SensorPart>& parts) {
     int longest = 0;
     for (const SensorPart& part : parts) longest = std::max(longest, part.warm_up);
     return longest;
+}
+
+std::vector<Error> place_warnings(const Plan& plan, Board board) {
+    std::string beyond, further;
+    float part_range = 0;
+    const auto add = [](std::string& list, const std::string& text) { list += (list.empty() ? "" : ", ") + text; };
+    constexpr float edge = 0.55f;  // a sensor at the edge sticks out a little
+    for (const Input& input : plan.inputs) {
+        const SensorPart part = part_of(input, board);
+        if (input.place && input.place->is_share &&
+            std::max(std::fabs(input.place->x), std::fabs(input.place->y)) > edge)
+            add(beyond, in_quotes(input.name));
+        if (part.range > 0 && input.range > part.range)
+            add(further, fmt::format("{} {:g} m", in_quotes(input.name), input.range)), part_range = part.range;
+    }
+    std::vector<Error> found;
+    if (!beyond.empty()) found.push_back(error_of(message_of("part_beyond", beyond)));
+    if (!further.empty()) found.push_back(error_of(message_of("part_range", fmt::format("{:g}", part_range), further)));
+    return found;
+}
+
+std::string places_text(const Plan& plan, Board board) {
+    std::string text;
+    for (const Error& warning : place_warnings(plan, board)) text += fmt::format("**Warning: {}.**\n\n", warning.what);
+    return text + std::string(about_places);
 }
 
 std::string place_text(const Input& input) {
@@ -262,9 +324,8 @@ std::string sensor_rows(const Plan& plan, Board board, std::string_view row_end)
         const std::string from = part.joining == Joining::battery
                                      ? "from + of the battery of the motors to the input of"
                                      : "from the output to the input of";
-        if (!part.in_series.empty()) add("resistor " + std::string(part.in_series), from, input);
-        if (!part.to_ground.empty())
-            add("resistor " + std::string(part.to_ground), "from the input to ground, of", input);
+        if (!part.in_series.empty()) add("resistor " + part.in_series, from, input);
+        if (!part.to_ground.empty()) add("resistor " + part.to_ground, "from the input to ground, of", input);
         if (!part.capacitor.empty())
             add("capacitor " + std::string(part.capacitor), "between supply and ground of", input);
     }

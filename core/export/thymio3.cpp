@@ -45,6 +45,17 @@ bool has_place(const Plan& plan, bool is_ground) {
                        [&](const Input& input) { return thymio::place_of(input)->is_ground == is_ground; });
 }
 
+// What the README says of the numbers of each kind of sensor.
+constexpr std::string_view about_proximity =
+    "`FAR` and `NEAR` are what a proximity sensor reads with nothing and with a hand in front of it. Two lines print "
+    "it:\n\n"
+    "    import thymio\n"
+    "    print([thymio.PROXIMITY(i).value() for i in range(5)])\n";
+constexpr std::string_view about_ground =
+    "\n`WHITE` is what a ground sensor reads on the brightest floor. Two lines print it:\n\n"
+    "    import thymio\n"
+    "    print([thymio.GROUND(i).value() for i in range(2)])\n";
+
 std::string argument(const Input& input) {
     const thymio::Place place = *thymio::place_of(input);
     return fmt::format("                read(thymio.{}, {}, {}),\n", place.is_ground ? "GROUND" : "PROXIMITY",
@@ -103,7 +114,9 @@ std::string readme(const Plan& plan) {
                    {"BYTES", std::to_string(program(plan).size())},
                    {"LIMIT", std::to_string(largest_program)},
                    {"SHORT", is_too_large(commented_program(plan)) ? ", without comments to fit" : ""},
-                   {"SENSORS", sensors}});
+                   {"SENSORS", sensors},
+                   {"CALIBRATION", (has_place(plan, false) ? std::string(about_proximity) : "") +
+                                       (has_place(plan, true) ? std::string(about_ground) : "")}});
 }
 
 }  // namespace braitenlab::robots::thymio3

@@ -96,8 +96,9 @@ std::string supply(const Wiring& wiring, int bottom) {
         text += svg_label(board_x + 54, bottom - 8, "middle", std::string(wiring.board_supply), small) +
                 fmt::format("<rect x=\"{}\" y=\"{}\" width=\"44\" height=\"16\" class=\"part\"/>\n", board_x + 38,
                             bottom + 6) +
-                svg_label(board_x + 60, bottom + 18, "middle", std::string(wiring.regulator), small);
-    return text + svg_label(board_x + 120, bottom - 8, "middle", "GND", small) +
+                svg_label(board_x + 60, bottom + 18, "middle", std::string(wiring.regulator), small) +
+                fmt::format("<path d=\"M{0} {1}H{2}\" stroke=\"#000\"/>\n", board_x + 82, bottom + 14, board_x + 120);
+    return text + svg_label(board_x + 120, bottom - 8, "middle", both ? "−, GND" : "GND", small) +
            svg_label(driver_x + 46, bottom - 8, "middle", std::string(wiring.motor_supply), small) +
            svg_label(driver_x + 108, bottom - 8, "middle", "GND", small);
 }

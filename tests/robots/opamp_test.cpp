@@ -8,7 +8,10 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/ranges.h>
+
 #include "core/brain/four_neurons.h"
+#include "core/export/e24.h"
 #include "core/export/sensor_parts.h"
 #include "core/maths/random.h"
 #include "tests/robots/exported.h"
@@ -46,11 +49,11 @@ TEST(Opamp, HasTheResistorsOfADifferentialSummer) {
 }
 
 TEST(Opamp, TakesTheNearestValueOfE24) {
-    EXPECT_NEAR(opamp::nearest_e24(124e3), 120e3, 1);
-    EXPECT_NEAR(opamp::nearest_e24(126e3), 130e3, 1);
-    EXPECT_NEAR(opamp::nearest_e24(332e3), 330e3, 1);
-    EXPECT_NEAR(opamp::nearest_e24(9.7e3), 10e3, 1);
-    EXPECT_NEAR(opamp::nearest_e24(100e3), 100e3, 1);
+    EXPECT_NEAR(robots::nearest_e24(124e3), 120e3, 1);
+    EXPECT_NEAR(robots::nearest_e24(126e3), 130e3, 1);
+    EXPECT_NEAR(robots::nearest_e24(332e3), 330e3, 1);
+    EXPECT_NEAR(robots::nearest_e24(9.7e3), 10e3, 1);
+    EXPECT_NEAR(robots::nearest_e24(100e3), 100e3, 1);
 }
 
 TEST(Opamp, RefusesWhatItCannotHoldByName) {
@@ -149,8 +152,8 @@ TEST(Opamp, WarnsOfAWheelWhoseCommandsDoNotReachTheDriversThreshold) {
     };
     using Ids = std::vector<std::string>;
     EXPECT_EQ(warnings(make_graph({.LL = 1, .RR = 1})), Ids{});
-    EXPECT_EQ(warnings(make_graph({.LL = 0.7f, .RR = 0.5f})), Ids{"circuit_may_stand 'MR'"});
-    EXPECT_EQ(warnings(make_graph({.LL = -1, .RR = 1, .LM = 0.4f})), Ids{"circuit_stands 'ML'"});
+    EXPECT_EQ(warnings(make_graph({.LL = 0.8f, .RR = 0.5f})), Ids{"circuit_may_stand 'MR'"});
+    EXPECT_EQ(warnings(make_graph({.LL = -1, .RR = 1, .LM = 0.3f})), Ids{"circuit_stands 'ML'"});
     EXPECT_EQ(warnings(find_preset("3a-love")->brain), (Ids{"circuit_may_stand 'ML'", "circuit_may_stand 'MR'"}));
     for (const robots::Robot& robot : robots::robots())
         if (robot.target != Target::opamp) {
@@ -159,20 +162,90 @@ TEST(Opamp, WarnsOfAWheelWhoseCommandsDoNotReachTheDriversThreshold) {
 }
 
 TEST(Opamp, SaysForEachWheelWhatTheDriversDo) {
-    const auto files = exported({"", make_graph({.LL = 0.3f, .RR = 0.8f, .RM = -0.1f}), {}});
+    const auto files = exported({"", make_graph({.LL = 0.3f, .RR = 0.9f, .RM = -0.1f}), {}});
     ASSERT_TRUE(files);
     const std::string& readme = text_of(*files, "README.md");
-    EXPECT_NE(readme.find("| left (ML) | 0.00 to 0.30 | never turns | never turns |"), std::string::npos) << readme;
-    EXPECT_NE(readme.find("| right (MR) | -0.10 to 0.70 | may never turn | turns |"), std::string::npos) << readme;
+    EXPECT_NE(readme.find("| left (ML) | 0.00 to 0.27 | never turns | never turns | 0.00: stands | no reading |"),
+              std::string::npos)
+        << readme;
+    EXPECT_NE(readme.find("| right (MR) | -0.10 to 0.71 | may never turn | turns | -0.10: stands | SR 0.88 ("),
+              std::string::npos)
+        << readme;
     EXPECT_NE(readme.find("**Warning: the wheel of 'ML' never turns"), std::string::npos) << readme;
     EXPECT_NE(text_of(*files, "parts.csv").find(",L298N board,"), std::string::npos) << "a TB6612 does not turn it";
-    EXPECT_NE(text_of(*exported({"", make_graph({.LL = 1, .RR = 1}), {}}), "parts.csv").find(",TB6612 board,"),
+    EXPECT_NE(readme.find("Neither driver turns each wheel"), std::string::npos);
+    // An eye reads 0.9 near a torch, never 1: a weight of 1 does not reach the threshold of a TB6612.
+    for (const auto& [weight, driver] : {std::pair{1.0f, ",L298N board,"}, std::pair{1.2f, ",TB6612 board,"}}) {
+        const auto made = exported({"", make_graph({.LL = weight, .RR = weight}), {}});
+        EXPECT_NE(text_of(*made, "parts.csv").find(driver), std::string::npos) << weight;
+        EXPECT_EQ(text_of(*made, "README.md").find("Neither driver"), std::string::npos) << weight;
+    }
+    for (const char* number : {"a command of 0.37 (1.5 V)", "from 1.00 on", "or 0.70 (2.3 V, L298)"})
+        EXPECT_NE(readme.find(number), std::string::npos) << number;
+}
+
+// At its limits an L7805 gives 4.8 V and 5.2 V, and the resistors of a divider are off by 1 %.
+TEST(Opamp, CountsTheTolerancesOfItsPartsInTheThresholdsOfTheDrivers) {
+    const auto driver_volts = [](double command, double supply, double tolerance) {
+        const double upper = (opamp::limit_ohms + opamp::divider_ohms) * (1 - tolerance),
+                     lower = opamp::driver_pull_down_ohms * (1 + tolerance);
+        return command * supply * lower / (upper + lower);
+    };
+    EXPECT_LT(driver_volts(opamp::stands_below, 5.2, 0.01), opamp::low_volts);
+    EXPECT_LT(driver_volts(opamp::stands_below, 5.2, 0.01), 0.3 * 5.2);
+    EXPECT_GT(driver_volts(opamp::l298_turns_from, 4.8, -0.01), opamp::l298_high_volts);
+    for (const double supply : {4.8, 5.2})
+        EXPECT_GT(driver_volts(opamp::tb6612_turns_from, supply, -0.01), 0.7 * supply) << supply;
+}
+
+// The lab's vehicle drives by a bias of 0.2 in the dark; this robot stands until an eye reads enough.
+TEST(Opamp, WarnsOfAWheelThatStandsWhileItsSensorsSenseNothing) {
+    const auto rest = [](const FourNeurons& brain) {
+        std::vector<std::string> wheels;
+        for (const Error& warning : robots::export_warnings({"", make_graph(brain), {}}, *robots::find_robot("lm324")))
+            if (warning.phrases[0].id == "circuit_rest")
+                wheels.push_back(fmt::format("{}", fmt::join(warning.phrases[0].values, " ")));
+        return wheels;
+    };
+    using Wheels = std::vector<std::string>;
+    EXPECT_EQ(rest({.LL = 0.8f, .RR = 0.8f}), Wheels{}) << "the lab's vehicle stands, too";
+    EXPECT_EQ(rest({.LL = 0.8f, .RR = 0.9f, .LM = 0.2f}), Wheels{"'ML' 0.20 L298N 0.70"});
+    EXPECT_EQ(rest({.LL = 2, .RR = 2, .LM = 0.8f, .RM = 1}), Wheels{"'ML' 0.80 TB6612 1.00"});
+    EXPECT_EQ(rest({.LL = 0.8f, .RR = 0.8f, .LM = 0.7f}), Wheels{}) << "it turns in the dark";
+    const auto files = exported({"", make_graph({.LR = 0.8f, .RL = 0.65f, .LM = 0.2f, .RM = 0.15f}), {}});
+    ASSERT_TRUE(files);
+    const std::string& readme = text_of(*files, "README.md");
+    EXPECT_NE(readme.find("| left (ML) | 0.20 to 0.92 | may never turn | turns | 0.20: stands | SR 0.62 (514 lx) |"),
+              std::string::npos)
+        << readme;
+    EXPECT_NE(readme.find("**Warning: while its sensors sense nothing, the command of 'ML' is 0.20"),
               std::string::npos);
-    // The numbers in the text.
-    EXPECT_TRUE(opamp::command_at(opamp::low_volts) > 0.41 && opamp::command_at(opamp::low_volts) < 0.42);
-    EXPECT_TRUE(opamp::command_at(opamp::tb6612_high_volts) > 0.97 &&
-                opamp::command_at(opamp::tb6612_high_volts) < 0.98);
-    EXPECT_TRUE(opamp::command_at(opamp::l298_high_volts) > 0.63 && opamp::command_at(opamp::l298_high_volts) < 0.64);
+    EXPECT_NE(readme.find("`left` gives 1.0 V, `right` 0.8 V"), std::string::npos);
+}
+
+// A weight ends at 2: the effect of the lab's 1.2 would take 3.2.
+TEST(Opamp, SaysWhichWeightGivesTheEffectOfTheLabAndWhereNoneDoes) {
+    const auto files = exported({"",
+                                 make_graph({.LL = 0.5f, .RL = -1.2f, .LM = 0.5f, .RM = 0.9f}),
+                                 {{.name = "SL", .channel = Channel::obstacle}}});
+    ASSERT_TRUE(files);
+    const std::string& readme = text_of(*files, "README.md");
+    EXPECT_NE(readme.find("  - to ML: 1.32 instead of 0.50, and -0.11 to the bias\n"), std::string::npos) << readme;
+    EXPECT_NE(readme.find("  - to MR: -2.00 instead of -1.20, and +0.16 to the bias. The same effect would take -3.2, "
+                          "but a weight ends at ±2: it has 63 % of it\n"),
+              std::string::npos);
+}
+
+TEST(Opamp, WarnsOfASensorThatReadsTheReverseOfTheLab) {
+    for (const Channel channel : {Channel::floor, Channel::light}) {
+        const auto warnings = robots::export_warnings(
+            {"", make_graph({.LL = 1, .RR = 1}), {{.name = "SL", .channel = channel}, {.name = "SR"}}},
+            *robots::find_robot("lm324"));
+        EXPECT_EQ(warnings.size(), channel == Channel::floor ? 1u : 0u);
+        if (channel == Channel::floor && !warnings.empty()) {
+            EXPECT_EQ(warnings[0].phrases[0].id, "circuit_inverted");
+        }
+    }
 }
 
 // A distance sensor without a calibration reads 0.08 to 0.46, a released switch 0.

@@ -130,6 +130,56 @@ TEST(SensorParts, OfABodyHaveTheirPlacesAsSharesOfIt) {
     }
 }
 
+// A GL5528 of 15 kΩ at 10 lx and exponent 0.7: 4.3 kΩ give half at 57 lx.
+TEST(SensorParts, GiveAPhotoresistorTheResistorOfTheScenesHalfLux) {
+    for (const auto& [half_lux, ohms, reads] : {std::tuple{268.0f, "1.5 kΩ", "0.5 at 268 lx, 0.9 at 6,200 lx"},
+                                                {60.0f, "4.3 kΩ", "0.5 at 60 lx, 0.9 at 1,400 lx"},
+                                                {1e5f, "220 Ω", "0.5 at 4,200 lx"},
+                                                {0.1f, "390 kΩ", "0.5 at 0.095 lx"}})
+        for (const auto& [board, robot] : boards) {
+            const Sensor eye{.name = "SL", .response = SensorResponse::photocell, .half_lux = half_lux};
+            const robots::Robot& found = *robots::find_robot(robot);
+            const auto files = robots::export_brain({"", make_graph({.LL = 1}), {eye}}, found.target, found);
+            ASSERT_TRUE(files) << robot;
+            EXPECT_NE(file_of(*files, "README.md").find(fmt::format("; {} from the input to ground", ohms)),
+                      std::string::npos)
+                << robot << half_lux;
+            EXPECT_NE(file_of(*files, "parts.csv").find(fmt::format("1,\"resistor {}\"", ohms)), std::string::npos)
+                << robot << half_lux;
+            EXPECT_NE(file_of(*files, "wiring.svg").find(fmt::format(">{}<", ohms)), std::string::npos) << robot;
+            if (board == Board::circuit) {
+                EXPECT_NE(file_of(*files, "README.md").find(reads), std::string::npos) << half_lux;
+            }
+        }
+}
+
+TEST(SensorParts, WarnOfAPlaceBeyondTheChassisAndOfARangeThatThePartLacks) {
+    using Ids = std::vector<std::string>;
+    const auto warnings = [](const Sensor& sensor, const char* robot) {
+        const robots::BrainToExport given{"", make_graph({.LL = 2}), {sensor}, 0.2f, 0.15f};
+        const robots::Robot& found = *robots::find_robot(robot);
+        const auto files = robots::export_brain(given, found.target, found);
+        Ids ids;
+        for (const Error& warning : robots::export_warnings(given, found)) {
+            if (warning.phrases[0].id.starts_with("circuit_")) continue;
+            ids.emplace_back(warning.phrases[0].id);
+            EXPECT_NE(file_of(*files, "README.md").find("**Warning: " + warning.what + ".**"), std::string::npos)
+                << robot;
+        }
+        return ids;
+    };
+    const Sensor far{.name = "SL", .channel = Channel::obstacle, .x = 0.45f, .range = 2.5f},
+        aside{.name = "SL", .x = 0.05f, .y = -0.09f},
+        near{.name = "SL", .channel = Channel::obstacle, .x = 0.1f, .range = 0.8f},
+        between{.name = "SL", .channel = Channel::obstacle, .x = 0.1f, .range = 1.2f};
+    for (const auto& [board, robot] : boards) {
+        EXPECT_EQ(warnings(far, robot), (Ids{"part_beyond", "part_range"})) << robot;
+        EXPECT_EQ(warnings(aside, robot), Ids{"part_beyond"}) << robot;
+        EXPECT_EQ(warnings(near, robot), Ids{}) << robot;
+        EXPECT_EQ(warnings(between, robot), board == Board::microbit ? Ids{} : Ids{"part_range"}) << robot;
+    }
+}
+
 // No label of a part is wider than the room left of the board, whatever shows it.
 TEST(SensorParts, HaveLabelsLeftOfTheBoardInTheWiring) {
     const std::regex text(R"re(<text x="20" y="\d+" text-anchor="start" class="small">([^<]*)<)re");

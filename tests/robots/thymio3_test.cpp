@@ -39,6 +39,17 @@ int largest_fan() {
     return neurons;
 }
 
+TEST(Thymio3, SaysInItsReadmeHowToCalibrateTheSensorsOfItsProgramOnly) {
+    for (const Channel channel : {Channel::floor, Channel::obstacle}) {
+        const auto files = exported({"", make_graph({.LL = 1}), {{.name = "SL", .channel = channel}}});
+        ASSERT_TRUE(files);
+        const std::string &program = (*files)[0].text, &readme = (*files)[1].text;
+        for (const char* name : {"WHITE", "FAR"})
+            EXPECT_EQ(readme.find(name) != std::string::npos, program.find(name) != std::string::npos) << name;
+        EXPECT_EQ(readme.find("`WHITE`") != std::string::npos, channel == Channel::floor);
+    }
+}
+
 // 7 proximity sensors, 2 ground sensors, 5 buttons.
 std::string line_of(const robots::Plan& plan, const std::vector<float>& sensed) {
     long values[14] = {};
