@@ -94,7 +94,7 @@ TEST(CtlExport, WarnsOfAWheelThatACircuitNeverTurns) {
     const Folder folder;
     const Ran ran = ctl("export 3a-love --to opamp --out " + (folder / "c").string());
     EXPECT_EQ(ran.code, 0) << ran.out;
-    EXPECT_NE(ran.out.find("braitenctl: warning: the wheel of 'ML' may never turn: its command is 0.45 at most"),
+    EXPECT_NE(ran.out.find("braitenctl: warning: the wheel of 'ML' may never turn: its command is 0.50 at most"),
               std::string::npos)
         << ran.out;
 }
