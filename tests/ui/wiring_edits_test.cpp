@@ -136,6 +136,19 @@ TEST_F(WiringEdits, ANeuronThatWasAddedIsSelected) {
     EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{4}));
 }
 
+TEST_F(WiringEdits, ANeuronThatIsAddedOnACardOrItsPinGoesToAFreePlace) {
+    const vec2 pin = middle("pin.SR.out");
+    right_click(pin + vec2{30, 12});
+    choose("step");
+    frames(5);
+    const Rect *added = anchors.find("node.N1"), *eye = anchors.find("node.SR");
+    ASSERT_TRUE(added && eye);
+    EXPECT_FALSE(added->contains(pin.x, pin.y));
+    const bool apart = added->x >= eye->x + eye->w || added->x + added->w <= eye->x || added->y >= eye->y + eye->h ||
+                       added->y + added->h <= eye->y;
+    EXPECT_TRUE(apart);
+}
+
 TEST_F(WiringEdits, DeletedWireReadsZero) {
     click(middle("wire.LR"));
     key(Action::erase);

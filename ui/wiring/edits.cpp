@@ -17,13 +17,18 @@ namespace {
 
 constexpr double refusal_seconds = 2.5;  // duration of a note
 
-// Size of a box around the fragment's cards with a margin.
-vec2 room_of(const BrainFragment& fragment) {
+// Size of a box around a neuron's card with a margin, in which no pin of another card is covered.
+vec2 room_of_neuron() {
     constexpr float clear = 10;
+    return card_size(NodeKind::neuron) + vec2{2 * clear, 2 * clear};
+}
+
+// The same around the fragment's cards.
+vec2 room_of(const BrainFragment& fragment) {
     vec2 reach;
     for (const Node& neuron : fragment.neurons)
         reach = {std::max(reach.x, std::abs(neuron.place->x)), std::max(reach.y, std::abs(neuron.place->y))};
-    return reach * 2 + card_size(NodeKind::neuron) + vec2{2 * clear, 2 * clear};
+    return reach * 2 + room_of_neuron();
 }
 
 // Pastes the fragment at the free position nearest to `wanted`.
@@ -147,9 +152,10 @@ void add_chosen(CanvasState& state, const CanvasFrame& frame, const CanvasMenu& 
     if (edit && loose)
         edit = connect(*edit.graph, outwards ? WireEnds{menu.loose.node, fresh} : WireEnds{fresh, menu.loose.node});
     if (!edit) return show_refusal(state, frame, edit.refusal);
-    // The new neuron's pin is where the wire was dropped.
+    // The new neuron's pin is where the wire was dropped, if that place is free.
     const float half = card_size(NodeKind::neuron).x / 2, aside = !loose ? 0.0f : outwards ? half : -half;
-    send_with_added(state, frame, std::move(*edit.graph), fresh, menu.canvas_at + vec2{aside, 0}, outbox);
+    const vec2 place = free_position(frame.layout, menu.canvas_at + vec2{aside, 0}, room_of_neuron());
+    send_with_added(state, frame, std::move(*edit.graph), fresh, place, outbox);
 }
 
 void insert_new(CanvasState& state, const CanvasFrame& frame, WireEnds wire, Outbox& outbox) {
