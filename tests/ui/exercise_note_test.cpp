@@ -116,6 +116,28 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
         EXPECT_FALSE(std::holds_alternative<PredictRequest>(desk.all[i])) << "too late";
 }
 
+TEST_F(Note, DigitsChooseSlidersOnceARunWithAnAnswerHasBegun) {
+    const auto resets = [&](int answer) {
+        desk.lesson.attempt.answers.prediction = answer;
+        desk.lesson.attempt.work.has_run = true;
+        desk.panels.keyboard.focus.clear();
+        desk.frame(2);
+        ASSERT_TRUE(desk.view.may.open_prediction) << "at the start it can be changed again";
+    };
+    resets(0);
+    press({'2'});
+    EXPECT_FALSE(desk.last<PredictRequest>());
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR");
+    desk.panels.keyboard.focus = "exercise.predict.1";
+    desk.panels.keyboard.shown = true;
+    press({'3'});
+    ASSERT_TRUE(desk.last<PredictRequest>()) << "with the focus on an answer";
+    desk.all.clear();
+    resets(-1);
+    press({'2'});
+    EXPECT_TRUE(desk.last<PredictRequest>()) << "the question is still unanswered";
+}
+
 TEST_F(Note, AHintSaysHowLongItTakes) {
     desk.lesson.attempt.answers.hint_ready = false;
     desk.lesson.hint_in = 12;

@@ -48,12 +48,18 @@ bool asks_before_play(const LabView& view) {
 
 }  // namespace
 
+bool digits_choose_answer(const LabView& view) {
+    const Attempt& attempt = view.lesson->attempt;
+    return !view.lecture && !(attempt.work.has_run && has_predicted(attempt.answers));
+}
+
 bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (press.ctrl || press.shift || !is_asked(view, state)) return false;
     const int count = static_cast<int>(view.lesson->exercise->prediction.options.size());
+    const bool has_focus = !view.lecture && state.keyboard.shown && focused_answer(state, count) >= 0;
     if (press.key == key::up || press.key == key::down) return move_between_answers(state, count, press.key);
     int wanted = -1;
-    if (press.key >= '1' && press.key <= '9' && !view.lecture) wanted = press.key - '1';
+    if (press.key >= '1' && press.key <= '9' && (digits_choose_answer(view) || has_focus)) wanted = press.key - '1';
     if (press.key == ' ' && state.keyboard.shown) wanted = focused_answer(state, count);
     if (wanted < 0 || wanted >= count || (press.key == ' ' && wanted == view.lesson->attempt.answers.prediction))
         return false;

@@ -9,8 +9,12 @@
 
 namespace braitenlab::ui {
 
-// While the prediction can be made or changed (in a lecture: never), 1 to 9 choose an answer; afterwards they select
-// sliders.
+// True if 1 to 9 choose an answer wherever the focus is: not in a lecture, nor once a run with an answer has begun.
+// Then they select sliders, also where the answer can still be changed, unless an answer has a visible focus.
+// Precondition: view.lesson.
+bool digits_choose_answer(const LabView&);
+
+// While the prediction can be made or changed, 1 to 9 choose an answer as digits_choose_answer() tells.
 // While it can be changed, Space chooses the answer that has a visible focus and is not chosen yet; else, and so at the
 // second press, it plays. True if the key is handled.
 bool key_for_prediction(const LabView&, PanelState&, KeyPress, Outbox&);

@@ -95,10 +95,11 @@ void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     paragraph(ui, translated(ui, asked.question), ui.palette.text, Face::strong);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), ui.px(spacing::tight)});
     if (!asked.path_of.empty()) draw_button(view, state, ui);
+    const bool shows_keys = digits_choose_answer(view) && !view.program.touch;
     for (std::size_t i = 0; i < asked.options.size(); ++i) {
         const bool is_chosen = static_cast<int>(i) == lesson.attempt.answers.prediction;
         const std::string id = "exercise.predict." + std::to_string(i + 1);
-        const std::string key = view.lecture ? "" : std::to_string(i + 1);
+        const std::string key = shows_keys ? std::to_string(i + 1) : "";
         if (radio_row(ui, id, translated(ui, asked.options[i]), is_chosen, true, ui.strings("exercise.predict_how"),
                       key) &&
             !is_chosen)
