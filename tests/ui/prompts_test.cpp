@@ -640,6 +640,17 @@ TEST_F(LessonPrompts, PointToAControlThatTheExerciseOffers) {
     }
 }
 
+TEST_F(LessonPrompts, PointToTheBiasThatAHintOfTheExerciseNames) {
+    desk.opened.offers = {"LM", "RM"};
+    for (const char* hinted : {"bias.RM", "bias.LM"}) {
+        memory = {};
+        desk.opened.hints.back().anchor = hinted;
+        at(5);
+        next();
+        EXPECT_EQ(anchor(), hinted);
+    }
+}
+
 TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     at(9);
     all_done();
@@ -657,6 +668,16 @@ TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     desk.lesson.grade = graded({true, true}, true);
     EXPECT_EQ(anchor(), "exercise.next");
     EXPECT_EQ(next().hint, "hint.passed");
+}
+
+TEST_F(LessonPrompts, SayThatNothingIsGradedWhereMoreIsChangedThanTheExerciseAllows) {
+    at(9);
+    all_done();
+    for (bool Standing::*const beyond : {&Standing::outside_offers, &Standing::too_many_changes}) {
+        desk.lesson.standing = {};
+        desk.lesson.standing.*beyond = true;
+        EXPECT_EQ(next().hint, "hint.not_graded");
+    }
 }
 
 TEST_F(Prompts, DoNotPulseWithReducedMotion) {

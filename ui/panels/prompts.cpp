@@ -1,6 +1,7 @@
 #include "ui/panels/prompts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -105,6 +106,16 @@ bool is_held(const LabView& view, const VehicleView& vehicle) {
     return view.mode == Mode::playing && std::fabs(vehicle.speed) < standstill && !is_halted(vehicle);
 }
 
+// Both biases, first the one that a hint of the exercise points at.
+std::array<Dial, 2> biases_to_try(const Exercise& exercise) {
+    const auto is_hinted = [&](Dial bias) {
+        return std::any_of(exercise.hints.begin(), exercise.hints.end(),
+                           [&](const Hint& hint) { return hint.anchor == anchor_of(bias); });
+    };
+    return is_hinted(Dial::RM) && !is_hinted(Dial::LM) ? std::array{Dial::RM, Dial::LM}
+                                                       : std::array{Dial::LM, Dial::RM};
+}
+
 // Of the controls that the exercise offers, one whose effect the user sees at once: a weight of an eye that sees
 // something, a bias, the peak of the curves of such an eye, or the sensors, if they see nothing.
 Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
@@ -116,7 +127,7 @@ Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
                                            is_offered_dial);
         !slider.empty())
         return {slider, hint};
-    for (const Dial bias : {Dial::LM, Dial::RM})
+    for (const Dial bias : biases_to_try(exercise))
         if (offers(exercise, bias)) return {anchor_of(bias), hint};
     const bool sees = !is_blind(*view.now, vehicle);
     if (sees && offers(exercise, offer_parts::curves)) return {"curve.peak", hint};
@@ -370,7 +381,7 @@ Prompt change_for_next_run(const PromptMemory& memory, const LabView& view) {
     const SensorPair pair = shown_pair(view, *selected);
     const auto is_new = [&](Dial dial) { return is_offered(view, dial) && is_untried(view, *selected, pair, dial); };
     const auto bias_that = [&](auto suits) {
-        for (const Dial bias : {Dial::LM, Dial::RM})
+        for (const Dial bias : biases_to_try(*view.lesson->exercise))
             if (suits(bias)) return anchor_of(bias);
         return std::string_view();
     };
@@ -436,6 +447,9 @@ Prompt of_other_starts(PromptMemory& memory, const LabView& view) {
     return change.anchor.empty() ? Prompt{{}, "hint.other_starts"} : change;
 }
 
+// True if more is changed than the exercise offers or allows: its other starts are not tested then.
+bool is_beyond_offers(const Standing& standing) { return standing.outside_offers || standing.too_many_changes; }
+
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
@@ -444,6 +458,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (!lesson.attempt.work.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
     if (all_steps_done(lesson) && lesson.standing.changed_since_done) return {"button.reset", "hint.changed_since"};
+    if (all_steps_done(lesson) && is_beyond_offers(lesson.standing)) return {{}, "hint.not_graded"};
     if (all_steps_done(lesson)) return lesson.grade ? of_other_starts(memory, view) : Prompt{{}, "hint.steps_done"};
     if (is_subject_gone(view)) return {"button.reset", "hint.gone"};
     if (is_bred(view)) return of_breeding(memory, view);
