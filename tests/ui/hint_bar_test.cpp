@@ -1,12 +1,27 @@
 #include <algorithm>
 #include <string_view>
 
+#include "breeding_on_desk.h"
 #include "desk.h"
 #include "ui/panels/panels.h"
 
 namespace braitenlab::tests::hint_bar_test {
 
 using namespace ui;
+
+// What the bar says of this hint while the desk's keyboard has its focus.
+std::string words_with_keyboard(Desk& desk, std::string_view hint) {
+    Ui ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked, {}, 1};
+    std::vector<Written> written;
+    ui.written = &written;
+    ui.keyboard = &desk.panels.keyboard;
+    ImGui::NewFrame();
+    hint_bar(desk.view, ui, desk.layout.hint_bar, hint);
+    ImGui::Render();
+    std::string words;
+    for (const Written& w : written) words += w.words + " ";
+    return words;
+}
 
 TEST(HintBar, HasADifferentIconAndColourForEachKind) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
@@ -142,6 +157,46 @@ TEST(HintBar, SaysWhileTheMouseDragsASliderHowItMovesFinely) {
         desk.button(0, false);
         desk.frame(2);
         EXPECT_FALSE(says()) << language;
+    }
+}
+
+TEST(HintBar, NamesNoKeyWhileATextIsTypedAndSaysWhatEnterDoesInTheNameOfAHandIn) {
+    for (const std::string& language : shipped_codes()) {
+        Desk desk(1280, 800, 1, true);
+        desk.strings = speaking(language);
+        desk.open_exercise();
+        desk.frame(2);
+        const auto types_in = [&](const char* field) {
+            desk.panels.keyboard.focus = field;
+            desk.panels.keyboard.text = TextInput::open;
+            return words_with_keyboard(desk, "hint.passed");
+        };
+        const std::string caps = key_name(Action::press, desk.strings);
+        EXPECT_EQ(types_in("exercise.note.text").find(caps), std::string::npos) << language;
+        EXPECT_NE(types_in("exercise.student").find(desk.strings("exercise.student_how").substr(0, 12)),
+                  std::string::npos)
+            << language;
+    }
+}
+
+TEST(HintBar, TellsHowFarABreedingIsWhoseSheetIsClosed) {
+    for (const std::string& language : shipped_codes()) {
+        Desk desk(1280, 800, 1, true);
+        desk.strings = speaking(language);
+        const BredOnDesk bred(3);
+        desk.view.features.breeding = {.shipped = &bred.shipped, .base = bred.base, .state = &bred.state};
+        desk.frame(3);
+        EXPECT_FALSE(desk.anchors.find("hint.breeding")) << language;
+        desk.view.features.breeding.runs = true;
+        desk.frame(3);
+        ASSERT_TRUE(desk.anchors.find("hint.breeding")) << language;
+        const Rect bar = desk.where("hint.bar"), at = desk.where("hint.breeding");
+        EXPECT_LE(at.x + at.w, bar.x + bar.w);
+        desk.view.notice = {NoticeKind::done, "files.saved", std::string(300, 'a')};
+        desk.frame(3);
+        for (const Written& w : desk.written)
+            if (bar.contains(w.rect.x, w.rect.y) && w.rect.x < at.x)
+                EXPECT_LE(w.rect.x + w.rect.w, at.x + 1) << w.words;
     }
 }
 

@@ -119,9 +119,12 @@ std::string without_keys(const Ui& ui, std::string_view hint) {
     return all;
 }
 
-// The text of a hint. To a finger it names no keys and no mouse.
+// True while a text field takes what is typed: no key does then what a hint says.
+bool is_typed(const Ui& ui) { return ui.keyboard && ui.keyboard->text == TextInput::open; }
+
+// The text of a hint. To a finger it names no keys and no mouse, while a text is typed no keys.
 std::string hint_text(const LabView& view, const Ui& ui, std::string_view key) {
-    if (!view.program.touch) return std::string(ui.strings(key));
+    if (!view.program.touch) return is_typed(ui) ? without_keys(ui, ui.strings(key)) : std::string(ui.strings(key));
     const auto own = std::find_if(hints_for_fingers.begin(), hints_for_fingers.end(),
                                   [key](const auto& row) { return row.first == key; });
     return own != hints_for_fingers.end() ? std::string(ui.strings(own->second)) : without_keys(ui, ui.strings(key));
@@ -269,6 +272,8 @@ void write_hint(const LabView& view, Ui& ui, float x, Rect bar, std::string_view
     }
     if (const std::string of_mode = mode_hint(view, ui); !of_mode.empty())
         return hint_line(ui, of_mode, ui.palette.text, x, bar);
+    if (is_typed(ui) && ui.keyboard->focus == "exercise.student")  // Enter hands in
+        return hint_line(ui, ui.strings("exercise.student_how"), ui.palette.text, x, bar);
     const bool is_slider_focused = !view.program.touch && ui.keyboard && has_slider_focus(*ui.keyboard);
     if (is_slider_focused && hint != "hint.changed_since" && hint != "hint.passed") {
         const std::string_view keys = view.mode == Mode::paused ? "hint.slider_keys_paused" : "hint.slider_keys";
@@ -304,6 +309,18 @@ void write_notice(const LabView& view, Ui& ui, float x, Rect bar) {
     tooltip(ui, item(ui, "hint.notice", {bar.w, bar.h}, false), words);
 }
 
+// While a breeding runs, how far it is, at the right end of the bar: its sheet may be closed. The room left of it.
+Rect room_beside_breeding(const LabView& view, Ui& ui, Rect bar) {
+    if (!view.features.breeding.runs) return bar;
+    const std::string words = fill(ui.strings("hint.breeding_goes_on"), {breeding_percent(view.features.breeding, ui)});
+    const std::string fitting = shortened(ui, words, Face::small, bar.w / 2);
+    const float width = text_width(ui, Face::small, fitting), x = bar.x + bar.w - ui.px(16) - width;
+    put(ui, {x, top_of_lines(ui, bar, Face::small, 1)}, fitting, ui.palette.second_text, Face::small);
+    mark(ui, "hint.breeding", {x, bar.y, width, bar.h});
+    bar.w -= width + ui.px(16);
+    return bar;
+}
+
 }  // namespace
 
 std::string words_of_hint(const LabView& view, const Ui& ui, std::string_view hint) {
@@ -335,7 +352,8 @@ Colour colour_of(NoticeKind kind, const Palette& p) {
 void hint_bar(const LabView& view, Ui& ui, Rect bar, std::string_view hint) {
     begin_bar(ui, "hint bar", bar);
     const float x = bar.x + ui.px(16);
-    view.notice.empty() ? write_hint(view, ui, x, bar, hint) : write_notice(view, ui, x, bar);
+    const Rect room = hint == "hint.breeding_runs" ? bar : room_beside_breeding(view, ui, bar);
+    view.notice.empty() ? write_hint(view, ui, x, room, hint) : write_notice(view, ui, x, room);
     mark(ui, "hint.bar", bar);
     end_bar();
 }
