@@ -103,6 +103,22 @@ TEST_F(MenuBar, HasARowWithItsKeyForEachShortcutInOneMenu) {
         EXPECT_EQ(found[row], 1) << row;
 }
 
+TEST_F(MenuBar, NamesNoKeyToAFinger) {
+    desk.view.program.touch = true, desk.view.program.finger = 44;
+    int seen = 0;
+    for (const std::string& menu : menus) {
+        open(menu);
+        for (const std::string& row : rows_of(desk)) {
+            const auto action = action_named(row);
+            const Rect* at = desk.anchors.find("menu." + menu + "." + row);  // null: scrolled out of sight
+            if (!action || !at || key_name(*action, desk.strings).empty()) continue;
+            EXPECT_FALSE(shows_in(desk, *at, key_name(*action, desk.strings))) << row;
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 20);
+}
+
 TEST_F(MenuBar, RequestsTheActionOfEachRow) {
     desk.view.timeline = {0, 900, {60}};
     desk.now.tick = 600;

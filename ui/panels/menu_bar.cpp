@@ -50,7 +50,7 @@ LabMenuRow action_row(const LabView& view, const PanelState& state, const Ui& ui
     MenuEntry& e = row.entry;
     e.anchor = "menu." + std::string(menu) + "." + word;
     e.words = ui.strings("action." + word);
-    e.keys = key_name(action, ui.strings);
+    if (!view.program.touch) e.keys = key_name(action, ui.strings);
     const std::string_view why = why_unavailable(view, state, action);
     e.enabled = why.empty();
     e.how = e.enabled ? ui.strings.find("tooltip." + word, "") : ui.strings(why);

@@ -59,7 +59,7 @@ public:
 
 private:
     std::string words(std::string_view key) const { return std::string(ui_.strings(key)); }
-    std::string keys(Action action) const { return key_name(action, ui_.strings); }
+    std::string keys(Action action) const { return ui_.finger > 0 ? std::string() : key_name(action, ui_.strings); }
 
     SceneMenuRow& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
         SceneMenuRow row;

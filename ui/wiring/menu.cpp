@@ -64,7 +64,7 @@ constexpr float curve_width = 24, curve_room = curve_width + spacing::small, men
                 key_gap = spacing::wide;  // layout pixels
 
 std::string shortcut_of(const Ui& ui, const MenuRow& row) {
-    if (!row.action) return {};
+    if (!row.action || ui.finger > 0) return {};  // a finger has no keys
     for (const Shortcut& shortcut : shortcuts())
         if (shortcut.action == *row.action && shortcut.place == KeyPlace::canvas)
             return key_name(shortcut.press, ui.strings);
