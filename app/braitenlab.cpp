@@ -47,7 +47,7 @@ Result<Opened> open_usual(const Options& options, Settings& settings) {
 }
 
 Result<Opened> open_asked(const Options& options) {
-    const bool is_link = io::is_link(options.file);
+    const bool is_link = io::is_link(options.file) || io::begins_like_link(options.file);
     auto linked = is_link ? io::decode_link(options.file) : io::Linked{};
     if (!linked) return linked.error();
     if (is_link && linked->exercise.empty()) {

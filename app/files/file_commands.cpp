@@ -80,7 +80,7 @@ struct FileCommands {
 
     void open(const std::string& typed, bool discard = false, bool dropped = false, bool resume = false,
               std::uint64_t seed = 1) const {
-        if (io::is_link(typed)) return open_link(typed, discard, seed);
+        if (io::is_link(typed) || io::begins_like_link(typed)) return open_link(typed, discard, seed);
         const fs::path path = resolved(typed, folder(), folders.home);
         std::error_code none;
         if (dropped && holds_breeding(path)) return open(breeding_in(path).string(), discard, true);

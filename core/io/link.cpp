@@ -112,6 +112,8 @@ std::optional<LinkParts> split_link(std::string_view text) {
 
 bool is_link(std::string_view text) { return split_link(text).has_value(); }
 
+bool begins_like_link(std::string_view text) { return text.starts_with("#b") || text.starts_with("#e"); }
+
 std::string encode_link(const Scene& scene) {
     return fmt::format("#b{}.{}", link_version, base64url(deflated(write_scene(scene))));
 }

@@ -20,6 +20,9 @@ inline constexpr std::size_t safe_link = 2000, longest_useful_link = 8000;
 // ignored. The link may still be broken.
 bool is_link(std::string_view text);
 
+// True for a text that begins like a link alone, whatever follows: the address of a page may end in a broken one.
+bool begins_like_link(std::string_view text);
+
 // The link of a scene, or of a shipped exercise by its name ("05-aggressor"), from '#' on.
 std::string encode_link(const Scene&);
 std::string encode_exercise_link(std::string_view name);

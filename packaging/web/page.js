@@ -191,7 +191,7 @@ async function load(name, type) {
 // ── The program ──
 
 // A scene or an exercise in the address (core/io/link.h).
-const isLink = (text) => /^#[be]\d/.test(text);
+const isLink = (text) => /^#[be]/.test(text);
 
 // The page of the open lecture, which a reload opens again. Each page of the lab has its own.
 const lectures = {

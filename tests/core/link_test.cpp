@@ -64,6 +64,11 @@ TEST(Link, IsFoundBehindAnyAddress) {
     }
 }
 
+TEST(Link, ThatIsBrokenBeforeItsVersionStillBeginsLikeALink) {
+    for (const char* text : {"#b", "#bGARBAGE", "#b1", "#e1.x", "#e"}) EXPECT_TRUE(begins_like_link(text)) << text;
+    for (const char* text : {"", "#", "#top", "b1.x", "2a-coward"}) EXPECT_FALSE(begins_like_link(text)) << text;
+}
+
 TEST(Link, NamesAnExercise) {
     EXPECT_EQ(io::encode_exercise_link("05-aggressor"), "#e1.05-aggressor");
     const auto linked = decode_link("https://lab.example/#e1.05-aggressor");

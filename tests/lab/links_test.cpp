@@ -90,13 +90,16 @@ TEST_F(Links, ThatAreBrokenLeaveTheOpenWorkAlone) {
     edit(1.75f);
     std::string damaged = link;
     damaged[link.size() / 2] = damaged[link.size() / 2] == 'A' ? 'B' : 'A';
-    for (const std::string& broken : {link.substr(0, link.size() / 2), damaged, std::string("#b7.abc"),
-                                      std::string("#b1.a b"), std::string("#e1.no-such-exercise")}) {
+    for (const std::string& broken :
+         {link.substr(0, link.size() / 2), damaged, std::string("#b7.abc"), std::string("#b1.a b"),
+          std::string("#e1.no-such-exercise"), std::string("#bGARBAGE"), std::string("#b")}) {
         files.refused.reset();
         ask(OpenRequest{broken});
         EXPECT_FALSE(files.leaving) << broken;
         ASSERT_TRUE(files.refused) << broken;
         EXPECT_FALSE(files.refused->phrases.empty()) << "it is translated: " << broken;
+        const bool has_version = io::is_link(broken);
+        EXPECT_EQ(files.refused->phrases.front().id == "no_link", !has_version) << broken;
         EXPECT_EQ(LR(), 1.75f);
         EXPECT_TRUE(has_unsaved_edits(lab));
     }
