@@ -59,7 +59,11 @@ struct FileCommands {
     }
 
     void done(const fs::path& path, std::string_view said) const {
-        if (!said.empty()) say(lab, {NoticeKind::done, std::string(said), path.filename().string()});
+        const std::string file = path.filename().string();
+        if (said.starts_with("files.saved") && saves_by_download())
+            say(lab, {NoticeKind::notice, "notice.downloaded", file});  // a browser does not tell whether it downloads
+        else if (!said.empty())
+            say(lab, {NoticeKind::done, std::string(said), file});
         view.refused.reset();
         view.new_folder.clear();
         ++view.done;
