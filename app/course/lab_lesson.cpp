@@ -27,13 +27,17 @@ bool fails_here(const Lesson& lesson, std::uint64_t seed) {
                                 [seed](const StartResult& start) { return start.seed == seed && !start.passed; });
 }
 
+// True also if only places in the diagram differ: they change no run.
+bool is_same(const Submission& a, const Submission& b) { return a == b || is_same_submission(a, b); }
+
 // Whether the steps that are done say what the present submission does. `passed`: they are done in this run.
 void note_changes(Lesson& lesson, const Submission& now, std::uint64_t seed, bool passed) {
     if (!passed)
         lesson.done_with.reset();
     else if (!lesson.done_with)
         lesson.done_with = now;
-    lesson.standing.changed_since_done = lesson.done_with && (*lesson.done_with != now || fails_here(lesson, seed));
+    lesson.standing.changed_since_done =
+        lesson.done_with && (!is_same(*lesson.done_with, now) || fails_here(lesson, seed));
 }
 
 }  // namespace
@@ -51,14 +55,14 @@ void update_grading(Workspace& space, Jobs& jobs) {
     }
     Submission now = submission_of(*lesson.exercise, space.document.session.snapshot());
     Standing& standing = lesson.standing;
-    standing.is_graded = lesson.graded && lesson.graded->submission == now;
+    standing.is_graded = lesson.graded && is_same(lesson.graded->submission, now);
     note_changes(lesson, now, space.document.session.seed(), passed);
     if (lesson.was_shown && now == with_solution(*lesson.exercise)) lesson.attempt.work.solution_shown = true;
     standing.outside_offers = !outside_offers(*lesson.exercise, now).empty();
     standing.too_many_changes = changes_too_many(*lesson.exercise, now);
     const bool is_allowed = !standing.outside_offers && !standing.too_many_changes;
     const bool is_due = passed && !standing.is_graded && is_allowed;
-    if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
+    if (lesson.grading && !is_same(lesson.grading->submission, now)) lesson.grading.reset();
     if (!lesson.grading && is_due) {
         auto job = submit_grading(jobs, lesson.exercise, now);
         lesson.grading = Grading{now, std::move(job)};

@@ -116,6 +116,23 @@ TEST(LabGrading, TellsStepsOfAnotherBrainApart) {
     EXPECT_FALSE(lesson_of(lab).standing.changed_since_done) << "no step is done";
 }
 
+TEST(LabGrading, TakesAnotherArrangementOfTheDiagramForNoChange) {
+    Jobs jobs(0);
+    Lab lab = solved_exercise();
+    run_until_every_step_is_done(lab);
+    grade_to_the_end(lab, jobs);
+    const NodeId node = lab.document.session.snapshot().brains.front()->nodes.front().id;
+    for (const maths::vec2 place : {maths::vec2{40, 60}, maths::vec2{90, 60}}) {
+        handle(lab, EditRequest{PlaceNodes{{.kind = 0}, {{node, place}}}});
+        turn(lab, jobs);
+        EXPECT_FALSE(lesson_of(lab).standing.changed_since_done);
+        EXPECT_TRUE(lesson_of(lab).grade) << "it is not graded again";
+    }
+    handle(lab, Action::undo);
+    turn(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).standing.changed_since_done);
+}
+
 TEST(LabGrading, TellsThatTheBrainWasChangedDuringTheRun) {
     Jobs jobs(0);
     Lab lab = exercise_that_offers({});
