@@ -90,11 +90,13 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
 }
 
 // Whether the question of a page, or one that is asked without a page, is beside the scene. Once it is answered and the
-// brain is shown, an open card, the diagram or a comparison of two brains takes its place.
+// page shows its brain, an open card, the diagram or a comparison of two brains takes its place, also while the
+// lecturer hides the brain again.
 bool asks_beside(const LabView& view, OpenCards open) {
     if (!view.pages) return view.tally && !has_asked_card(view);
     const LectureView& page = *view.pages;
-    const bool is_answered = page.shows(PagePart::answer) && view.settings.revealed.brain;
+    const bool is_answered =
+        page.shows(PagePart::answer) && (page.shows(PagePart::brain) || view.settings.revealed.brain);
     return page.shows(PagePart::question) && !page.shows(PagePart::exercise) && !has_asked_card(view) &&
            !(is_answered && (open.right || view.settings.watching || view.features.slots.seconds > 0));
 }
@@ -113,9 +115,13 @@ float left_share(const LabView& view, OpenCards open) {
     return open.right ? 1 - right_share(view, open) - least_scene : 1 - beside_map;
 }
 
+// A caption that asks the page's question stays where titles are hidden.
 bool has_caption(const LabView& view) {
     const LectureView* page = view.pages;
-    return page && page->shows(PagePart::caption) && !page->current().caption.empty() && !hides_open_title(view);
+    if (!page || !page->shows(PagePart::caption) || page->current().caption.empty()) return false;
+    const LectureQuestion& asked = page->current().question;
+    const bool asks = !asked.options.empty() && asked.text.empty();
+    return asks || !hides_open_title(view);
 }
 
 // Narrows a column whose cards are all folded, and gives the scene the room beside or below them, whichever shows more.

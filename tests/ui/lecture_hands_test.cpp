@@ -229,6 +229,29 @@ TEST_F(LectureHands, RevealsTheAnswerWithItsReasonAtItsStep) {
     EXPECT_FALSE(desk.anchors.find("lecture.more.1"));
 }
 
+TEST_F(LectureHands, AFoldedQuestionIsAsLowAsItsHeadingAndUnfoldsOnTheNextPageAndWithTheAnswer) {
+    show(1, 0);
+    const auto fold = [&] {
+        desk.panels.lecture.question.folded = true;
+        desk.frame(3);
+        EXPECT_LT(desk.where("lecture.question").h, 80) << "a heading";
+    };
+    fold();
+    show(1, 1);
+    EXPECT_TRUE(desk.panels.lecture.question.folded) << "a step that is no answer";
+    desk.panels.lecture.question.content = 0;
+    desk.frame(3);
+    EXPECT_LT(desk.where("lecture.question").h, 80) << "also before it is measured";
+    pages.step = 2;
+    desk.frame(3);
+    EXPECT_FALSE(desk.panels.lecture.question.folded);
+    EXPECT_TRUE(desk.says(pages.current().question.why));
+    fold();
+    show(3, 1);
+    EXPECT_FALSE(desk.panels.lecture.question.folded);
+    EXPECT_TRUE(desk.anchors.find("lecture.more.1"));
+}
+
 TEST_F(LectureHands, TellsThatTheFirstFrameOfAQuestionHasNotItsHeight) {
     show(1, 0);
     desk.panels.lecture.question = {};

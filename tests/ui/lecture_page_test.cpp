@@ -542,6 +542,33 @@ TEST_F(LecturePages, AskingFirstHidesTheCaptionUntilTheTitleIsShown) {
     EXPECT_GT(desk.layout.caption.w, 0);
 }
 
+TEST_F(LecturePages, AskingFirstLeavesTheCaptionThatAsksTheQuestion) {
+    desk.view.settings.revealed = hidden_until_asked;
+    int asked = 0;
+    for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+        const LecturePage& each = pages.lecture->pages[static_cast<std::size_t>(page)];
+        show(page, 0);
+        const bool asks = !each.question.options.empty() && each.question.text.empty();
+        EXPECT_EQ(desk.layout.caption.w > 0, asks && pages.shows(PagePart::caption)) << page;
+        asked += asks;
+    }
+    EXPECT_GT(asked, 0);
+}
+
+TEST_F(LecturePages, HidingTheBrainAgainDoesNotBringTheAnsweredQuestionBack) {
+    desk.now = shipped_scene("2b-aggressor");
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    show(3, 3);
+    ASSERT_TRUE(pages.shows(PagePart::answer));
+    ASSERT_TRUE(pages.shows(PagePart::brain));
+    desk.view.settings.watching = true;
+    desk.frame(3);
+    ASSERT_FALSE(desk.anchors.find("lecture.question"));
+    desk.view.settings.revealed = hidden_until_asked;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("lecture.question"));
+}
+
 TEST_F(LecturePages, AskingFirstHidesTheNamesOfKindsAndTheStory) {
     desk.view.pages = nullptr;
     auto scene = std::make_shared<Scene>(*desk.now.scene);

@@ -231,7 +231,10 @@ void follow_page(const LabView& view, PanelState& state) {
     if (!view.pages || before == step) return;
     const bool new_page = before[0] != step[0] || before[1] != step[1];
     if (new_page) state.lecture.hands.clear(), state.card(Card::slots).folded = false;
+    const bool is_answered_now =
+        view.pages->shows(PagePart::answer) && !shows(view.pages->current(), PagePart::answer, before[2]);
     if (new_page) state.lecture.question.content = 0;  // its height is that of the page before
+    if (new_page || is_answered_now) state.lecture.question.folded = false;
     for (const auto& [part, card] : {std::pair{PagePart::sliders, Card::brain}, {PagePart::exercise, Card::exercise}}) {
         const bool shown = view.pages->shows(part);
         const bool was_shown = shows(view.pages->current(), part, before[2]);

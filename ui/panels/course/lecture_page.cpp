@@ -341,9 +341,9 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureQuestion& asked = page.current().question;
     if (state.lecture.hands.size() != asked.options.size()) state.lecture.hands.assign(asked.options.size(), {});
     CardState& card = state.lecture.question;
-    const bool is_first = !card.folded && card.content == 0;  // it has the whole height until it is measured
+    const bool is_first = !card.folded && card.content == 0;  // open, it has the whole height until it is measured
     Rect place = r;
-    if (card.content > 0) place.h = std::min(r.h, wanted_height(ui, card));
+    if (!is_first) place.h = std::min(r.h, wanted_height(ui, card));
     if (begin_card(ui, card, "lecture.question", ui.strings("lecture.question"), place)) {
         const float below = view.pages ? 0 : button_height + spacing::tight;  // the buttons of a tally
         const float height = r.h - ui.px(card_around + below);
