@@ -166,9 +166,11 @@ MarkedParts marked_parts(const LabView& view, const PanelState& state, const Ui&
                       .diagram = diagram_of(view, state, ui, layout),
                       .of_diagram = {},
                       .strip = shows_lecture_figures(view) ? layout.hint_bar : Rect{},
+                      .question = layout.question,
                       .bar = layout.toolbar,
                       .window = layout.window};
     parts.of_diagram = wiring::view_of(state.canvas.camera, parts.diagram, ui.scale);
+    if (const LectureView* page = asked(view)) parts.asked = 2 * page->page + (page->shows(PagePart::answer) ? 1 : 0);
     return parts;
 }
 

@@ -162,6 +162,34 @@ TEST_F(LectureMarks, ALineOnTheValuesIsThereWhileTheyAreShown) {
     EXPECT_TRUE(draws_at(from));
 }
 
+TEST_F(LectureMarks, ALineOnAQuestionGoesWithItsCard) {
+    LectureView pages = opened_lecture("four-numbers");
+    pages.page = 1;
+    desk.view.pages = &pages;
+    desk.frame(4);
+    const Rect card = desk.where("lecture.question");
+    const ImVec2 from{card.x + 40, card.y + 60};
+    desk.key({'D'});
+    desk.frame(2);
+    draw(from, {from.x + 80, from.y + 10});
+    ASSERT_EQ(desk.panels.lecture.marks.lines[0].on, MarkedPart::question);
+    EXPECT_TRUE(draws_at(from));
+    pages.step = 2;
+    ASSERT_TRUE(pages.shows(PagePart::answer));
+    desk.frame(4);
+    EXPECT_FALSE(draws_at(from)) << "the answer has its words elsewhere";
+    pages.page = 3, pages.step = 0;
+    desk.frame(4);
+    ASSERT_TRUE(desk.anchors.find("lecture.question"));
+    EXPECT_FALSE(draws_at(from)) << "another question";
+    pages.page = 1;
+    desk.frame(4);
+    EXPECT_TRUE(draws_at(from));
+    desk.view.pages = nullptr;
+    desk.frame(4);
+    EXPECT_FALSE(draws_at(from)) << "no card";
+}
+
 TEST_F(LectureMarks, ALineThatLeavesTheSceneGoesOnBesideIt) {
     desk.key({'D'});
     desk.frame(2);

@@ -36,14 +36,16 @@ struct Paper {
         const auto has = [pixel](const Rect& r) { return r.w > 0 && r.contains(pixel.x, pixel.y); };
         if (has(parts.diagram)) return MarkedPart::diagram;
         if (has(parts.strip)) return MarkedPart::strip;
+        if (has(parts.question)) return MarkedPart::question;
         const bool on_floor = camera && has(parts.scene) && unproject(*camera, {pixel.x, pixel.y});
         return on_floor ? MarkedPart::floor : MarkedPart::window;  // not above the horizon
     }
     const Rect& rect_of(MarkedPart part) const {
-        return part == MarkedPart::floor     ? parts.scene
-               : part == MarkedPart::diagram ? parts.diagram
-               : part == MarkedPart::strip   ? parts.strip
-                                             : parts.window;
+        return part == MarkedPart::floor      ? parts.scene
+               : part == MarkedPart::diagram  ? parts.diagram
+               : part == MarkedPart::strip    ? parts.strip
+               : part == MarkedPart::question ? parts.question
+                                              : parts.window;
     }
     // nullopt for a point behind the camera, and while the part is not shown.
     std::optional<maths::vec2> pixel_of(MarkedPart part, maths::vec2 point) const {
@@ -65,9 +67,9 @@ struct Paper {
 void add_point(const Paper& paper, Marks& marks, const Ui& ui, ImVec2 pointer) {
     if (point_count(marks) >= most_points) return;
     const MarkedPart part = paper.part_at(pointer);
-    if (marks.lines.back().points.empty()) marks.lines.back().on = part;
+    if (marks.lines.back().points.empty()) marks.lines.back().on = part, marks.lines.back().asked = paper.parts.asked;
     // The line leaves its part: another one goes on from here.
-    if (marks.lines.back().on != part) marks.lines.push_back({part});
+    if (marks.lines.back().on != part) marks.lines.push_back({.on = part, .asked = paper.parts.asked});
     MarkLine& line = marks.lines.back();
     const maths::vec2 pixel{pointer.x, pointer.y};
     if (!line.points.empty()) {
@@ -96,6 +98,7 @@ void follow_pen(const Paper& paper, Marks& marks, const Ui& ui) {
 
 // The pixels of the line; a part behind the camera is left out.
 void draw_line(const Paper& paper, const MarkLine& line, ImU32 colour, float width) {
+    if (line.on == MarkedPart::question && line.asked != paper.parts.asked) return;
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
     std::vector<ImVec2> pixels;
     const auto finish = [&] {

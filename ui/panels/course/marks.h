@@ -1,6 +1,7 @@
 // Lines drawn with the mouse during a lecture, over the whole window. A line stays on what it marks: over the scene it
 // is on the floor and moves with the camera, over the wiring diagram it is on the diagram, over the values below the
-// scene it is there only while they are shown. Beside all of them it is in the window and scales with it.
+// scene and over the card of a question it is there only while these are shown. Beside all of them it is in the window
+// and scales with it.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +15,13 @@
 
 namespace braitenlab::ui {
 
-enum class MarkedPart { floor, diagram, strip, window };
+enum class MarkedPart { floor, diagram, strip, question, window };
 
 struct MarkLine {
     MarkedPart on = MarkedPart::window;
-    // On the floor: m; on the diagram: canvas units; else shares of the width and height of the strip or the window.
+    // On the floor: m; on the diagram: canvas units; else shares of the width and height of the part.
     std::vector<maths::vec2> points{};
+    int asked = 0;  // MarkedParts::asked when a line on a question was drawn
 };
 
 struct Marks {
@@ -34,8 +36,10 @@ struct MarkedParts {
     Rect scene;
     Rect diagram;
     wiring::View of_diagram;
-    Rect strip;  // the values below the scene
-    Rect bar;    // on top: the mouse does not draw there
+    Rect strip;     // the values below the scene
+    Rect question;  // the card of a question
+    int asked = 0;  // tells the questions and the answers of the pages apart
+    Rect bar;       // on top: the mouse does not draw there
     Rect window;
 };
 
