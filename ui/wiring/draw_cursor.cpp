@@ -160,10 +160,13 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
         picture.graph, shape->id, [&](NodeId id) { return node_value(now, picture.vehicle, id); },
         [&](const Wire& wire) { return learned_now(picture, wire); }, pen.ui.decimal_mark, named);
     if (sum.empty()) return;
-    // In one line, else in several shorter ones. Where no place is left between the cards the inspector shows it alone.
+    // In one line where the area is as wide, else in several shorter ones. Where no place is left between the cards the
+    // inspector shows it alone.
     const float width = note_size(pen.ui, sum).x - 2 * pen.ui.px(note_padding.x);
+    const float widest = area.w - 2 * pen.ui.px(note_padding.x + spacing::tight);
     for (const float share : {1.0f, 0.55f, 0.4f}) {
-        const std::string words = share < 1 ? wrapped_at_spaces(pen.ui, Face::text, sum, share * width) : sum;
+        const float most = std::min(share * width, widest);
+        const std::string words = most < width ? wrapped_at_spaces(pen.ui, Face::text, sum, most) : sum;
         const ImVec2 size = note_size(pen.ui, words);
         NotePlace place = beside_card(pen, picture.layout, *shape, size, area);
         if (place.covered >= card_cover) {
