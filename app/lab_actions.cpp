@@ -105,7 +105,7 @@ void cancel(Lab& lab) {
     if (lab.explanation.on) return ask_why(lab);
     if (lab.view.reality) return show_reality(lab);
     if (lab.view.map) return show_map(lab);
-    if (lab.slots.runs.question()) return lab.slots.runs.forget();
+    if (lab.slots.runs.question()) return end_comparison(lab.slots, lab);
     if (!lab.before_lecture) return;
     if (lab.notice.key != asked) return say(lab, {NoticeKind::notice, std::string(asked)});
     lab.notice = {};

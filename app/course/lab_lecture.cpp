@@ -127,6 +127,7 @@ void leave_pages(Lab& lab) {
 }
 
 void end_lecture(Lab& lab) {
+    end_comparison(lab.slots, lab);
     if (lab.pages) {
         leave_pages(lab);
         lab.lectures.left_run = lab.document.run_id;

@@ -50,12 +50,17 @@ void store(Slots& slots, Workspace& space, const VehicleView& vehicle, std::size
 }
 
 // False if the brain was refused.
-bool put(Slots& slots, Workspace& space, std::size_t slot) {
+bool put(Workspace& space, const insight::Design& design) {
     const VehicleView vehicle = *selected_vehicle(space);
     const std::uint64_t gesture = new_gesture(space);
-    for (const Command& command : insight::commands_for(*slots.stored[slot], space.document.session.snapshot(), vehicle,
+    for (const Command& command : insight::commands_for(design, space.document.session.snapshot(), vehicle,
                                                         target_of(space.view.selection, vehicle)))
         if (!apply(space, command, gesture)) return false;
+    return true;
+}
+
+bool put(Slots& slots, Workspace& space, std::size_t slot) {
+    if (!put(space, *slots.stored[slot])) return false;
     slots.current = slot;
     return true;
 }
@@ -118,7 +123,8 @@ void compare_slots(Slots& slots, Workspace& space) {
                   .vehicle = vehicle->id,
                   .question = {space.document.session.bookmark().checkpoint, vehicle->id,
                                target_of(space.view.selection, *vehicle), ticks_to_compare(space)},
-                  .designs = {*slots.stored[0], *slots.stored[1]}};
+                  .designs = {*slots.stored[0], *slots.stored[1]},
+                  .before = insight::design_of(space.document.session.snapshot(), *vehicle)};
     const bool is_saved = space.document.edits == space.document.saved_edits;
     if (!put(slots, space, 0)) return;
     if (is_saved) space.document.saved_edits = space.document.edits;  // the comparison's edit, and A is still stored
@@ -126,6 +132,22 @@ void compare_slots(Slots& slots, Workspace& space) {
     slots.runs.forget();
     slots.runs.ask(std::move(runs));
     set_mode(space, Mode::playing);
+}
+
+void end_comparison(Slots& slots, Workspace& space) {
+    const SlotRuns* asked = slots.runs.question();
+    if (!asked) return;
+    const bool has_a = is_shown(space, *asked) && selected_vehicle(space);
+    const insight::Design before = asked->before;
+    slots.runs.forget();
+    if (!has_a ||
+        insight::is_same(before, insight::design_of(space.document.session.snapshot(), *selected_vehicle(space))))
+        return;
+    const bool is_saved = space.document.edits == space.document.saved_edits;
+    if (!put(space, before)) return;
+    for (const std::size_t slot : {std::size_t{0}, std::size_t{1}})
+        if (has(slots, space, *selected_vehicle(space), slot)) slots.current = slot;
+    if (is_saved) space.document.saved_edits = space.document.edits;
 }
 
 void update_slots(Slots& slots, const Workspace& space, Jobs& jobs) {

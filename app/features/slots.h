@@ -25,6 +25,7 @@ struct SlotRuns {
     VehicleId vehicle = no_vehicle;
     insight::CompareQuestion question;
     std::array<insight::Design, 2> designs;
+    insight::Design before;  // of the vehicle
 };
 
 // Slots stay when another document is opened, but not on another page of a lecture; the runs end with the document,
@@ -58,6 +59,10 @@ void compare_slots(Slots&, Workspace&);
 
 // Call once per turn, after Jobs::deliver.
 void update_slots(Slots&, const Workspace&, Jobs&);
+
+// Forgets both runs and gives the vehicle the brain that it had before, unless it has been edited since. What needed no
+// saving before needs none then.
+void end_comparison(Slots&, Workspace&);
 
 // True at the last tick of the compared runs, while the run on the screen is that of A.
 bool ends_comparison(const Slots&, const Workspace&);

@@ -137,6 +137,28 @@ TEST_F(SlotsTest, ComparingLeavesNothingToBeSaved) {
     EXPECT_TRUE(has_unsaved_edits(lab)) << "the edit before is of the person";
 }
 
+TEST_F(SlotsTest, EscapeAfterAComparisonGivesTheVehicleItsBrainBack) {
+    handle(lab, Action::slot);
+    replace_document(lab, opened_lab("2a-coward").document);
+    handle(lab, Action::lecture);
+    handle(lab, Action::slot);
+    const BrainGraph own = brain();
+    handle(lab, Action::compare);
+    ASSERT_FALSE(same_wiring(brain(), own));
+    compute();
+    run(60);
+    handle(lab, Action::cancel);
+    EXPECT_TRUE(same_wiring(brain(), own));
+    EXPECT_FALSE(shown().b) << "the comparison has ended";
+    EXPECT_TRUE(shown().slots[1].is_in_vehicle);
+    EXPECT_FALSE(has_unsaved_edits(lab));
+    handle(lab, Action::compare);
+    turn(Dial::LM, 0.9f);
+    const BrainGraph edited = brain();
+    handle(lab, Action::cancel);
+    EXPECT_TRUE(same_wiring(brain(), edited)) << "an edit since then stays";
+}
+
 TEST_F(SlotsTest, InALectureTheRunPausesAtTheEndOfTheComparison) {
     for (const bool lecture : {false, true}) {
         lab = opened_lab("2b-aggressor");
