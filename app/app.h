@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -184,6 +185,8 @@ private:
         bool makes_pictures = false;             // of the gallery
         float magnified = 1;                     // factor on the scale, while the window is drawn at another size
         bool reported_label_font = false;
+        // Document::run_id, lecture and language whose texts leave_own_texts() has got.
+        std::tuple<std::uint64_t, const Lecture*, std::string> open{};
     };
 
     // With --state and --anchors.

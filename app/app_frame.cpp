@@ -113,6 +113,8 @@ void App::follow_preferences() {
         lab_.preferences.language = words_.language;
         show_error(*error);
     }
+    const std::tuple open{lab_.document.run_id, lab_.pages ? lab_.pages->lecture.get() : nullptr, words_.language};
+    if (std::exchange(frame_.open, open) != open) leave_own_texts(words_, open_texts(lab_));
     if (theme_.apply(lab_.preferences.theme, wanted_scale())) window_.upload_fonts(), load_label_font();
 }
 

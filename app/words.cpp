@@ -5,6 +5,7 @@
 #include "app/files/breeding_files.h"
 #include "app/files/data.h"
 #include "app/files/study_files.h"
+#include "app/lab.h"
 #include "app/platform/platform.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
@@ -15,26 +16,39 @@ namespace braitenlab {
 
 namespace {
 
-// The strings of the window and of the shipped scenes and exercises. Texts without a translation are shown as in their
-// files.
-Result<Strings> load_strings(const std::filesystem::path& folder, const std::string& language) {
-    auto strings = load_language(folder, language);
-    if (!strings) return strings;
+// The translations of the shipped scenes, exercises and other files, by the text in the file.
+Result<Strings> load_shipped(const std::filesystem::path& folder, const std::string& language) {
+    Strings strings;
     const auto shipped = folder.parent_path().parent_path() / "exercises" / "words" / (language + ".toml");
     std::error_code none;
     if (!std::filesystem::exists(shipped, none)) return strings;
     const auto words = Strings::load(shipped);
     if (!words) return words.error();
     for (const auto& path : shipped_exercises())
-        if (const auto exercise = load_exercise(path)) add_translations(*strings, texts_of(*exercise), *words);
+        if (const auto exercise = load_exercise(path)) add_translations(strings, texts_of(*exercise), *words);
     for (const auto& scenes : {shipped_scenes(), shipped_robots()})
         for (const auto& path : scenes)
-            if (const auto scene = load_scene(path)) add_translations(*strings, texts_of(*scene), *words);
+            if (const auto scene = load_scene(path)) add_translations(strings, texts_of(*scene), *words);
     for (const auto& path : shipped_lectures())
-        if (const auto lecture = read_lecture(path)) add_translations(*strings, texts_of(*lecture), *words);
-    for (const insight::Study& study : shipped_study_list()) add_translations(*strings, texts_of(study), *words);
-    for (const evolve::Breeding& each : shipped_breeding_list()) add_translations(*strings, texts_of(each), *words);
+        if (const auto lecture = read_lecture(path)) add_translations(strings, texts_of(*lecture), *words);
+    for (const insight::Study& study : shipped_study_list()) add_translations(strings, texts_of(study), *words);
+    for (const evolve::Breeding& each : shipped_breeding_list()) add_translations(strings, texts_of(each), *words);
     return strings;
+}
+
+// Texts without a translation are shown as in their files.
+Result<Words> load_all(const std::filesystem::path& folder, const std::string& language) {
+    auto strings = load_language(folder, language);
+    if (!strings) return strings.error();
+    auto shipped = load_shipped(folder, language);
+    if (!shipped) return shipped.error();
+    strings->fall_back_on(*shipped);
+    return Words{.folder = folder,
+                 .language = language,
+                 .strings = std::move(*strings),
+                 .languages = {},
+                 .names = {},
+                 .of_shipped = std::move(*shipped)};
 }
 
 NameMap names_of(const Strings& strings) {
@@ -57,19 +71,40 @@ std::string native_language(const std::filesystem::path& folder) {
 }
 
 Result<Words> load_words(const std::filesystem::path& folder, const std::string& language) {
-    auto strings = load_strings(folder, language);
-    if (!strings) return strings.error();
-    NameMap names = names_of(*strings);
-    return Words{folder, language, std::move(*strings), languages(folder), std::move(names)};
+    auto words = load_all(folder, language);
+    if (!words) return words;
+    words->languages = languages(folder);
+    words->names = names_of(words->strings);
+    return words;
+}
+
+std::vector<std::vector<TranslatableText>> open_texts(const Lab& lab) {
+    const auto& lesson = lab.document.lesson;
+    std::vector<std::vector<TranslatableText>> files{lesson ? texts_of(*lesson->exercise)
+                                                            : texts_of(*lab.document.session.snapshot().scene)};
+    if (lab.pages) files.push_back(texts_of(*lab.pages->lecture));
+    return files;
+}
+
+void leave_own_texts(Words& words, const std::vector<std::vector<TranslatableText>>& files) {
+    for (const std::string& text : words.untouched)
+        words.strings.add(text, std::string(words.of_shipped.find(text, text)));
+    words.untouched.clear();
+    const auto is_shipped = [&](const TranslatableText& each) { return words.of_shipped.all().contains(each.text); };
+    for (const auto& texts : files) {
+        if (std::all_of(texts.begin(), texts.end(), is_shipped)) continue;
+        for (const TranslatableText& each : texts)
+            if (is_shipped(each)) words.strings.erase(each.text), words.untouched.push_back(each.text);
+    }
 }
 
 std::optional<Error> change_language(Words& words, const std::string& language) {
     if (language == words.language) return std::nullopt;
-    auto strings = load_strings(words.folder, language);
-    if (!strings) return strings.error();
-    words.strings = std::move(*strings);
-    words.names = names_of(words.strings);
-    words.language = language;
+    auto other = load_all(words.folder, language);
+    if (!other) return other.error();
+    other->languages = std::move(words.languages);
+    other->names = names_of(other->strings);
+    words = std::move(*other);
     return std::nullopt;
 }
 

@@ -31,6 +31,11 @@ public:
     // Adds the texts of keys that are missing here.
     void fall_back_on(const Strings& others) { words_.insert(others.words_.begin(), others.words_.end()); }
 
+    // Removes the text of a key.
+    void erase(std::string_view key) {
+        if (const auto found = words_.find(key); found != words_.end()) words_.erase(found);
+    }
+
     // Adds the text of a key that has none yet.
     void add(std::string key, std::string words) { words_.try_emplace(std::move(key), std::move(words)); }
 
