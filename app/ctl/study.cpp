@@ -94,7 +94,9 @@ std::string line_of(const Study& study, const std::vector<StudyRow>& rows, std::
 // A table for each measure. The last columns compare each run with the run of the first row that has the same seed.
 std::string summary_text(const Study& study, const std::vector<StudyRow>& rows) {
     std::string text;
-    bool has_absent = false;
+    bool has_absent = false, has_never = false;
+    for (const StudyRow& row : rows)
+        has_never |= std::any_of(row.begin(), row.end(), [](double number) { return std::isinf(number); });
     for (std::size_t measure = 0; measure < study.measures.size(); ++measure) {
         has_absent |= may_be_absent(study.measures[measure]);
         text += (measure > 0 ? "\n" : "") + heading_of(study, study.measures[measure]);
@@ -106,6 +108,11 @@ std::string summary_text(const Study& study, const std::vector<StudyRow>& rows) 
     if (has_absent)
         text += fmt::format("of {}: runs that have the number, i.e. touch or have an object. –: there is none.\n",
                             study.seeds);
+    if (has_never)
+        text +=
+            "A median and a quartile count never as the longest time. The cell of such a run is empty in the CSV, so "
+            "that the\n"
+            "median of the column alone, as in pandas, is smaller.\n";
     return text;
 }
 

@@ -17,8 +17,9 @@ namespace {
 using insight::Study;
 
 constexpr float panel_width = 520, panel_height = 260, panel_step = 350, panel_left = 92, panel_top = 60,
-                panel_legend = 260;  // px
-constexpr float wanted_aside = 12;   // px, so that points of 8 px do not touch
+                panel_legend = 260;             // px
+constexpr float wanted_aside = 12;              // px, so that points of 8 px do not touch
+constexpr float never_row = 16, never_gap = 6;  // px, of each series in the strip above the frame
 std::string with_unit(std::string_view name, std::string_view unit) {
     return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
 }
@@ -26,6 +27,7 @@ std::string with_unit(std::string_view name, std::string_view unit) {
 struct SeriesPoint {
     double x = 0;
     maths::Spread spread;
+    std::size_t never = 0;  // runs
 };
 
 class StudyPanels {
@@ -46,37 +48,30 @@ public:
     std::string x_label() const { return with_unit(name_of(across_), study_.values[across_].unit); }
 
     std::string panel(std::size_t measure, const std::string& x_label, const std::string& y_label) const {
-        std::vector<std::vector<SeriesPoint>> series(names_.size());
-        std::vector<std::vector<double>> empty(names_.size());  // levels without a value
+        const std::vector<std::vector<SeriesPoint>> series = points_of(measure);
         double low = INFINITY, high = -INFINITY;
-        for (std::size_t i = 0; i < study_.combinations(); ++i) {
-            const maths::Spread spread = insight::summary_of(study_, rows_, i, measure).spread;
-            const auto name =
-                static_cast<std::size_t>(std::find(names_.begin(), names_.end(), series_of(i)) - names_.begin());
-            const double level = levels()[levels_of(study_, i)[across_]];
-            if (!has_value(spread)) {
-                empty[name].push_back(level);
-                continue;
-            }
-            series[name].push_back({level, spread});
-            for (const double number : {spread.lower, spread.median, spread.upper})
-                if (std::isfinite(number)) low = std::min(low, number), high = std::max(high, number);
-        }
+        for (const auto& points : series)
+            for (const SeriesPoint& point : points)
+                for (const double number : {point.spread.lower, point.spread.median, point.spread.upper})
+                    if (point.spread.count > 0 && std::isfinite(number))
+                        low = std::min(low, number), high = std::max(high, number);
         if (low > high) low = 0, high = 1;
-        const double room = high > low ? (high - low) * 0.08 : 0.5;
-        const bool is_positive = low >= 0;
-        low -= room, high += room;
-        if (is_positive) low = std::max(low, 0.0);
         constexpr double small_difference = 0.25;  // of the numbers: from 0 on, a small difference looks small
-        if (is_positive && high - low < small_difference * high) low = 0;
-        const PlotFrame frame{panel_width, panel_height, {from_, to_}, {low, high}};
+        if (low >= 0 && high - low < small_difference * high) low = 0;
+        const double room = high > low ? (high - low) * 0.08 : 0.5;  // no point is on the frame
+        const double below = high > low || low < 0 ? room : 0.1 * room;
+        const float above = height_of_never(series);
+        const PlotFrame frame{panel_width, panel_height - above, {from_, to_}, {low - below, high + room}};
         std::string out = frame_svg(frame, x_label, y_label, strings_);
-        for (std::size_t i = 0; i < series.size(); ++i) {
-            std::sort(series[i].begin(), series[i].end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-            out += line(series[i], i, frame);
-        }
-        return out + empty_places(empty, frame);
+        for (std::size_t i = 0; i < series.size(); ++i) out += line(series[i], i, frame);
+        out += empty_places(series, frame);
+        return above > 0 ? placed(0, above, out) + never_strip(series, frame, above - never_gap) : out;
     }
+
+    bool has_series() const { return names_.size() > 1; }
+
+    // True if a run has no finite number because it never comes to it.
+    bool has_never(std::size_t measure) const { return height_of_never(points_of(measure)) > 0; }
 
     bool has_every_value(std::size_t measure) const {
         for (std::size_t i = 0; i < study_.combinations(); ++i)
@@ -96,7 +91,53 @@ public:
     }
 
 private:
-    static bool has_value(const maths::Spread& spread) { return spread.count > 0 && std::isfinite(spread.median); }
+    static bool has_value(const maths::Spread& spread) { return spread.count > 0; }
+
+    // By series, in the order of the levels.
+    std::vector<std::vector<SeriesPoint>> points_of(std::size_t measure) const {
+        std::vector<std::vector<SeriesPoint>> series(names_.size());
+        for (std::size_t i = 0; i < study_.combinations(); ++i) {
+            const insight::StudySummary summary = insight::summary_of(study_, rows_, i, measure);
+            const auto name =
+                static_cast<std::size_t>(std::find(names_.begin(), names_.end(), series_of(i)) - names_.begin());
+            series[name].push_back({levels()[levels_of(study_, i)[across_]], summary.spread,
+                                    summary.spread.count - std::min(summary.present, summary.spread.count)});
+        }
+        for (auto& points : series)
+            std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+        return series;
+    }
+
+    // Of the strip with a row for each series, and the gap below it; 0 without a run that never comes to a number.
+    float height_of_never(const std::vector<std::vector<SeriesPoint>>& series) const {
+        for (const auto& points : series)
+            for (const SeriesPoint& point : points)
+                if (point.never > 0) return never_row * static_cast<float>(names_.size()) + never_gap;
+        return 0;
+    }
+
+    // Above the frame, at the side of more: how many runs never come to a number, with a ring where the median does
+    // not.
+    std::string never_strip(const std::vector<std::vector<SeriesPoint>>& series, const PlotFrame& frame,
+                            float height) const {
+        std::string out = fmt::format("<rect width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\"/>\n",
+                                      frame.width, height, axis_ink) +
+                          words_at(-8, height / 2 + 5, strings_("map.never"), " text-anchor=\"end\"");
+        for (std::size_t i = 0; i < series.size(); ++i)
+            for (const SeriesPoint& point : series[i]) {
+                if (point.never == 0) continue;
+                const float x = frame.x_of(point.x), y = never_row * (static_cast<float>(i) + 0.5f);
+                out += words_at(x, y + 5, std::to_string(point.never),
+                                fmt::format(" text-anchor=\"middle\" style=\"fill:{}\"", colour(i)));
+                if (!std::isfinite(point.spread.median)) out += ring(x - 19, y, i);
+            }
+        return out;
+    }
+
+    static std::string ring(float x, float y, std::size_t series) {
+        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"#fff\" stroke=\"{}\"/>\n", x, y,
+                           colour(series));
+    }
 
     const std::vector<double>& levels() const { return study_.values[across_].levels; }
 
@@ -133,17 +174,24 @@ private:
         return frame.y_of(y);
     }
 
+    // A gap where the median is no number.
     std::string line(const std::vector<SeriesPoint>& points, std::size_t index, const PlotFrame& frame) const {
         const float aside = aside_of(index);
         std::string path, bars, dots;
+        bool goes_on = false;
         for (const SeriesPoint& point : points) {
-            const float x = frame.x_of(point.x) + aside, y = y_of(frame, point.spread.median);
-            path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x, y);
-            bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, y_of(frame, point.spread.lower),
-                                y_of(frame, point.spread.upper));
-            dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", x, y);
+            const bool has_median = has_value(point.spread) && std::isfinite(point.spread.median);
+            const float x = frame.x_of(point.x) + aside, y = has_median ? y_of(frame, point.spread.median) : 0;
+            if (has_median) {
+                path += fmt::format("{}{:.1f} {:.1f}", goes_on ? 'L' : 'M', x, y);
+                dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", x, y);
+            }
+            goes_on = has_median;
+            if (has_value(point.spread) && std::isfinite(point.spread.lower))
+                bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, y_of(frame, point.spread.lower),
+                                    y_of(frame, point.spread.upper));
         }
-        if (points.empty()) return "";
+        if (path.empty() && bars.empty()) return "";
         return fmt::format(
             "<g stroke=\"{0}\" fill=\"{0}\"><path d=\"{1}\" fill=\"none\" stroke-width=\"2\"{2}/>\n"
             "<path d=\"{3}\" fill=\"none\" stroke-width=\"1.5\"/>\n{4}</g>\n",
@@ -155,15 +203,15 @@ private:
     }
 
     // A ring at the lower edge for each series without a value at a level, and words where no series has one.
-    std::string empty_places(const std::vector<std::vector<double>>& empty, const PlotFrame& frame) const {
+    std::string empty_places(const std::vector<std::vector<SeriesPoint>>& series, const PlotFrame& frame) const {
         std::string out;
         std::map<double, std::size_t> series_without;
-        for (std::size_t i = 0; i < empty.size(); ++i)
-            for (const double level : empty[i]) {
-                const float x = frame.x_of(level);
-                out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"#fff\" stroke=\"{}\"/>\n",
-                                   x + aside_of(i), frame.height - 7, colour(i));
-                if (++series_without[level] == names_.size())
+        for (std::size_t i = 0; i < series.size(); ++i)
+            for (const SeriesPoint& point : series[i]) {
+                if (has_value(point.spread)) continue;
+                const float x = frame.x_of(point.x);
+                out += ring(x + aside_of(i), frame.height - 7, i);
+                if (++series_without[point.x] == names_.size())
                     out += words_at(
                         0, 0, strings_("report.no_value"),
                         fmt::format(" transform=\"translate({:.1f} {:.1f}) rotate(-90)\"", x + 5, frame.height - 18));
@@ -200,15 +248,17 @@ std::string study_drawing(const Study& study, const std::vector<insight::StudyRo
         drawn += placed(panel_left, panel_top + panel_step * static_cast<float>(i), panels.panel(i, x_label, y_label));
     }
     drawn += placed(panel_left + panel_width + 24, panel_top, panels.legend());
-    const float below = panel_top + panel_step * static_cast<float>(study.measures.size());
-    std::string caption =
-        fill(strings("report.study_bars"), {std::to_string(study.seeds), tick_text(study.seconds, 1, strings)});
+    std::vector<std::string> caption{
+        fill(strings("report.study_bars"), {std::to_string(study.seeds), tick_text(study.seconds, 1, strings)})};
+    bool has_every_value = true, has_never = false;
     for (std::size_t i = 0; i < study.measures.size(); ++i)
-        if (!panels.has_every_value(i)) {
-            caption += " ○: " + std::string(strings("report.no_value")) + ".";
-            break;
-        }
-    drawn += words_at(panel_left, below - 18, caption);
+        has_every_value &= panels.has_every_value(i), has_never |= panels.has_never(i);
+    if (!has_every_value) caption[0] += " ○: " + std::string(strings("report.no_value")) + ".";
+    if (has_never) caption.emplace_back(fill(strings("report.study_never"), {std::to_string(study.seeds)}));
+    if (panels.has_series()) caption.emplace_back(strings("report.study_aside"));
+    constexpr float line = 18;
+    float below = panel_top + panel_step * static_cast<float>(study.measures.size()) - line;
+    for (const std::string& words : caption) drawn += words_at(panel_left, below, words), below += line;
     return svg_file(labels.title.empty() ? strings.find(study.title, study.title) : labels.title,
                     panel_left + panel_width + panel_legend, below + 10, drawn);
 }

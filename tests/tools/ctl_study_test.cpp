@@ -41,6 +41,7 @@ TEST(CtlStudy, PrintsMediansAndATableThatDoesNotDependOnThreads) {
     EXPECT_TRUE(std::regex_search(text, std::regex("weight 0 +0 +never"))) << text;
     EXPECT_TRUE(std::regex_search(text, std::regex("weight 1 +3 .+ – +0 +3\n"))) << "no pair of numbers\n" << text;
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    EXPECT_NE(text.find("count never as the longest"), std::string::npos) << text;
     std::filesystem::remove(file), std::filesystem::remove(csv);
 }
 
@@ -76,20 +77,24 @@ TEST(CtlStudy, DrawsMediansAndQuartilesWithNamedAxes) {
     std::filesystem::remove(file), std::filesystem::remove(svg);
 }
 
-TEST(CtlStudy, AFigureHasAnEmptyPlaceForALevelWithoutAValue) {
+TEST(CtlStudy, AFigureCountsTheRunsThatNeverComeToTheMeasureAboveItsFrame) {
     const std::string file = scratch("empty-study.toml"), svg = scratch("empty-study.svg");
     std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nseconds = 5\nseeds = 2\n"
                            "measures = [\"touch\"]\n[[value]]\nname = \"weight\"\n"
                            "paths = [\"kind.aggressor.brain.LR\", \"kind.aggressor.brain.RL\"]\nlevels = [-1, 1.5]\n"
                            "[[value]]\nname = \"drive\"\npaths = [\"kind.aggressor.brain.LM\"]\nlevels = [-0.1, 0.1]\n";
-    for (const auto& [language, words] : {std::pair{"en", ">no value</text>"}, {"de", ">kein Wert</text>"}}) {
+    for (const auto& [language, words, caption] : {std::tuple{"en", ">never</text>", "never: number of the 2 runs"},
+                                                   {"de", ">nie</text>", "nie: Zahl der 2 Läufe"},
+                                                   {"es", ">nunca</text>", "nunca: número de las 2"}}) {
         const Ran ran = ctl("study " + file + " --svg " + svg + " --lang " + language);
         ASSERT_EQ(ran.code, 0) << ran.out;
         const std::string text = shell("cat " + svg).out;
         EXPECT_NE(text.find(words), std::string::npos) << text;
         EXPECT_NE(text.find("fill=\"#fff\" stroke=\"#0072b2\""), std::string::npos) << "the ring of its series";
         EXPECT_NE(text.find("drive −0"), std::string::npos) << "a minus, no hyphen";
-        EXPECT_NE(text.find("○: "), std::string::npos) << "what a ring is";
+        EXPECT_NE(text.find(caption), std::string::npos) << "what the strip is";
+        EXPECT_NE(text.find(">2</text>"), std::string::npos) << "all runs of the combination that turns away";
+        EXPECT_EQ(text.find("no value"), std::string::npos);
         EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
     }
     std::filesystem::remove(file), std::filesystem::remove(svg);
