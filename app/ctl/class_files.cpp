@@ -85,8 +85,24 @@ std::pair<std::string, std::string> owner_of(const Submitter& submitter) {
     return {submitter.person.empty() ? submitter.folder : std::string(), submitter.person};
 }
 
+// The folders of people whose only files are those of systems; an archive may have no entries of folders.
+void add_folders_around_unmentioned(std::vector<FoundFile>& found) {
+    std::set<std::string> folders;
+    for (const FoundFile& each : found) {
+        if (each.place != Place::unmentioned) continue;
+        fs::path folder = fs::path(each.file.file).parent_path();
+        while (folder.has_relative_path() && place_of(folder, true) == Place::unmentioned)
+            folder = folder.parent_path();
+        if (folder.has_relative_path()) folders.insert(folder.generic_string());
+    }
+    for (const FoundFile& each : found)
+        if (each.place == Place::folder) folders.erase(each.file.file);
+    for (const std::string& folder : folders) found.push_back({{.file = folder}, Place::folder});
+}
+
 // Adds the files of one argument to `all`. `prefix`: what distinguishes it from other arguments.
 void add_files(std::vector<FoundFile> found, const std::string& prefix, ClassFiles& all) {
+    add_folders_around_unmentioned(found);
     std::sort(found.begin(), found.end(),
               [](const FoundFile& a, const FoundFile& b) { return a.file.file < b.file.file; });
     const std::size_t around = folders_around(paths_of(found));

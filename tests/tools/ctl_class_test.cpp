@@ -101,6 +101,8 @@ std::vector<Zipped> moodle_export() {
         {"Ode Olu_104_assignsubmission_file_/05-aggressor.html", "<!DOCTYPE html>"},
         {"Park Soo_105_assignsubmission_file_/"},
         {"Quinn Ed_106_assignsubmission_file_/mine.zip", zip_of({{"a.toml", "x = 1"}})},
+        {"Rau Ute_107_assignsubmission_file_/.DS_Store", "x"},
+        {"Sol Ida_108_assignsubmission_file_/__MACOSX/._a.toml", "x"},
         {"__MACOSX/._report.pdf", "x"}};
 }
 
@@ -114,6 +116,8 @@ void expect_the_moodle_class(const Ran& ran) {
           std::string("report.pdf: not a hand-in but a PDF\n"),
           std::string("Ode Olu_104_assignsubmission_file_: no hand-in in this folder\n"),
           std::string("Park Soo_105_assignsubmission_file_: no hand-in in this folder\n"),
+          std::string("Rau Ute_107_assignsubmission_file_: no hand-in in this folder\n"),
+          std::string("Sol Ida_108_assignsubmission_file_: no hand-in in this folder\n"),
           std::string("mine.zip: not a hand-in but a ZIP archive; unpack it into this folder\n"),
           std::string("\nNowak Jan,Nowak Jan_103_assignsubmission_file_,103,"),
           std::string("left out: Müller Anna_101_assignsubmission_onlinetext_/onlinetext.html, Ode ")})
