@@ -50,7 +50,7 @@ TEST_F(ExerciseSteps, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {
     desk.lesson.verdicts[1] = {true, {{0.5972f, 0.6f, "m", true, true}}};
     desk.lesson.verdicts[2] = {false, {{1.2f, 1.5f, "×"}}};
     desk.frame(3);
-    EXPECT_TRUE(desk.says("best\u00a010.4°,\u00a0goal\u00a0≤\u00a010.0"));
+    EXPECT_TRUE(desk.says("best\u00a010.4°,\u00a0goal\u00a0≤\u00a010.0°"));
     EXPECT_TRUE(desk.says("0.60\u00a0m,\u00a0goal\u00a0≤\u00a00.60"));
     EXPECT_TRUE(desk.says("1.20\u00a0of\u00a01.50\u00a0×")) << "the present value, not the best so far";
     desk.lesson.verdicts[0] = {true, {{9, 10, "°", true, true}}};

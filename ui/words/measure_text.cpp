@@ -70,10 +70,11 @@ std::string value_text(const Strings& strings, const Measure& measure) {
 std::string measure_text(const Strings& strings, const Measure& measure, bool done) {
     const int digits = telling_decimals(measure, done);
     const std::string value = with_unit(strings, measure.value, measure.unit, digits);
-    const auto number = [&](float needed) { return fixed(needed, digits, decimal_mark(strings)); };
+    const auto number = [&](float wanted) { return fixed(wanted, digits, decimal_mark(strings)); };
+    const auto needed = [&](float wanted) { return with_unit(strings, wanted, measure.unit, digits); };
     if (measure.needed_most)
         return unbroken(
-            fill(strings("exercise.now_between"), {value, number(measure.needed), number(*measure.needed_most)}));
+            fill(strings("exercise.now_between"), {value, number(measure.needed), needed(*measure.needed_most)}));
     if (measure.at_most && measure.needed == 0 && measure.unit == "m")  // the check mark says the rest
         return done ? std::string() : unbroken(fill(strings("exercise.to_go"), {value}));
     if (grows(measure))
@@ -82,7 +83,7 @@ std::string measure_text(const Strings& strings, const Measure& measure, bool do
     const std::string_view key = measure.best && !done ? "exercise.best_at_most"
                                  : measure.at_most     ? "exercise.now_at_most"
                                                        : "exercise.now_at_least";
-    return unbroken(fill(strings(key), {value, number(measure.needed)}));
+    return unbroken(fill(strings(key), {value, needed(measure.needed)}));
 }
 
 std::string level_words(const Strings& strings, const insight::StudyValue& value, std::size_t level) {
