@@ -253,6 +253,10 @@ std::string matrix_text(const evolve::Tournament& tournament) {
         text += fmt::format("{0} against all generations: {1}\n{0} in a word: {2}\n", word(side), trend_text(scores),
                             verdict_text(evolve::verdict_of(tournament, side)));
     }
+    text +=
+        "Report the word with its gain: it compares quarters of the matrix, so that it finds a lost ability. \"Against "
+        "all\n"
+        "generations\" is the mean over all opponents: it can rise although one kind of them wins again.\n";
     return text;
 }
 
@@ -292,15 +296,19 @@ int write_report(const BreedOptions& options, const Base& base, const BreedingSt
     const auto matrix = [&](MatrixKind kind) {
         return matrix_drawing(*base, *tournament, kind, options.labels, strings);
     };
+    const std::string words = summary_text(*base, state) + matrix_text(*tournament);
     const std::array<std::string, breeding_report_files.size()> texts{
-        breeding_json(*base, state, *tournament), curves_drawing(*base, state, options.labels, strings),
-        matrix(MatrixKind::ciao), matrix(MatrixKind::master),
+        breeding_json(*base, state, *tournament),
+        curves_drawing(*base, state, options.labels, strings),
+        matrix(MatrixKind::ciao),
+        matrix(MatrixKind::master),
         std::string(style.has_byte_order_mark ? io::byte_order_mark : "") +
-            io::in_style(breeding_table(*base, state, &*tournament), style)};
+            io::in_style(breeding_table(*base, state, &*tournament), style),
+        words};
     std::vector<NewFile> files;
     for (std::size_t i = 0; i < texts.size(); ++i) files.push_back({folder / breeding_report_files[i], texts[i]});
     if (const auto error = write_all(files)) return complain(*error);
-    std::cout << summary_text(*base, state) << matrix_text(*tournament);
+    std::cout << words;
     return exit_code::done;
 }
 

@@ -151,8 +151,8 @@ struct BreedOptions {
     std::string match;     // PREDATOR:PREY, two generations; empty: none
 };
 // The files of `report`.
-inline constexpr std::array breeding_report_files{"breeding.json", "scores.svg", "ciao.svg", "master.svg",
-                                                  "breeding.csv"};
+inline constexpr std::array breeding_report_files{"breeding.json", "scores.svg",   "ciao.svg",
+                                                  "master.svg",    "breeding.csv", "breeding.txt"};
 // Breeds predators and prey into a folder, which holds the state after each generation. Or prints the matrix of a
 // folder, or writes or draws it or the scores, or all of this, or the brain of a champion, or the scene of a match.
 int breed(const BreedOptions&);

@@ -165,7 +165,10 @@ TEST(CtlBreed, OneCommandWritesAllTablesAndDrawings) {
     const std::string file = small_breeding();
     const Folder folder("breed-report"), report("breed-figures");
     ASSERT_EQ(ctl("breed " + file + " --out " + folder.path).code, 0);
-    ASSERT_EQ(ctl("breed " + folder.path + " --report " + report.path).code, 0);
+    const Ran reported = ctl("breed " + folder.path + " --report " + report.path);
+    ASSERT_EQ(reported.code, 0);
+    EXPECT_NE(reported.out.find("Report the word with its gain"), std::string::npos) << reported.out;
+    EXPECT_EQ(content(fs::path(report.path) / "breeding.txt"), reported.out);
     const std::string table = content(fs::path(report.path) / "breeding.csv");
     EXPECT_TRUE(table.starts_with("measure,side,generation,of,value\n")) << table;
     for (const char* side : {"predator", "prey"}) {
