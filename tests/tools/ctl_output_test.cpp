@@ -247,6 +247,12 @@ TEST(CtlOutput, WithAnEmptyNameIsRefused) {
         expect_refused(call, "has an empty name");
 }
 
+TEST(CtlOutput, AnUnknownOptionIsRefusedWithTheNearestOne) {
+    for (const char* call : {"map 2a-coward --mesure behaviour", "map 2a-coward --mesure=behaviour"})
+        expect_refused(call, "--measure");
+    expect_refused("run 2a-coward --secnds 3", "--seconds");
+}
+
 TEST(CtlOutput, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
     const Folder folder;
     study_in(folder);
