@@ -244,7 +244,7 @@ TEST_F(LectureKeys, XWalksThroughTheDiagramBesideTheScene) {
     desk.frame(2);
     desk.key({'X'});
     ASSERT_TRUE(desk.last<NoticeRequest>());
-    EXPECT_EQ(desk.last<NoticeRequest>()->key, "unavailable.no_objects") << "it is the key of the scene";
+    EXPECT_EQ(desk.last<NoticeRequest>()->key, "unavailable.no_diagram") << "it selects no lamp";
 }
 
 TEST_F(LectureKeys, AskFirstIsAKeyOfTheLectureThatTheAudienceDoesNotSee) {

@@ -65,6 +65,12 @@ std::string_view no_nodes_in_sight(const LabView& view, const PanelState& state)
     return view.mode == Mode::wiring || watches_diagram(view, state) ? "" : "unavailable.no_diagram";
 }
 
+// In a lecture X is the key of the diagram's nodes.
+std::string_view no_next_object(const LabView& view, const PanelState&) {
+    if (view.lecture) return "unavailable.no_diagram";
+    return has_objects(view) ? "" : "unavailable.no_objects";
+}
+
 std::string_view no_node_to_join(const LabView& view, const PanelState& state) {
     if (view.mode != Mode::wiring) return "unavailable.wiring_only";
     return state.canvas.selection.nodes.size() == 1 ? "" : "wiring.refused.join_one";
