@@ -54,7 +54,9 @@ void follow_notes_page(Lab& lab, const Strings& strings, const std::string& lang
     lab.lectures.notes_written = page;
     if (const auto error = writer.commit()) return say(lab, *error);
     if (!opens) return;
-    if (open(file)) return say(lab, {NoticeKind::done, "notice.notes_page"});
+    const bool is_open = open(file);
+    if (is_open && saves_by_download()) return say(lab, {NoticeKind::done, "notice.notes_page"});
+    if (is_open) return say(lab, {NoticeKind::done, "notice.notes_page_opened", file.string()});  // as the system says
     if (saves_by_download()) return say(lab, {NoticeKind::notice, "notice.notes_page_refused"});
     lab.window.to_copy = file.string();
     say(lab, {NoticeKind::notice, "notice.notes_page_at", file.string()});

@@ -16,9 +16,9 @@ struct Lab;
 // second.
 std::string notes_page(const LectureView&, const Strings&, const std::string& language);
 
-// Call once per turn. After Lab::opens_notes: writes the page into the folder and opens it with the system's browser,
-// or shows a notice with its path, in a browser with the reason (see open_with_system()). From then on writes it
-// whenever it has changed, while a lecture is open. Without a folder it does nothing.
+// Call once per turn. After Lab::opens_notes: writes the page into the folder and opens it with the system's browser.
+// Shows a notice with its path, in a browser with the reason of a failure (see open_with_system()). From then on writes
+// it whenever it has changed, while a lecture is open. Without a folder it does nothing.
 void follow_notes_page(Lab&, const Strings&, const std::string& language, const std::filesystem::path& folder,
                        bool (*open)(const std::filesystem::path&) = open_with_system);
 

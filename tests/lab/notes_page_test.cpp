@@ -61,7 +61,8 @@ TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {
     turn();
     ASSERT_TRUE(fs::exists(file));
     EXPECT_FALSE(lab.pages->notes) << "the audience does not see them";
-    EXPECT_EQ(lab.notice.key, "notice.notes_page");
+    EXPECT_EQ(lab.notice.key, "notice.notes_page_opened");
+    EXPECT_EQ(lab.notice.words, file.string()) << "where it is, if no window appears";
     show_page(lab, 1);
     turn();
     EXPECT_NE(read_text(file)->find("<h1>" + caption(1)), std::string::npos);
