@@ -175,13 +175,18 @@ void option(const AuthorFields& page, std::size_t i) {
     Ui& ui = page.ui;
     AuthorState& state = page.state;
     const std::string id = "author.option." + std::to_string(i + 1), id_of_answer = id + ".answer";
+    const bool is_answer = state.draft.prediction.answer == static_cast<int>(i);
     const SmallButton look{
-        id_of_answer, {}, page.words("author.answer"), state.draft.prediction.answer == static_cast<int>(i)};
+        id_of_answer, {}, page.words(is_answer ? "author.answer" : "author.other_answer"), is_answer};
     const float y = ImGui::GetCursorPosY();
     ImGui::SetCursorPosY(y + ui.px(ui.tall(button_height) - ui.tall(small_button_height)) / 2);
     if (small_push_button(ui, look, page.words("author.answer_how")))
         state.draft.prediction.answer = static_cast<int>(i);
-    const float aside = small_button_width(ui, look, true) + ui.px(8);
+    // All fields have the same width.
+    const float widest = std::max(text_width(ui, Face::small, page.words("author.answer")),
+                                  text_width(ui, Face::small, page.words("author.other_answer")));
+    const float aside =
+        small_button_width(ui, look, true) - text_width(ui, Face::small, look.words) + widest + ui.px(8);
     ImGui::SameLine(0, ui.px(spacing::small));
     ImGui::SetCursorPosY(y);
     const std::string_view how = page.words("author.option_how");
