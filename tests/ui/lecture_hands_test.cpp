@@ -237,7 +237,8 @@ TEST_F(LectureHands, AFoldedQuestionIsAsLowAsItsHeadingAndUnfoldsOnTheNextPageAn
         EXPECT_LT(desk.where("lecture.question").h, 80) << "a heading";
     };
     fold();
-    show(1, 1);
+    pages.step = 1;
+    desk.frame(3);
     EXPECT_TRUE(desk.panels.lecture.question.folded) << "a step that is no answer";
     desk.panels.lecture.question.content = 0;
     desk.frame(3);
