@@ -65,8 +65,8 @@ TEST(Link, IsFoundBehindAnyAddress) {
 }
 
 TEST(Link, ThatIsBrokenBeforeItsVersionStillBeginsLikeALink) {
-    for (const char* text : {"#b", "#bGARBAGE", "#b1", "#e1.x", "#e"}) EXPECT_TRUE(begins_like_link(text)) << text;
-    for (const char* text : {"", "#", "#top", "b1.x", "2a-coward"}) EXPECT_FALSE(begins_like_link(text)) << text;
+    for (const char* text : {"#b", "#bGARBAGE", "#b1", "#e1.x", "#e"}) EXPECT_TRUE(io::begins_like_link(text)) << text;
+    for (const char* text : {"", "#", "#top", "b1.x", "2a-coward"}) EXPECT_FALSE(io::begins_like_link(text)) << text;
 }
 
 TEST(Link, NamesAnExercise) {
