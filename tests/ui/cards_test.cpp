@@ -351,6 +351,18 @@ TEST(Cards, OfASmallWindowTheExerciseOpensWhenThereIsNewsOfIt) {
     }
 }
 
+TEST(Cards, OfASmallWindowTheBrainStaysOpenAfterAnOutcomeWithoutAnAnswer) {
+    Desk desk(800, 600, 1, true);
+    desk.open_exercise();
+    predict_and_run(desk, -1);
+    desk.lesson.attempt.work.outcome_known = true;
+    desk.frame(6);
+    ASSERT_TRUE(is_open(desk, Card::exercise));
+    desk.click("card.brain.fold");
+    desk.frame(6);
+    EXPECT_TRUE(is_open(desk, Card::brain) && !is_open(desk, Card::exercise));
+}
+
 TEST(Cards, ACardBelowTheExerciseGrowsWhenItUnfolds) {
     Desk desk(1280, 800, 1, true);
     desk.open_exercise();

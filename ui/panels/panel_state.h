@@ -162,6 +162,12 @@ struct CardsBelowExercise {
     std::array<float, card_count> wanted{};   // those that the contents had then
 };
 
+// What a person is told once, also by a card that opens for it.
+struct ExerciseNews {
+    bool outcome = false, grade = false;
+    std::size_t hints = 0;
+};
+
 // The card of the exercise.
 struct ExerciseState {
     std::string id;  // of the exercise that the values below belong to
@@ -172,6 +178,7 @@ struct ExerciseState {
     std::size_t hints_seen = 0;              // hints already scrolled to
     bool hints_first = false;                // they were above the steps in the last frame
     bool grade_seen = false;
+    ExerciseNews told{};
     bool why_open = false;     // unfolded
     bool steps_open = true;    // can be folded once the exercise is passed
     bool goal_open = false;    // all of the goal is shown in a low card

@@ -165,12 +165,12 @@ void open_again(PanelState& state) {
     state.is_unsettled = true;
 }
 
-// True if the outcome, the grade or a hint has arrived while the card was folded.
-bool has_news(const LessonView& lesson, ExerciseState& seen) {
-    if (!lesson.grade) seen.grade_seen = false;
-    const bool has_outcome = is_asked(lesson.exercise->prediction) && lesson.attempt.work.outcome_known;
-    const auto hints = static_cast<std::size_t>(lesson.attempt.answers.hints_shown);
-    return (has_outcome && !seen.outcome_seen) || (lesson.grade && !seen.grade_seen) || hints > seen.hints_seen;
+// True once for each outcome, grade and hint.
+bool has_news(const LessonView& lesson, ExerciseNews& told) {
+    const ExerciseNews before = told;
+    told = {is_asked(lesson.exercise->prediction) && lesson.attempt.work.outcome_known, lesson.grade.has_value(),
+            static_cast<std::size_t>(lesson.attempt.answers.hints_shown)};
+    return (told.outcome && !before.outcome) || (told.grade && !before.grade) || told.hints > before.hints;
 }
 
 // The heading of the folded card tells how many steps are done.
@@ -194,6 +194,7 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
     state.exercise.hand_in.asks = false;
     state.exercise.step_in_full = -1;
     state.exercise.hints_seen = 0;
+    state.exercise.told = {};
     open_again(state);
     CardState& sensors = state.card(Card::sensors);  // open, it would take the room of the question
     sensors.folded = traits(Card::sensors).folded, sensors.opened_by_user = false;
@@ -330,7 +331,8 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
     follow_exercise(lesson, state);
-    if (!ImGui::IsMouseDown(0) && has_news(lesson, state.exercise)) open_again(state);
+    if (!lesson.grade) state.exercise.grade_seen = false;
+    if (!ImGui::IsMouseDown(0) && has_news(lesson, state.exercise.told)) open_again(state);
     CardState& card = state.card(Card::exercise);
     const bool asks = state.lecture.asks_prediction;  // then the question has the room of the buttons
     if (!asks) card.footer = std::max(card.footer, ui.px(ui.tall(button_height) + 8));
