@@ -175,7 +175,7 @@ std::optional<Error> output_fault(const std::string& read, const std::vector<fs:
 }
 
 std::optional<Error> output_fault(const CLI::App& command) {
-    if (const auto fault = empty_name_fault(command)) return fault;
+    if (auto fault = empty_name_fault(command)) return fault;
     const std::vector<fs::path> read = files_read(command);
     const auto is_in = [](const fs::path& path, const std::vector<fs::path>& files) {
         return std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return is_same_file(path, file); });
