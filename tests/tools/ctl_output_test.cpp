@@ -242,9 +242,11 @@ TEST(CtlOutput, OfAnExportOverAnInputWorkOrStandardOutputIsRefused) {
 }
 
 TEST(CtlOutput, WithAnEmptyNameIsRefused) {
-    for (const char* call : {"run 2a-coward --csv ''", "picture 2a-coward --wiring ''", "think 2a-coward --vectors ''",
-                             "export 2a-coward --to c --out ''", "map 2a-coward --png ''"})
-        expect_refused(call, "has an empty name");
+    const Folder folder;  // into which a program that takes the name would write
+    Refusals{folder.path}.expect(
+        {"run 2a-coward --csv ''", "picture 2a-coward --wiring ''", "think 2a-coward --vectors ''",
+         "export 2a-coward --to c --out ''", "map 2a-coward --png ''"},
+        "has an empty name");
 }
 
 TEST(CtlOutput, AnUnknownOptionIsRefusedWithTheNearestOne) {
