@@ -324,7 +324,7 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 // Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. The steps keep
 // their place during a run, above the prediction, and so do the hints between both. In the wiring editor the hints are
 // above the steps, which are judged while the scene plays. In a low card the compact steps do not scroll, and in a
-// lower one the goal is one line once a run has begun; in the lowest, as in the editor, all of the card scrolls, and
+// lower one the goal is one line, which a click unfolds; in the lowest, as in the editor, all of the card scrolls, and
 // the steps are first. Once it is passed, a lower card begins with what came of the prediction. The buttons of a
 // selection by hand and of a breeding do not scroll: hints that are read below point at them.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
