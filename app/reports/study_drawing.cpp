@@ -60,12 +60,12 @@ public:
         if (low >= 0 && high - low < small_difference * high) low = 0;
         const double room = high > low ? (high - low) * 0.08 : 0.5;  // no point is on the frame
         const double below = high > low || low < 0 ? room : 0.1 * room;
-        const float above = height_of_never(series);
-        const PlotFrame frame{panel_width, panel_height - above, {from_, to_}, {low - below, high + room}};
+        const float strip = height_of_never(series);
+        const PlotFrame frame{panel_width, panel_height - strip, {from_, to_}, {low - below, high + room}};
         std::string out = frame_svg(frame, x_label, y_label, strings_);
         for (std::size_t i = 0; i < series.size(); ++i) out += line(series[i], i, frame);
         out += empty_places(series, frame);
-        return above > 0 ? placed(0, above, out) + never_strip(series, frame, above - never_gap) : out;
+        return strip > 0 ? placed(0, strip, out) + never_strip(series, frame, strip - never_gap) : out;
     }
 
     bool has_series() const { return names_.size() > 1; }

@@ -307,7 +307,7 @@ TEST(Referee, AnotherKindsChangedBrainMakesARunByHand) {
 TEST(Referee, AVehicleRemovedBeforeTheFirstTickMakesARunByHand) {
     const Exercise exercise = furnished();
     Referee referee(exercise);
-    for (const std::uint64_t tick : {0, 1}) {
+    for (const std::uint64_t tick : {0U, 1U}) {
         Snapshot now = moment(tick, 3);
         now.vehicles.clear();
         Scene scene = exercise.scene;

@@ -101,7 +101,7 @@ TEST(Session, GoesBackToAnyTickOfTheLastMinuteAndReplaysExactly) {
         ASSERT_EQ(session.snapshot().tick, tick);
         ASSERT_EQ(session.hash(), hashes[tick]);
         ASSERT_EQ(session.undo_depth(), depths[tick]);
-        for (int more = 1; more < 90 && tick + more < hashes.size(); ++more) {
+        for (int more = 1; more < 90 && tick + static_cast<std::uint64_t>(more) < hashes.size(); ++more) {
             session.step();
             ASSERT_EQ(session.hash(), hashes[tick + static_cast<std::uint64_t>(more)]);
         }
