@@ -1,6 +1,7 @@
 #include "app/files/disk.h"
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -25,6 +26,7 @@ namespace {
 
 constexpr std::size_t most_entries = 2000;
 constexpr std::uintmax_t most_to_parse = 1u << 20;  // bytes of a file
+constexpr std::size_t head_size = 1u << 16;         // bytes of a file that is not parsed
 constexpr double time_to_parse = 0.05;              // s for the files of a folder
 
 // True if a TOML file can be parsed as its kind.
@@ -77,7 +79,18 @@ bool is_of_page(const fs::path& path) {
     return path == own.config || path == own.state;
 }
 
-// `may_parse`: to find broken files. Else files count as sound until they are opened.
+// The first bytes of a file and the kind by them.
+Result<FileText> read_head(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string head(head_size, '\0');
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (!in && !in.eof()) return error_of(message_of("unreadable"), path.string());
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    const FileKind kind = detect_kind(path, head);
+    return FileText{path, kind, std::move(head), {}};
+}
+
+// `may_parse`: to find broken files. Else files count as sound until they are opened, and only their heads are read.
 std::optional<FileEntry> entry_of(const fs::directory_entry& found, bool may_parse) {
     FileEntry entry{found.path().filename().string()};
     if (entry.name.empty() || entry.name[0] == '.' || is_of_page(found.path())) return std::nullopt;
@@ -88,13 +101,13 @@ std::optional<FileEntry> entry_of(const fs::directory_entry& found, bool may_par
     if ((extension != ".toml" && extension != io::run_ending) || !found.is_regular_file(problem)) return std::nullopt;
     const std::uintmax_t size = found.file_size(problem);
     if (problem) return std::nullopt;
-    const auto file = read_file(found.path());
+    const bool parse = may_parse && size <= most_to_parse;
+    const auto file = parse ? read_file(found.path()) : read_head(found.path());
     if (!file) {
         entry.broken = true;
         return size <= most_to_parse ? std::optional(entry) : std::nullopt;
     }
     const bool ours = file->kind == FileKind::run || has_format_line(file->text);
-    const bool parse = may_parse && size <= most_to_parse;
     if (!ours && (!parse || is_toml(*file))) return std::nullopt;
     entry.broken = !ours || (parse && !parses(*file));
     entry.kind = ours ? file->kind : FileKind::scene;

@@ -49,5 +49,17 @@ TEST(Disk, ParsesNoMoreOfAFolderThanAFrameHasTimeFor) {
     EXPECT_LT(broken, 60) << "the others count as sound until they are opened";
 }
 
+TEST(Disk, ListsALargeFileByItsHead) {
+    const Folder folder;
+    const std::string filling(2u << 20u, '\n');
+    put_text(folder / "1.toml", "format = 1\n[[step]]\n" + filling);
+    put_text(folder / "2.toml", "format = 1\n" + filling + "[[step]]\n");
+    put_text(folder / "3.toml", filling + "format = 1\n");
+    const auto entries = list_folder(folder.path).entries;
+    ASSERT_EQ(entries.size(), 2u) << "no line of the head tells that the third one is a file of the lab";
+    EXPECT_EQ(entries[0].kind, FileKind::exercise);
+    EXPECT_EQ(entries[1].kind, FileKind::scene) << "its table is not read before the file is opened";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::disk_test
