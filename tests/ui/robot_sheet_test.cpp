@@ -63,6 +63,13 @@ TEST_F(RobotSheet, SaysInTheTitleThatTheFileHasAnotherBrain) {
     EXPECT_FALSE(title().ends_with(", changed")) << "the file is unknown";
 }
 
+TEST_F(RobotSheet, NamesTheBrainByItsFileAsBraitenctlDoes) {
+    const auto title = [&] { return brain_to_export(desk.view, desk.now.vehicles[0]).title; };
+    EXPECT_TRUE(title().starts_with("mine, ")) << title();
+    files.suggested.clear();
+    EXPECT_TRUE(title().starts_with(desk.now.scene->title + ", ")) << title();
+}
+
 TEST_F(RobotSheet, NamesThePartThatTheTargetCannotHold) {
     desk.key({key::escape});
     give_threshold();

@@ -158,6 +158,11 @@ bool is_in_file(const LabView& view, const BrainGraph& brain) {
            std::any_of(view.file->members.begin(), view.file->members.end(), is_same);
 }
 
+// As braitenctl names what it exports: by the file.
+const std::string& name_of_file(const LabView& view) {
+    return view.documents.files ? view.documents.files->suggested : view.documents.opened;
+}
+
 }  // namespace
 
 void begin_robot(RobotState& state) {
@@ -171,12 +176,13 @@ robots::BrainToExport brain_to_export(const LabView& view, const VehicleView& ve
     const Kind& kind = kind_of(*view.now, vehicle);
     const BrainGraph& brain = *brain_of(*view.now, vehicle);
     const std::string changed = is_in_file(view, brain) ? "" : ", changed";
-    return {view.now->scene->title + ", " + kind.name + changed, brain, kind.sensors, kind.body.length,
-            kind.body.width};
+    const std::string& file = name_of_file(view);
+    return {(file.empty() ? view.now->scene->title : file) + ", " + kind.name + changed, brain, kind.sensors,
+            kind.body.length, kind.body.width};
 }
 
 std::string suggested_folder(const LabView& view, const robots::Robot& robot) {
-    const std::string& name = view.documents.files ? view.documents.files->suggested : view.documents.opened;
+    const std::string& name = name_of_file(view);
     return (name.empty() ? "robot" : name) + "-" + std::string(robot.word());
 }
 
