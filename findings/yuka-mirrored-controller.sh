@@ -1,7 +1,7 @@
 #!/bin/bash
 # yuka: a mirrored fuzzy controller turns more to the right than to the left.
 #
-# Guess before the first run: symmetrical sets and rules give the middle of the output by the centroid, so no side is preferred.
+# Guess before the first run: symmetrical sets and rules give the middle of the output by the centroid.
 # Seen: the middle gives the middle, but an error of 5 degrees turns by 7.63 to the right and one of -5 by 5.56 to the left. The
 # module takes the centroid of ten points, with the upper end of the range and without the lower one, and has no setting for
 # their number. With 1000 points both sides are nearly the same, with the mean of the maxima exactly.
