@@ -2,9 +2,9 @@
 // it.
 //
 // A goal is one struct: its parameters, `traits`, `needed()`, its `State` (what it remembers from tick to tick; finite
-// numbers only), the description of its file keys and an overload of `measure`. To add a goal, write the struct and its
-// `measure` in core/lesson/goals/ and list it in `Goal` (core/lesson/goals.h). Reading, error messages, documentation
-// and saved state derive from these.
+// numbers only), the description of its file keys, the list of its state's values and an overload of `measure`. To add
+// a goal, write the struct and its `measure` in core/lesson/goals/ and list it in `Goal` (core/lesson/goals.h).
+// Reading, error messages, documentation and saved state derive from these.
 #pragma once
 
 #include <optional>
@@ -57,10 +57,10 @@ struct Reading {
     bool lost = false;  // true when the goal cannot be met any more in this run
 };
 
-// A state without values.
+// Each state with values has such a function, which passes them to a JsonWriter or a JsonReader (core/io/json.h).
 template <class State>
 requires std::is_empty_v<State>
-void describe(auto&, Of<State>) {}
+void visit_values(auto, auto&, Of<State>) {}
 
 // A second value of a goal, measured together with the first one; at most `needed`. A goal with one has a function
 // second(State).

@@ -280,7 +280,7 @@ Json state_json(const CheckState& state) {
                 goal = Json::array();
                 for (const CheckState& each : own.checks) goal.push_back(state_json(each));
             } else {
-                io::visit_described<Own>(io::JsonWriter{goal}, own);
+                visit_values(io::JsonWriter{goal}, own, Of<Own>{});
             }
         },
         state.goal);
@@ -299,7 +299,7 @@ void read_state(const Json& json, CheckState& state) {
             if constexpr (requires { own.checks; }) {
                 for (std::size_t i = 0; i < own.checks.size(); ++i) read_state(goal.at(i), own.checks[i]);
             } else {
-                io::visit_described<Own>(io::JsonReader{goal}, own);
+                visit_values(io::JsonReader{goal}, own, Of<Own>{});
             }
         },
         state.goal);

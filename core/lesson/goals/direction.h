@@ -59,7 +59,7 @@ void describe(auto& v, Of<Faces>) {
 }
 
 // ── States, for saved work ──
-void describe(auto& v, Of<TurnsTo::State>) { v.flag("was_outside", &TurnsTo::State::was_outside, ""); }
-void describe(auto& v, Of<TurnsAway::State>) { v.flag("was_inside", &TurnsAway::State::was_inside, ""); }
+void visit_values(auto values, auto& s, Of<TurnsTo::State>) { values.value("was_outside", s.was_outside); }
+void visit_values(auto values, auto& s, Of<TurnsAway::State>) { values.value("was_inside", s.was_inside); }
 
 }  // namespace braitenlab::goals

@@ -126,23 +126,17 @@ void describe(auto& v, Of<SpeedFollows>) {
 }
 
 // ── States, for saved work ──
-void describe(auto& v, Of<Survives::State>) { v.number("fell_at", &Survives::State::fell_at, "s", {-1, 1e6}, ""); }
-void describe(auto& v, Of<SpeedsUp::State>) {
-    v.number("first_speed", &SpeedsUp::State::first_speed, "m/s", {0, 1e6}, "");
-    v.number("ratio", &SpeedsUp::State::ratio, "×", {0, 1e6}, "");
-    v.flag("decided", &SpeedsUp::State::decided, "");
+void visit_values(auto values, auto& s, Of<Survives::State>) { values.value("fell_at", s.fell_at); }
+void visit_values(auto values, auto& s, Of<SpeedsUp::State>) {
+    values.value("first_speed", s.first_speed), values.value("ratio", s.ratio), values.value("decided", s.decided);
 }
-void describe(auto& v, Of<KeepsMoving::State>) {
-    v.number("slow_since", &KeepsMoving::State::slow_since, "ticks", {-1, 1e15}, "");
-    v.number("longest", &KeepsMoving::State::longest, "ticks", {0, 1e15}, "");
+void visit_values(auto values, auto& s, Of<KeepsMoving::State>) {
+    values.value("slow_since", s.slow_since), values.value("longest", s.longest);
 }
-void describe(auto& v, Of<SpeedFollows::State>) {
-    v.number("count", &SpeedFollows::State::count, "", {0, 1e9}, "");
-    v.number("mean_speed", &SpeedFollows::State::mean_speed, "m/s", {-1e6, 1e6}, "");
-    v.number("mean_reading", &SpeedFollows::State::mean_reading, "", {-1e6, 1e6}, "");
-    v.number("speed_moment", &SpeedFollows::State::speed_moment, "", {0, 1e9}, "");
-    v.number("reading_moment", &SpeedFollows::State::reading_moment, "", {0, 1e9}, "");
-    v.number("product_moment", &SpeedFollows::State::product_moment, "", {-1e9, 1e9}, "");
+void visit_values(auto values, auto& s, Of<SpeedFollows::State>) {
+    values.value("count", s.count), values.value("mean_speed", s.mean_speed);
+    values.value("mean_reading", s.mean_reading), values.value("speed_moment", s.speed_moment);
+    values.value("reading_moment", s.reading_moment), values.value("product_moment", s.product_moment);
 }
 
 }  // namespace braitenlab::goals

@@ -109,14 +109,12 @@ void describe(auto& v, Of<Matches>) {
 }
 
 // ── States, for saved work ──
-void describe(auto& v, Of<Follows::State>) { v.number("degrees", &Follows::State::degrees, "°", {0, 180}, ""); }
-void describe(auto& v, Of<Recharges::State>) {
-    v.flag("is_low", &Recharges::State::is_low, "");
-    v.number("times", &Recharges::State::times, "", {0, 1e9}, "");
+void visit_values(auto values, auto& s, Of<Follows::State>) { values.value("degrees", s.degrees); }
+void visit_values(auto values, auto& s, Of<Recharges::State>) {
+    values.value("is_low", s.is_low), values.value("times", s.times);
 }
-void describe(auto& v, Of<Matches::State>) {
-    v.number("count", &Matches::State::count, "", {0, 1e9}, "");
-    v.number("mean", &Matches::State::mean, "m", {0, 1e6}, "");
+void visit_values(auto values, auto& s, Of<Matches::State>) {
+    values.value("count", s.count), values.value("mean", s.mean);
 }
 
 }  // namespace braitenlab::goals

@@ -173,29 +173,20 @@ void describe(auto& v, Of<FollowsLine>) {
 }
 
 // ── States, for saved work ──
-void describe(auto& v, Of<Avoids::State>) { v.number("nearest", &Avoids::State::nearest, "m", {-1, 1e6}, ""); }
-void describe(auto& v, Of<Circles::State>) {
-    v.flag("inside", &Circles::State::inside, "");
-    v.number("bearing", &Circles::State::bearing, "rad", {-4, 4}, "");
-    v.number("turned", &Circles::State::turned, "rad", {-1e15, 1e15}, "");
+void visit_values(auto values, auto& s, Of<Avoids::State>) { values.value("nearest", s.nearest); }
+void visit_values(auto values, auto& s, Of<Circles::State>) {
+    values.value("inside", s.inside), values.value("bearing", s.bearing), values.value("turned", s.turned);
 }
-void describe(auto& v, Of<SteadyDistance::State>) {
-    v.number("since", &SteadyDistance::State::since, "ticks", {-1, 1e15}, "");
-    v.number("nearest", &SteadyDistance::State::nearest, "m", {0, 1e6}, "");
-    v.number("furthest", &SteadyDistance::State::furthest, "m", {0, 1e6}, "");
+void visit_values(auto values, auto& s, Of<SteadyDistance::State>) {
+    values.value("since", s.since), values.value("nearest", s.nearest), values.value("furthest", s.furthest);
 }
-void describe(auto& v, Of<Visits::State>) { v.number("visited", &Visits::State::visited, "", {0, 1.8e19}, ""); }
-void describe(auto& v, Of<DrivesThrough::State>) {
-    v.flag("begun", &DrivesThrough::State::begun, "");
-    v.flag("crossed", &DrivesThrough::State::crossed, "");
-    v.number("x", &DrivesThrough::State::x, "m", {-1e6, 1e6}, "");
-    v.number("y", &DrivesThrough::State::y, "m", {-1e6, 1e6}, "");
-    v.number("moves", &DrivesThrough::State::moves, "", {0, 1e15}, "");
+void visit_values(auto values, auto& s, Of<Visits::State>) { values.value("visited", s.visited); }
+void visit_values(auto values, auto& s, Of<DrivesThrough::State>) {
+    values.value("begun", s.begun), values.value("crossed", s.crossed);
+    values.value("x", s.x), values.value("y", s.y), values.value("moves", s.moves);
 }
-void describe(auto& v, Of<FollowsLine::State>) {
-    v.flag("begun", &FollowsLine::State::begun, "");
-    v.number("bearing", &FollowsLine::State::bearing, "rad", {-4, 4}, "");
-    v.number("turned", &FollowsLine::State::turned, "rad", {-1e15, 1e15}, "");
+void visit_values(auto values, auto& s, Of<FollowsLine::State>) {
+    values.value("begun", s.begun), values.value("bearing", s.bearing), values.value("turned", s.turned);
 }
 
 }  // namespace braitenlab::goals
