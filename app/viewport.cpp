@@ -158,7 +158,7 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
                   Rect window, Rect free_area, float seconds) {
     const ImGuiIO& io = ImGui::GetIO();
     const vec2 at{io.MousePos.x, io.MousePos.y}, moved = scene_input.drag.moved;
-    const vec2 middle{free_area.x + free_area.w / 2, free_area.y + free_area.h / 2};
+    const vec2 middle = free_area.middle();
     const bool by_mouse = scene_input.drag.phase == ui::SceneInputPhase::orbit ||
                           scene_input.drag.phase == ui::SceneInputPhase::pan ||
                           (!io.WantCaptureMouse && io.MouseWheel != 0);

@@ -23,7 +23,7 @@ void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& la
             const auto at = project(picture.camera_view, label->place, spot.height);
             if (!at) return false;
             const maths::vec2 middle = *at + spot.offset * picture.pixel_scale;
-            if (!window.contains(middle.x, middle.y)) return false;
+            if (!window.contains(middle)) return false;
             // Half the extent of the text in the direction `away`, so that the text does not cover its position.
             const float reach = std::fabs(spot.away.x) * half.x + std::fabs(spot.away.y) * half.y;
             const maths::vec2 centre = middle + spot.away * reach;

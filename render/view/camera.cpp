@@ -111,7 +111,7 @@ Stand overview(const Camera& camera, const Arena& arena, const FloorBox& box, Re
 
     // Lens shift: the centre of the box's picture is in the centre of the free area.
     const Extent e = extent_from(distance, corners);
-    const vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
+    const vec2 middle = area.middle();
     const vec2 shift{(e.left + e.right) / 2, (e.bottom + e.top) / 2};
     const vec3 target = to_gl(centre + camera.pan);
     const float size = std::hypot(arena.width, arena.height);
@@ -133,7 +133,7 @@ CameraView birds_eye(const Camera& camera, const FloorBox& box, float border, Re
         return std::fabs(along.x) * side.x + std::fabs(along.y) * side.y + 2 * border;
     };
     const float scale = std::min(area.w / extent(right), area.h / extent(back)) * clamped_zoom(camera);  // px a metre
-    const vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
+    const vec2 middle = area.middle();
     CameraView camera_view;
     camera_view.window = window;
     camera_view.eye = to_gl(target, high);
@@ -150,7 +150,7 @@ Stand riding(const Camera& camera, const VehicleView& vehicle, float scale, Rect
     return {eye,
             to_gl(place + ahead * (1.4f * scale), 0.2f * scale),
             window.h / (2 * std::tan(follow_field / 2)),
-            {area.x + area.w / 2, area.y + area.h / 2},
+            area.middle(),
             0.08f * scale,
             300};
 }
@@ -161,7 +161,7 @@ Stand driving(const Camera& camera, const VehicleView& vehicle, float scale, Rec
     return {to_gl(place - ahead * (0.12f * scale), 0.62f * scale),
             to_gl(place + ahead * (2.4f * scale), 0.12f * scale),
             window.h / (2 * std::tan(driver_field / 2)) * clamped_zoom(camera),
-            {area.x + area.w / 2, area.y + area.h / 2},
+            area.middle(),
             0.05f * scale,
             300};
 }

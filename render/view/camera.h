@@ -41,11 +41,17 @@ inline float obstacle_height(const Arena& arena) { return 0.42f * scale_of(arena
 // A rectangle in window pixels, y down.
 struct Rect {
     float x = 0, y = 0, w = 0, h = 0;
+    maths::vec2 middle() const { return {x + w / 2, y + h / 2}; }
     bool contains(float px, float py) const { return px >= x && px < x + w && py >= y && py < y + h; }
+    bool contains(maths::vec2 at) const { return contains(at.x, at.y); }
     // Rectangles that only touch do not overlap.
     bool overlaps(const Rect& r) const { return r.x < x + w && x < r.x + r.w && r.y < y + h && y < r.y + r.h; }
     friend bool operator==(const Rect&, const Rect&) = default;
 };
+
+inline Rect square_around(maths::vec2 middle, float side) {
+    return {middle.x - side / 2, middle.y - side / 2, side, side};
+}
 
 // The camera settings that a user changes. Default: the action (framing.h).
 struct Camera {

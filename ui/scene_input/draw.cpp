@@ -135,8 +135,7 @@ private:
         const auto knob = project(frame_.camera_view, handle.knob);
         if (!knob) return;
         dot({knob->x, knob->y}, (warm ? 8.0f : 6.0f) * finger_size(frame_.view), colour);
-        const float size = ui_.px(2 * handle_grip) * finger_reach(frame_.view);
-        ui_.anchors.record("stage.knob", {knob->x - size / 2, knob->y - size / 2, size, size});
+        ui_.anchors.record("stage.knob", square_around(*knob, ui_.px(2 * handle_grip) * finger_reach(frame_.view)));
     }
 
     void note_pose() const {
@@ -171,8 +170,7 @@ private:
         const auto pixel = state_.crosshair ? project(frame_.camera_view, *state_.crosshair) : frame_.pointer.at;
         if (!pixel) return;
         draw_cross(*pixel);
-        const float size = ui_.px(16);
-        ui_.anchors.record("stage.crosshair", {pixel->x - size / 2, pixel->y - size / 2, size, size});
+        ui_.anchors.record("stage.crosshair", square_around(*pixel, ui_.px(16)));
     }
 
     void draw_span(const std::optional<vec2>& next) const {
@@ -335,9 +333,7 @@ void paint_note(const Ui& ui, const Rect& place, std::string_view words, Colour 
 
 constexpr std::array label_gaps{7.0f, 14.0f, 21.0f, 28.0f, label_reach};
 
-float between_middles(const Rect& a, const Rect& b) {
-    return std::hypot(b.x + b.w / 2 - a.x - a.w / 2, b.y + b.h / 2 - a.y - a.h / 2);
-}
+float between_middles(const Rect& a, const Rect& b) { return maths::distance(a.middle(), b.middle()); }
 
 // The free place nearest to the thing that `suits`; on the other side only if there is none on its own.
 template <class Suits>
@@ -386,7 +382,7 @@ std::optional<Rect> place_of_label(const SceneInputFrame& frame, const Ui& ui, I
 
 // From the label to the thing, where there is floor between them.
 void draw_leader(const Ui& ui, const Rect& label, const Rect& thing, Colour colour) {
-    const vec2 middle{thing.x + thing.w / 2, thing.y + thing.h / 2};
+    const vec2 middle = thing.middle();
     const auto nearest = [](const Rect& r, vec2 p) {
         return vec2{std::clamp(p.x, r.x, r.x + r.w), std::clamp(p.y, r.y, r.y + r.h)};
     };
@@ -423,8 +419,7 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
         put_on(*ImGui::GetBackgroundDrawList(), ui, {at->x - w / 2, at->y - h / 2}, words, ui.palette.ground,
                Face::small);
     }
-    const float reach = ui.px(handle_grip) * finger_reach(frame.view);
-    ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
+    ui.anchors.record(anchor, square_around(*at, ui.px(2 * handle_grip) * finger_reach(frame.view)));
 }
 
 void draw_label(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, Rect thing,

@@ -38,10 +38,9 @@ void name_end(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2
     const auto at = project(frame.camera_view, points.back());
     if (!at) return;
     constexpr float radius = 4, around = 6;
-    const float half = ui.px(around);
     const std::optional<Rect> body = body_at(frame, *at);
     if (!body) draw_dot(ui, {at->x, at->y}, radius, colour);
-    draw_label(frame, ui, words, colour, body.value_or(Rect{at->x - half, at->y - half, 2 * half, 2 * half}), side);
+    draw_label(frame, ui, words, colour, body.value_or(square_around(*at, ui.px(2 * around))), side);
 }
 
 // True if the first point is higher on the screen.
@@ -56,10 +55,8 @@ void draw_last_path(const SceneInputFrame& frame, const Ui& ui, GhostView run) {
     draw_path_dots(frame, ui, run, ui.palette.second_text);
     const Pose end = run.path->back();
     name_end(frame, ui, {{end.x, end.y}}, ui.strings("scene_input.last_run"), ui.palette.second_text);
-    if (const auto at = project(frame.camera_view, {end.x, end.y})) {
-        const float size = ui.px(24);
-        ui.anchors.record("stage.last_run", {at->x - size / 2, at->y - size / 2, size, size});
-    }
+    if (const auto at = project(frame.camera_view, {end.x, end.y}))
+        ui.anchors.record("stage.last_run", square_around(*at, ui.px(24)));
 }
 
 void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const PredictionView& shown) {
@@ -90,10 +87,8 @@ void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const Predictio
     if (seconds > 0 && moves)
         name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour,
                  side);
-    if (const auto at = project(frame.camera_view, points.back())) {
-        const float size = ui.px(16);
-        ui.anchors.record("stage.prediction", {at->x - size / 2, at->y - size / 2, size, size});
-    }
+    if (const auto at = project(frame.camera_view, points.back()))
+        ui.anchors.record("stage.prediction", square_around(*at, ui.px(16)));
 }
 
 // The path of the cell of the map under the pointer, and its kind.
@@ -168,10 +163,8 @@ void draw_slots(const SceneInputFrame& frame, const Ui& ui, const SlotsView& slo
         const std::vector<vec2> points = driven(*slots.a);
         draw_floor_line(frame, ui, points, p.slot_a, line_width);
         draw_label(frame, ui, "A", p.slot_a, *a, NoteSide::any, b);
-        if (const auto at = project(frame.camera_view, points.back())) {
-            const float size = ui.px(24);
-            ui.anchors.record("stage.slot_a", {at->x - size / 2, at->y - size / 2, size, size});
-        }
+        if (const auto at = project(frame.camera_view, points.back()))
+            ui.anchors.record("stage.slot_a", square_around(*at, ui.px(24)));
     }
     if (!slots.b) return;
     draw_dashes(frame, ui, driven(*slots.b), p.slot_b);

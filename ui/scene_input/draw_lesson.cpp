@@ -47,8 +47,7 @@ private:
     }
     void name(vec2 place, std::string_view key, Colour edge) const {
         const auto at = project(frame_.camera_view, place);
-        const float half = ui_.px(3);
-        if (at) draw_label(frame_, ui_, ui_.strings(key), edge, {at->x - half, at->y - half, 2 * half, 2 * half});
+        if (at) draw_label(frame_, ui_, ui_.strings(key), edge, square_around(*at, ui_.px(6)));
     }
 
     // A ring around the vehicle at which the path begins.
@@ -62,8 +61,7 @@ private:
                            maths::from_polar(0.95f, 2 * maths::pi * static_cast<float>(i) / segments));
         line(ring, ui_.palette.accent.with_alpha(0.5f + 0.5f * ui_.pulse), 2.5f);
         const auto at = project(frame_.camera_view, {vehicle->x, vehicle->y});
-        const float size = ui_.px(24);
-        if (at) ui_.anchors.record("stage.path", {at->x - size / 2, at->y - size / 2, size, size});
+        if (at) ui_.anchors.record("stage.path", square_around(*at, ui_.px(24)));
     }
 
     void draw_paths(const LessonView& lesson) const {

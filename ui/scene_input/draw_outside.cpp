@@ -21,7 +21,7 @@ constexpr std::size_t most = 24;                                              //
 
 // Where the line from the middle of the area to a point outside leaves the area.
 vec2 at_edge(const Rect& area, vec2 outside) {
-    const vec2 middle{area.x + area.w / 2, area.y + area.h / 2}, way = outside - middle;
+    const vec2 middle = area.middle(), way = outside - middle;
     const float x = way.x != 0 ? 0.5f * area.w / std::fabs(way.x) : 1e9f;
     const float y = way.y != 0 ? 0.5f * area.h / std::fabs(way.y) : 1e9f;
     return middle + way * std::min(x, y);
@@ -49,10 +49,9 @@ void draw_sources_outside(const SceneInputFrame& frame, const Ui& ui) {
         };
         arrow(rim, ui.palette.ground.with_alpha(0.85f));
         arrow(0, colour_of(ui.palette, source.channel));
-        const float size = ui.px(2 * tip);
-        if (frame.labels) frame.labels->take({at.x - size / 2, at.y - size / 2, size, size});
-        ui.anchors.record("stage.outside." + std::to_string(source.source),
-                          {at.x - size / 2, at.y - size / 2, size, size});
+        const Rect place = square_around(at, ui.px(2 * tip));
+        if (frame.labels) frame.labels->take(place);
+        ui.anchors.record("stage.outside." + std::to_string(source.source), place);
     }
 }
 

@@ -75,8 +75,7 @@ void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView&
         if (at && !bodies.cover(*at)) {
             const float length = ghost.length * pixels_per_metre(frame.camera_view, {pose.x, pose.y}) / ui.scale;
             const float radius = std::clamp(radius_in_body * length, smallest, largest);
-            const float half = ui.px(radius + 1);
-            if (frame.labels) frame.labels->take({at->x - half, at->y - half, 2 * half, 2 * half});
+            if (frame.labels) frame.labels->take(square_around(*at, ui.px(2 * (radius + 1))));
             draw_dot(ui, {at->x, at->y}, radius, colour.with_alpha(0.8f - 0.6f * age), border_in_radius * radius);
         }
         if (tick == 0) break;
@@ -163,9 +162,7 @@ std::optional<Rect> body_at(const SceneInputFrame& frame, vec2 pixel) {
 
 Rect picture_of_body(const SceneInputFrame& frame, vec2 place, float length) {
     const auto at = project(frame.camera_view, place);
-    if (!at) return {};
-    const float half = 0.5f * length * pixels_per_metre(frame.camera_view, place);
-    return {at->x - half, at->y - half, 2 * half, 2 * half};
+    return at ? square_around(*at, length * pixels_per_metre(frame.camera_view, place)) : Rect{};
 }
 
 void draw_ghost(const SceneInputFrame& frame, const Ui& ui, const GhostView& ghost, const GhostLook& look) {
@@ -194,8 +191,7 @@ void draw_ghost(const SceneInputFrame& frame, const Ui& ui, const GhostView& gho
         frame.labels->take(body);
         draw_label(frame, ui, look.words, look.edge, body, NoteSide::any, look.other);
     }
-    const float size = ui.px(24);
-    if (at) ui.anchors.record(std::string(look.anchor), {at->x - size / 2, at->y - size / 2, size, size});
+    if (at) ui.anchors.record(std::string(look.anchor), square_around(*at, ui.px(24)));
 }
 
 }  // namespace braitenlab::ui

@@ -258,7 +258,7 @@ void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outb
     if (maths::distance(state.pointer, frame.pointer.at) > 1) state.crosshair.reset();  // the mouse points again
     state.pointer = frame.pointer.at;
     state.over = frame.pointer.over;
-    state.middle = {frame.area.x + frame.area.w / 2, frame.area.y + frame.area.h / 2};
+    state.middle = frame.area.middle();
     if (use_path_drawing(state, frame, outbox)) return;
     if (use_sensor_handles(state, frame, outbox) || use_point_handles(state, frame, outbox)) return;
     state.hovered = under_pointer(state, frame);

@@ -70,8 +70,7 @@ void step_in_menu(CanvasMenu& menu, Direction direction) {
 void reveal_focus(CanvasState& state, const CanvasFrame& frame) {
     const auto at = centre_of(frame.layout, state.focus);
     if (!at) return;
-    const maths::vec2 pixel = view_of(state.camera, frame.area, frame.ui_scale).to_window(*at);
-    if (state.camera.by_user || !frame.area.contains(pixel.x, pixel.y))
+    if (state.camera.by_user || !frame.area.contains(view_of(state, frame).to_window(*at)))
         reveal(state.camera, frame.area, frame.ui_scale, *at);
 }
 

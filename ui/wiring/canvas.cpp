@@ -40,10 +40,8 @@ Pointer read_pointer(bool over) {
 }
 
 bool shows_all(const Layout& layout, const View& view, Rect area) {
-    return std::all_of(layout.nodes.begin(), layout.nodes.end(), [&](const NodeShape& node) {
-        const vec2 at = view.to_window(node.centre);
-        return area.contains(at.x, at.y);
-    });
+    return std::all_of(layout.nodes.begin(), layout.nodes.end(),
+                       [&](const NodeShape& node) { return area.contains(view.to_window(node.centre)); });
 }
 
 // True when the brain has new nodes that the user has not just added: added ones are selected.
@@ -89,9 +87,7 @@ void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
     const bool resized = before.window != now.window || before.ui_scale != now.ui_scale || other_pane;
     if (another) state.selection = {}, state.drag = {}, state.menu = {}, state.joining.reset(), state.focus = {};
     if (!another && !resized && before.area != area)
-        state.camera.middle += (vec2{area.x + area.w / 2, area.y + area.h / 2} -
-                                vec2{before.area.x + before.area.w / 2, before.area.y + before.area.h / 2}) /
-                               (state.camera.zoom * ui_scale);
+        state.camera.middle += (area.middle() - before.area.middle()) / (state.camera.zoom * ui_scale);
     const bool outgrown = !another && before.brain != brain &&
                           has_foreign_nodes(*brain, *before.brain, state.selection) &&
                           !shows_all(lay_out(), view_of(state.camera, area, ui_scale), area);
@@ -123,7 +119,7 @@ std::vector<CornerButton> corner_buttons(const Ui& ui, Rect area, Pointer& point
         const float width = text_width(ui, Face::text, button.words) + ui.px(spacing::wide);
         button.rect = {right - width, area.y + ui.px(spacing::medium), width, ui.px(ui.tall(32))};
         right -= width + ui.px(spacing::small);
-        button.hovered = pointer.over && button.rect.contains(pointer.at.x, pointer.at.y);
+        button.hovered = pointer.over && button.rect.contains(pointer.at);
         button.pressed = button.hovered && pointer.left_pressed;
     }
     for (const CornerButton& button : buttons)

@@ -121,7 +121,7 @@ std::vector<NodeId> sensors_aside(const LabView& view, const VehicleView& vehicl
 
 // Records an anchor whose centre is in the area and draws the highlight around the highlighted one.
 void record_anchor(Ui& ui, Rect area, const std::string& id, Rect rect) {
-    if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
+    if (!area.contains(rect.middle())) return;
     ui.anchors.record(id, rect);
     if (ui.highlight == id) point_out(ui, rect);
 }

@@ -38,8 +38,8 @@ void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainFragment&
     const Pasted pasted = paste_fragment(frame.graph, fragment, middle);
     if (!pasted.edit) return show_refusal(state, frame, pasted.edit.refusal);
     state.selection = {pasted.added, {}};
-    const vec2 pixel = view_of(state, frame).to_window(middle);
-    if (!frame.area.contains(pixel.x, pixel.y)) reveal(state.camera, frame.area, frame.ui_scale, middle);
+    if (!frame.area.contains(view_of(state, frame).to_window(middle)))
+        reveal(state.camera, frame.area, frame.ui_scale, middle);
     send_edit(state, frame, pasted.edit, state.next_gesture++, outbox);
 }
 
@@ -60,7 +60,7 @@ std::string refusal_key(Refusal refusal) { return "wiring.refused." + std::strin
 
 void show_refusal(CanvasState& state, const CanvasFrame& frame, const std::string& key) {
     const Rect& area = frame.area;
-    const bool inside = frame.pointer.valid && area.contains(frame.pointer.at.x, frame.pointer.at.y);
+    const bool inside = frame.pointer.valid && area.contains(frame.pointer.at);
     const vec2 at = inside ? frame.pointer.at : vec2{area.x + area.w / 3, area.y + area.h / 2};
     state.refusal = {key, at, frame.wall_seconds + refusal_seconds};
 }

@@ -42,7 +42,7 @@ std::optional<Minimap> minimap_now(const CanvasState& state, const CanvasFrame& 
 
 bool on_minimap(const CanvasState& state, const CanvasFrame& frame) {
     const auto map = minimap_now(state, frame);
-    return map && map->rect.contains(frame.pointer.at.x, frame.pointer.at.y);
+    return map && map->rect.contains(frame.pointer.at);
 }
 
 void press(CanvasState& state, const CanvasFrame& frame) {

@@ -209,7 +209,7 @@ Rect row_rect(const CanvasMenu& menu, std::size_t wanted) {
 
 int row_at(const CanvasMenu& menu, maths::vec2 pixel) {
     for (std::size_t i = 0; i < menu.rows.size(); ++i)
-        if (row_rect(menu, i).contains(pixel.x, pixel.y)) return static_cast<int>(i);
+        if (row_rect(menu, i).contains(pixel)) return static_cast<int>(i);
     return -1;
 }
 

@@ -81,13 +81,13 @@ Hit nearest_pin(const Layout& layout, const View& view, vec2 pixel, float reach)
 
 Hit node_at(const Layout& layout, const View& view, vec2 pixel) {
     for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node)
-        if (node_rect(view, *node).contains(pixel.x, pixel.y)) return {Part::node, node->id, {}};
+        if (node_rect(view, *node).contains(pixel)) return {Part::node, node->id, {}};
     return {};
 }
 
 Hit label_at(const Layout& layout, const View& view, vec2 pixel) {
     for (auto wire = layout.wires.rbegin(); wire != layout.wires.rend(); ++wire)
-        if (label_rect(view, *wire).contains(pixel.x, pixel.y)) return {Part::label, 0, wire->ends};
+        if (label_rect(view, *wire).contains(pixel)) return {Part::label, 0, wire->ends};
     return {};
 }
 
@@ -106,7 +106,7 @@ static_assert(has_enumerators<Direction, directions.size()>());
 
 View view_of(const CanvasCamera& camera, Rect area, float ui_scale) {
     const float scale = camera.zoom * ui_scale;
-    return {vec2{area.x + area.w / 2, area.y + area.h / 2} - camera.middle * scale, scale};
+    return {area.middle() - camera.middle * scale, scale};
 }
 
 void zoom_at(CanvasCamera& camera, Rect area, float ui_scale, vec2 pixel, float factor) {
@@ -154,13 +154,13 @@ std::optional<Minimap> minimap_of(const Layout& layout, const View& view, Rect a
     if (layout.nodes.size() < minimap_from) return {};
     if (area.w < 2.5f * width * ui_scale || area.h < 2.5f * height * ui_scale) return {};
     const vec2 low = view.to_window(layout.low), high = view.to_window(layout.high);
-    if (area.contains(low.x, low.y) && area.contains(high.x, high.y)) return {};
+    if (area.contains(low) && area.contains(high)) return {};
     Minimap map;
     map.rect = {area.x + area.w - (width + away) * ui_scale, area.y + area.h - (height + away) * ui_scale,
                 width * ui_scale, height * ui_scale};
     const vec2 size = layout.high - layout.low, room = vec2{width - 2 * margin, height - 2 * margin} * ui_scale;
     map.view.scale = std::min(room.x / size.x, room.y / size.y);
-    const vec2 middle{map.rect.x + map.rect.w / 2, map.rect.y + map.rect.h / 2};
+    const vec2 middle = map.rect.middle();
     map.view.origin = middle - (layout.low + layout.high) / 2 * map.view.scale;
     return map;
 }
