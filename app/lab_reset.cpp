@@ -35,8 +35,7 @@ namespace {
 bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& shipped) {
     return kind < now.kind_brains.size() && *now.kind_brains[kind] == shipped &&
            std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
-               return static_cast<std::size_t>(v.kind) != kind ||
-                      *now.brains[static_cast<std::size_t>(v.brain)] == shipped;
+               return static_cast<std::size_t>(v.kind) != kind || *brain_of(now, v) == shipped;
            });
 }
 

@@ -157,7 +157,7 @@ void add_pairs(Json& state, const Snapshot& now, const VehicleView* vehicle, con
 
 void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle, const std::string& pair_name) {
     const BrainGraph none;
-    const BrainGraph& brain = vehicle ? *now.brains[static_cast<std::size_t>(vehicle->brain)] : none;
+    const BrainGraph& brain = vehicle ? *brain_of(now, *vehicle) : none;
     const SensorPair pair = vehicle ? chosen_pair(kind_of(now, *vehicle), pair_name) : SensorPair{};
     const FourNeurons four = read_dials(brain, pair);
     add_pairs(state, now, vehicle, pair);

@@ -203,7 +203,7 @@ Result<std::uint64_t> save_as(const Workspace& space, const fs::path& path, File
     const Snapshot& now = space.document.session.snapshot();
     const VehicleView* vehicle = find_vehicle(now, space.view.selection.vehicle);
     if (!vehicle) return error_of(message_of("no_brain_to_save"));
-    return write(write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
+    return write(write_brain(*brain_of(now, *vehicle)));
 }
 
 std::optional<Error> take_brain(Workspace& space, const FileText& file) {
@@ -212,9 +212,7 @@ std::optional<Error> take_brain(Workspace& space, const FileText& file) {
     if (!vehicle) return error_of(message_of("no_vehicle_for_brain"), file.path.string());
     auto brain = parse_brain(file.text, file.path.string());
     if (!brain) return brain.error();
-    const Target target =
-        space.view.selection.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
-    auto error = session.apply(SetBrain{target, std::move(*brain)});
+    auto error = session.apply(SetBrain{target_of(space.view.selection, *vehicle), std::move(*brain)});
     if (!error) ++space.document.edits;
     return error;
 }

@@ -113,8 +113,7 @@ Submission submission_of(const Exercise& exercise, const Snapshot& now) {
     const auto index =
         static_cast<std::size_t>(subject == now.vehicles.end() ? subject_kind(exercise.scene) : subject->kind);
     if (index >= now.scene->kinds.size()) return as_shipped(exercise);  // the kind was removed
-    const BrainGraph& brain =
-        subject == now.vehicles.end() ? *now.kind_brains[index] : *now.brains[static_cast<std::size_t>(subject->brain)];
+    const BrainGraph& brain = subject == now.vehicles.end() ? *now.kind_brains[index] : *brain_of(now, *subject);
     const Kind& kind = subject == now.vehicles.end() ? now.scene->kinds[index] : kind_of(now, *subject);
     return {brain, kind.sensors, kind.body};
 }

@@ -13,7 +13,7 @@ namespace {
 
 // The brain of a vehicle if it differs from that of its kind.
 std::optional<BrainGraph> own_brain(const Snapshot& now, const VehicleView& vehicle) {
-    const auto& brain = now.brains[static_cast<std::size_t>(vehicle.brain)];
+    const auto& brain = brain_of(now, vehicle);
     const auto& of_kind = now.kind_brains[static_cast<std::size_t>(vehicle.kind)];
     if (brain == of_kind || *brain == *of_kind) return std::nullopt;
     return *brain;

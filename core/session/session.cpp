@@ -396,7 +396,7 @@ std::map<VehicleId, VehicleId> Session::renumber_after_reset(const Snapshot& bef
         return known->second;
     };
     for (const VehicleView& v : before.vehicles) {
-        const BrainGraph& brain = *before.brains[static_cast<std::size_t>(v.brain)];
+        const BrainGraph& brain = *brain_of(before, v);
         const VehicleId id = number(v.id);
         const VehicleView* now = find_vehicle(snapshot_, id);
         if (!now || now->kind != v.kind) continue;

@@ -35,13 +35,12 @@ int place_of_new(const std::vector<Thing>& things, int before) {
 
 // The commands that restore the present brains of a target.
 Commands same_brains(const Snapshot& now, const Target& target) {
-    if (const VehicleView* v = find_vehicle(now, target.vehicle))
-        return {SetBrain{target, *now.brains[static_cast<std::size_t>(v->brain)]}};
+    if (const VehicleView* v = find_vehicle(now, target.vehicle)) return {SetBrain{target, *brain_of(now, *v)}};
     const auto* of_kind = at(now.kind_brains, target.kind);
     if (!of_kind) return {};
     Commands commands{SetBrain{target, **of_kind}};
     for (const VehicleView& v : now.vehicles) {  // vehicles of the kind with an individual brain
-        const BrainGraph& brain = *now.brains[static_cast<std::size_t>(v.brain)];
+        const BrainGraph& brain = *brain_of(now, v);
         if (v.kind == target.kind && brain != **of_kind) commands.push_back(SetBrain{{.vehicle = v.id}, brain});
     }
     return commands;
@@ -73,7 +72,7 @@ AddVehicle bringing_back(const Snapshot& now, const VehicleView& v) {
     AddVehicle add;
     add.kind = v.kind;
     add.at = Pose{v.x, v.y, v.heading};
-    add.brain = *now.brains[static_cast<std::size_t>(v.brain)];
+    add.brain = *brain_of(now, v);
     add.energy = v.energy;
     add.driver = v.driver;
     add.id = v.id;

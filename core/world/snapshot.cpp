@@ -99,7 +99,7 @@ std::vector<sensing::Stimulus> stimuli_beside(const Snapshot& now, Channel chann
 }  // namespace
 
 float node_value(const Snapshot& now, const VehicleView& vehicle, NodeId id) {
-    const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+    const BrainGraph& brain = *brain_of(now, vehicle);
     const Node* node = find_node(brain, id);
     if (!node || node->silenced) return 0;
     if (node->kind == NodeKind::sensor) return sensor_value(now, vehicle, node->name);
@@ -114,7 +114,7 @@ float node_value(const Snapshot& now, const VehicleView& vehicle, NodeId id) {
 }
 
 float learned(const Snapshot& now, const VehicleView& vehicle, NodeId from, NodeId to) {
-    const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+    const BrainGraph& brain = *brain_of(now, vehicle);
     const Wire* wire = find_wire(brain, from, to);
     if (!wire || !learns(*wire)) return 0;
     auto place = static_cast<std::size_t>(vehicle.first_neuron + vehicle.neuron_count);

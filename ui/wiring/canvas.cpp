@@ -186,7 +186,7 @@ void draw_no_brain(const Ui& ui, Rect area, std::string_view why) {
 }
 
 void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& state, Ui& ui, Rect area, bool over) {
-    const auto& brain = view.now->brains[static_cast<std::size_t>(vehicle.brain)];
+    const auto& brain = brain_of(*view.now, vehicle);
     const BrainGraph& graph = *brain;
     if (state.drag.phase != DragPhase::move_nodes) state.held.clear();
     const auto lay_out = [&]() -> const Layout& {
@@ -197,11 +197,7 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     const Layout& before = lay_out();
     drop_stale_selection(state, before);
 
-    Target target;
-    if (view.settings.selection.whole_kind)
-        target.kind = vehicle.kind;
-    else
-        target.vehicle = vehicle.id;
+    const Target target = target_of(view, vehicle);
     CanvasFrame frame{graph,
                       before,
                       area,

@@ -177,11 +177,7 @@ Rect inspector_rect(const Ui& ui, const CanvasState& state, Rect canvas) {
 void draw_inspector(const LabView& view, CanvasState& state, SliderState& sliders, Ui& ui, Rect rect) {
     const VehicleView* vehicle = selected_vehicle(view);
     if (vehicle == nullptr || vehicle->brain < 0 || hides_brain(view, vehicle->kind)) return;
-    Inspected in{view, *vehicle, view.now->brains[static_cast<std::size_t>(vehicle->brain)], state, sliders, ui, {}};
-    if (view.settings.selection.whole_kind)
-        in.target.kind = vehicle->kind;
-    else
-        in.target.vehicle = vehicle->id;
+    Inspected in{view, *vehicle, brain_of(*view.now, *vehicle), state, sliders, ui, target_of(view, *vehicle)};
     if (begin_card(ui, state.inspector, "card.inspector", heading(in), rect)) {
         if (view.lecture) gap(ui, spacing::tight);  // below the heading, whose type is large
         show(in);

@@ -65,7 +65,7 @@ void follow_peaks(History& history, const Snapshot& now, const VehicleView& vehi
 // Takes the names of the vehicle's sensors and brain values. Signals with other names are removed.
 void follow_names(History& history, const Snapshot& now, const VehicleView* vehicle) {
     auto sensors = vehicle ? sensor_names(kind_of(now, *vehicle)) : std::vector<std::string>{};
-    auto brain = vehicle ? now.brains[static_cast<std::size_t>(vehicle->brain)] : nullptr;
+    auto brain = vehicle ? brain_of(now, *vehicle) : nullptr;
     std::vector<std::string> values = history.brain_values;
     if (brain != history.brain) {
         values.clear();
