@@ -233,8 +233,9 @@ void choose(CanvasState& state, const CanvasFrame& frame, int index, Outbox& out
 }
 
 void execute(CanvasState& state, const CanvasFrame& frame, const MenuRow& row, const CanvasMenu& menu, Outbox& outbox) {
+    if (const auto* action = std::get_if<Action>(&row.effect)) return execute(state, frame, *action, outbox);
     const bool one_wire = state.selection.wires.size() == 1;
-    switch (row.command) {
+    switch (std::get<MenuCommand>(row.effect)) {
         case MenuCommand::add:
             return add_chosen(state, frame, menu, row.kind, outbox);
         case MenuCommand::edit_numbers:
@@ -264,9 +265,6 @@ void execute(CanvasState& state, const CanvasFrame& frame, const MenuRow& row, c
             return arrange(state, frame, Arrangement::even_down, outbox);
         case MenuCommand::even_across:
             return arrange(state, frame, Arrangement::even_across, outbox);
-        default:
-            if (row.action) execute(state, frame, *row.action, outbox);
-            return;
     }
 }
 

@@ -141,7 +141,7 @@ void set_cursor(const CanvasState& state) {
     const bool weight = state.drag.phase == DragPhase::drag_weight;
     if (weight || (state.drag.phase == DragPhase::idle && state.hovered.part == Part::label))
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    else if (state.hovered.part == Part::in_pin || state.hovered.part == Part::out_pin)
+    else if (state.hovered.is_pin())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     else if (state.drag.phase == DragPhase::pan || state.drag.phase == DragPhase::move_nodes)
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/brain/fragment.h"
@@ -68,36 +69,27 @@ struct Readings {
 // `graph`.
 void update(Readings&, const Snapshot&, const VehicleView&, const BrainGraph& graph, const Layout&);
 
+// What a row of the menu does that is no Action.
 enum class MenuCommand {
     add,  // a neuron of MenuRow::kind
     edit_numbers,
-    probe,
     chart,  // shows the nodes' signals on the chart card
     join,   // begins a wire that is drawn with keys
     insert,
     flip,  // the sign of a weight
-    lesion,
-    copy,
-    cut,
-    paste,
-    duplicate,
     detach,
-    erase,
     column,
     row,
     even_down,
     even_across,
-    select_all,
-    tidy,
-    fit,
 };
 
 struct MenuRow {
-    MenuCommand command{};
-    std::string_view words;          // string key
-    std::optional<Action> action{};  // the action with the same effect, for its shortcut
-    std::size_t kind = 0;            // of add: index in neuron_kinds
-    bool begins_group = false;       // a line above it
+    std::string_view words;  // string key
+    std::variant<Action, MenuCommand> effect;
+    std::size_t kind = 0;       // of add: index in neuron_kinds
+    bool begins_group = false;  // a line above it
+    bool adds() const { return effect == decltype(effect)(MenuCommand::add); }
 };
 
 struct CanvasMenu {

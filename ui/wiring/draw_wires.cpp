@@ -123,8 +123,7 @@ WireLook look_of(const Picture& picture, std::size_t index) {
     const WireShape& shape = picture.layout.wires[index];
     WireLook look;
     look.selected = picture.state.selection.wires.count(shape.ends) > 0;
-    const Hit& over = picture.state.hovered;
-    look.hovered = (over.part == Part::wire || over.part == Part::label) && over.wire == shape.ends;
+    look.hovered = picture.state.hovered.is_wire() && picture.state.hovered.wire == shape.ends;
     if (shape.wire < 0) return look;
     const Wire& wire = picture.graph.wires[static_cast<std::size_t>(shape.wire)];
     look.cut = wire.cut;
@@ -209,8 +208,7 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     const WireShape& shape = picture.layout.wires[index];
     const Wire* wire = shape.wire < 0 ? nullptr : &picture.graph.wires[static_cast<std::size_t>(shape.wire)];
     const bool cut = wire != nullptr && wire->cut, selected = picture.state.selection.wires.count(shape.ends) > 0;
-    const Hit& over = picture.state.hovered;
-    const bool hovered = (over.part == Part::wire || over.part == Part::label) && over.wire == shape.ends;
+    const bool hovered = picture.state.hovered.is_wire() && picture.state.hovered.wire == shape.ends;
     const Detail detail = detail_of(pen);
     const float letters = label_letters(detail);
     const vec2 extent = shape.label_size, at = shape.label;

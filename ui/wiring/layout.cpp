@@ -227,16 +227,13 @@ BrainGraph with_positions(BrainGraph graph, const Layout& shown) {
 }
 
 BrainGraph keep_positions(BrainGraph edited, const Layout& shown) {
-    const auto shape_of = [&](const Node& node) { return find_shape(shown, node.id); };
     const Positions arranged = tidy(edited);
     const auto would_move = [&](const Node& node) {
-        const NodeShape* shape = shape_of(node);
+        const NodeShape* shape = find_shape(shown, node.id);
         return shape != nullptr && (node.place ? *node.place : arranged.at(node.id)) != shape->centre;
     };
-    if (std::any_of(edited.nodes.begin(), edited.nodes.end(), would_move))
-        for (Node& node : edited.nodes)
-            if (const NodeShape* shape = shape_of(node)) node.place = shape->centre;
-    return edited;
+    const bool moves = std::any_of(edited.nodes.begin(), edited.nodes.end(), would_move);
+    return moves ? with_positions(std::move(edited), shown) : edited;
 }
 
 const NodeShape* find_shape(const Layout& layout, NodeId id) {

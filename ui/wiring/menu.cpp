@@ -25,53 +25,54 @@ constexpr float menu_row_height = 28, least_menu_row = 20, menu_padding = spacin
 
 void add_kinds(std::vector<MenuRow>& rows) {
     for (std::size_t kind = 0; kind < neuron_kinds.size(); ++kind)
-        rows.push_back({MenuCommand::add, kind_key(kind), {}, kind});
+        rows.push_back({kind_key(kind), MenuCommand::add, kind});
 }
 
 void add_canvas_rows(std::vector<MenuRow>& rows, bool can_paste) {
     add_kinds(rows);
-    if (can_paste) rows.push_back({MenuCommand::paste, "wiring.do.paste", Action::paste, 0, true});
-    rows.push_back({MenuCommand::select_all, "wiring.do.select_all", Action::select_all, 0, !can_paste});
-    rows.push_back({MenuCommand::tidy, "wiring.do.tidy", Action::tidy});
-    rows.push_back({MenuCommand::fit, "wiring.do.fit", Action::fit});
+    if (can_paste) rows.push_back({"wiring.do.paste", Action::paste, 0, true});
+    rows.push_back({"wiring.do.select_all", Action::select_all, 0, !can_paste});
+    rows.push_back({"wiring.do.tidy", Action::tidy});
+    rows.push_back({"wiring.do.fit", Action::fit});
 }
 
 void add_wire_rows(std::vector<MenuRow>& rows, const BrainGraph& graph, const CanvasSelection& selection) {
     const Wire* wire = find_wire(graph, selection.wires.begin()->from, selection.wires.begin()->to);
-    rows.push_back({MenuCommand::edit_numbers, "wiring.do.edit_numbers"});
+    rows.push_back({"wiring.do.edit_numbers", MenuCommand::edit_numbers});
     if (wire == nullptr || wire->weight == 0) return;
-    rows.push_back({MenuCommand::insert, "wiring.do.insert"});
-    rows.push_back({MenuCommand::flip, "wiring.do.flip"});
+    rows.push_back({"wiring.do.insert", MenuCommand::insert});
+    rows.push_back({"wiring.do.flip", MenuCommand::flip});
 }
 
 void add_node_rows(std::vector<MenuRow>& rows, const BrainGraph& graph, NodeId id) {
     const Node* node = find_node(graph, id);
     if (node == nullptr) return;
-    if (node->kind != NodeKind::sensor) rows.push_back({MenuCommand::edit_numbers, "wiring.do.edit_numbers"});
-    rows.push_back({MenuCommand::join, "wiring.do.join"});
+    if (node->kind != NodeKind::sensor) rows.push_back({"wiring.do.edit_numbers", MenuCommand::edit_numbers});
+    rows.push_back({"wiring.do.join", MenuCommand::join});
 }
 
 void add_arrangement_rows(std::vector<MenuRow>& rows, std::size_t nodes) {
     if (nodes < 2) return;
-    rows.push_back({MenuCommand::column, "wiring.do.column", {}, 0, true});
-    rows.push_back({MenuCommand::row, "wiring.do.row"});
+    rows.push_back({"wiring.do.column", MenuCommand::column, 0, true});
+    rows.push_back({"wiring.do.row", MenuCommand::row});
     if (nodes < 3) return;
-    rows.push_back({MenuCommand::even_down, "wiring.do.even_down"});
-    rows.push_back({MenuCommand::even_across, "wiring.do.even_across"});
+    rows.push_back({"wiring.do.even_down", MenuCommand::even_down});
+    rows.push_back({"wiring.do.even_across", MenuCommand::even_across});
 }
 
 constexpr float curve_width = 24, curve_room = curve_width + spacing::small, menu_side = spacing::medium,
                 key_gap = spacing::wide;  // layout pixels
 
 std::string shortcut_of(const Ui& ui, const MenuRow& row) {
-    if (!row.action || ui.finger > 0) return {};  // a finger has no keys
+    const auto* action = std::get_if<Action>(&row.effect);
+    if (!action || ui.finger > 0) return {};  // a finger has no keys
     for (const Shortcut& shortcut : shortcuts())
-        if (shortcut.action == *row.action && shortcut.place == KeyPlace::canvas)
+        if (shortcut.action == *action && shortcut.place == KeyPlace::canvas)
             return key_name(shortcut.press, ui.strings);
     return {};
 }
 
-bool shows_curves(const CanvasMenu& menu) { return menu.rows.front().command == MenuCommand::add; }
+bool shows_curves(const CanvasMenu& menu) { return menu.rows.front().adds(); }
 
 float menu_width(const Ui& ui, const CanvasMenu& menu) {
     float widest = std::max(text_width(ui, Face::strong, ui.strings.find(menu.heading, "")),
@@ -102,7 +103,7 @@ void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
     float x = r.x + ui.px(menu_side);
     if (shows_curves(menu)) {
         const Rect sign{x, middle - ui.px(8), ui.px(curve_width), ui.px(16)};
-        if (row.command == MenuCommand::add) draw_curve(pen.list, ui, sign, neuron_kinds[row.kind].curve, p.excites);
+        if (row.adds()) draw_curve(pen.list, ui, sign, neuron_kinds[row.kind].curve, p.excites);
         x += ui.px(curve_room);
     }
     put(ui, {x, middle - line_height(ui, Face::text) / 2}, ui.strings(row.words), p.text);
@@ -142,26 +143,22 @@ std::vector<MenuRow> menu_rows(const BrainGraph& graph, const CanvasSelection& s
     if (nodes == 0 && wires == 1) add_wire_rows(rows, graph, selection);
     if (nodes == 1 && wires == 0) add_node_rows(rows, graph, *selection.nodes.begin());
     const bool lesioned = all_lesioned(graph, selection.nodes, selection.wires);
-    rows.push_back({MenuCommand::lesion,
-                    lesioned    ? "wiring.do.heal"
-                    : nodes > 0 ? "wiring.do.silence"
-                                : "wiring.do.sever",
-                    Action::lesion});
-    if (nodes > 0) rows.push_back({MenuCommand::probe, "wiring.do.probe", Action::probe});
-    if (nodes > 0) rows.push_back({MenuCommand::chart, "wiring.do.chart"});
+    rows.push_back({lesioned ? "wiring.do.heal" : nodes > 0 ? "wiring.do.silence" : "wiring.do.sever", Action::lesion});
+    if (nodes > 0) rows.push_back({"wiring.do.probe", Action::probe});
+    if (nodes > 0) rows.push_back({"wiring.do.chart", MenuCommand::chart});
     const auto is_neuron = [&](NodeId id) {
         const Node* node = find_node(graph, id);
         return node != nullptr && node->kind == NodeKind::neuron;
     };
     const bool neurons = std::any_of(selection.nodes.begin(), selection.nodes.end(), is_neuron);
     if (neurons) {
-        rows.push_back({MenuCommand::copy, "wiring.do.copy", Action::copy, 0, true});
-        rows.push_back({MenuCommand::cut, "wiring.do.cut", Action::cut});
-        rows.push_back({MenuCommand::duplicate, "wiring.do.duplicate", Action::duplicate});
+        rows.push_back({"wiring.do.copy", Action::copy, 0, true});
+        rows.push_back({"wiring.do.cut", Action::cut});
+        rows.push_back({"wiring.do.duplicate", Action::duplicate});
     }
     add_arrangement_rows(rows, nodes);
-    if (nodes > 0) rows.push_back({MenuCommand::detach, "wiring.do.detach", {}, 0, true});
-    if (neurons || wires > 0) rows.push_back({MenuCommand::erase, "wiring.do.erase", Action::erase, 0, nodes == 0});
+    if (nodes > 0) rows.push_back({"wiring.do.detach", MenuCommand::detach, 0, true});
+    if (neurons || wires > 0) rows.push_back({"wiring.do.erase", Action::erase, 0, nodes == 0});
     return rows;
 }
 
@@ -172,7 +169,7 @@ std::vector<MenuRow> drop_rows() {
 }
 
 void set_heading(CanvasMenu& menu) {
-    if (menu.rows.empty() || menu.rows.front().command != MenuCommand::add) return;
+    if (menu.rows.empty() || !menu.rows.front().adds()) return;
     menu.heading = "wiring.add_neuron";
     if (menu.loose.part == Part::nothing) menu.note = "wiring.add_how";
 }
