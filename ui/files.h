@@ -43,7 +43,7 @@ struct RecoveryOffer {
 
 // A question about unsaved edits, before another file is opened or the program ends.
 struct Leaving {
-    std::string title;         // of the edited scene or exercise
+    std::string title{};       // of the edited scene or exercise
     std::string next{};        // the file or link to open next; empty: the program ends
     std::string next_title{};  // of the scene or exercise in it
     bool resume = false;       // of OpenRequest, as is `seed`

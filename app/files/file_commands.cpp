@@ -35,6 +35,15 @@ bool passed_before(const Lab& lab) { return lab.document.lesson && lab.document.
 
 bool has_passed(const Lab& lab) { return lab.document.lesson && has_passed(*lab.document.lesson); }
 
+// True if there are unsaved edits. Then a sheet opens that asks about them before the document is left.
+bool asks_before(const Lab& lab, FilesView& view, Leaving leaving) {
+    if (!has_unsaved_edits(lab)) return false;
+    leaving.title = title_of(lab.document);
+    view.leaving = std::move(leaving);
+    view.refused.reset();
+    return true;
+}
+
 // A document of a file. A run that the lab has kept for recovery is its work: an exercise goes on.
 Result<Document> open_kept(const FileText& file) {
     if (file.kind == FileKind::run)
@@ -120,10 +129,10 @@ struct FileCommands {
         auto opened = open_kept(*file);
         if (!opened && dropped) list_errors_for_author(lab, path, file->text);
         if (!opened) return fail(opened.error());
-        if (!discard && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened), false, passed_before(lab)};
-            return view.refused.reset();
-        }
+        if (!discard &&
+            asks_before(lab, view,
+                        {.next = path.string(), .next_title = title_of(*opened), .passed = passed_before(lab)}))
+            return;
         leave_pages(lab);
         replace_document(lab, std::move(*opened));
         add_recent_file(state, path, lab.document);
@@ -146,11 +155,7 @@ struct FileCommands {
         }
         auto opened = linked_document(std::move(linked->scene), seed);
         if (!opened) return fail(opened.error());
-        if (!discard && has_unsaved_edits(lab)) {
-            view.leaving =
-                Leaving{.title = title_of(lab.document), .next = link, .next_title = title_of(*opened), .seed = seed};
-            return view.refused.reset();
-        }
+        if (!discard && asks_before(lab, view, {.next = link, .next_title = title_of(*opened), .seed = seed})) return;
         leave_pages(lab);
         replace_document(lab, std::move(*opened));
         done({}, {});
@@ -159,10 +164,11 @@ struct FileCommands {
     void open_pages(const fs::path& path, bool discard, bool resume) const {
         auto lecture = read_whole_lecture(path);
         if (!lecture) return fail(lecture.error());
-        if (!discard && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{title_of(lab.document), path.string(), lecture->title, resume, passed_before(lab)};
-            return view.refused.reset();
-        }
+        if (!discard &&
+            asks_before(
+                lab, view,
+                {.next = path.string(), .next_title = lecture->title, .resume = resume, .passed = passed_before(lab)}))
+            return;
         auto shared = std::make_shared<const Lecture>(std::move(*lecture));
         const bool goes_on = resume && lab.lectures.left && lab.lectures.left->lecture->id == shared->id;
         goes_on ? resume_lecture(lab, std::move(shared)) : open_lecture(lab, std::move(shared));
@@ -373,12 +379,7 @@ bool has_unsaved_edits(const Lab& lab) {
     return lab.document.session.edited_scene() != *lab.document.file;
 }
 
-bool may_leave(const Lab& lab, FilesView& view) {
-    if (!has_unsaved_edits(lab)) return true;
-    view.leaving = Leaving{.title = title_of(lab.document), .passed = passed_before(lab)};
-    view.refused.reset();
-    return false;
-}
+bool may_leave(const Lab& lab, FilesView& view) { return !asks_before(lab, view, {.passed = passed_before(lab)}); }
 
 void follow_file(Lab& lab, FilesView& view) {
     Document& document = lab.document;

@@ -9,13 +9,16 @@
 
 namespace braitenlab {
 
+void open_or_copy(Lab& lab, bool is_there, const std::filesystem::path& path, const Opened& opened) {
+    if (is_there && open_with_system(path)) return say(lab, {NoticeKind::done, "notice.page_opened", opened.name});
+    lab.window.to_copy = opened.copied;
+    say(lab, {NoticeKind::notice, "notice.page_copied", opened.copied});
+}
+
 void open_folder(Lab& lab, const std::string& folder) {
     std::error_code problem;
     const std::filesystem::path path(folder);
-    if (std::filesystem::is_directory(path, problem) && open_with_system(path))
-        return say(lab, {NoticeKind::done, "notice.page_opened", path.filename().string()});
-    lab.window.to_copy = folder;
-    say(lab, {NoticeKind::notice, "notice.page_copied", folder});
+    open_or_copy(lab, std::filesystem::is_directory(path, problem), path, {path.filename().string(), folder});
 }
 
 void open_page(Lab& lab, const std::string& page) {
@@ -25,9 +28,7 @@ void open_page(Lab& lab, const std::string& page) {
     const std::filesystem::path file = data ? *data / page : std::filesystem::path(page);
     std::error_code problem;
     const bool exists = std::filesystem::is_regular_file(file, problem);
-    if (exists && open_with_system(file)) return say(lab, {NoticeKind::done, "notice.page_opened", page});
-    lab.window.to_copy = exists ? file.string() : page;
-    say(lab, {NoticeKind::notice, "notice.page_copied", lab.window.to_copy});
+    open_or_copy(lab, exists, file, {page, exists ? file.string() : page});
 }
 
 }  // namespace braitenlab

@@ -7,6 +7,7 @@
 
 #include "app/course/lesson_view.h"
 #include "app/files/file_commands.h"
+#include "app/files/pages.h"
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"
 #include "app/reports/lab_record.h"
@@ -148,16 +149,12 @@ std::optional<Error> write_lab_record(Lab& lab, const std::string& student, cons
     return std::nullopt;
 }
 
-// Where the system has no program for it, the path is copied.
 void open_written(Lab& lab, const fs::path& folder) {
     const std::string& written = lab.document.lesson->attempt.work.written;
     if (written.empty()) return;
     const fs::path file = folder / fs::path(written).filename();
     std::error_code none;
-    if (fs::is_regular_file(file, none) && open_with_system(file))
-        return say(lab, {NoticeKind::done, "notice.page_opened", file.filename().string()});
-    lab.window.to_copy = written;
-    say(lab, {NoticeKind::notice, "notice.page_copied", written});
+    open_or_copy(lab, fs::is_regular_file(file, none), file, {file.filename().string(), written});
 }
 
 bool has_all_runs(const StudyRuns& study) { return study.base && study.rows.size() == study.base->study().runs(); }
