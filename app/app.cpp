@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
-#include <utility>
 
 #include <imgui.h>
 
@@ -16,7 +15,6 @@
 #include "app/course/reference_runs.h"
 #include "app/files/file_commands.h"
 #include "app/files/reports.h"
-#include "app/files/study_files.h"
 #include "app/frame_pacing.h"
 #include "app/lab_requests.h"
 #include "app/platform/page.h"

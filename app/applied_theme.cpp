@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <imgui.h>
-
 #include "app/files/data.h"
 #include "ui/imgui_compat.h"
 

@@ -3,7 +3,6 @@
 #include <fstream>
 
 #include "app/files/data.h"
-#include "app/files/safe_file.h"
 #include "core/io/run_file.h"
 #include "core/lesson/exercise_file.h"
 #include "core/maths/fnv.h"

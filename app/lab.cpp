@@ -1,7 +1,6 @@
 #include "app/lab.h"
 
 #include <array>
-#include <utility>
 
 #include "app/course/authored_scene.h"
 #include "app/course/lesson_view.h"

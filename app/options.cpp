@@ -10,7 +10,6 @@
 #include "app/terminal.h"
 #include "core/scene/enums.h"
 #include "core/scene/settings.h"
-#include "core/sensing/intensity.h"
 
 namespace braitenlab {
 

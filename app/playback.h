@@ -1,7 +1,6 @@
 // Simulated time: ticks, and going back in time.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 
 #include "app/lab.h"

@@ -6,7 +6,6 @@
 
 #include <imgui.h>
 
-#include "app/course/lab_lecture.h"
 #include "app/lab_selection.h"
 #include "render/view/label_space.h"
 #include "ui/lab_view.h"

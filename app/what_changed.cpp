@@ -1,7 +1,6 @@
 #include "app/what_changed.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "core/brain/four_neurons.h"
 #include "core/scene/sensor_pairs.h"

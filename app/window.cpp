@@ -1,11 +1,7 @@
 #include "app/window.h"
 
 #include <algorithm>
-#include <array>
-#include <cfloat>
 #include <iostream>
-#include <optional>
-#include <utility>
 
 #include <GL/glew.h>
 #include <fmt/format.h>

@@ -10,7 +10,6 @@
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/lecture.h"
 #include "core/scene/scene_file.h"
-#include "ui/words/strings.h"
 
 namespace braitenlab {
 

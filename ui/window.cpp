@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 
 #include <imgui.h>
 
@@ -22,7 +21,6 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/window_keys.h"
-#include "ui/wiring/input.h"
 #include "ui/wiring/inspector.h"
 
 namespace braitenlab::ui {

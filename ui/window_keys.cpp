@@ -1,7 +1,6 @@
 #include "ui/window_keys.h"
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 #include <utility>
 

@@ -17,7 +17,6 @@
 #include "core/brain/presets.h"
 #include "core/export/vectors.h"
 #include "core/lesson/hand_in.h"
-#include "core/scene/file_kind.h"
 #include "core/scene/nearest.h"
 
 namespace braitenlab {

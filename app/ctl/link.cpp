@@ -7,7 +7,6 @@
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "app/terminal.h"
-#include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {

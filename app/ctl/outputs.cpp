@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string_view>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 

@@ -20,7 +20,6 @@
 #include "app/platform/platform.h"
 #include "core/io/run_file.h"
 #include "core/io/vehicle_table.h"
-#include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 

@@ -15,7 +15,6 @@
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "app/files/study_files.h"
-#include "app/platform/platform.h"
 #include "app/reports/study_drawing.h"
 #include "app/terminal.h"
 #include "core/insight/study_table.h"

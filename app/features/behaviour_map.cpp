@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "app/course/lesson_view.h"
 #include "app/jobs/in_pieces.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "app/files/breeding_files.h"
 #include "app/files/data.h"

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/files/data.h"
-#include "app/files/disk.h"
 #include "app/jobs/in_pieces.h"
 #include "app/lab_selection.h"
 #include "app/workspace.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
-#include <vector>
 
 #include "app/files/safe_file.h"
 #include "app/platform/platform.h"

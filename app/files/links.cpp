@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/files/data.h"
-#include "app/files/disk.h"
 #include "core/io/link.h"
 #include "core/messages.h"
 #include "core/plain_letters.h"

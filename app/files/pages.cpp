@@ -1,6 +1,5 @@
 #include "app/files/pages.h"
 
-#include <filesystem>
 #include <system_error>
 
 #include "app/files/data.h"

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "app/files/safe_file.h"
-#include "app/playback.h"
 #include "core/messages.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/toml_tree.h"

@@ -6,7 +6,6 @@
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
 #include "core/scene/arena.h"
-#include "core/scene/sensor_pairs.h"
 
 namespace braitenlab::insight {
 

@@ -1,7 +1,6 @@
 #include "core/insight/map.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

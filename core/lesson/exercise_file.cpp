@@ -1,6 +1,5 @@
 #include "core/lesson/exercise_file.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>

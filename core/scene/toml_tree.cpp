@@ -6,7 +6,6 @@
 
 #include <toml++/toml.h>
 
-#include "core/scene/nearest.h"
 #include "core/scene/schema.h"
 #include "core/scene/toml_advice.h"
 #include "core/text_parts.h"

@@ -1,6 +1,5 @@
 #include "core/sensing/compiled_sensor.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "core/brain/brain.h"

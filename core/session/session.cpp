@@ -1,8 +1,6 @@
 #include "core/session/session.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "core/messages.h"
 #include "core/scene/subject.h"

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "core/maths/angle.h"
 #include "core/world/cosmetic_edits.h"
 #include "core/world/edits.h"
 #include "core/world/world_data.h"

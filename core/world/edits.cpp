@@ -1,6 +1,5 @@
 #include "core/world/edits.h"
 
-#include "core/maths/angle.h"
 #include "core/scene/enums.h"
 
 namespace braitenlab::world {

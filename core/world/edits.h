@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "core/maths/angle.h"
 #include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "core/world/present_parts.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/maths/angle.h"
 #include "core/scene/sensor_edits.h"
 #include "core/sensing/intensity.h"
 

@@ -1,7 +1,5 @@
 // The sheet about the program: its version, and the licences of the libraries and fonts that it uses.
-#include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 
 #include <imgui.h>

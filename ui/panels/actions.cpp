@@ -1,11 +1,9 @@
 #include "ui/panels/actions.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
-#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/under_pointer.h"

@@ -8,7 +8,6 @@
 
 #include "ui/panels/breeding/breeding_parts.h"
 #include "ui/panels/exercise_names.h"
-#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
 #include "ui/scene_input/path_drawing.h"

@@ -11,7 +11,6 @@
 #include "ui/panels/files/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/trail_legend.h"
-#include "ui/scene_input/edits.h"
 #include "ui/widgets/paint.h"
 #include "ui/words/strings.h"
 

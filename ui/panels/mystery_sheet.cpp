@@ -1,7 +1,6 @@
 // The sheet of the mystery brain: hide a brain, build another in the same body, and compare both on starts that were
 // not seen.
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // The menu of a right click into the scene: what can be done with the object there, or added on the floor.
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

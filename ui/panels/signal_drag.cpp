@@ -1,13 +1,10 @@
 #include "ui/panels/signal_drag.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include <imgui.h>
 
-#include "core/brain/brain.h"
 #include "ui/imgui_compat.h"
 #include "ui/panels/charts/chart_strips.h"
 #include "ui/widgets/paint.h"

@@ -6,7 +6,6 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/button.h"
-#include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/menu_bar.h"
 #include "ui/widgets/paint.h"

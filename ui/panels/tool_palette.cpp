@@ -1,7 +1,6 @@
 // The bar of tools over the scene: hand, lamp, box, polygon, zone, tape, ruler.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include <imgui.h>

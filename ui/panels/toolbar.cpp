@@ -1,7 +1,6 @@
 // The bar of buttons below the menu bar; in an upright window it has two rows, and speed and status are in the second
 // one. In a narrow window, first the type and the gaps are smaller, then words are left out, the least important group
 // first, and at last the buttons at the end, which the menus have, too. Tooltips always show the words.
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>

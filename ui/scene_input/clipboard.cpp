@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/scene/arena.h"
-#include "ui/scene_input/edits.h"
 
 namespace braitenlab::ui {
 

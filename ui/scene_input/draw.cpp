@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <imgui.h>
 
 #include "core/maths/angle.h"
 #include "ui/imgui_compat.h"
-#include "ui/scene_input/handles.h"
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/scene_input/tools.h"
 #include "ui/scene_input/under_pointer.h"

@@ -1,7 +1,6 @@
 #include "ui/scene_input/draw_lesson.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <imgui.h>
@@ -11,7 +10,6 @@
 #include "ui/scene_input/floor_lines.h"
 #include "ui/scene_input/path_drawing.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/theme.h"
 #include "ui/words/strings.h"
 
 namespace braitenlab::ui {

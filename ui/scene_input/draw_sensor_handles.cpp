@@ -1,4 +1,3 @@
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -7,10 +6,8 @@
 #include "core/maths/angle.h"
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/sensor_handles.h"
-#include "ui/scene_input/under_pointer.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/theme.h"
 #include "ui/words/strings.h"
 
 namespace braitenlab::ui {

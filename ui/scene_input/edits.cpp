@@ -4,11 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "core/maths/geometry.h"
 #include "core/scene/arena.h"
-#include "render/view/pick.h"
 #include "ui/lab_view.h"
 
 namespace braitenlab::ui {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/lesson/path_distance.h"
-#include "ui/scene_input/state.h"
 #include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::ui {

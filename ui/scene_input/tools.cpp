@@ -1,7 +1,6 @@
 #include "ui/scene_input/tools.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/maths/angle.h"
 #include "core/scene/schema.h"

@@ -1,6 +1,5 @@
 #include "ui/scene_input/under_pointer.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/maths/angle.h"

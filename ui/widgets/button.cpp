@@ -6,7 +6,6 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/words/strings.h"

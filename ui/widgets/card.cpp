@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
-#include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/words/strings.h"

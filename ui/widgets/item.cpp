@@ -8,7 +8,6 @@
 #include "ui/imgui_compat.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
-#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "ui/imgui_compat.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/words/strings.h"
 

@@ -10,7 +10,6 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/words/number_text.h"
-#include "ui/words/strings.h"
 
 namespace braitenlab::ui {
 

@@ -1,9 +1,7 @@
 #include "ui/wiring/draw.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "core/maths/portable.h"
 #include "core/scene/sensor_edits.h"

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <iterator>
 #include <optional>
 #include <string>
 

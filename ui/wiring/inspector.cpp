@@ -4,8 +4,6 @@
 #include <string>
 #include <utility>
 
-#include <imgui.h>
-
 #include "core/brain/four_neurons.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/keyboard.h"

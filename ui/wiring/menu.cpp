@@ -5,7 +5,6 @@
 #include <string>
 
 #include "ui/shortcuts.h"
-#include "ui/widgets/menu_bar.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/inspector.h"

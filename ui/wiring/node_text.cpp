@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "core/scene/sensor_edits.h"
 #include "ui/widgets/number.h"

@@ -2,8 +2,6 @@
 // When the user or a script drives the vehicle, a stick or a note takes the place of the sums.
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,7 +1,6 @@
 // The sums of both motors in numbers, and the cause of the difference between the wheels.
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <span>
 #include <string>

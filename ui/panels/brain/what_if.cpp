@@ -12,7 +12,6 @@
 #include "render/view/drawing.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/draw.h"
-#include "ui/scene_input/interaction.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"

@@ -2,9 +2,7 @@
 // over time, and the energy of each vehicle as bars.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
-#include <vector>
 
 #include <imgui.h>
 

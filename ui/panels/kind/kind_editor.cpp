@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "core/scene/driven_wheels.h"
 #include "core/scene/population.h"
 #include "core/scene/schema.h"
-#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/widgets/button.h"

@@ -1,6 +1,5 @@
 // What the map of behaviour shows: the value on each axis with its range, the measure and the number of starts.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 

@@ -1,7 +1,6 @@
 // The field of the map of behaviour: its cells, the dot of the present values, and the mouse and keys over them.
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include <imgui.h>
 
@@ -9,7 +8,6 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
-#include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/strings.h"

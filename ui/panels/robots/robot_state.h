@@ -1,7 +1,6 @@
 // State of the sheet that exports a brain to a robot.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
