@@ -8,6 +8,7 @@
 
 #include "app/files/data.h"
 #include "app/terminal.h"
+#include "core/plain_letters.h"
 #include "core/scene/enums.h"
 #include "core/scene/settings.h"
 
@@ -32,13 +33,6 @@ std::string what_is_wrong(const Options& options) {
                            options.height);
     if (!options.clip.file.empty() && !options.screenshot.empty()) return "--clip and --screenshot exclude each other";
     return {};
-}
-
-// A word as the command line writes it.
-std::string with_dashes(std::string_view word) {
-    std::string text(word);
-    std::replace(text.begin(), text.end(), '_', '-');
-    return text;
 }
 
 std::vector<std::string> camera_modes() {

@@ -1,7 +1,6 @@
 #include "app/ctl/brain_of_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "core/scene/file_kind.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
+#include "core/text_parts.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
@@ -68,19 +68,13 @@ const VehicleView* vehicle_of_start(const Snapshot& now, std::size_t start) {
     return found == now.vehicles.end() ? nullptr : &*found;
 }
 
-const VehicleView* vehicle_of_id(const Snapshot& now, const std::string& text) {
-    VehicleId id = no_vehicle;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), id);
-    return problem == std::errc() && end == text.data() + text.size() ? find_vehicle(now, id) : nullptr;
-}
-
 Result<BrainOfFile> brain_of_vehicle(const Snapshot& now, const std::string& name, const std::string& file) {
     const VehicleView* vehicle = nullptr;
     if (const auto start = index_of(now.scene->starts, name, "vehicle", file)) {
         vehicle = vehicle_of_start(now, *start);
         if (!vehicle) return Error{"the vehicle " + in_quotes(name) + " is gone; choose another, or a kind", file};
     } else {
-        vehicle = vehicle_of_id(now, name);
+        if (const auto id = whole_number<VehicleId>(name)) vehicle = find_vehicle(now, *id);
         if (!vehicle) return start.error();
     }
     if (auto fault = hidden_fault(kind_of(now, *vehicle), file)) return *fault;

@@ -1,6 +1,5 @@
 // braitenctl breed: predators and prey that evolve against each other.
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -27,6 +26,7 @@
 #include "core/evolve/verdict.h"
 #include "core/io/checked_json.h"
 #include "core/scene/scene_file.h"
+#include "core/text_parts.h"
 
 namespace braitenlab {
 
@@ -337,11 +337,10 @@ int analyse(const BreedOptions& options, const Base& base, const BreedingState& 
 
 // The generation at the end of the text, of those that are complete.
 Result<std::size_t> generation_of(const std::string& option, std::string_view text, int complete) {
-    int generation = -1;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), generation);
-    if (problem != std::errc() || end != text.data() + text.size() || generation < 0 || generation >= complete)
+    const auto generation = whole_number<int>(text);
+    if (!generation || *generation < 0 || *generation >= complete)
         return Error{fmt::format("'{}' is no generation; give one of 0 to {}", text, complete - 1), option};
-    return static_cast<std::size_t>(generation);
+    return static_cast<std::size_t>(*generation);
 }
 
 int write_champion(const BreedOptions& options, const BreedingBase& base, const BreedingState& state) {

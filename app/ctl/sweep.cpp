@@ -1,7 +1,6 @@
 #include "app/ctl/sweep.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -36,13 +35,6 @@ std::vector<std::string> split(std::string_view text, char separator) {
             parts.back() += c;
     }
     return parts;
-}
-
-std::optional<std::uint64_t> seed_of(std::string_view text) {
-    std::uint64_t seed = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (text.empty() || problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return seed;
 }
 
 // An error in an argument, e.g. "--set kind.prey.brain.LL=0:1:0: the step is 0; …".
@@ -134,7 +126,7 @@ Result<Parsed> parse_values(const std::string& argument) {
 std::optional<Error> parse_seeds(const std::string& text, Sweep& sweep) {
     if (text.empty()) return std::nullopt;
     const std::vector<std::string> parts = split(text, ':');
-    const auto first = seed_of(parts.front()), last = seed_of(parts.back());
+    const auto first = whole_number<std::uint64_t>(parts.front()), last = whole_number<std::uint64_t>(parts.back());
     if (!first || !last || parts.size() > 2)
         return wrong("--seed", text, "a seed is a whole number from 0 up; write 7, or 1:10 for all seeds from 1 to 10");
     if (*last < *first)

@@ -16,6 +16,7 @@
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/toml_tree.h"
+#include "core/text_parts.h"
 
 namespace braitenlab {
 
@@ -65,10 +66,7 @@ bool has_format_line(const std::string& text) {
 }
 
 bool has_comments(const std::string& text) {
-    return any_line(text, [](const std::string& line) {
-        const auto first = line.find_first_not_of(" \t");
-        return first != line.npos && line[first] == '#';
-    });
+    return any_line(text, [](const std::string& line) { return trimmed(line).starts_with('#'); });
 }
 
 // True for the folders of what the lab stores by itself, which the user of a page does not have as files.

@@ -11,6 +11,7 @@
 #include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
+#include "core/text_parts.h"
 
 namespace braitenlab::io {
 
@@ -92,10 +93,7 @@ struct LinkParts {
 };
 
 std::optional<LinkParts> split_link(std::string_view text) {
-    constexpr std::string_view blank = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blank);
-    if (first == std::string_view::npos) return std::nullopt;
-    text = text.substr(first, text.find_last_not_of(blank) - first + 1);
+    text = trimmed(text, " \t\r\n");
     const std::size_t hash = text.find('#');
     if (hash == std::string_view::npos || (hash > 0 && text.substr(0, hash).find("://") == std::string_view::npos))
         return std::nullopt;

@@ -7,6 +7,7 @@
 #include "core/io/json.h"
 #include "core/lesson/hand_in.h"
 #include "core/messages.h"
+#include "core/text_parts.h"
 #include "core/utf8.h"
 
 namespace braitenlab {
@@ -131,10 +132,7 @@ StudentProgress merged_progress(const StudentProgress& before, const StudentProg
 std::string tidy_student_name(std::string_view typed) {
     std::string name;
     for (const char letter : typed) name += static_cast<unsigned char>(letter) < ' ' || letter == 127 ? ' ' : letter;
-    const std::size_t first = name.find_first_not_of(' ');
-    if (first == std::string::npos) return {};
-    name = utf8_cut(name.substr(first), longest_student_name);
-    return name.substr(0, name.find_last_not_of(' ') + 1);
+    return std::string(trimmed(utf8_cut(std::string(trimmed(name, " ")), longest_student_name), " "));
 }
 
 bool is_free_name(const StudentBook& book, std::string_view name) {

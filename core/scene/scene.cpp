@@ -1,7 +1,8 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
-#include <charconv>
+
+#include "core/text_parts.h"
 
 namespace braitenlab {
 
@@ -79,11 +80,8 @@ Body resized(const Body& body, float length, float width) {
 }
 
 int number_of(const Member& member) {
-    int number = -1;
-    const char* end = member.name.data() + member.name.size();
-    const auto read = std::from_chars(member.name.data(), end, number);
-    const bool is_number = read.ptr == end && read.ec == std::errc{} && member.name == std::to_string(number);
-    return is_number ? number : -1;
+    const auto number = whole_number<int>(member.name);
+    return number && member.name == std::to_string(*number) ? *number : -1;
 }
 
 std::vector<std::string> sensor_names(const Kind& kind) {

@@ -1,12 +1,12 @@
 // The card of the arena and the kinds: every value that holds for the whole scene or for all vehicles of a kind.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
 
 #include <imgui.h>
 
 #include "core/scene/schema.h"
+#include "core/text_parts.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/kind/kind_editor.h"
 #include "ui/panels/panels.h"
@@ -28,13 +28,6 @@ constexpr float seed_width = 96;  // layout pixels
 template <class Edit, class ToCommand>
 void request(Ui& ui, const Edit& edit, ToCommand to_command) {
     if (edit) ui.outbox.push_back(EditRequest{to_command(edit->to), edit->gesture});
-}
-
-std::optional<std::uint64_t> typed_seed(const std::string& text) {
-    std::uint64_t seed = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), seed);
-    const bool whole = !text.empty() && read.ec == std::errc{} && read.ptr == text.data() + text.size();
-    return whole ? std::optional(seed) : std::nullopt;
 }
 
 void arena_values(const LabView& view, PanelState& state, Ui& ui) {
@@ -154,7 +147,7 @@ void start_row(const LabView& view, PanelState& state, Ui& ui) {
     text_field(ui, field, "seed", ui.px(seed_width), {}, ui.strings("values.seed_how"));
     if (field.entered || (was_active && !field.active)) {
         if (field.entered && ui.keyboard) ui.keyboard->focus.clear(), field.active = false;
-        if (const auto seed = typed_seed(field.text); seed && *seed != view.now->seed)
+        if (const auto seed = whole_number<std::uint64_t>(field.text); seed && *seed != view.now->seed)
             ui.outbox.push_back(SeedRequest{*seed});
     }
     ImGui::SetCursorScreenPos({at.x, at.y + ui.px(ui.tall(button_height) + 8)});
