@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -153,6 +154,9 @@ CommandLine read_command_line(int argc, char** argv) {
         if (const std::string wrong = what_is_wrong(o); !wrong.empty()) throw CLI::ValidationError(wrong);
         if (app.count("--to") == 0) o.clip.to = o.clip.from + 10;
         if (!o.clip.file.empty() && !o.size_given) o.width = 640, o.height = 400;
+    } catch (const CLI::ExtrasError& error) {
+        std::cerr << usage_fault(error.what() + nearest_option_of(app, argc, argv));
+        line.exit_code = 2;
     } catch (const CLI::ParseError& error) {
         // Help and version answer 0; everything else is bad input.
         line.exit_code = app.exit(error) == 0 ? 0 : 2;

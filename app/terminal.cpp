@@ -4,6 +4,7 @@
 #include <iostream>
 #include <streambuf>
 
+#include "core/scene/nearest.h"
 #include "core/utf8.h"
 
 namespace braitenlab {
@@ -23,6 +24,15 @@ std::string one_line(std::string_view text) {
 }
 
 std::string usage_fault(std::string_view what) { return one_line(what) + "\nRun with --help for more information.\n"; }
+
+std::string nearest_option(std::span<const std::string> known, int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i], name = word.substr(0, word.find('='));
+        if (name.size() > 2 && name.starts_with("--") && std::find(known.begin(), known.end(), name) == known.end())
+            return name_nearest(name, std::vector<std::string_view>(known.begin(), known.end()));
+    }
+    return {};
+}
 
 // A buffer without memory of its own: a text of one call is passed on at once.
 struct InertOutput::Filter : std::streambuf {

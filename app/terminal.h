@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,6 +21,18 @@ std::string one_line(std::string_view);
 
 // What follows a wrong command line: what is wrong, and how to find help.
 std::string usage_fault(std::string_view what);
+
+// "; the nearest is '--lang'" for the first option in the arguments that is not among `known`; empty if there is none.
+std::string nearest_option(std::span<const std::string> known, int argc, char** argv);
+
+// The same for the options of a CLI::App.
+template <class App>
+std::string nearest_option_of(const App& app, int argc, char** argv) {
+    std::vector<std::string> known;
+    for (const auto* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    return nearest_option(known, argc, argv);
+}
 
 // As fmt::format(), with one_line() of each argument that is a text: all ends of lines are those of the format, so that
 // no title looks like a line of a report.

@@ -389,23 +389,6 @@ std::vector<Subcommand> subcommands(CLI::App& app) {
         subcommand(app, "breed", "let predators and prey evolve against each other", add_breed, breed)};
 }
 
-// "; the nearest option is …" after the message about an unknown option; empty if there is another fault.
-std::string nearest_option(const std::vector<Subcommand>& commands, int argc, char** argv) {
-    const auto given =
-        std::find_if(commands.begin(), commands.end(), [](const auto& each) { return each.app->parsed(); });
-    if (given == commands.end()) return {};
-    std::vector<std::string> names;
-    for (const CLI::Option* option : given->app->get_options())
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    for (int i = 2; i < argc; ++i) {
-        const std::string_view word = argv[i], name = word.substr(0, word.find('='));
-        if (name.size() > 2 && name.starts_with("--") && std::find(known.begin(), known.end(), name) == known.end())
-            return name_nearest(name, known);
-    }
-    return {};
-}
-
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
     app.allow_windows_style_options(false);  // "/" begins a path, on every system
@@ -420,7 +403,10 @@ int command_line(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError& error) {
-        std::cerr << usage_fault(error.what() + nearest_option(commands, argc, argv));
+        const auto given =
+            std::find_if(commands.begin(), commands.end(), [](const auto& each) { return each.app->parsed(); });
+        std::cerr << usage_fault(error.what() +
+                                 nearest_option_of(given == commands.end() ? app : *given->app, argc, argv));
         return exit_code::bad_input;
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? exit_code::done : exit_code::bad_input;

@@ -328,6 +328,14 @@ TEST(LabWindow, PrintsNothingThatATerminalActsUpon) {
     }
 }
 
+TEST(LabWindow, NamesTheNearestOption) {
+    for (const char* wrong : {"--lnag de", "--lnag=de"}) {
+        const Ran ran = shell("env -u DISPLAY " + program("braitenlab") + " " + wrong);
+        EXPECT_EQ(ran.code, 2);
+        EXPECT_NE(ran.out.find("'--lang'"), std::string::npos) << ran.out;
+    }
+}
+
 TEST(LabWindow, AnswersVersionAndHelpWithoutADisplay) {
     EXPECT_EQ(shell("env -u DISPLAY " + program("braitenlab") + " --version").code, 0);
     const Ran help = shell("env -u DISPLAY " + program("braitenlab") + " --help");
