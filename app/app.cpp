@@ -24,6 +24,8 @@
 #include "app/terminal.h"
 #include "app/title.h"
 #include "render/view/trails.h"
+#include "ui/imgui_compat.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab {
 
@@ -78,7 +80,24 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
     if (!options_.only_draws() && !title_ && !lab_.before_lecture) tell_what_is_off();
+    if (!options_.only_draws() && !is_on_page()) show_name();
     times_.began = times_.turn = Clock::now();
+}
+
+void App::show_name() {
+    constexpr const char* name = "Braitenlab";
+    window_.begin_frame({});
+    const Rect area = window_.area();
+    const Palette colours = palette(lab_.preferences.theme);
+    ImFont* large = theme_.fonts().display;
+    ImFont* font = large ? large : ImGui::GetFont();
+    const float height = compat::size_of(font), width = font->CalcTextSizeA(height, area.w, 0, name).x;
+    ImGui::GetForegroundDrawList()->AddText(font, height, {(area.w - width) / 2, (area.h - height) / 2},
+                                            ui::paint(colours.text), name);
+    ImGui::Render();
+    window_.fill(colours.sky);
+    window_.draw_widgets();
+    window_.show();
 }
 
 void App::begin_asked_lecture() {

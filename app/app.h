@@ -71,6 +71,8 @@ private:
     using Clock = std::chrono::steady_clock;
 
     // ── The main loop, app.cpp ──
+    // Shows the name of the program until the first frame is drawn.
+    void show_name();
     // Opens the lecture or the lecture view of the command line.
     void begin_asked_lecture();
     // Collects events. True if the program can end now; asked more than once in a turn, so that a window disappears

@@ -109,6 +109,12 @@ std::pair<int, int> window_size(const Options& options, const StoredState& state
     return {state.width, state.height};
 }
 
+// The background of the first scene.
+Colour first_colour(const Options& options, const Opened& opened, const Settings& settings) {
+    const bool lectures = opened.lecture || options.lecture;
+    return palette(lectures ? opened.lab.lectures.theme : settings.at_start.theme).sky;
+}
+
 // The first start of a person, without a FILE and without options of a script.
 bool is_first_start(const Options& options, const Settings& settings) {
     return settings.state.last_opened.empty() && settings.errors.empty() && !options.only_draws() &&
@@ -143,6 +149,8 @@ int open_and_run(Options options) {
     if (const auto& place = settings.state.place;
         place && !options.full_screen && can_be_grabbed(*place, {width, height}, window->displays()))
         window->move_to(place->x, place->y);
+    // Compiling the shaders takes a second or two on a software renderer.
+    if (!options.only_draws()) window->fill(first_colour(options, *opened, settings)), window->show();
     std::optional<render::Offscreen> canvas;
     if (is_off_screen) {
         canvas.emplace(width, height);

@@ -222,8 +222,13 @@ bool renders_in_software() {
 // With multisampling, unless the context does not support it or the renderer is software: it would become too slow, and
 // high quality has multisampling of its own (render/gl/resampling.h).
 GLFWwindow* make_best_window(const WindowOptions& options) {
-    GLFWwindow* window = make_window(options, smooth_samples);
-    if (window && !renders_in_software()) return window;
+    WindowOptions first = options;
+    first.visible = false;  // a window that is replaced at once does not flash
+    GLFWwindow* window = make_window(first, smooth_samples);
+    if (window && !renders_in_software()) {
+        if (options.visible) glfwShowWindow(window);
+        return window;
+    }
     if (window) glfwDestroyWindow(window);
     return make_window(options, 0);
 }
@@ -417,6 +422,13 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ui::hand_over(keys, mouse.modifiers.value_or(held), io);
     ImGui::NewFrame();
     ui::hand_over_double_click(mouse, io);
+}
+
+void Window::fill(Colour colour) {
+    bind();
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(colour.r, colour.g, colour.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
 }
 
 void Window::draw_widgets() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }

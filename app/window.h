@@ -11,6 +11,7 @@
 
 #include "core/result.h"
 #include "render/view/camera.h"
+#include "render/view/palette.h"
 #include "ui/key_queue.h"
 
 struct GLFWwindow;
@@ -83,6 +84,7 @@ public:
     // Begins Dear ImGui's frame with these keys. Precondition: the font atlas is filled.
     void begin_frame(const ui::KeysOfAFrame&);
     void draw_widgets();  // draws Dear ImGui's lists over the scene
+    void fill(Colour);    // where no scene is drawn
     void show();          // swaps the buffers
     void upload_fonts();  // call after the font atlas has been filled again
     // True if the system has lost the picture since the last call, for example because the window was covered.

@@ -392,7 +392,8 @@ void Window::draw_widgets() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawDat
 
 bool Window::take_loss_of_picture() { return false; }  // the browser keeps it
 
-void Window::show() {}  // the browser shows the canvas after the turn
+void Window::fill(Colour) {}  // the page has a picture of its own until the first turn
+void Window::show() {}        // the browser shows the canvas after the turn
 
 void Window::upload_fonts() { upload_atlas(); }
 
