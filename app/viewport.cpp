@@ -46,6 +46,11 @@ bool jumped(const ViewportState& state, const Lab& lab) {
            is_home(state, lab);
 }
 
+// In a lecture a step of a page opens or closes a card beside the scene. Another page is another scene.
+bool area_moved(const ViewportState& state, const Lab& lab, const Rect& free_area) {
+    return lab.before_lecture && state.last_run == lab.document.run_id && !(state.last_area == free_area);
+}
+
 // In the wiring editor, whose scene is small: the paths with and without the edit or the change under the pointer.
 std::optional<FloorBox> paths_of_change(const Lab& lab) {
     if (lab.playback.mode != Mode::wiring) return std::nullopt;
@@ -142,8 +147,10 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .close_up = close_up});
     const CameraView wanted = look(state.framing.raised(lab.view.camera), now.scene->arena, followed, window, free_area,
                                    &state.framed, ride_scale(now, followed));
-    state.age = jumped(state, lab) ? 0 : state.age + seconds;
+    state.age = jumped(state, lab) || area_moved(state, lab, free_area) ? 0 : state.age + seconds;
     state.last = lab.view.camera;
+    state.last_area = free_area;
+    state.last_run = lab.document.run_id;
     state.last_followed = lab.view.selection.vehicle;
     const bool glides = state.has_sight && state.age < glide_seconds && state.camera_view.window == wanted.window &&
                         !lab.preferences.reduce_motion;

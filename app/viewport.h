@@ -22,6 +22,8 @@ struct ViewportState {
     float age = 1e9f;        // s since the last change that is shown as a glide
     Camera last;             // camera of the last frame, and the vehicle that it followed
     VehicleId last_followed = no_vehicle;
+    Rect last_area;  // free area of the last frame, and the document
+    std::uint64_t last_run = 0;
 };
 
 // Keys of the camera that are held: −1, 0 or 1 each.
@@ -31,10 +33,10 @@ struct CameraKeys {
     explicit operator bool() const { return turn != 0 || raise != 0 || zoom != 0 || pan.x != 0 || pan.y != 0; }
 };
 
-// Computes the camera view of this frame. A change of mode or vehicle, and Home, are shown as short glides, unless
-// motion is reduced. Other changes apply at once. While both slots run, the vehicle of B stays in the picture, too.
-// `cards`: over the scene, as folded cards of a lecture are. Once one hides a vehicle or a bulb, the scene is framed
-// below it, until the run is back at its start.
+// Computes the camera view of this frame. A change of mode or vehicle, Home, and in a lecture a change
+// of the free area, as by a step of a page, are shown as short glides, unless motion is reduced. Other changes apply at
+// once. While both slots run, the vehicle of B stays in the picture, too. `cards`: over the scene, as folded cards of a
+// lecture are. Once one hides a vehicle or a bulb, the scene is framed below it, until the run is back at its start.
 void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds, const SlotsView& = {},
          std::span<const Rect> cards = {});
 

@@ -66,6 +66,33 @@ TEST_F(SlowOrbit, GlidesToTheCameraOfThePageThatHomeRestores) {
     EXPECT_LT(state.age, 0.1f);
 }
 
+TEST_F(SlowOrbit, GlidesWhereAStepOfALectureMovesTheSceneAndNotOnAnotherPage) {
+    const Rect window{0, 0, 1280, 800}, right{650, 200, 600, 500}, left{20, 200, 600, 500};
+    const auto lamp = [&] { return project(state.camera_view, {0, 0})->x; };
+    const auto rest = [&](const Rect& area) {
+        for (int i = 0; i < 300; ++i) aim(state, lab, window, area, 1.0f / 60);
+        return lamp();
+    };
+    const float from = rest(right), to = rest(left);
+    ASSERT_LT(to, from - 300);
+    rest(right);
+    aim(state, lab, window, left, 1.0f / 60);
+    EXPECT_NEAR(lamp(), to, 1) << "outside a lecture";
+    begin_lecture(lab);
+    rest(right);
+    float before = lamp();
+    for (int frame = 0; frame < 60; ++frame) {
+        aim(state, lab, window, left, 1.0f / 60);
+        EXPECT_LE(before - lamp(), 0.3f * (from - to)) << "no jump in frame " << frame;
+        before = lamp();
+    }
+    EXPECT_NEAR(before, rest(left), 1);
+    rest(right);
+    replace_document(lab, opened_lab("2a-coward").document);
+    aim(state, lab, window, left, 1.0f / 60);
+    EXPECT_NEAR(lamp(), rest(left), 1) << "another page";
+}
+
 TEST_F(SlowOrbit, FramesTheSceneBelowACardThatHidesAVehicle) {
     const Rect window{0, 0, 1280, 800}, area{16, 72, 1248, 600};
     const auto vehicle_at = [&] {
