@@ -50,6 +50,7 @@ struct SettingsBeforeLecture {
     Theme theme = Theme::dark;
     float type_size = 1;
     ViewSettings view;  // restored at the end, except for the selection, which belongs to the run
+    std::optional<std::uint64_t> run_with_work{};  // Document::run_id of the document if it has unsaved edits
 };
 
 // Why no vehicle is selected, and none is to be selected instead: the user's choice stays until a vehicle is chosen,

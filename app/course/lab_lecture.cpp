@@ -115,9 +115,15 @@ float lecture_growth(Rect window, float display_scale) {
 
 void begin_lecture(Lab& lab) {
     lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
+    if (lab.document.edits != lab.document.saved_edits) lab.before_lecture->run_with_work = lab.document.run_id;
     lab.lectures.slots_before = without_runs(lab.slots);
     lab.preferences.theme = lab.lectures.theme;
     lab.preferences.type_size *= lecture_type;
+}
+
+bool has_edits_to_keep(const Lab& lab) {
+    if (lab.pages || lab.document.edits == lab.document.saved_edits) return false;
+    return !lab.before_lecture || lab.before_lecture->run_with_work == lab.document.run_id;
 }
 
 void leave_pages(Lab& lab) {
@@ -128,10 +134,14 @@ void leave_pages(Lab& lab) {
 
 void end_lecture(Lab& lab) {
     end_comparison(lab.slots, lab);
+    const bool is_edited = lab.document.edits != lab.document.saved_edits;
+    const bool nothing_to_keep = lab.pages || (is_edited && !has_edits_to_keep(lab));
     if (lab.pages) {
         leave_pages(lab);
         lab.lectures.left_run = lab.document.run_id;
         say(lab, {NoticeKind::notice, std::string(lecture_left), std::to_string(lab.lectures.left->page + 1)});
+    }
+    if (nothing_to_keep) {
         lab.document.saved_edits = lab.document.edits;
         lab.document.saved_tick = lab.document.session.snapshot().tick;
     }

@@ -1,5 +1,4 @@
-// Lecture mode, and the pages of a lecture file. A page opens its scene or exercise anew; edits made on it are not
-// asked to be saved.
+// Lecture mode, and the pages of a lecture file. A page opens its scene or exercise anew.
 #pragma once
 
 #include "app/lab.h"
@@ -11,6 +10,9 @@ inline constexpr float lecture_type = 1.4f;  // times the type size outside a le
 // How much larger the type of a lecture is in this window than in one of 1280 x 800: in a large window a lecture looks
 // as in a small one. At least 1. `display_scale`: window pixels per layout pixel at type size 1.
 float lecture_growth(Rect window, float display_scale);
+
+// True if the document has edits since it was saved. Those made in lecture mode alone are not asked to be saved.
+bool has_edits_to_keep(const Lab&);
 
 // Lecture mode: large type, and the theme of the last lecture since the start of the program, at first light. The end
 // restores preferences, view settings and stored brains, and leaves the lecture file; the scene of the last page stays

@@ -371,7 +371,7 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
 }
 
 bool has_unsaved_edits(const Lab& lab) {
-    if (lab.pages || lab.document.edits == lab.document.saved_edits) return false;
+    if (!has_edits_to_keep(lab)) return false;
     if (const auto& lesson = lab.document.lesson) {
         const Submission now = submission_of(*lesson->exercise, lab.document.session.snapshot());
         return now != as_shipped(*lesson->exercise) && !is_kept(lab, now);

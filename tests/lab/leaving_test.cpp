@@ -50,6 +50,26 @@ TEST_F(LeaveRequests, LeavesOnceTheEditsAreSavedUnderAnotherName) {
     EXPECT_EQ(lab.document.name, "3a-love");
 }
 
+TEST_F(LeaveRequests, DoesNotAskForWhatIsChangedInALectureOnly) {
+    handle(lab, Action::lecture);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_TRUE(may_leave(lab, files));
+    handle(lab, Action::lecture);
+    EXPECT_TRUE(may_leave(lab, files)) << "also after it";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 0.5f}});
+    EXPECT_FALSE(may_leave(lab, files));
+    for (int i = 0; i < 2; ++i) {
+        handle(lab, Action::lecture);
+        handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::RL, 0.25f}});
+        EXPECT_FALSE(may_leave(lab, files)) << "there are edits from before it";
+    }
+    handle(lab, Action::lecture);
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(LeaveRequest{Leave::discard});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::RL, 0.25f}});
+    EXPECT_TRUE(may_leave(lab, files)) << "another scene of the same lecture";
+}
+
 TEST_F(LeaveRequests, LeavesWithoutUnsavedEditsOrAfterTheUserDiscardsThem) {
     EXPECT_TRUE(may_leave(lab, files)) << "no edits";
     for (int i = 0; i < 100; ++i) tick(lab);
