@@ -162,6 +162,7 @@ void App::keep_work() {
 void App::close() {
     if (!options_.only_draws()) window_.hide();
     if (is_told_to_end()) {
+        end_comparison(lab_.slots, lab_);  // the student's own brain is kept
         keep_work();
         clip_.reset();  // removes its incomplete file
         // The other destructors wait for background jobs, which can take seconds.

@@ -142,6 +142,31 @@ TEST(CrashWindow, OffersARunWithoutEdits) {
     EXPECT_LE(lab.state()["tick"], reached + 60);
 }
 
+TEST(CrashWindow, ASignalDuringAComparisonKeepsTheBrainOfTheStudent) {
+    if (!windows_program().empty()) GTEST_SKIP() << "Windows has no signals";
+    const Home home;
+    {
+        LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+        const auto raise_to = [&](double value) {
+            lab.key("2");
+            lab.key("Right");
+            ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == value; }));
+        };
+        lab.key("q");  // A
+        raise_to(0.05);
+        lab.key("q");  // B
+        raise_to(0.1);
+        lab.key("shift+q");
+        ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.0; }));
+        lab.send(SIGTERM);
+        EXPECT_EQ(lab.exit_code(), 0);
+    }
+    LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("recovery.take"); }));
+    lab.key("Return");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.1; })) << lab.state()["weights"].dump();
+}
+
 TEST(CrashWindow, EndsOnSigtermAndOffersTheWork) {
     if (!windows_program().empty()) GTEST_SKIP() << "Windows has no signals";
     const Home home;
