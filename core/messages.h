@@ -264,6 +264,9 @@ inline constexpr auto message_table = std::to_array<MessageText>({
      ". In {} s of the run with the shipped brain and seed {} the vehicle drives {} m and turns {}° to the left in all "
      "(minus: to the right)"},
     {"source_before_answer", "; its distance to {} goes from {} m to {} m"},
+    {"answer_of_any_brain",
+     "every run meets the checks of the answer, also with the solution, with crossed wires and with the wrong answers, "
+     "so they tell no option from another; test what only this answer shows"},
     {"answer_after_the_run",
      "the answer is visible after {} s, and a graded run lasts {} s; reduce 'after', or increase 'seconds'"},
     {"check_without_option",

@@ -86,13 +86,17 @@ std::vector<std::size_t> checks_of_option(const Prediction& prediction, std::siz
     return indices;
 }
 
-StartResult shown_run(const Exercise& exercise, std::size_t option) {
+StartResult shown_run(const Exercise& exercise, const Submission& submission, std::size_t option) {
     Exercise shown = exercise;
     shown.seconds = exercise.prediction.after;
     shown.steps.clear();
     for (const std::size_t i : checks_of_option(exercise.prediction, option))
         shown.steps.push_back({"", exercise.prediction.shows[i].check});
-    return try_start(shown, as_shipped(exercise), exercise.seed);
+    return try_start(shown, submission, exercise.seed);
+}
+
+StartResult shown_run(const Exercise& exercise, std::size_t option) {
+    return shown_run(exercise, as_shipped(exercise), option);
 }
 
 std::optional<std::size_t> other_option_shown(const Exercise& exercise) {

@@ -57,7 +57,9 @@ inline bool passes(const Exercise& exercise, const Submission& submission, std::
 // Indices in Prediction::shows of the checks that belong to the option of this index.
 std::vector<std::size_t> checks_of_option(const Prediction&, std::size_t option);
 
-// The run with the shipped brain and Exercise::seed, judged by the checks of the option for Prediction::after seconds.
+// The run with the submission and Exercise::seed, judged by the checks of the option for Prediction::after seconds.
+StartResult shown_run(const Exercise&, const Submission&, std::size_t option);
+// The same with the shipped brain.
 StartResult shown_run(const Exercise&, std::size_t option);
 
 // Index of an option other than the answer whose checks the run meets; nullopt: none.

@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "core/brain/four_neurons.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
 #include "core/lesson/reference.h"
+#include "core/lesson/selection.h"
 #include "core/lesson/submission.h"
 #include "core/maths/angle.h"
 #include "core/messages.h"
@@ -178,10 +180,14 @@ void warn_of_equal_starts(const Exercise& exercise, const WarningPlaces& places,
         places.in_scene("vehicle." + scene.starts.front().name, message_of("equal_starts", exercise.starts)));
 }
 
+ReferencePath path_before_answer(const Exercise& exercise, const Submission& submission) {
+    Reference run(exercise, submission, 0, exercise.seed);
+    return run.until(static_cast<std::uint64_t>(exercise.prediction.after / tick_seconds));
+}
+
 // What the first vehicle does until the answer is visible, so that the author can compare it with the answer.
 Message run_before_answer(const Exercise& exercise) {
-    Reference run(exercise, as_shipped(exercise), 0, exercise.seed);
-    const ReferencePath& path = run.until(static_cast<std::uint64_t>(exercise.prediction.after / tick_seconds));
+    const ReferencePath path = path_before_answer(exercise, as_shipped(exercise));
     if (path.empty()) return {};
     const Pose &first = path.front(), &last = path.back();
     float driven = 0, turned = 0;
@@ -202,6 +208,41 @@ Message run_before_answer(const Exercise& exercise) {
                                  fmt::format("{:.1f}", away(*nearest, first)),
                                  fmt::format("{:.1f}", away(*nearest, last)));
     return said;
+}
+
+bool drives_elsewhere(const ReferencePath& a, const ReferencePath& b) {
+    constexpr float apart = 0.25f;  // m
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        if (std::hypot(a[i].x - b[i].x, a[i].y - b[i].y) > apart) return true;
+    return a.size() != b.size();
+}
+
+// The solution, the shipped brain with crossed wires and the wrong answers, without those that drive as the shipped
+// brain does until the answer is visible.
+std::vector<Submission> brains_that_differ(const Exercise& exercise) {
+    std::vector<Submission> others{exercise.solution.submission,
+                                   with_brain(exercise, crossed(as_shipped(exercise).brain))};
+    for (const Answer& wrong : exercise.wrong) others.push_back(wrong.submission);
+    const ReferencePath shipped = path_before_answer(exercise, as_shipped(exercise));
+    std::erase_if(
+        others, [&](const Submission& each) { return !drives_elsewhere(path_before_answer(exercise, each), shipped); });
+    return others;
+}
+
+// Checks of the answer that any brain meets, such as "it drives" for "straight on", fit other options as well. Says
+// nothing of checks about another vehicle, and of a brain that is selected by hand.
+void warn_of_weak_checks(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    const Prediction& asked = exercise.prediction;
+    const auto answer = static_cast<std::size_t>(asked.answer);
+    const std::vector<std::size_t> checks = checks_of_option(asked, answer);
+    if (!is_asked(asked) || checks.empty() || offers_selection(exercise)) return;
+    const auto is_of_another = [&](std::size_t i) { return !asked.shows[i].check.vehicle.empty(); };
+    if (std::any_of(checks.begin(), checks.end(), is_of_another)) return;
+    const std::vector<Submission> others = brains_that_differ(exercise);
+    const auto meets = [&](const Submission& each) { return shown_run(exercise, each, answer).passed; };
+    if (!others.empty() && std::all_of(others.begin(), others.end(), meets))
+        found.push_back(
+            places.at(fmt::format("predict.shows.{}", checks.front() + 1), message_of("answer_of_any_brain")));
 }
 
 void warn_of_prediction(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
@@ -293,6 +334,7 @@ std::vector<Error> warnings_of(const Exercise& exercise, std::string_view toml, 
     for (int i = 0; i < exercise.starts; ++i)
         warn_of_start(exercise, places, static_cast<std::uint64_t>(i) + 1, known, found);
     warn_of_prediction(exercise, places, found);
+    warn_of_weak_checks(exercise, places, found);
     warn_of_words(exercise, places, found);
     warn_of_wrong_answers(exercise, places, found);
     std::stable_sort(found.begin(), found.end(), [](const Error& a, const Error& b) { return a.line < b.line; });

@@ -22,7 +22,8 @@ int word_count(std::string_view);
 bool is_answer_untested(const Exercise&);
 
 // Each with file and line. `toml`: the text of the file from which the exercise was read. Runs two ticks of each graded
-// start, all starts as shipped for an exercise with a MedianRule, and Prediction::after seconds for an untested answer.
+// start, all starts as shipped for an exercise with a MedianRule, and Prediction::after seconds for an untested answer
+// or, with several other brains, for a tested one.
 std::vector<Error> warnings_of(const Exercise&, std::string_view toml, const std::filesystem::path&);
 
 // Why the run with the shipped brain contradicts the prediction's answer: it meets the checks of another option, or the

@@ -30,8 +30,11 @@ after = 2
 
 [[predict.shows]]
 option = "Straight on"
-goal = "drives"
-speed = 0.1
+goal = "keeps_speed"
+from = 0.1
+to = 1
+earliest = 0.5
+hold = 1.4
 
 [[step]]
 text = "It reaches the lamp"
@@ -69,6 +72,11 @@ heading_spread = 5
 x = 4
 y = 2
 )";
+
+// Of its answer.
+const std::string checks =
+    "[[predict.shows]]\noption = \"Straight on\"\ngoal = \"keeps_speed\"\nfrom = 0.1\nto = 1\nearliest = 0.5\nhold = "
+    "1.4\n";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
@@ -138,13 +146,11 @@ TEST(Warnings, StartsThatAreAllAlike) {
 }
 
 TEST(Warnings, AnAnswerThatNothingTests) {
-    expect_warning(replaced(sound, "[[predict.shows]]\noption = \"Straight on\"\ngoal = \"drives\"\nspeed = 0.1\n", ""),
-                   "[[predict.shows]]", "answer =");
+    expect_warning(replaced(sound, checks, ""), "[[predict.shows]]", "answer =");
 }
 
 TEST(Warnings, AnAnswerThatNothingTestsIsSaidBesideWhatTheRunDoes) {
-    const std::string untested =
-        replaced(sound, "[[predict.shows]]\noption = \"Straight on\"\ngoal = \"drives\"\nspeed = 0.1\n", "");
+    const std::string untested = replaced(sound, checks, "");
     expect_warning(untested, "In 2 s of the run with the shipped brain and seed 1 the vehicle drives 1.", "answer =");
     expect_warning(untested, "its distance to 'a' goes from 4.5 m to 3.", "answer =");
     const std::string turning =
@@ -153,6 +159,15 @@ TEST(Warnings, AnAnswerThatNothingTestsIsSaidBesideWhatTheRunDoes) {
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].what.find(" turns 0°"), std::string::npos) << found[0].text();
     EXPECT_EQ(found[0].what.find(" turns -"), std::string::npos) << "it turns to the left: " << found[0].text();
+}
+
+TEST(Warnings, ACheckOfTheAnswerThatEveryBrainMeets) {
+    const std::string drives = "[[predict.shows]]\noption = \"Straight on\"\ngoal = \"drives\"\nspeed = 0.1\n";
+    const std::string weak = replaced(sound, checks, drives);
+    expect_warning(weak, "so they tell no option from another", "[[predict.shows]]");
+    const std::string resting = "\n[[wrong]]\nname = \"rests\"\ntext = \"It rests.\"\nLR = 0\n";
+    for (const Error& each : warnings(weak + resting))
+        EXPECT_EQ(each.what.find("tell no option"), std::string::npos) << "a wrong brain does not meet it";
 }
 
 TEST(Warnings, AnAnswerThatIsVisibleAfterTheEndOfAGradedRun) {
@@ -203,7 +218,7 @@ TEST(Warnings, AreThoseOfTheSceneInItsOwnFile) {
 }
 
 TEST(Warnings, APredictionThatTheRunContradictsIsNamedByItsLine) {
-    const std::string toml = replaced(sound, "speed = 0.1", "speed = 9");
+    const std::string toml = replaced(sound, "to = 1", "to = 0.2");
     const auto exercise = parse_exercise(toml, "own.toml");
     ASSERT_TRUE(exercise) << exercise.error().text();
     const auto fault = prediction_fault(*exercise, toml, "own.toml");
@@ -328,7 +343,7 @@ TEST(Warnings, NoneForAVehicleInALampThatIsNotSolidOrBeyondAnOpenEdge) {
 }
 
 TEST(Warnings, APredictionIsTestedUntilItsOutcomeOnly) {
-    const std::string toml = replaced(sound, "speed = 0.1", "speed = 0.1\nearliest = 5");
+    const std::string toml = replaced(sound, "earliest = 0.5", "earliest = 5");
     const auto exercise = parse_exercise(toml, "own.toml");
     ASSERT_TRUE(exercise) << exercise.error().text();
     const auto fault = prediction_fault(*exercise, toml, "own.toml");
