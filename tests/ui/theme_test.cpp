@@ -32,6 +32,16 @@ TEST(Theme, HasReadableTextEverywhere) {
     }
 }
 
+TEST(Theme, HasScrollBarsThatAreSeen) {
+    ImGui::CreateContext();
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        apply_theme(theme, 1);
+        const ImVec4& bar = ImGui::GetStyle().Colors[ImGuiCol_ScrollbarGrab];
+        EXPECT_GE(contrast({bar.x, bar.y, bar.z, bar.w}, palette(theme).panel), 3);
+    }
+    ImGui::DestroyContext();
+}
+
 TEST(Theme, MovesAColourTowardsTheTextAsLittleAsNecessary) {
     const Palette p = palette(Theme::light);
     EXPECT_EQ(legible(p.text, p.panel, p.text), p.text);

@@ -143,7 +143,7 @@ void apply_theme(Theme theme, float scale) {
     c[ImGuiCol_Border] = c[ImGuiCol_Separator] = vec(p.line);
     c[ImGuiCol_BorderShadow] = vec(clear);
     c[ImGuiCol_FrameBg] = c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_FrameBgActive] = vec(p.raised);
-    c[ImGuiCol_ScrollbarGrab] = vec(p.line);
+    c[ImGuiCol_ScrollbarGrab] = vec(mix(p.panel, p.second_text, 0.75f));
     c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = vec(p.second_text);
     c[ImGuiCol_Button] = vec(p.raised);
     c[ImGuiCol_ButtonHovered] = c[ImGuiCol_ButtonActive] = vec(p.line);
