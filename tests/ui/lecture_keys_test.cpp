@@ -50,6 +50,22 @@ TEST_F(LectureKeys, AKeyOfAClickerTakesTheNumberThatIsTyped) {
     EXPECT_TRUE(desk.all.empty()) << "other keys belong to the number";
 }
 
+TEST_F(LectureKeys, NoDiagramIsOpenedWhileTheAudienceIsAskedAboutTheBrain) {
+    desk.view.pages = nullptr;
+    Revealed& revealed = desk.view.settings.revealed;
+    for (const Action action : {Action::wiring, Action::watch}) {
+        revealed = hidden_until_asked;
+        desk.frame();
+        EXPECT_EQ(why_unavailable(desk.view, desk.panels, action), "unavailable.diagram_hidden");
+        desk.view.settings.watching = true;
+        EXPECT_EQ(why_unavailable(desk.view, desk.panels, action), "") << "it can be closed";
+        desk.view.settings.watching = false;
+        revealed = revealed_after_asking;
+        desk.frame();
+        EXPECT_EQ(why_unavailable(desk.view, desk.panels, action), "");
+    }
+}
+
 TEST_F(LectureKeys, F5AsksForTheFirstPage) {
     show(3, 1);
     desk.key({key::f5});

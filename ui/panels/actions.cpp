@@ -100,6 +100,14 @@ std::string_view no_map(const LabView& view, const PanelState&) {
     return why_no_map(view);
 }
 
+// While the audience is asked, an empty diagram would take the place of the scene.
+std::string_view no_diagram(const LabView& view, const PanelState&) {
+    const VehicleView* vehicle = selected_vehicle(view);
+    const bool is_open = view.mode == Mode::wiring || view.settings.watching;
+    const bool asks = view.lecture && view.settings.revealed.asks_first && !is_open;
+    return asks && vehicle && hides_brain(view, vehicle->kind) ? "unavailable.diagram_hidden" : "";
+}
+
 std::string_view no_robots(const LabView& view, const PanelState&) {
     const VehicleView* vehicle = selected_vehicle(view);
     if (view.settings.reality) return "";
