@@ -138,6 +138,25 @@ TEST(LiveBrain, ShowsEveryEyeThatTheBrainReadsAlsoBesideTheDiagram) {
         }
 }
 
+TEST(LiveBrain, TheBarOfAnEyeCoversNoText) {
+    int bars = 0;
+    for (const Size& size : sizes)
+        for (const std::string& code : shipped_codes()) {
+            SCOPED_TRACE(code + " at " + std::to_string(size.width));
+            Desk desk(size.width, size.height, size.scale, true);
+            desk.strings = speaking(code);
+            begin_lecture(desk, "tortoise");
+            desk.view.settings.watching = true;
+            desk.frame(3);
+            for (const auto& [id, bar] : desk.anchors.all()) {
+                if (!id.starts_with("lecture.bar.")) continue;
+                ++bars;
+                for (const ui::Written& w : desk.written) EXPECT_FALSE(overlap(w.rect, bar)) << id << " " << w.words;
+            }
+        }
+    EXPECT_GT(bars, 0);
+}
+
 TEST(LiveBrain, BesideTheDiagramTheEyesOfAPairAreOneBelowTheOther) {
     Desk desk(1024, 768, 1.4f, true);
     begin_lecture(desk, "3c-values");

@@ -30,7 +30,7 @@ constexpr std::size_t most_labelled = 2;  // eyes; the labels of more wires do n
 constexpr std::size_t most_eyes = 14;     // of a brain that is shown whole
 constexpr float words_share = 0.20f, eyes_share = 0.19f, wheels_share = 0.26f;  // of the width; the rest are wires
 constexpr float live_inset = spacing::large, live_bar = 10, low_picture = 110;  // layout pixels
-constexpr float name_share = 0.24f, number_share = 0.24f;                       // of a row that is one line
+constexpr float least_live_bar = 16;  // layout pixels, of a row that is one line
 
 // A node of the brain in its row.
 struct LiveRow {
@@ -174,8 +174,7 @@ private:
         const Palette& p = ui_.palette;
         const float line = line_height(ui_, Face::title), gap = ui_.px(spacing::hair), h = ui_.px(live_bar);
         const float y = row.middle() - (line + gap + h) / 2;
-        put(ui_, {row.place.x, y}, wiring::short_name(kind_of(*view_.now, vehicle_).sensors, row.name), p.second_text,
-            Face::title);
+        put(ui_, {row.place.x, y}, name_of(row), p.second_text, Face::title);
         const std::string number = !is_wheel      ? fixed(ui_, row.value, 2)
                                    : asks_first() ? std::string("?")
                                                   : with_sign(ui_, row.value, 2);
@@ -193,7 +192,19 @@ private:
                      Corner::square);
     }
 
-    // Name, bar and number in one line; only the bar where lines are too close for text.
+    // The widest name of an eye, window pixels.
+    float names_width() const {
+        float widest = 0;
+        for (const LiveRow& eye : eyes_) widest = std::max(widest, text_width(ui_, Face::small, name_of(eye)));
+        return widest;
+    }
+
+    std::string name_of(const LiveRow& row) const {
+        return wiring::short_name(kind_of(*view_.now, vehicle_).sensors, row.name);
+    }
+
+    // Name, bar and number in one line; only the bar where lines are too close for text, none where the text leaves it
+    // no room.
     void draw_line(const LiveRow& row) {
         const Palette& p = ui_.palette;
         const bool has_text = row.place.h >= line_height(ui_, Face::small);
@@ -201,10 +212,12 @@ private:
         Rect track{row.place.x, row.middle() - h / 2, row.place.w, h};
         if (has_text) {
             const float y = row.middle() - line_height(ui_, Face::small) / 2;
-            put(ui_, {row.place.x, y}, wiring::short_name(kind_of(*view_.now, vehicle_).sensors, row.name),
-                p.second_text, Face::small);
+            const float space = ui_.px(spacing::small), name = names_width() + space;
+            put(ui_, {row.place.x, y}, name_of(row), p.second_text, Face::small);
             put_right(ui_, {row.place.x + row.place.w, y}, fixed(ui_, row.value, 2), p.text, Face::small);
-            track.x += name_share * row.place.w, track.w *= 1 - name_share - number_share;
+            track.x += name, track.w -= name + text_width(ui_, Face::small, fixed(ui_, 0, 2)) + space;
+            if (track.w < ui_.px(least_live_bar)) return;
+            mark(ui_, "lecture.bar." + row.name, track);
         }
         fill_box(ui_, track, p.line.with_alpha(0.6f), Corner::round);
         const float reach = std::clamp(row.value, 0.0f, 1.0f) * track.w;
