@@ -323,6 +323,16 @@ TEST_F(LecturePages, ShowsThePageNumberAndTheTitleOfTheLecture) {
     EXPECT_FALSE(desk.says("A scene")) << "the title of the scene could tell the answer";
 }
 
+TEST_F(LecturePages, ATitleThatOneLineHasNoRoomForIsWholeInTwo) {
+    auto lecture = std::make_shared<Lecture>(*pages.lecture);
+    lecture->title = "From two wheels to neurons and to what they learn";
+    pages.lecture = lecture;
+    show(1, 0);
+    EXPECT_TRUE(desk.says("From two wheels"));
+    EXPECT_TRUE(desk.says("they learn")) << "the end of the second line";
+    for (const Written& w : desk.written) EXPECT_EQ(w.words.find("…"), std::string::npos) << w.words;
+}
+
 TEST_F(LecturePages, ALongTitleIsShortenedInTheBar) {
     Lecture lecture = *pages.lecture;
     lecture.title = "A coward, and what it is made of, with a title that is much longer than the bar of a lecture";

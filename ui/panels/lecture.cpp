@@ -281,6 +281,19 @@ OpenRequest back_to_page(const LabView& view) {
     return {.path = view.documents.left_pages->lecture->path.string(), .resume = true};
 }
 
+// In two lines of smaller type where one has no room; else shortened.
+void title_in_bar(Ui& ui, std::string_view title, float from, float room, Rect bar) {
+    const auto lines = lines_of_words(ui, title, Face::text, room);
+    const bool wraps = text_width(ui, Face::title, title) > room && lines.size() <= 2;
+    const Face face = wraps ? Face::text : Face::title;
+    const float height = line_height(ui, face) * (wraps ? static_cast<float>(lines.size()) : 1.0f);
+    const ImVec2 at{from, bar.y + (bar.h - height) / 2};
+    Ui cuts = ui;
+    cuts.shortened = nullptr;  // a title that gives way is no text that is cut by mistake
+    if (wraps) return void(put_lines(cuts, at, title, ui.palette.second_text, face, room, 2));
+    put(ui, at, shortened(cuts, title, face, room), ui.palette.second_text, face);
+}
+
 void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "lecture", bar);
     const bool playing = view.mode == Mode::playing;
@@ -315,13 +328,10 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     // In a lecture file the number of the page says enough where the title has hardly any room.
     std::string title = title_of_bar(view, ui);
     if (view.pages && room < ui.px(least_title) && text_width(ui, Face::title, title) > room) title.clear();
-    Ui cuts = ui;
-    cuts.shortened = nullptr;  // a title that gives way is no text that is cut by mistake
     if (state.lecture.marks.drawing)
         sign_of_pen(ui, {from, bar.y, room, bar.h});
     else if (view.notice.empty())
-        put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(cuts, title, Face::title, room),
-            ui.palette.second_text, Face::title);
+        title_in_bar(ui, title, from, room, bar);
     else
         bar_notice(view, ui, from, room, bar);
     end_bar();
