@@ -228,6 +228,31 @@ TEST(LecturePageType, WeightsNamesAndEquationsAreNotSmallerThanAFiftiethOfTheWin
     EXPECT_GE(pages, 6 * 10);
 }
 
+TEST(LecturePageType, EveryTextOfEveryPageAndStepIsAtLeastAFiftiethOfTheWindow) {
+    constexpr float line_by_letters = 1.362f;                               // of the font
+    constexpr Size projectors[]{{1024, 768, 1.375f}, {1920, 1080, 1.75f}};  // as the lab scales a lecture
+    for (const Size& size : projectors)
+        for (const char* lecture : {"fitter", "four-numbers", "wheels-to-neurons"}) {
+            const int count = static_cast<int>(opened_lecture(lecture).lecture->pages.size());
+            for (int page = 0; page < count; ++page) {
+                RevealedPage shown(lecture, page, size, "de");
+                const int steps = shown.pages.step;
+                for (int step = 0; step <= steps; ++step)
+                    for (const bool notes : {false, true}) {
+                        shown.pages.step = step, shown.pages.notes = notes;
+                        shown.desk.view.settings.watching = shown.pages.shows(PagePart::wiring);
+                        shown.desk.frame(4);
+                        SCOPED_TRACE(std::string(lecture) + " " + std::to_string(page + 1) + "." +
+                                     std::to_string(step) + " at " + std::to_string(size.width));
+                        for (const Written& w : shown.desk.written)
+                            if (is_visible(w)) {
+                                EXPECT_GE(w.rect.h, 0.022f * line_by_letters * size.height - 0.6f) << w.words;
+                            }
+                    }
+            }
+        }
+}
+
 TEST(LecturePageType, ADiagramHasTheNameOfEveryNodeAndTheNumbersOfAFewAndNothingIsPale) {
     each_revealed_page([&](RevealedPage& page, const Size&) {
         if (!page.has_diagram()) return;

@@ -25,7 +25,8 @@ namespace {
 
 constexpr double pressed_key_seconds = 2.5;
 constexpr std::size_t most_pressed_keys = 4;
-constexpr float least_title = 120;  // layout pixels, of a shortened one
+constexpr float least_pitch = 0.9f;  // of the lines of a notice, in lines
+constexpr float least_title = 120;   // layout pixels, of a shortened one
 
 struct LectureFigure {
     std::string_view anchor, caption;  // caption: key of the string
@@ -171,7 +172,7 @@ std::string title_of_bar(const LabView& view, const Ui& ui) {
 }
 
 // How a notice is written into the bar, so that it covers neither the scene nor the values: in two lines, else in as
-// many of the smallest type as the bar has room for.
+// many of the smallest type as the bar has room for, which are then closer to each other.
 struct NoticeType {
     Face face;
     std::size_t lines;  // of the notice
@@ -183,8 +184,9 @@ NoticeType type_of_notice(const Ui& ui, std::string_view words, float room, Rect
     for (const Face face : {Face::text, Face::small})
         if (const std::size_t lines = lines_of_words(ui, words, face, width).size(); lines <= 2)
             return {face, lines, 2};
-    const auto most = static_cast<std::size_t>(bar.h / line_height(ui, Face::label));
-    return {Face::label, lines_of_words(ui, words, Face::label, width).size(), std::max<std::size_t>(2, most)};
+    const float line = line_height(ui, Face::small);
+    const auto most = 1 + static_cast<std::size_t>((bar.h - line) / (least_pitch * line));
+    return {Face::small, lines_of_words(ui, words, Face::small, width).size(), std::max<std::size_t>(2, most)};
 }
 
 // The part of the room that the notice needs, with the space beside it; 0 without one.
@@ -206,9 +208,14 @@ void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
     put_icon(ui, {from + ui.px(7), bar.y + bar.h / 2}, sign_of(view.notice.kind), colour);
     const std::string words = text_of(view.notice, ui.strings);
     const NoticeType type = type_of_notice(ui, words, room, bar);
-    const auto lines = static_cast<float>(std::min(type.lines, type.most));
-    const float y = bar.y + (bar.h - lines * line_height(ui, type.face)) / 2;
-    put_lines(ui, {text, y}, words, colour, type.face, from + room - text, type.most);
+    const std::size_t count = std::min(type.lines, type.most);
+    const float line = line_height(ui, type.face), gaps = static_cast<float>(count - 1);
+    const float pitch = count > 1 ? std::min(line, (bar.h - line) / gaps) : line;
+    float y = bar.y + (bar.h - line - gaps * pitch) / 2;
+    std::vector<std::string> lines = lines_of_words(ui, words, type.face, from + room - text);
+    for (std::size_t i = count; i < lines.size(); ++i) lines[count - 1] += " " + lines[i];
+    for (std::size_t i = 0; i < count; ++i, y += pitch)
+        put(ui, {text, y}, shortened(ui, lines[i], type.face, from + room - text), colour, type.face);
     mark(ui, "hint.bar", {from, bar.y, room, bar.h});
 }
 

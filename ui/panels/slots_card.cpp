@@ -185,7 +185,7 @@ void slots_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             table(slots, ui, is_short ? 2 : 3);
             if (!is_short)
                 paragraph(ui, fill(ui.strings("slots.how"), {fixed(ui, slots.seconds, 0)}), ui.palette.second_text,
-                          view.lecture ? Face::small : Face::label);
+                          Face::label);
         } else if (slots.is_computing) {
             paragraph(ui, ui.strings("slots.computing"), ui.palette.second_text, Face::small);
         }

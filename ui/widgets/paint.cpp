@@ -65,6 +65,7 @@ void record_text(const Ui& ui, const ImDrawList& draw, Rect rect, std::string_vi
 
 ImFont* font(const Ui& ui, Face face) {
     const Fonts& fonts = ui.fonts;
+    if (face == Face::label && ui.least_type > 0) face = Face::small;  // labels are lower than the least type
     ImFont* chosen = face == Face::text      ? fonts.text
                      : face == Face::strong  ? fonts.strong
                      : face == Face::title   ? fonts.title

@@ -35,7 +35,7 @@ inline constexpr std::string_view light = "\uf185", coloured_light = "\uf0eb", h
 
 enum class Face { text, strong, title, small, label, display, caption };
 
-// The font of a face; Dear ImGui's current font when none was loaded.
+// The font of a face; Dear ImGui's current font when none was loaded. In a lecture labels have that of small text.
 ImFont* font(const Ui&, Face);
 
 // Window pixels.

@@ -25,10 +25,6 @@ namespace braitenlab::ui {
 
 namespace {
 
-// Of the names above the numbers. In a lecture they are as high as the numbers, so that they are legible from the last
-// row.
-Face face_of_names(const Ui& ui) { return ui.least_type > 0 ? Face::small : Face::label; }
-
 // Between two parts of an equation, layout pixels. With factors, signs are between the numbers.
 constexpr float least_space = spacing::tight, least_factor_space = spacing::hair;
 
@@ -84,7 +80,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
         for (const MotorSum& sum : both) {
             Product unmasked = sum.products[i];  // as wide, so that a reading that passes θ moves nothing
             unmasked.masked = false;
-            widest = std::max(widest, !factors ? std::max(number, text_width(ui, face_of_names(ui), unmasked.label))
+            widest = std::max(widest, !factors ? std::max(number, text_width(ui, Face::label, unmasked.label))
                                                : text_width(ui, face, numbers_of(ui, unmasked)));
         }
         return widest;
@@ -92,10 +88,10 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     const auto term = [&](std::size_t i) {
         float widest = number;
         for (const MotorSum& sum : both)
-            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, face_of_names(ui), sum.terms[i].label));
+            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, Face::label, sum.terms[i].label));
         return widest;
     };
-    const float rest = more ? std::max(number, text_width(ui, face_of_names(ui), ui.strings("sums.rest"))) : 0;
+    const float rest = more ? std::max(number, text_width(ui, Face::label, ui.strings("sums.rest"))) : 0;
     const float total = text_width(ui, Face::strong, with_sign(ui, 1, 2)), name = text_width(ui, Face::strong, "MR");
     const std::size_t terms = term_columns(both);
     const bool products = both[0].shows_products;
@@ -123,7 +119,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
 }
 
 // The numbers are below their names; window pixels.
-float below_name(const Ui& ui) { return line_height(ui, face_of_names(ui)) + ui.px(spacing::hair); }
+float below_name(const Ui& ui) { return line_height(ui, Face::label) + ui.px(spacing::hair); }
 
 // The cause of a turn is marked by a box in the colour of its sign.
 void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, float value, Face face) {
@@ -140,7 +136,7 @@ Colour colour_of_names(const Ui& ui) { return ui.least_type > 0 ? ui.palette.tex
 void one_product(const Ui& ui, float right, float y, const Product& p) {
     const std::string numbers = numbers_of(ui, p);
     const float w = text_width(ui, Face::small, numbers);  // with factors there is room
-    put_centred(ui, {right - w / 2, y}, p.label, colour_of_names(ui), face_of_names(ui));
+    put_centred(ui, {right - w / 2, y}, p.label, colour_of_names(ui), Face::label);
     put_right(ui, {right, y + below_name(ui)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
               Face::small);
 }
@@ -153,7 +149,7 @@ std::string addend(const Ui& ui, float value, bool first) {
 
 // A number of a sum below its name.
 void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value, bool first, Face face) {
-    put_right(ui, {right, y}, letters, colour_of_names(ui), face_of_names(ui));
+    put_right(ui, {right, y}, letters, colour_of_names(ui), Face::label);
     put_right(ui, {right, y + below_name(ui)}, addend(ui, value, first), ui.palette.text, face);
 }
 
@@ -348,7 +344,7 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         x = columns(false);
     }
     if (x.space < ui.px(least_space) && !x.factors)
-        x = equation_columns(ui, both, false, at.x, card_width(ui), face_of_names(ui));
+        x = equation_columns(ui, both, false, at.x, card_width(ui), Face::label);
     const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(spacing::tight);
     const bool stopped = both[0].stopped || both[1].stopped;
     const Cause* shown = stopped || insight::are_alike(both[0].total, both[1].total) ? nullptr : &why;
