@@ -131,6 +131,34 @@ TEST_F(AuthorSheet, APredictionHasItsTrueAnswer) {
     EXPECT_EQ(asked.answer, 1);
 }
 
+TEST_F(AuthorSheet, ArrowKeysGoOnInAListThatTheMouseHasOpened) {
+    fill_in();
+    for (const auto& [number, list, rows] :
+         {std::tuple{3, "author.goals", "author.goal."}, {4, "author.shows", "author.shows."}}) {
+        page(number);
+        desk.click(list);
+        desk.frame(3);
+        const std::string chosen = desk.panels.keyboard.focus;
+        EXPECT_TRUE(chosen.starts_with(rows)) << chosen;
+        desk.key({key::down});
+        desk.frame(3);
+        EXPECT_TRUE(desk.panels.keyboard.focus.starts_with(rows)) << desk.panels.keyboard.focus;
+        EXPECT_NE(desk.panels.keyboard.focus, chosen);
+    }
+}
+
+TEST_F(AuthorSheet, TheFieldsOfTheAnswersHaveTheSameEdges) {
+    for (const std::string& code : shipped_codes()) {
+        desk.strings = speaking(code);
+        page(4);
+        const Rect first = desk.where("author.option.1");
+        for (const char* other : {"author.option.2", "author.option.3", "author.option.4"}) {
+            EXPECT_NEAR(desk.where(other).x, first.x, 1) << code;
+            EXPECT_NEAR(desk.where(other).w, first.w, 1) << code;
+        }
+    }
+}
+
 TEST_F(AuthorSheet, APredictionCanSayWhatTheRunShows) {
     fill_in();
     page(4);

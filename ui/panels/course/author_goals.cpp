@@ -9,6 +9,7 @@
 #include "ui/panels/course/author_fields.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/strings.h"
@@ -102,6 +103,16 @@ const Goal* goal_list(const AuthorFields& page, const std::string& prefix, const
     return pressed;
 }
 
+// The row that opens a list of goals. The focus goes to the chosen row, so that arrow keys go on from there.
+bool list_row(const AuthorFields& page, std::string_view id, std::string_view words, bool& open, std::string_view how,
+              const std::string& chosen) {
+    const bool was_open = open;
+    if (!fold_row(page.ui, id, words, open, how)) return false;
+    if (Keyboard* keyboard = page.ui.keyboard; keyboard && !was_open)
+        keyboard->focus = chosen, keyboard->revealed = true;
+    return true;
+}
+
 // ── Steps ──
 
 // What a new step asks for: something that a standing vehicle does not do.
@@ -152,7 +163,8 @@ void one_step(const AuthorFields& page, const std::vector<Goal>& goals) {
     const std::string of_step = "author.step." + std::to_string(state.step_shown + 1);
     const std::string goal(label_of(page, step.check.goal));
     subheading(page.ui, page.words("author.goal_of_step"));
-    if (fold_row(page.ui, "author.goals", goal, state.goals_open, page.words("author.goals_how"))) {
+    if (list_row(page, "author.goals", goal, state.goals_open, page.words("author.goals_how"),
+                 "author.goal." + std::string(word_of(step.check.goal)))) {
         const Goal* pressed = goal_list(page, "author.goal.", goals, &step.check.goal);
         if (!pressed) return;
         std::string& text = state.step_texts[state.step_shown].text;
@@ -178,17 +190,16 @@ void option(const AuthorFields& page, std::size_t i) {
     const bool is_answer = state.draft.prediction.answer == static_cast<int>(i);
     const SmallButton look{
         id_of_answer, {}, page.words(is_answer ? "author.answer" : "author.other_answer"), is_answer};
-    const float y = ImGui::GetCursorPosY();
+    const float x = ImGui::GetCursorPosX(), y = ImGui::GetCursorPosY();
     ImGui::SetCursorPosY(y + ui.px(ui.tall(button_height) - ui.tall(small_button_height)) / 2);
     if (small_push_button(ui, look, page.words("author.answer_how")))
         state.draft.prediction.answer = static_cast<int>(i);
-    // All fields have the same width.
+    // All fields have the same edges.
     const float widest = std::max(text_width(ui, Face::small, page.words("author.answer")),
                                   text_width(ui, Face::small, page.words("author.other_answer")));
     const float aside =
         small_button_width(ui, look, true) - text_width(ui, Face::small, look.words) + widest + ui.px(8);
-    ImGui::SameLine(0, ui.px(spacing::small));
-    ImGui::SetCursorPosY(y);
+    ImGui::SetCursorPos({x + aside, y});
     const std::string_view how = page.words("author.option_how");
     text_field(ui, state.options[i], id, card_width(ui) - aside, how, how);
 }
@@ -209,7 +220,8 @@ void shown_goal(const AuthorFields& page) {
     Goal* now = asked.shows.empty() ? nullptr : &asked.shows.front().check.goal;
     subheading(ui, page.words("author.shows"));
     const std::string label(now ? label_of(page, *now) : page.words("author.shows_nothing"));
-    if (fold_row(ui, "author.shows", label, page.state.shows_open, page.words("author.shows_how"))) {
+    if (list_row(page, "author.shows", label, page.state.shows_open, page.words("author.shows_how"),
+                 "author.shows." + std::string(now ? word_of(*now) : "nothing"))) {
         const bool none = radio_row(ui, "author.shows.nothing", page.words("author.shows_nothing"), !now, true,
                                     page.words("author.shows_how"));
         const std::vector<Goal> goals = goals_for(page.scene(), page.state.draft.vehicle);
