@@ -1,16 +1,25 @@
-// What the prompts store between frames.
+// A prompt, and what the prompts store between frames.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/brain/graph.h"
 #include "core/scene/scene.h"
 
 namespace braitenlab::ui {
+
+struct Prompt {
+    std::string_view anchor;  // widget to use next; empty: none. Points into the exercise or to a constant
+    std::string_view hint;    // key of the words for the hint bar; empty: the usual hint of the mode
+};
+
+// Anchor of the first lamp that the selected vehicle senses, recorded by point_to_lamp().
+inline constexpr std::string_view lamp_anchor = "stage.lamp";
 
 // A suggestion is shown once, for a limited time.
 struct Suggested {

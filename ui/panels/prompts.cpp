@@ -1,20 +1,16 @@
 #include "ui/panels/prompts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include <imgui.h>
 
-#include "core/brain/four_neurons.h"
-#include "core/scene/subject.h"
 #include "render/view/pick.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/prompt_breeding.h"
+#include "ui/panels/prompt_change.h"
+#include "ui/panels/prompt_run.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
@@ -29,206 +25,7 @@ constexpr double watched = 3, enough = 8;
 constexpr double suggestion = 12;             // wall seconds that a suggestion of free play is shown
 constexpr double run_worth_a_look_back = 15;  // simulated seconds
 
-constexpr float sees_nothing = 0.02f, standstill = 0.03f;  // of a sensor, 0..1; m/s
-constexpr double lost_after = 3, stuck_after = 6;          // simulated seconds; 3a-love rests for five
-
-bool all_steps_done(const LessonView& lesson) {
-    return std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
-}
-
 int edit_count(const LabView& view) { return view.undo_depth + view.redo_depth; }
-
-bool is_blind(const Snapshot& now, const VehicleView& vehicle) {
-    const auto begin = now.sensed.begin() + vehicle.first_sensed;
-    const auto count = static_cast<std::ptrdiff_t>(kind_of(now, vehicle).sensors.size());
-    return count > 0 && std::all_of(begin, begin + count, [](float value) { return value < sees_nothing; });
-}
-
-// The readings of the vehicle's sensors, in their order.
-std::span<const float> readings(const Snapshot& now, const VehicleView& vehicle) {
-    const auto first = static_cast<std::size_t>(vehicle.first_sensed);
-    return std::span(now.sensed).subspan(first, kind_of(now, vehicle).sensors.size());
-}
-
-// The value of the sensor of this name among those of all; 0 if there is none.
-float value_of(std::string_view sensor, const std::vector<Sensor>& sensors, std::span<const float> values) {
-    for (std::size_t i = 0; i < std::min(sensors.size(), values.size()); ++i)
-        if (sensors[i].name == sensor) return values[i];
-    return 0;
-}
-
-// A weight with the slider that turns it.
-struct TellingWeight {
-    Dial dial;
-    std::string_view slider;
-};
-
-// The weight of a sensor that reads something, more than the threshold of the wire, so that turning it has an effect:
-// preferably of a wire, that is a weight that is not 0, and only one that `suits`. An empty slider if there is none.
-// `values`: of the vehicle's sensors.
-template <class Suits>
-std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair,
-                                std::span<const float> values, Suits suits) {
-    constexpr TellingWeight weights[]{
-        {Dial::LL, "slider.LL"}, {Dial::LR, "slider.LR"}, {Dial::RL, "slider.RL"}, {Dial::RR, "slider.RR"}};
-    const FourNeurons dials = read_dials(*brain_of(now, vehicle), pair);
-    const auto& sensors = kind_of(now, vehicle).sensors;
-    const float left = value_of(pair.left, sensors, values), right = value_of(pair.right, sensors, values);
-    for (const bool is_wire : {true, false})
-        for (const TellingWeight& each : weights) {
-            const float seen = each.dial == Dial::LL || each.dial == Dial::RL ? left : right;
-            if (seen >= std::max(sees_nothing, at(dials, threshold_of(each.dial))) &&
-                (at(dials, each.dial) != 0) == is_wire && suits(each.dial))
-                return each.slider;
-        }
-    return {};
-}
-
-// The first lamp that a sensor of the selected vehicle measures; null if there is none.
-const SourceView* telling_lamp(const LabView& view) {
-    const VehicleView* vehicle = selected_vehicle(view);
-    if (!vehicle) return nullptr;
-    const auto& sensors = kind_of(*view.now, *vehicle).sensors;
-    for (const SourceView& lamp : view.now->sources)
-        for (const Sensor& sensor : sensors)
-            if (is_seen_as(lamp.channel, sensor.channel)) return &lamp;
-    return nullptr;
-}
-
-// True if the brain gives the wheels little or no speed; else something is in the way of a vehicle that stands.
-bool is_halted(const VehicleView& vehicle) {
-    constexpr float at_rest = 0.05f;
-    return std::fabs(vehicle.motor[0]) < at_rest && std::fabs(vehicle.motor[1]) < at_rest;
-}
-
-// True for a vehicle that something holds although its motors turn: what its brain does then changes nothing.
-bool is_held(const LabView& view, const VehicleView& vehicle) {
-    return view.mode == Mode::playing && std::fabs(vehicle.speed) < standstill && !is_halted(vehicle);
-}
-
-// Both biases, first the one that a hint of the exercise points at.
-std::array<Dial, 2> biases_to_try(const Exercise& exercise) {
-    const auto is_hinted = [&](Dial bias) {
-        return std::any_of(exercise.hints.begin(), exercise.hints.end(),
-                           [&](const Hint& hint) { return hint.anchor == anchor_of(bias); });
-    };
-    return is_hinted(Dial::RM) && !is_hinted(Dial::LM) ? std::array{Dial::RM, Dial::LM}
-                                                       : std::array{Dial::LM, Dial::RM};
-}
-
-// Of the controls that the exercise offers, one whose effect the user sees at once: a weight of an eye that sees
-// something, a bias, the peak of the curves of such an eye, or the sensors, if they see nothing.
-Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
-    if (is_held(view, vehicle)) return {};
-    const Exercise& exercise = *view.lesson->exercise;
-    const std::string_view hint = view.mode == Mode::playing ? "hint.turn_slider" : "hint.turn_slider_paused";
-    const auto is_offered_dial = [&](Dial dial) { return offers(exercise, dial); };
-    if (const auto slider = telling_slider(*view.now, vehicle, shown_pair(view, vehicle), readings(*view.now, vehicle),
-                                           is_offered_dial);
-        !slider.empty())
-        return {slider, hint};
-    for (const Dial bias : biases_to_try(exercise))
-        if (offers(exercise, bias)) return {anchor_of(bias), hint};
-    const bool sees = !is_blind(*view.now, vehicle);
-    if (sees && offers(exercise, offer_parts::curves)) return {"curve.peak", hint};
-    if (!sees && offers(exercise, offer_parts::sensors)) return {"card.sensors", "hint.turn_sensors"};
-    if (offers(exercise, offer_parts::wiring)) return {"button.wiring", "hint.open_wiring"};
-    return {};
-}
-
-// A change that the user sees at once: of a weight, or of the stimulus if the sensors read nothing.
-// (In an exercise a run with a moved lamp does not count.)
-Prompt first_change(const LabView& view) {
-    const VehicleView* vehicle = selected_vehicle(view);
-    if (!vehicle) return {};
-    const bool plays = view.mode == Mode::playing;
-    if (offers_some(view)) return offered_change(view, *vehicle);
-    const auto any = [](Dial) { return true; };
-    if (const auto slider =
-            telling_slider(*view.now, *vehicle, shown_pair(view, *vehicle), readings(*view.now, *vehicle), any);
-        !slider.empty())
-        return {slider, plays ? "hint.turn_slider" : "hint.turn_slider_paused"};
-    if (!view.lesson && is_blind(*view.now, *vehicle) && telling_lamp(view)) return {lamp_anchor, "hint.lamp_nearer"};
-    return {};
-}
-
-// ── A vehicle that is blocked or senses nothing ──
-
-// `since`: the time from which on the condition holds; −1 while it does not.
-void keep_time(double& since, bool holds, double now) {
-    if (!holds || now < since) since = -1;
-    if (holds && since < 0) since = now;
-}
-
-bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
-
-// The vehicle that the student changes: of several the first of the kind that the exercise is about. Null: none.
-const VehicleView* subject_of(const LabView& view) {
-    const auto& vehicles = view.now->vehicles;
-    if (vehicles.size() == 1) return &vehicles.front();
-    const int kind = view.lesson ? subject_kind(*view.now->scene) : -1;
-    const auto found =
-        std::find_if(vehicles.begin(), vehicles.end(), [&](const VehicleView& v) { return v.kind == kind; });
-    return found == vehicles.end() ? nullptr : &*found;
-}
-
-// What the student changes: of the subject, or of its kind when it is gone. nullopt: the scene has none.
-std::optional<TriedBrain> tried_now(const LabView& view) {
-    const Snapshot& now = *view.now;
-    if (const VehicleView* subject = subject_of(view))
-        return TriedBrain{brain_of(now, *subject), kind_of(now, *subject).sensors};
-    const int kind = view.lesson ? subject_kind(*now.scene) : -1;
-    const auto index = static_cast<std::size_t>(kind);
-    if (kind < 0 || index >= now.kind_brains.size()) return std::nullopt;
-    return TriedBrain{now.kind_brains[index], now.scene->kinds[index].sensors};
-}
-
-bool are_equal(const std::optional<TriedBrain>& a, const std::optional<TriedBrain>& b) {
-    return a && b && (a->brain == b->brain || *a->brain == *b->brain) && a->sensors == b->sensors;
-}
-
-// True if this run has shown the present brain and sensors from its start on: a reset alone then gives the same run.
-bool is_as_at_start(const PromptMemory& memory, const LabView& view) {
-    return are_equal(memory.at_start, tried_now(view));
-}
-
-// The most that each sensor of the subject has read in this run; at its start, in the last one.
-void remember_readings(PromptMemory& memory, const LabView& view) {
-    const VehicleView* subject = subject_of(view);
-    const bool begins = !std::exchange(memory.has_begun, view.now->tick > 0);
-    if (view.now->tick == 0 || !subject) return;
-    const std::span<const float> values = readings(*view.now, *subject);
-    const bool stands = std::fabs(subject->speed) < standstill && is_halted(*subject);
-    memory.halted_blind = (memory.halted_blind && !begins) || (stands && is_blind(*view.now, *subject));
-    if (begins || memory.most_read.size() != values.size()) memory.most_read.assign(values.size(), 0);
-    for (std::size_t i = 0; i < values.size(); ++i) memory.most_read[i] = std::max(memory.most_read[i], values[i]);
-}
-
-// A single vehicle that senses nothing or does not move needs a reset. In scenes with several vehicles both are common.
-void watch_vehicle(PromptMemory& memory, const LabView& view) {
-    const Snapshot& now = *view.now;
-    const VehicleView* vehicle = now.vehicles.size() == 1 ? &now.vehicles.front() : nullptr;
-    const bool counts = vehicle && vehicle->driver == Driver::brain && now.tick > 0;
-    const bool stands = vehicle && std::fabs(vehicle->speed) < standstill;
-    keep_time(memory.blind_since, counts && !stands && is_blind(now, *vehicle), now.seconds);
-    keep_time(memory.still_since, counts && stands, now.seconds);
-    keep_time(memory.dark_since, counts && is_blind(now, *vehicle), now.seconds);
-    if (now.tick == 0) memory.at_start = tried_now(view);
-    remember_readings(memory, view);
-}
-
-// Why a vehicle does not move.
-std::string_view hint_at_rest(const VehicleView& vehicle) {
-    if (is_halted(vehicle)) return "hint.halted";
-    return wheels_push(vehicle.motor[0], vehicle.motor[1]) ? "hint.blocked" : "hint.stuck";
-}
-
-Prompt way_out(const PromptMemory& memory, const LabView& view) {
-    if (lasts(memory.still_since, stuck_after, view.now->seconds))
-        return {"button.reset", hint_at_rest(view.now->vehicles.front())};
-    if (lasts(memory.blind_since, lost_after, view.now->seconds)) return {"button.reset", "hint.lost"};
-    return {};
-}
 
 // ── The exercise ──
 
@@ -239,8 +36,6 @@ bool is_pressed_already(const LabView& view, std::string_view button) {
     if (button == "button.play") return view.mode == Mode::playing;
     return button == "exercise.compare" && view.lesson->attempt.work.compares;
 }
-
-bool has_failed(const LabView&);
 
 // The newest hint, until the next edit, or until a later run has failed without one and the next hint may be shown.
 const Hint* hinted(PromptMemory& memory, const LabView& view) {
@@ -276,130 +71,6 @@ bool may_ask_for_a_hint(const LabView& view) {
     return left && answers.hint_ready && view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
 }
 
-// True if the run alone completes a step within the next seconds, or every step in the end: then no hint asks for a
-// change.
-bool is_completing_a_step(const LessonView& lesson) {
-    constexpr float soon = 5;  // s
-    const auto lasts_for = [](const Verdict& verdict, float most) {
-        return !verdict.done && !verdict.lost &&
-               std::any_of(verdict.measures.begin(), verdict.measures.end(), [most](const Measure& m) {
-                   return m.unit == "s" && !m.at_most && !m.best && m.value > 0 && m.value < m.needed &&
-                          m.needed - m.value <= most;
-               });
-    };
-    const auto& verdicts = lesson.verdicts;
-    return std::any_of(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return lasts_for(v, soon); }) ||
-           std::all_of(verdicts.begin(), verdicts.end(),
-                       [&](const Verdict& v) { return v.done || lasts_for(v, INFINITY); });
-}
-
-// True while a step is still to be judged at a later time, after lamps were switched for example: the vehicle may stand
-// and see nothing until then.
-bool waits_for_a_step(const LabView& view) {
-    const auto& steps = view.lesson->exercise->steps;
-    const auto& verdicts = view.lesson->verdicts;
-    for (std::size_t i = 0; i < std::min(steps.size(), verdicts.size()); ++i)
-        if (!verdicts[i].done && !verdicts[i].lost && static_cast<double>(steps[i].check.earliest) > view.now->seconds)
-            return true;
-    return false;
-}
-
-// True if wires were changed in this run and the vehicle senses nothing: they then carry nothing, and the change shows
-// after a reset only.
-bool has_missed_a_change(const PromptMemory& memory, const LabView& view) {
-    if (!lasts(memory.dark_since, lost_after, view.now->seconds) || waits_for_a_step(view)) return false;
-    const auto& brain = brain_of(*view.now, view.now->vehicles.front());
-    return memory.at_start && memory.at_start->brain != brain && memory.at_start->brain->wires != brain->wires;
-}
-
-bool is_bred(const LabView& view) { return view.lesson && !offered_breeding(*view.lesson->exercise).empty(); }
-
-// True if the run has not shown the present brain and sensors from its start on.
-bool has_changed_since_start(const PromptMemory& memory, const LabView& view) {
-    return view.now->tick > 0 && memory.at_start && tried_now(view) && !is_as_at_start(memory, view);
-}
-
-// True if this run cannot complete every step any more.
-bool has_failed(const LabView& view) {
-    const auto& verdicts = view.lesson->verdicts;
-    return view.now->seconds >= static_cast<double>(view.lesson->exercise->seconds) ||
-           std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.lost && !v.done; });
-}
-
-// True while the breeding of the exercise has the opponents of its file: with them hardly a champion passes.
-bool has_shipped_opponents(const LabView& view) {
-    const BreedingView& bred = view.features.breeding;
-    const std::string_view offered = offered_breeding(*view.lesson->exercise);
-    if (!bred.base || !bred.shipped) return false;
-    return std::any_of(bred.shipped->begin(), bred.shipped->end(), [&](const evolve::Breeding& each) {
-        return each.id == offered && each.opponents == bred.base->breeding().opponents;
-    });
-}
-
-// The next step of an exercise that is solved by breeding: start it, wait, take the champion, reset, play. A hint, or
-// a champion that has failed, leads to other opponents first.
-Prompt of_breeding(const PromptMemory& memory, const LabView& view) {
-    const LessonView& lesson = *view.lesson;
-    const BreedingView& bred = view.features.breeding;
-    const bool plays = view.mode == Mode::playing;
-    if (has_changed_since_start(memory, view)) return {"button.reset", "hint.changed_since"};
-    const bool has_champion = is_edited(*lesson.exercise, submission_of(*lesson.exercise, *view.now));
-    if (has_champion && view.now->tick == 0 && !are_equal(memory.failed, tried_now(view)))
-        return plays ? Prompt{} : Prompt{"button.play", "hint.press_play"};
-    if (bred.runs) return {{}, "hint.breeding_runs"};
-    const bool shows_outcome = is_asked(lesson.exercise->prediction) && !lesson.attempt.work.outcome_known;
-    if (has_champion ? view.now->tick > 0 && !has_failed(view) : shows_outcome)
-        return plays ? Prompt{} : Prompt{"button.play", "hint.press_play"};
-    const bool has_hint = lesson.attempt.answers.hints_shown > 0;
-    if ((has_hint || has_champion) && has_shipped_opponents(view))
-        return {"breeding.against.random", "hint.breed_against"};
-    const bool is_complete = bred.base && last_generation(bred) >= bred.base->breeding().generations;
-    if (!is_complete) return {"breeding.start", has_shipped_opponents(view) ? "hint.breed_shipped" : "hint.breed"};
-    const bool is_tried = memory.failed_base == bred.base && memory.failed_generation == last_generation(bred);
-    return has_champion && is_tried ? Prompt{"breeding.matrix", "hint.breed_again"}
-                                    : Prompt{"breeding.take", "hint.take_champion"};
-}
-
-// True if the dial of this vehicle has the value of the file: it is not tried yet.
-bool is_untried(const LabView& view, const VehicleView& vehicle, const SensorPair& pair, Dial dial) {
-    const Kind* filed = filed_kind(view, vehicle);
-    return !filed ||
-           at(read_dials(filed->brain, pair), dial) == at(read_dials(*brain_of(*view.now, vehicle), pair), dial);
-}
-
-// A control of which another value makes the next run another one: as offered_change(), but judged by the most that the
-// sensors have read in the run. A bias comes first where the vehicle came to rest without a stimulus, since no weight
-// moves it from there; then a weight that has still the value of the file, then any bias or weight.
-Prompt change_for_next_run(const PromptMemory& memory, const LabView& view) {
-    const VehicleView *subject = subject_of(view), *selected = selected_vehicle(view);
-    if (!subject || !selected || selected->kind != subject->kind) return {};
-    const std::string_view hint = view.now->tick == 0 ? "hint.change_then_play" : "hint.change_then_reset";
-    const auto& read = memory.most_read;
-    const bool saw = std::any_of(read.begin(), read.end(), [](float value) { return value >= sees_nothing; });
-    const auto is_offered_dial = [&](Dial dial) { return is_offered(view, dial); };
-    if (!saw && !read.empty() && is_offered(view, offer_parts::sensors)) return {"card.sensors", "hint.turn_sensors"};
-    const SensorPair pair = shown_pair(view, *selected);
-    const auto is_new = [&](Dial dial) { return is_offered(view, dial) && is_untried(view, *selected, pair, dial); };
-    const auto bias_that = [&](auto suits) {
-        for (const Dial bias : biases_to_try(*view.lesson->exercise))
-            if (suits(bias)) return anchor_of(bias);
-        return std::string_view();
-    };
-    const auto weight_that = [&](auto suits) { return telling_slider(*view.now, *selected, pair, read, suits); };
-    const bool needs_bias = memory.halted_blind;
-    for (const std::string_view anchor :
-         {needs_bias ? bias_that(is_new) : std::string_view(), weight_that(is_new), bias_that(is_new),
-          needs_bias ? bias_that(is_offered_dial) : std::string_view(), weight_that(is_offered_dial),
-          bias_that(is_offered_dial)})
-        if (!anchor.empty()) return {anchor, hint};
-    if (saw && is_offered(view, offer_parts::curves)) return {"curve.peak", hint};
-    for (const Dial threshold : {Dial::threshold_LL, Dial::threshold_LR, Dial::threshold_RL, Dial::threshold_RR})
-        if (saw && is_offered(view, threshold)) return {anchor_of(threshold), hint};
-    if (is_offered(view, offer_parts::wiring)) return {"button.wiring", hint};
-    if (is_offered(view, offer_parts::selection)) return {"selection.open", "hint.open_children"};
-    return {};
-}
-
 // True once the student has changed something: in the runs before, or in this one.
 bool has_tried(const PromptMemory& memory, const LabView& view) {
     return edit_count(view) > 0 || has_changed_since_start(memory, view);
@@ -424,17 +95,6 @@ Prompt next_try_of_standing(const PromptMemory& memory, const LabView& view, std
     Prompt next = next_try(memory, view);
     if (why == "hint.blocked" && next.hint == "hint.change_then_reset") next.hint = "hint.change_blocked";
     return next;
-}
-
-// Notes that the brain and the sensors with which the run began have failed in it.
-void remember_failure(PromptMemory& memory, const LabView& view) {
-    if (!view.lesson || view.now->tick == 0 || all_steps_done(*view.lesson) || !is_as_at_start(memory, view)) return;
-    const bool is_out = !way_out(memory, view).anchor.empty() && !waits_for_a_step(view);
-    if (!is_out && !has_failed(view) && !is_subject_gone(view)) return;
-    if (are_equal(memory.failed, memory.at_start)) return;
-    memory.failed = memory.at_start;
-    memory.failed_base = view.features.breeding.base;
-    memory.failed_generation = last_generation(view.features.breeding);
 }
 
 // While too few of the other starts pass: the newest hint, or the next one, or a control.
@@ -552,7 +212,7 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     remember_what_is_done(memory, view);
     memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
-    watch_vehicle(memory, view);
+    watch_run(memory, view);
     remember_failure(memory, view);
     if (view.mode == Mode::wiring) return of_wiring(memory, view);
     memory.edits_before_wiring = -1;
@@ -571,13 +231,6 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (!view.lesson)
         if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
     return of_free_play(memory, view);
-}
-
-bool is_subject_gone(const LabView& view) {
-    const Snapshot& now = *view.now;
-    const int kind = view.lesson ? subject_kind(*now.scene) : -1;
-    return now.tick > 0 && kind >= 0 &&
-           std::none_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) { return v.kind == kind; });
 }
 
 bool is_slider(std::string_view anchor) {

@@ -10,19 +10,8 @@
 
 namespace braitenlab::ui {
 
-struct Prompt {
-    std::string_view anchor;  // widget to use next; empty: none. Points into the exercise or to a constant
-    std::string_view hint;    // key of the words for the hint bar; empty: the usual hint of the mode
-};
-
-// Anchor of the first lamp that the selected vehicle senses, recorded by point_to_lamp().
-inline constexpr std::string_view lamp_anchor = "stage.lamp";
-
 // Call once a frame.
 Prompt next_prompt(PromptMemory&, const LabView&);
-
-// True once no vehicle that the student of the exercise changes is left: it was eaten or has used up its energy.
-bool is_subject_gone(const LabView&);
 
 // True for the anchor of a slider of the brain.
 bool is_slider(std::string_view anchor);

@@ -15,7 +15,7 @@
 #include "ui/panels/exercise_names.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/prompts.h"
+#include "ui/panels/prompt_run.h"
 #include "ui/panels/sensor_changes.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets/button.h"
