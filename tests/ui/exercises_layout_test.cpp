@@ -309,4 +309,34 @@ TEST(ExercisesLayout, TheButtonOfTheBrainPictureCoversNoNameInASmallWindow) {
     EXPECT_GT(pictures, 3);
 }
 
+namespace {
+
+// The exercise in the smallest window that the course is made for.
+struct SmallOpened : Opened {
+    SmallOpened(const Exercise& exercise, const std::string& language) : Opened(exercise, 800, 600) {
+        desk.strings = speaking(language);
+        if (language != "en") add_translations(desk.strings, texts_of(exercise), words_of_course(language));
+    }
+};
+
+}  // namespace
+
+TEST(ExercisesLayout, NoTextOfTheDiagramIsLowerThanElevenPixelsInASmallWindow) {
+    int texts = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            SmallOpened it(exercise, language);
+            it.play_after_prediction();
+            it.desk.view.mode = Mode::wiring;
+            it.desk.frame(8);
+            for (const Written& each : it.desk.written) {
+                if (!it.desk.layout.canvas.contains(each.rect.x, each.rect.y)) continue;
+                EXPECT_GE(each.size, 11) << exercise.id << " " << language << ": " << each.words << " at "
+                                         << each.rect.x << ", " << each.rect.y;
+                ++texts;
+            }
+        }
+    EXPECT_GT(texts, 300);
+}
+
 }  // namespace braitenlab::tests::exercises_layout_test

@@ -159,7 +159,7 @@ Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
     if (room > 0 && width > size(room)) {
         const float fitting = type.pixels * size(room) / width;
         if (fitting < least && face == Face::small) return {};  // an unreadable caption is left out
-        type.pixels = std::max(fitting, least_name());
+        type.pixels = std::max(fitting, least);
         shortened = fitted(words, [&](std::string_view part) { return width_of(part) <= size(room) + 1; });
         if (ui.shortened && words != shortened) ++*ui.shortened;
         words = shortened;
@@ -173,9 +173,9 @@ Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
 }
 
 bool Pen::cuts(std::string_view words, Face face, float room) const {
-    const Type type = type_for(ui, face, least_name());
+    const Type type = type_for(ui, face, least_type());
     const char* end = words.data() + words.size();
-    return type.font->CalcTextSizeA(least_name(), 1e9f, 0, words.data(), end).x > size(room) + 1;
+    return type.font->CalcTextSizeA(least_type(), 1e9f, 0, words.data(), end).x > size(room) + 1;
 }
 
 void Pen::box(vec2 centre, vec2 extent, float rounding, Colour colour) const {

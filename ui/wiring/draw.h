@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/canvas_state.h"
 
 namespace braitenlab::wiring {
@@ -36,12 +37,11 @@ struct Pen {
     // A line's thickness in window pixels: `units`, at least 0.75 layout pixels.
     float stroke(float units) const;
 
-    // The least heights of letters, and of those of a name in little room; window pixels. More in a lecture.
-    float least_type() const { return std::max(ui.px(11), ui.least_type); }
-    float least_name() const { return std::max(ui.px(8), ui.least_type); }
+    // The least height of a line, window pixels: letters of 11 layout pixels. More in a lecture.
+    float least_type() const { return std::max(ui.px(11 * ui::line_height_em), ui.least_type); }
 
     // Text about `height` units high, at least least_type(), its point `anchor` (0..1 of its width, middle of its
-    // height) at `unit`. Text wider than `room` units (0: no limit) is made smaller, down to least_name(), then cut;
+    // height) at `unit`. Text wider than `room` units (0: no limit) is made smaller, down to least_type(), then cut;
     // captions (ui::Face::small) are left out instead, and so is text below too_small. Returns the rectangle of the
     // letters, window pixels; empty for text that is left out.
     Rect text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, ui::Face = ui::Face::text,

@@ -231,7 +231,8 @@ void draw_words(const Pen& pen, const Picture& picture, const NodeShape& shape, 
     const auto put_name = [&](float y, float height) {
         record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, name, p.text, Face::strong, of_name));
     };
-    if (far && !neuron && picture.view.lecture) {
+    constexpr float between_rows = 28;  // units, of the three rows below
+    if (far && !neuron && (picture.view.lecture || pen.least_type() > pen.size(between_rows))) {
         draw_large_words(pen, picture, shape, {name, number, caption});
     } else if (far && !neuron) {
         put_name(low.y + 24, 27);
