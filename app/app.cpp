@@ -201,6 +201,7 @@ void App::let_time_pass(double passed) {
 void App::follow_jobs() {
     const auto update = [this] {
         update_grading(lab_, jobs_);
+        update_gains(lab_, jobs_);
         update_exercise_check(lab_, jobs_);
         update_reference_runs(lab_, jobs_);
         update_children(lab_, jobs_);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/jobs/asked.h"
 #include "app/jobs/jobs.h"
 #include "app/jobs/reference_path.h"
 #include "core/lesson/attempt.h"
@@ -37,6 +38,14 @@ struct Grading {
     Submission submission;
     Job<Grade> job;              // one part per start
     bool run_was_reset = false;  // since grading began
+};
+
+// What the gain of the offered controls depends on.
+struct GainQuestion {
+    std::int64_t edits = 0;                     // Document::edits
+    std::shared_ptr<const BrainGraph> brain{};  // of the subject's kind: another one where the run goes back
+    SensorPair pair{};                          // whose wires the sliders set
+    friend bool operator==(const GainQuestion&, const GainQuestion&) = default;
 };
 
 // A grade belongs to the submission that got it.
@@ -73,10 +82,11 @@ struct Lesson {
     std::optional<Job<Grade>> shipped_grading{};  // for Exercise::median; begins with the first grade
     std::optional<Grade> shipped_grade{};         // of the starts as shipped, once the submission has a grade
     std::optional<GradedSubmission> graded{};
-    std::optional<Selecting> selecting{};   // nullopt: not begun
-    std::optional<Submission> done_with{};  // when every step of this run was done; nullopt: they are not
-    bool was_shown = false;                 // the solution, since the exercise was opened; it may come back by undo
-    std::uint64_t selections = 0;           // begun since the exercise was opened
+    Asked<GainQuestion, std::vector<float>> gains{};  // LessonView::gains; asked once it has run
+    std::optional<Selecting> selecting{};             // nullopt: not begun
+    std::optional<Submission> done_with{};            // when every step of this run was done; nullopt: they are not
+    bool was_shown = false;        // the solution, since the exercise was opened; it may come back by undo
+    std::uint64_t selections = 0;  // begun since the exercise was opened
     BackgroundPath solution_path{}, shipped_path{};  // of the first vehicle with the solution, of the one in question
     // One per path_ticks from the start of the run, by ascending tick: the session records only the last minute. Valid
     // before Session::earliest(); an edit in the past leaves later ones until the next tick.

@@ -69,6 +69,8 @@ struct LessonView {
     std::optional<Grade> shipped_grade;      // of the starts as shipped, for Exercise::median
     std::optional<SelectionView> selection;  // nullopt: the exercise does not offer it
     bool together = false;                   // the graded starts run at once in place of the exercise's own run
+    // Of each of offered_dials() what it can gain, see core/lesson/gain.h; empty: not asked, nullopt: being computed.
+    std::optional<std::vector<float>> gains = std::vector<float>{};
 };
 
 // True while a question waits for a run of the scene as given, which the student has changed: only Start over leads

@@ -7,6 +7,8 @@
 #include "app/jobs/grading.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/submission.h"
+#include "core/scene/sensor_pairs.h"
+#include "core/scene/subject.h"
 
 namespace braitenlab {
 
@@ -79,6 +81,21 @@ void update_grading(Workspace& space, Jobs& jobs) {
         lesson.attempt.work.outcome_known |= lesson.graded->grade.good;
     }
     lesson.grading.reset();
+}
+
+void update_gains(Workspace& space, Jobs& jobs) {
+    if (!space.document.lesson) return;
+    Lesson& lesson = *space.document.lesson;
+    const Snapshot& now = space.document.session.snapshot();
+    const bool is_wanted = lesson.attempt.work.has_run && !lesson.attempt.work.free_play && !has_passed(lesson);
+    if (!is_wanted || offered_dials(*lesson.exercise).empty()) return;
+    const auto kind = static_cast<std::size_t>(subject_kind(*now.scene));
+    const GainQuestion question{space.document.edits, now.kind_brains[kind],
+                                chosen_pair(now.scene->kinds[kind], space.view.selection.pair)};
+    if (!lesson.gains.is_about(question)) lesson.gains.ask(question);
+    lesson.gains.follow([&](const GainQuestion& asked) -> Result<Job<std::vector<float>>> {
+        return submit_gains(jobs, lesson.exercise, submission_of(*lesson.exercise, now), asked.pair);
+    });
 }
 
 void predict(Workspace& space, const PredictRequest& request) {

@@ -12,6 +12,10 @@ namespace braitenlab {
 // comes back, for example by undo, so does its grade.
 void update_grading(Workspace&, Jobs&);
 
+// Call once per turn, after Jobs::deliver. Once a run has begun, computes in the background how much each offered dial
+// can gain for the present submission.
+void update_gains(Workspace&, Jobs&);
+
 void show_hint(Workspace&);
 
 // Keeps an option or a path as the prediction while it can be made or changed, see Disclosure::open_prediction.

@@ -86,6 +86,10 @@ LessonView lesson_view_of(const Workspace& space) {
                     .shipped_grade = lesson.shipped_grade,
                     .together = space.together.has_value()};
     if (const Grade* grade = grade_of(lesson)) view.grade = *grade;
+    if (lesson.gains.is_computing())
+        view.gains.reset();
+    else if (const auto* gains = lesson.gains.answer())
+        view.gains = *gains;
     if (const auto& selecting = lesson.selecting)
         view.selection = SelectionView{.generation = static_cast<int>(selecting->parents.size()) - 1,
                                        .parent = selecting->parent_run,

@@ -11,6 +11,7 @@
 #include "app/course/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "app/playback.h"
+#include "core/lesson/gain.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/submission.h"
 #include "tests/lab/opened_lab.h"
@@ -23,23 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 using ui::Prompt;
 
-// How far a run is from passing: 0..1 for each step that is not done.
-float lacking(const StartResult& run) {
-    float all = 0;
-    for (const Verdict& verdict : run.verdicts) {
-        if (verdict.done) continue;
-        float most = 0.01f;
-        for (const Measure& m : verdict.measures) {
-            if (m.met || !std::isfinite(m.value)) continue;
-            const float needed = m.needed_most && m.value > *m.needed_most ? *m.needed_most : m.needed;
-            most = std::max(most, std::min(1.0f, std::fabs(m.value - needed) / std::max(0.1f, std::fabs(needed))));
-        }
-        all += most;
-    }
-    return all;
-}
-
-// The same from some starts.
+// What the submission lacks of passing, from some starts.
 float lacking(const Exercise& exercise, const Submission& submission) {
     const StartResult first = try_start(exercise, submission, exercise.seed);
     if (!first.passed) return lacking(first);
@@ -54,8 +39,9 @@ struct Student {
     bool has_passed() const { return grade_of(*lab.document.lesson) && grade_of(*lab.document.lesson)->good; }
 
     Prompt look() {
-        update_grading(lab, jobs);
+        update_grading(lab, jobs), update_gains(lab, jobs);
         jobs.deliver(1ms);
+        if (!view_of(lab).lesson->gains) jobs.finish(), update_gains(lab, jobs);
         return ui::next_prompt(memory, view_of(lab));
     }
 

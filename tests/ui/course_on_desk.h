@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/lesson/exercise_file.h"
+#include "core/lesson/gain.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/selection.h"
 #include "core/lesson/submission.h"
+#include "core/scene/sensor_pairs.h"
+#include "core/scene/subject.h"
 #include "exercise_on_desk.h"
 #include "render/view/camera.h"
 
@@ -45,6 +49,20 @@ inline Strings words_of_course(const std::string& language) {
     return words ? *words : Strings{};
 }
 
+// The gain of each offered dial in the exercise as shipped; tried once for each exercise.
+inline const std::vector<float>& gains_of_shipped(const Exercise& exercise) {
+    static std::map<std::string, std::vector<float>> known;
+    const auto [at, is_new] = known.try_emplace(exercise.id);
+    if (!is_new) return at->second;
+    std::vector<StartResult> runs;
+    const auto pairs =
+        sensor_pairs(exercise.scene.kinds[static_cast<std::size_t>(subject_kind(exercise.scene))].sensors);
+    for (const Submission& tried :
+         tries_of(exercise, as_shipped(exercise), pairs.empty() ? SensorPair{} : pairs.front().sensors))
+        runs.push_back(try_start(exercise, tried, exercise.seed));
+    return at->second = gains_of(runs);
+}
+
 // The exercise at the start of its run, with the subject selected.
 struct Opened {
     Opened(Exercise exercise, float width = 1280, float height = 800, float scale = 1)
@@ -74,6 +92,7 @@ struct Opened {
         desk.lesson.attempt.answers.prediction = desk.opened.prediction.answer;
         begin_run(desk);
         desk.view.mode = Mode::playing;
+        desk.lesson.gains = gains_of_shipped(desk.opened);
     }
     const VehicleView* subject() const { return find_vehicle(desk.now, desk.view.settings.selection.vehicle); }
 

@@ -4,6 +4,7 @@
 
 #include "breeding_on_desk.h"
 #include "course_on_desk.h"
+#include "ui/panels/prompt_run.h"
 
 namespace braitenlab::tests::exercises_guided_test {
 
@@ -302,6 +303,49 @@ TEST(ExercisesGuided, WhatPulsesAfterAFailedRunCanBringItNearerToTheGoal) {
     EXPECT_GT(tried, 8);
 }
 
+// Of the sliders offered, the one that pulses is that with which one change brings most.
+TEST(ExercisesGuided, WhatPulsesAfterAFailedRunGainsMostOfWhatIsOffered) {
+    int compared = 0;
+    for (const Exercise& exercise : course()) {
+        const std::vector<float>& gains = gains_of_shipped(exercise);
+        if (exercise.id == "22-breeding") continue;  // its steps lead to the breeding
+        if (gains.size() < 2 || *std::max_element(gains.begin(), gains.end()) < 0.02f) continue;
+        Guided guided(exercise);
+        for (int tick = 0; tick <= static_cast<int>(60 * (exercise.seconds + 1)); ++tick, guided.tick())
+            guided.pointed();
+        guided.reset();
+        const std::string_view pointed = guided.pointed().anchor;
+        const auto offers = offered_dials(exercise);
+        for (std::size_t i = 0; i < gains.size(); ++i)
+            if (dials_at(exercise, pointed) == offers[i].dials)
+                EXPECT_EQ(gains[i], *std::max_element(gains.begin(), gains.end())) << exercise.id << ": " << pointed;
+        EXPECT_FALSE(dials_at(exercise, pointed).empty()) << exercise.id << ": " << pointed;
+        const bool lacks_left = exercise.id == "04-coward" || exercise.id == "06-love";
+        EXPECT_TRUE(!lacks_left || pointed == "slider.LL") << exercise.id << ": " << pointed;
+        ++compared;
+    }
+    EXPECT_GT(compared, 6);
+}
+
+// From the first seconds of the run as shipped to its end, for a newcomer who changes nothing. A vehicle that something
+// holds first shows that it stands.
+TEST(ExercisesGuided, SomethingPulsesWhileARunPlaysWithoutAChange) {
+    int seen = 0;
+    for (const Exercise& exercise : course()) {
+        if (offered_dials(exercise).empty()) continue;
+        Guided guided(exercise);
+        for (int tick = 0; tick <= static_cast<int>(60 * exercise.seconds); ++tick, guided.tick()) {
+            const Prompt prompt = guided.pointed();
+            if (tick % 30 != 0 || tick < 60 * 4 || !guided.it.subject()) continue;
+            const bool stands = std::fabs(guided.it.subject()->speed) < 0.03f;
+            if (waits_for_a_step(guided.it.desk.view)) continue;
+            EXPECT_TRUE(stands || !prompt.anchor.empty()) << exercise.id << " after " << tick / 60.0 << " s";
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 200);
+}
+
 TEST(ExercisesGuided, AVehicleThatStallsInTheDarkNeedsABiasWhateverItsWeightsAre) {
     for (const float weight : {0.4f, 2.0f}) {
         Guided guided(exercise_of("03-alive"));
@@ -311,6 +355,7 @@ TEST(ExercisesGuided, AVehicleThatStallsInTheDarkNeedsABiasWhateverItsWeightsAre
         guided.reset();
         guided.pointed();
         guided.it.play_after_prediction();
+        guided.it.desk.lesson.gains = std::vector<float>{};  // those of the brain as shipped
         for (int tick = 0; tick <= static_cast<int>(60 * (guided.it.desk.opened.seconds + 1)); ++tick, guided.tick())
             guided.pointed();
         EXPECT_EQ(guided.pointed().anchor, "bias.LM") << weight;

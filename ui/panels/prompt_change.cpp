@@ -49,6 +49,34 @@ std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle,
     return {};
 }
 
+constexpr float gains_something = 0.02f;  // share of what the run lacks
+
+// The dials of the offered control that gains most for the present brain; empty if none is known to gain anything.
+std::vector<Dial> most_gaining(const LabView& view) {
+    const std::vector<float> gains = view.lesson->gains.value_or(std::vector<float>{});
+    const auto most = std::max_element(gains.begin(), gains.end());
+    const auto offers = offered_dials(*view.lesson->exercise);
+    const auto index = static_cast<std::size_t>(most - gains.begin());
+    if (most == gains.end() || *most < gains_something || index >= offers.size()) return {};
+    return offers[index].dials;
+}
+
+// True if turning the dial changes the vehicle now: a bias, or of an eye that sees enough for the wire's threshold.
+// `values`: of the vehicle's sensors.
+bool has_effect(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, std::span<const float> values,
+                Dial dial) {
+    if (is_bias(dial)) return true;
+    const FourNeurons dials = read_dials(*brain_of(now, vehicle), pair);
+    const auto& sensors = kind_of(now, vehicle).sensors;
+    for (const Dial weight : weight_dials) {
+        if (dial != weight && dial != threshold_of(weight)) continue;
+        const bool is_left = weight == Dial::LL || weight == Dial::RL;
+        const float seen = value_of(is_left ? pair.left : pair.right, sensors, values);
+        return seen >= (is_weight(dial) ? std::max(sees_nothing, at(dials, threshold_of(weight))) : sees_nothing);
+    }
+    return false;
+}
+
 // Both biases, first the one that a hint of the exercise points at.
 std::array<Dial, 2> biases_to_try(const Exercise& exercise) {
     const auto is_hinted = [&](Dial bias) {
@@ -59,12 +87,19 @@ std::array<Dial, 2> biases_to_try(const Exercise& exercise) {
                                                        : std::array{Dial::LM, Dial::RM};
 }
 
-// Of the controls that the exercise offers, one whose effect the user sees at once: a weight of an eye that sees
-// something, a bias, the peak of the curves of such an eye, or the sensors, if they see nothing.
+// Of the controls that the exercise offers, the one that brings the vehicle nearest to the goal. Where no single one is
+// known to, one whose effect the user sees at once: a weight of an eye that sees something, a bias, the peak of the
+// curves of such an eye, or the sensors, if they see nothing.
 Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
-    if (is_held(view, vehicle)) return {};
+    if (is_held(view, vehicle) || !view.lesson->gains) return {};
     const Exercise& exercise = *view.lesson->exercise;
     const std::string_view hint = view.mode == Mode::playing ? "hint.turn_slider" : "hint.turn_slider_paused";
+    if (const auto dials = most_gaining(view); !dials.empty()) {
+        const bool is_seen = std::any_of(dials.begin(), dials.end(), [&](Dial dial) {
+            return has_effect(*view.now, vehicle, shown_pair(view, vehicle), readings(*view.now, vehicle), dial);
+        });
+        return {anchor_of(dials.front()), is_seen ? hint : "hint.change_then_reset"};
+    }
     const auto is_offered_dial = [&](Dial dial) { return offers(exercise, dial); };
     if (const auto slider = telling_slider(*view.now, vehicle, shown_pair(view, vehicle), readings(*view.now, vehicle),
                                            is_offered_dial);
@@ -119,6 +154,7 @@ Prompt change_for_next_run(const PromptMemory& memory, const LabView& view) {
     const auto& read = memory.most_read;
     const bool saw = std::any_of(read.begin(), read.end(), [](float value) { return value >= sees_nothing; });
     const auto is_offered_dial = [&](Dial dial) { return is_offered(view, dial); };
+    if (const auto dials = most_gaining(view); !dials.empty()) return {anchor_of(dials.front()), hint};
     if (!saw && !read.empty() && is_offered(view, offer_parts::sensors)) return {"card.sensors", "hint.turn_sensors"};
     const SensorPair pair = shown_pair(view, *selected);
     const auto is_new = [&](Dial dial) { return is_offered(view, dial) && is_untried(view, *selected, pair, dial); };

@@ -13,8 +13,9 @@ const SourceView* telling_lamp(const LabView&);
 // (In an exercise a run with a moved lamp does not count.)
 Prompt first_change(const LabView&);
 
-// A control of which another value makes the next run another one: as first_change() in an exercise, but judged by the
-// most that the sensors have read in the run. A bias comes first where the vehicle came to rest without a stimulus,
+// The control that gains most in the next run (LessonView::gains). Where none is known to, one of which another value
+// makes the next run another one: as first_change() in an exercise, but judged by the most that the sensors have read
+// in the run. A bias comes first where the vehicle came to rest without a stimulus,
 // since no weight moves it from there; then a weight that has still the value of the file, then any bias or weight.
 Prompt change_for_next_run(const PromptMemory&, const LabView&);
 

@@ -20,7 +20,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-// Simulated seconds before the first slider is suggested, and after which no slider is suggested any more.
+// Simulated seconds before the first slider is suggested, and after which free play suggests none any more, nor an
+// exercise while a step is judged at a later time.
 constexpr double watched = 3, enough = 8;
 constexpr double suggestion = 12;             // wall seconds that a suggestion of free play is shown
 constexpr double run_worth_a_look_back = 15;  // simulated seconds
@@ -210,7 +211,8 @@ Prompt of_free_play(PromptMemory& memory, const LabView& view) {
 Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (memory.opened != view.documents.opened) memory = {view.documents.opened, memory.followed, memory.highlight};
     remember_what_is_done(memory, view);
-    memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
+    const bool is_later = view.now->seconds > enough && (!view.lesson || waits_for_a_step(view));
+    memory.slider_known |= memory.followed.slider || is_later;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
     watch_run(memory, view);
     remember_failure(memory, view);
