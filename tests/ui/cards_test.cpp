@@ -103,7 +103,7 @@ TEST(Cards, ShadeTheEdgesBeyondWhichThereIsMore) {
     desk.open_exercise();
     desk.frame(6);
     EXPECT_EQ(shades(desk), (std::pair{0, 0}));
-    ImGui::GetIO().DisplaySize = {1280, 600};
+    ImGui::GetIO().DisplaySize = {1280, 575};
     desk.panels.card(Card::brain).folded = true;
     desk.frame(6);
     EXPECT_EQ(shades(desk), (std::pair{0, 1}));

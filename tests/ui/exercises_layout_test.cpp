@@ -4,6 +4,7 @@
 #include <set>
 
 #include "course_on_desk.h"
+#include "ui/panels/cards.h"
 #include "ui/panels/course/lesson_text.h"
 
 namespace braitenlab::tests::exercises_layout_test {
@@ -319,7 +320,95 @@ struct SmallOpened : Opened {
     }
 };
 
+std::map<std::string, float> tops_of_cards(const Desk& desk) {
+    std::map<std::string, float> tops;
+    for (const CardTraits& row : cards())
+        if (const Rect* at = desk.anchors.find(row.anchor)) tops[std::string(row.anchor)] = at->y;
+    return tops;
+}
+
 }  // namespace
+
+TEST(ExercisesLayout, NoCardMovesByItselfWhileThePointerIsOverTheCardsOfASmallWindow) {
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            SCOPED_TRACE(exercise.id + " " + language);
+            SmallOpened it(exercise, language);
+            it.play_after_prediction();
+            it.desk.frame(6);
+            it.desk.click("card.brain.fold");  // the pointer stays there
+            it.desk.frame(6);
+            ASSERT_TRUE(it.desk.panels.card(Card::exercise).folded);
+            const auto before = tops_of_cards(it.desk);
+            for (Verdict& verdict : it.desk.lesson.verdicts) verdict.done = true;
+            it.desk.lesson.attempt.work.outcome_known = true;
+            it.desk.lesson.grade = graded(std::vector<bool>(10, true), true);
+            it.desk.frame(8);
+            EXPECT_EQ(tops_of_cards(it.desk), before);
+            it.desk.point(200, 300);
+            it.desk.frame(8);
+            EXPECT_FALSE(it.desk.panels.card(Card::exercise).folded) << "over the scene";
+        }
+}
+
+TEST(ExercisesLayout, EnterOpensTheNextExerciseAlsoWhereTheCardIsFolded) {
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            SCOPED_TRACE(exercise.id + " " + language);
+            SmallOpened it(exercise, language);
+            const CatalogueEntry next{
+                .name = "next", .path = "/next.toml", .title = "Next", .number = exercise.number + 1};
+            CatalogueEntry own{.name = exercise.id, .path = "/own.toml", .title = "Own", .number = exercise.number};
+            const std::vector<CatalogueEntry> catalogue{own, next};
+            it.desk.view.documents.catalogue = &catalogue;
+            it.play_after_prediction();
+            it.desk.lesson.attempt.work.outcome_known = true;
+            it.desk.frame(6);
+            it.desk.click("card.brain.fold");
+            it.desk.lesson.grade = graded(std::vector<bool>(10, true), true);
+            it.desk.frame(6);
+            ASSERT_TRUE(it.desk.panels.card(Card::exercise).folded);
+            it.desk.all.clear();
+            it.desk.key({key::enter});
+            it.desk.frame(4);
+            EXPECT_TRUE(it.desk.last<OpenRequest>() || it.desk.panels.sheet == Sheet::files);
+        }
+}
+
+// A cut goal has no room: below it the card would have to scroll.
+TEST(ExercisesLayout, TheGoalIsCutOnlyWhereItsCardHasNoRoom) {
+    int cut = 0, whole = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course())
+            for (const bool plays : {false, true}) {
+                SCOPED_TRACE(exercise.id + " " + language + (plays ? " plays" : " asks"));
+                SmallOpened it(exercise, language);
+                if (plays) it.play_after_prediction();
+                it.desk.frame(12);
+                const CardState& card = it.desk.panels.card(Card::exercise);
+                ++(it.desk.panels.exercise.is_goal_cut ? cut : whole);
+                if (!it.desk.panels.exercise.is_goal_cut) continue;
+                const float heading = it.desk.where("card.exercise.fold").h, head = *card.head;
+                const float spare = it.desk.where("card.exercise").h - heading - head - card.content - card.footer;
+                it.desk.panels.exercise.goal_open = true;
+                it.desk.frame(6);
+                EXPECT_LT(spare, *card.head - head);
+            }
+    EXPECT_GT(whole, cut);
+}
+
+TEST(ExercisesLayout, TheFirstStepIsWholeAndInSightWhileTheQuestionIsAskedInASmallWindow) {
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            SCOPED_TRACE(exercise.id + " " + language);
+            SmallOpened it(exercise, language);
+            it.desk.frame(12);
+            const Rect body = body_of_exercise(it.desk);
+            EXPECT_LE(it.desk.where("exercise.step.1").y + it.desk.where("exercise.step.1").h, body.y + body.h);
+            for (const Shown& each : it.desk.shown)
+                if (each.id == "exercise.step.1") EXPECT_LE(each.rect.y + each.rect.h, body.y + body.h);
+        }
+}
 
 TEST(ExercisesLayout, NoTextOfTheDiagramIsLowerThanElevenPixelsInASmallWindow) {
     int texts = 0;

@@ -272,7 +272,7 @@ void draw_folded(const LabView& view, PanelState& state, Ui& ui, const Stack& st
             place.w = (column.w - space + more) / 2;
         }
         CardState& card = state.card(folded.rows[i]->card);
-        folded.rows[i]->draw(view, state, ui, place, place);
+        folded.rows[i]->draw(view, state, ui, place, whole);
         place = is_last ? Rect{column.x, place.y + height + ui.px(spacing::tight), 0, height}
                         : Rect{place.x + place.w + space, place.y, 0, height};
         if (card.folded || closes_by_fold(*folded.rows[i])) continue;

@@ -182,6 +182,7 @@ struct ExerciseState {
     bool why_open = false;     // unfolded
     bool steps_open = true;    // can be folded once the exercise is passed
     bool goal_open = false;    // all of the goal is shown in a low card
+    bool is_goal_cut = false;  // it was shown in fewer lines in the last frame
     int step_in_full = -1;     // index of the open step that was clicked in a low card; −1: none
     bool more_open = false;    // the buttons that the foot has no room for are unfolded
     bool reset_asked = false;  // Start over asks before it takes changes back

@@ -165,6 +165,13 @@ void open_again(PanelState& state) {
     state.is_unsettled = true;
 }
 
+// True while a button is held or the pointer is over the column: no card may change place then. A finger is lifted
+// where it touched last, which is no pointer there.
+bool is_in_use(const LabView& view, Rect column) {
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    return ImGui::IsMouseDown(0) || (!view.program.touch && column.contains(pointer.x, pointer.y));
+}
+
 // True once for each outcome, grade and hint.
 bool has_news(const LessonView& lesson, ExerciseNews& told) {
     const ExerciseNews before = told;
@@ -223,11 +230,16 @@ void goal(const LessonView& lesson, PanelState& state, Ui& ui) {
     paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->goal), ui.palette.text);
 }
 
-// At most so many lines of it; a click shows all.
-void goal_in_lines(const LessonView& lesson, PanelState& state, Ui& ui, std::size_t most) {
+// All of it where the card has room, else at most so many lines; a click then shows all. `spare`: height that the card
+// had left in the last frame, window pixels; below 0 its body scrolls.
+void goal_in_lines(const LessonView& lesson, PanelState& state, Ui& ui, std::size_t most, float spare) {
     const std::string_view words = translated(ui, lesson.exercise->goal);
-    const bool fits = lines_of_words(ui, words, Face::text, card_width(ui)).size() <= most;
-    if (fits || state.exercise.goal_open) goal(lesson, state, ui);
+    const std::size_t lines = lines_of_words(ui, words, Face::text, card_width(ui)).size();
+    const float missing = line_height(ui, Face::text) * static_cast<float>(lines > most ? lines - most : 0);
+    const bool fits = spare + 0.5f >= (state.exercise.is_goal_cut ? missing : 0.0f) || lines <= most;
+    const bool is_cut = !fits && !state.exercise.goal_open;
+    state.exercise.is_goal_cut = is_cut;
+    if (!is_cut) goal(lesson, state, ui);
     if (fits) return;
     if (state.exercise.goal_open) {
         if (small_push_button(ui, {"exercise.goal", icon::unfolded, ui.strings("exercise.goal_less")},
@@ -265,7 +277,7 @@ bool shows_title(const LabView& view) {
 
 // Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,
 // the goal is below the result and scrolls.
-void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal) {
+void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal, float spare) {
     if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
     // The answers to a question need the room.
     const bool has_room = !has_close_rows(view, ui) || !view.may.open_prediction;
@@ -276,7 +288,7 @@ void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal) {
     const bool has_more = attempt.answers.hints_shown > 0 || attempt.work.outcome_known ||  // that needs the room
                           view.lesson->exercise->steps.size() > few_steps;
     if (has_short_goal && (has_question || is_begun))
-        goal_in_lines(*view.lesson, state, ui, has_question ? 2 : has_more ? 1 : 3);
+        goal_in_lines(*view.lesson, state, ui, has_question ? 2 : has_more ? 1 : 3, spare);
     else
         goal(*view.lesson, state, ui);
 }
@@ -324,16 +336,18 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 // Title and goal are visible until the exercise is passed. Then the result and the steps are at the top. The steps keep
 // their place during a run, above the prediction, and so do the hints between both. In the wiring editor the hints are
 // above the steps, which are judged while the scene plays. In a low card the compact steps do not scroll, and in a
-// lower one the goal is one line, which a click unfolds; in the lowest, as in the editor, all of the card scrolls, and
-// the steps are first. Once it is passed, a lower card begins with what came of the prediction. The buttons of a
-// selection by hand and of a breeding do not scroll: hints that are read below point at them.
-void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
+// lower one that has no room for the goal it is one line, which a click unfolds; in the lowest, as in the editor, all
+// of the card scrolls, and the steps are first. Once it is passed, a lower card begins with what came of the
+// prediction. The buttons of a selection by hand and of a breeding do not scroll: hints that are read below point at
+// them.
+void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
     follow_exercise(lesson, state);
     if (!lesson.grade) state.exercise.grade_seen = false;
-    if (!ImGui::IsMouseDown(0) && has_news(lesson, state.exercise.told)) open_again(state);
     CardState& card = state.card(Card::exercise);
+    const bool waits = card.folded && is_in_use(view, column);
+    if (!waits && has_news(lesson, state.exercise.told)) open_again(state);
     const bool asks = state.lecture.asks_prediction;  // then the question has the room of the buttons
     if (!asks) card.footer = std::max(card.footer, ui.px(ui.tall(button_height) + 8));
     const bool is_low = place.h < ui.px(low_card), has_head = place.h >= ui.px(least_height_with_head);
@@ -349,14 +363,15 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         const bool hints_need_top = hints_first && has_head, has_short_goal = is_goal_short(view, ui, place.h);
         const bool steps_in_head = is_low && !question_first && !steps_on_top && !hints_need_top;
         const StepsLook look = look_of_steps(lesson, ui, place.h, card.footer);
+        const float spare = card.content > 0 ? place.h - wanted_height(ui, card) : 0;
         if (!has_head) begin_rows(rows);
-        if (!steps_on_top) head(view, state, ui, has_short_goal);
+        if (!steps_on_top) head(view, state, ui, has_short_goal, spare);
         if (passed && is_low) result_title(lesson, ui);
         if (steps_in_head) exercise_steps(view, state, ui, look);
         if (has_head) end_head(ui, card, place), begin_rows(rows);
         if (steps_on_top) gap(ui, spacing::small), exercise_steps(view, state, ui, look);
         if (hints_first) hints(view, state, ui, steps_on_top);
-        if (steps_on_top) head(view, state, ui, has_short_goal);
+        if (steps_on_top) head(view, state, ui, has_short_goal, spare);
         const bool outcome_first = passed && place.h < ui.px(lower_card);
         if (outcome_first) prediction(view, state, ui);
         result(view, ui, !(passed && is_low));

@@ -75,7 +75,9 @@ bool key_for_next_exercise(const LabView& view, PanelState& state, KeyPress pres
     // A slider has the arrow keys, but the bar names Enter for the next exercise.
     if (state.keyboard.shown && !state.keyboard.focus.empty() && !has_slider_focus(state.keyboard)) return false;
     if (state.scene_input.tool != SceneInputTool::hand || state.scene_input.menu.open) return false;
+    state.card(Card::exercise).folded = false;  // the button is in it
     state.keyboard.focus = "exercise.next";
+    state.keyboard.revealed = true;  // it was not drawn while the card was folded
     state.keyboard.presses.push_back(press);
     return true;
 }

@@ -54,9 +54,10 @@ void draw_button(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
     const bool drawn = !lesson.attempt.answers.drawn_path.empty(), enabled = vehicle_to_draw_for(view) != nullptr;
-    const std::string seconds = fixed(ui, asked.after, 0);
-    paragraph(ui, fill(ui.strings(asked.options.empty() ? "exercise.draw_only" : "exercise.draw_or"), {seconds}),
-              ui.palette.second_text, Face::small);
+    const std::string words = fill(ui.strings(asked.options.empty() ? "exercise.draw_only" : "exercise.draw_or"),
+                                   {fixed(ui, asked.after, 0)});
+    const bool is_low = has_close_rows(view, ui);  // then the steps below need the room
+    if (!is_low) paragraph(ui, words, ui.palette.second_text, Face::small);
     ButtonLook look{drawn ? icon::check : std::string_view{},
                     ui.strings(drawn ? "exercise.draw_again" : "exercise.draw")};
     PathDrawing& drawing = state.scene_input.path;
@@ -67,7 +68,8 @@ void draw_button(const LabView& view, PanelState& state, Ui& ui) {
         drawing = {.on = !drawing.on, .held = false, .points = {}};
         if (drawing.on && ui.keyboard) ui.keyboard->focus.clear();  // the arrow keys draw
     }
-    tooltip(ui, at, ui.strings(enabled ? "exercise.draw_how" : "exercise.draw_at_start"));
+    const std::string how(ui.strings(enabled ? "exercise.draw_how" : "exercise.draw_at_start"));
+    tooltip(ui, at, is_low ? words + "\n" + how : how);
 }
 
 // True in the body of a low card, which has no room for notes below the answers.
@@ -183,8 +185,8 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ExerciseRows& rows = state.exercise.rows;
     const float top = begin_row(rows);
-    subheading(ui, ui.strings("exercise.predict"));
     const bool can_choose = is_open && view.may.open_prediction;
+    if (!can_choose || !has_close_rows(view, ui)) subheading(ui, ui.strings("exercise.predict"));
     if (!can_choose && ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
     if (can_choose) {
         open_prediction(view, state, ui);
