@@ -67,6 +67,25 @@ TEST(KeysCard, BeginsInAnExerciseWithTheKeysOfAnswersAndSliders) {
     EXPECT_LT(top("keys.place.widget"), top("keys.place.everywhere"));
 }
 
+TEST(KeysCard, BeginsWithPlayingOutsideALecture) {
+    for (const std::string& language : shipped_codes()) {
+        Desk desk(1280, 2400, 1, true);
+        desk.strings = speaking(language);
+        desk.key({key::f1});
+        for (const bool in_exercise : {false, true}) {
+            if (in_exercise) desk.open_exercise();
+            desk.frame(3);
+            const auto begin = std::find_if(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+                return w.words == desk.strings("keys.place.playing");
+            });
+            ASSERT_NE(begin, desk.written.end()) << language;
+            for (const char* other : {"keys.place.everywhere", "keys.place.answer"})
+                for (const Written& w : desk.written)
+                    if (w.words == desk.strings(other)) EXPECT_LT(begin->rect.y, w.rect.y) << language << " " << other;
+        }
+    }
+}
+
 TEST(KeysCard, BeginsInALectureWithItsKeysAndOmitsThoseThatTheyReplace) {
     Desk desk(1280, 2400, 1, true);
     const auto row_of = [&](std::string_view key) -> const Written* {

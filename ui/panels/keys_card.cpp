@@ -77,13 +77,28 @@ bool is_listed(const LabView& view, const Shortcut& shortcut) {
     return shortcut.place != KeyPlace::lecture || !view.lecture || has_effect_in_lecture(shortcut.action, view.pages);
 }
 
+// Outside a lecture their rows are before all others.
+constexpr std::array actions_of_playing{Action::play_pause, Action::reset,  Action::step,
+                                        Action::step_back,  Action::slower, Action::faster};
+
+bool is_of_playing(const LabView& view, Action action) {
+    return !view.lecture &&
+           std::find(actions_of_playing.begin(), actions_of_playing.end(), action) != actions_of_playing.end();
+}
+
+void add_rows_of_playing(std::vector<KeyRow>& list, const Strings& strings) {
+    list.push_back({"", std::string(strings("keys.place.playing")), true});
+    for (const Action action : actions_of_playing)
+        list.push_back({key_name(action, strings), std::string(strings("action." + std::string(name(action))))});
+}
+
 // One row per action of a place.
 void add_rows(std::vector<KeyRow>& list, const LabView& view, KeyPlace place, const Strings& strings) {
     list.push_back({"", std::string(strings("keys.place." + std::string(name(place)))), true});
     std::vector<Action> listed;
     for (const Shortcut& shortcut : shortcuts()) {
         if (!is_shown(shortcut.press) || shortcut.place != place || is_taken_by_lecture(view, shortcut) ||
-            !is_listed(view, shortcut))
+            !is_listed(view, shortcut) || is_of_playing(view, shortcut.action))
             continue;
         if (std::find(listed.begin(), listed.end(), shortcut.action) != listed.end()) continue;
         listed.push_back(shortcut.action);
@@ -98,11 +113,14 @@ void add_answer_rows(std::vector<KeyRow>& list, const Strings& strings) {
     list.push_back({key_name({' '}, strings), std::string(strings("keys.answer_space"))});
 }
 
-// In a lecture its keys are first, in an exercise those of the prediction and of sliders.
+// In a lecture its keys are first, else those of playing, in an exercise then those of the prediction and of sliders.
 std::vector<KeyRow> key_rows(const LabView& view, const Strings& strings) {
     std::vector<KeyRow> list;
     const bool in_exercise = view.lesson && !view.lecture;
-    if (view.lecture) add_rows(list, view, KeyPlace::lecture, strings);
+    if (view.lecture)
+        add_rows(list, view, KeyPlace::lecture, strings);
+    else
+        add_rows_of_playing(list, strings);
     if (in_exercise) add_answer_rows(list, strings), add_rows(list, view, KeyPlace::widget, strings);
     for (int i = 0; i <= static_cast<int>(last_place); ++i) {
         const auto place = static_cast<KeyPlace>(i);
