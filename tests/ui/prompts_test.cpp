@@ -554,6 +554,18 @@ TEST_F(Prompts, AVehicleWithoutWiresNeedsABrainBeforePlay) {
     EXPECT_NE(anchor(), "bias.LM");
 }
 
+TEST_F(Prompts, WithoutAnyLampTheLampToolPulses) {
+    alone();
+    desk.now.sources.clear();
+    see(0);
+    at(1), next();
+    at(9);
+    EXPECT_EQ(anchor(), "tool.lamp");
+    EXPECT_EQ(next().hint, "hint.nothing_shines");
+    desk.now.sources.resize(1);
+    EXPECT_NE(anchor(), "tool.lamp") << "a lamp is there, out of sight";
+}
+
 TEST_F(LessonPrompts, TheBrainCardOfAVehicleThatIsGoneNamesReset) {
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->starts.emplace_back().kind = scene->kinds[0].name;

@@ -193,6 +193,15 @@ bool has_nothing_to_drive(const LabView& view) {
            std::all_of(brain.nodes.begin(), brain.nodes.end(), [](const Node& node) { return node.bias == 0; });
 }
 
+// True if the eyes of the selected vehicle see nothing because the scene has no lamp at all.
+bool lacks_lamp(const LabView& view) {
+    const VehicleView* vehicle = selected_vehicle(view);
+    if (!vehicle || !view.now->sources.empty() || !is_blind(*view.now, *vehicle)) return false;
+    const auto& sensors = kind_of(*view.now, *vehicle).sensors;
+    return std::any_of(sensors.begin(), sensors.end(),
+                       [](const Sensor& sensor) { return is_seen_as(Channel::light, sensor.channel); });
+}
+
 Prompt of_free_play(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
     if (!memory.played) return {"button.play", "hint.press_play"};
@@ -231,7 +240,8 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (!view.lesson && view.now->vehicles.empty()) return {};  // the usual hint is to add one
     if (!view.lesson && has_nothing_to_drive(view)) return {"bias.LM", "hint.no_wires"};
     if (!view.lesson)
-        if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
+        if (const Prompt out = way_out(memory, view); !out.anchor.empty())
+            return lacks_lamp(view) ? Prompt{"tool.lamp", "hint.nothing_shines"} : out;
     return of_free_play(memory, view);
 }
 
