@@ -61,7 +61,8 @@ CommandLine read_command_line(int argc, char** argv) {
            },
            "size in pixels of the window, of --screenshot or of --clip")
         ->type_name("WxH");
-    app.add_option("--scale", o.scale, "scale of the window's content; 1 on an ordinary display")
+    app.add_option("--scale", o.scale,
+                   "scale of the window's content; 1 on an ordinary display; less where bars and cards would not fit")
         ->check(CLI::Range(0.5f, 4.0f));
     app.add_option("--seed", o.seed, "seed of the random numbers; the same seed gives the same run")
         ->check(CLI::NonNegativeNumber);
