@@ -164,6 +164,13 @@ float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, s
     return std::clamp(readable + 1, inner, overhang * shape.size.x);
 }
 
+// True if the cards of sensors and motors have two rows in place of three: in a lecture, and where a line is higher
+// than a row.
+bool has_two_rows(const Pen& pen, const Picture& picture) {
+    constexpr float row = 28;  // units
+    return detail_of(pen) != Detail::full && (picture.view.lecture || pen.least_type() > pen.size(row));
+}
+
 // In a lecture nothing is pale.
 Colour caption_colour(const Pen& pen, const Picture& picture) {
     return picture.view.lecture ? pen.palette().text : pen.palette().second_text;
@@ -231,8 +238,7 @@ void draw_words(const Pen& pen, const Picture& picture, const NodeShape& shape, 
     const auto put_name = [&](float y, float height) {
         record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, name, p.text, Face::strong, of_name));
     };
-    constexpr float between_rows = 28;  // units, of the three rows below
-    if (far && !neuron && (picture.view.lecture || pen.least_type() > pen.size(between_rows))) {
+    if (!neuron && has_two_rows(pen, picture)) {
         draw_large_words(pen, picture, shape, {name, number, caption});
     } else if (far && !neuron) {
         put_name(low.y + 24, 27);
@@ -259,8 +265,9 @@ void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shap
     const bool neuron = node.kind == NodeKind::neuron;
     const bool far = detail_of(pen) != Detail::full;
     const vec2 half = shape.size / 2;
-    const float above = neuron ? 0.0f : !far ? 9.0f : picture.view.lecture ? 23.0f : 13.0f;
-    const float right = neuron ? 38.0f : far && picture.view.lecture ? 33.0f : 44.0f;
+    const bool has_two = has_two_rows(pen, picture);
+    const float above = neuron ? 0.0f : !far ? 9.0f : has_two ? 23.0f : 13.0f;
+    const float right = neuron ? 38.0f : has_two ? 33.0f : 44.0f;
     const vec2 icon = shape.centre + vec2{-half.x + right, -above};
     if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value, node.silenced);
     if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value, node.silenced);
