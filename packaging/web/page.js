@@ -21,6 +21,7 @@ const texts = {
         damaged: "it is incomplete or damaged",
         sandbox: "The page that contains this one does not let it load its files: its frame needs sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". Or open the lab in a window of its own.",
+        refused: "The address of this page has a part that the lab does not know: ", without: "Start without it",
         lost: "The browser has taken the graphics from the lab, for example after a fault of the driver. Your work is kept: start again.",
         ended_notes: "These notes no longer follow the lecture: the page of the lab was closed or loaded again. Shift+N in the lab opens them anew.",
     },
@@ -43,6 +44,7 @@ const texts = {
         damaged: "sie ist unvollständig oder beschädigt",
         sandbox: "Die Seite, die diese enthält, lässt sie ihre Dateien nicht laden: ihr Rahmen braucht sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". Oder öffnen Sie das Labor in einem eigenen Fenster.",
+        refused: "Die Adresse dieser Seite hat einen Teil, den das Labor nicht kennt: ", without: "Ohne ihn starten",
         lost: "Der Browser hat dem Labor die Grafik entzogen, zum Beispiel nach einem Fehler des Treibers. Ihre Arbeit ist gespeichert: starten Sie neu.",
         ended_notes: "Diese Notizen folgen dem Vortrag nicht mehr: die Seite des Labors wurde geschlossen oder neu geladen. Umschalt+N im Labor öffnet sie neu.",
     },
@@ -65,6 +67,7 @@ const texts = {
         damaged: "está incompleto o dañado",
         sandbox: "La página que contiene esta no le permite cargar sus archivos: su marco necesita sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". O abra el laboratorio en una ventana propia.",
+        refused: "La dirección de esta página tiene una parte que el laboratorio no conoce: ", without: "Iniciar sin ella",
         lost: "El navegador ha retirado los gráficos al laboratorio, por ejemplo tras un fallo del controlador. Su trabajo está guardado: inicie de nuevo.",
         ended_notes: "Estas notas ya no siguen la clase: la página del laboratorio se cerró o se cargó de nuevo. Mayús+N en el laboratorio las abre otra vez.",
     },
@@ -268,11 +271,26 @@ function programArguments() {
     return list;
 }
 
+// What the program has said before its first picture.
+const complaints = [];
+
 var Module = {
     canvas: element("canvas"),
     arguments: programArguments(),
     print: (text) => console.log(text),
-    printErr: (text) => console.warn(text),
+    printErr(text) {
+        if (!window.braitenlab.ready) complaints.push(text.replace(/^braitenlab: /, ""));
+        console.warn(text);
+    },
+    // It ends before its first picture if it refuses an option of the address.
+    quit(status, ended) {
+        if (status && !window.braitenlab.ready) {
+            show(words.refused + complaints[0], true);
+            element("again").textContent = words.without;
+            element("again").onclick = () => location.assign(location.pathname + location.hash);
+        }
+        throw ended;
+    },
     pageNumber: pages.number,
     preRun: [() => files.restore(FS)],
     takeOver: files.takeOver,

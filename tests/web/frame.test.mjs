@@ -36,6 +36,35 @@ test("Without scripts the page says what it needs", limit, async () => {
     await context.close();
 });
 
+test("An option of the address that the lab does not know is named, and the lab starts without it", limit, async () => {
+    for (const [option, named] of [["camera=drivr", /drivr/], ["lang=fr", /fr/]]) {
+        const context = await labs.browser.newContext({ locale: "en-US" });
+        const page = await context.newPage();
+        await page.goto(`${labs.server.address}?${option}#e1.05-aggressor`);
+        await page.waitForSelector("#again:not([hidden])", { timeout: 60000 });
+        assert.match(await page.innerText("#message"), named);
+        await page.click("#again");
+        await page.waitForFunction(() => window.braitenlab?.ready, null, { timeout: 60000 });
+        assert.equal(await page.evaluate(() => window.braitenlab.state().exercise.id), "05-aggressor");
+        await context.close();
+    }
+});
+
+test("Before its first picture the page has the colours of the theme", limit, async () => {
+    for (const [asked, chosen, ground] of [["light", null, 255], ["dark", null, 20], ["light", "dark", 20], ["dark", "light", 255]]) {
+        const context = await labs.browser.newContext({ colorScheme: asked });
+        await context.route("**/*.gz?*", () => {});  // never answered
+        await context.addInitScript((theme) => theme &&
+            localStorage.setItem("braitenlab:/home/web_user/config/settings.toml", `theme = "${theme}"\n`), chosen);
+        const page = await context.newPage();
+        await page.goto(labs.server.address, { waitUntil: "commit" });
+        await page.waitForSelector("#cover");
+        const colour = await page.evaluate(() => getComputedStyle(document.getElementById("cover")).backgroundColor);
+        assert.ok(colour.startsWith(`rgb(${ground},`), `${asked}, ${chosen}: ${colour}`);
+        await context.close();
+    }
+});
+
 test("The title of the page is that of the open document", limit, async () => {
     const titled = (lab, title) => lab.page.waitForFunction((wanted) => document.title === wanted, title, { timeout: 10000 });
     await withLab("?open=2a-coward", async (lab) => {
