@@ -137,10 +137,19 @@ std::optional<FileLock> StudentFiles::locked() const {
     return std::nullopt;
 }
 
+// Differs after each change, but for one of the same size within the resolution of the file's time.
+std::pair<fs::file_time_type, std::uintmax_t> StudentFiles::stamp_of(const OnDisk& file) const {
+    std::error_code none;
+    const fs::path path = path_of(file);
+    if (!fs::exists(path, none)) return {};
+    return {fs::last_write_time(path, none), fs::file_size(path, none)};
+}
+
 // Takes over what another window has written to the file. Fails if the file cannot be read and not be renamed.
 std::optional<Error> StudentFiles::merge(OnDisk& file, StudentProgress& progress, Written& done) const {
     const fs::path path = path_of(file);
     std::error_code none;
+    file.stamp = stamp_of(file);
     if (!fs::exists(path, none)) return std::nullopt;
     const auto text = progress_text(path);
     if (text && *text == file.text) return std::nullopt;
@@ -155,6 +164,7 @@ std::optional<Error> StudentFiles::merge(OnDisk& file, StudentProgress& progress
     StudentProgress both = merged_progress(file.written, progress, *found);
     done.merged = done.merged || both != progress;
     progress = std::move(both);
+    file.written = std::move(*found), file.text = *text;
     return std::nullopt;
 }
 
@@ -162,7 +172,7 @@ std::optional<Error> StudentFiles::write(OnDisk& file, StudentProgress& progress
     if (auto error = merge(file, progress, done)) return error;
     std::string text = write_progress(progress);
     if (auto error = write_whole(path_of(file), text)) return error;
-    file.written = progress, file.text = std::move(text);
+    file.written = progress, file.text = std::move(text), file.stamp = stamp_of(file);
     return std::nullopt;
 }
 
@@ -172,14 +182,15 @@ StudentFiles::Written StudentFiles::write(StudentBook& book) {
     if (files_.empty()) files_ = {{nameless_stem}};
     bool changed = files_.size() < book.all.size();
     for (std::size_t i = 0; i < files_.size() && i < book.all.size(); ++i)
-        changed = changed || files_[i].written != book.all[i];
+        changed = changed || files_[i].written != book.all[i] || files_[i].stamp != stamp_of(files_[i]);
     if (!changed) return done;
     const auto lock = locked();
     while (files_.size() < book.all.size()) files_.push_back({stem_for(book.all[files_.size()].name)});
     for (std::size_t i = 0; i < book.all.size(); ++i) {
         OnDisk& file = files_[i];
-        if (file.written == book.all[i]) continue;
-        const auto error = write(file, book.all[i], done);
+        const bool differs = file.written != book.all[i];
+        if (!differs && file.stamp == stamp_of(file)) continue;
+        const auto error = differs ? write(file, book.all[i], done) : merge(file, book.all[i], done);
         if (error && !file.failed) done.failed = error;
         file.failed = error.has_value();
     }

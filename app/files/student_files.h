@@ -1,9 +1,11 @@
 // The files of the students' progress: one JSON file a student in the folder `students` of the state folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/platform/platform.h"
@@ -14,7 +16,7 @@ namespace braitenlab {
 
 // Read at the start, written when something has changed. The name of a file is made of the student's name when the
 // student is added and stays the same; the name in the file counts. Several windows may have the same students: what
-// another one has written since is merged before writing.
+// another one has written since is merged before writing, and also where nothing is to be written.
 class StudentFiles {
 public:
     // With an empty folder nothing is read or written.
@@ -29,7 +31,7 @@ public:
         std::optional<Error> failed{};  // of the first failed attempt; later ones are silent until one succeeds
         bool merged = false;            // the book has taken over changes of another window
     };
-    // Writes the students that differ from their files.
+    // Writes the students that differ from their files, and takes over what another window has written since.
     Written write(StudentBook&);
 
     // The file of the student who works now, without folder and extension; empty for the first one.
@@ -40,9 +42,11 @@ private:
         std::string stem;
         StudentProgress written{};  // as it was read or written last; StudentProgress{}: not yet
         std::string text{};         // of the file then
-        bool failed = false;        // the last attempt to write, which is repeated
+        std::pair<std::filesystem::file_time_type, std::uintmax_t> stamp{};  // its time and size then
+        bool failed = false;  // the last attempt to write, which is repeated
     };
     std::filesystem::path path_of(const OnDisk& file) const { return folder_ / (file.stem + ".json"); }
+    std::pair<std::filesystem::file_time_type, std::uintmax_t> stamp_of(const OnDisk&) const;
     std::string free_stem(const std::string& name) const;
     std::string stem_for(const std::string& name) const;
     std::optional<Error> unused(const std::filesystem::path&, const StudentProgress&, const StudentBook&) const;

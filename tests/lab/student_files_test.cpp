@@ -131,6 +131,17 @@ TEST(StudentFiles, KeepWhatAnotherWindowHasWritten) {
     EXPECT_TRUE(read.student().exercises.empty());
 }
 
+TEST(StudentFiles, FollowWhatAnotherWindowHasWrittenWhereNothingIsToBeWritten) {
+    TwoWindows windows;
+    windows.ours.student().exercises["06-love"].hints = 2;
+    windows.one.write(windows.ours);
+    const std::string text = text_of(windows.folder / "zo-z.json");
+    EXPECT_TRUE(windows.other.write(windows.theirs).merged);
+    EXPECT_EQ(windows.theirs, windows.ours);
+    EXPECT_FALSE(windows.other.write(windows.theirs).merged) << "once";
+    EXPECT_EQ(text_of(windows.folder / "zo-z.json"), text);
+}
+
 TEST(StudentFiles, AddAStudentOnceIfTwoWindowsAddHim) {
     TwoWindows windows;
     windows.ours.all.push_back({"Ben", {{"06-love", {.hints = 1}}}});
