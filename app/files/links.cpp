@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "app/files/data.h"
 #include "core/io/link.h"
 #include "core/messages.h"
 #include "core/plain_letters.h"
+#include "core/scene/nearest.h"
 
 namespace braitenlab {
 
@@ -51,8 +54,11 @@ Result<std::filesystem::path> linked_exercise(const std::string& name) {
     const auto shipped = shipped_exercises();
     const auto found = std::find_if(shipped.begin(), shipped.end(),
                                     [&](const std::filesystem::path& path) { return path.stem().string() == name; });
-    if (found == shipped.end()) return error_of(message_of("no_exercise_of_link", name));
-    return *found;
+    if (found != shipped.end()) return *found;
+    std::vector<std::string> names;
+    for (const std::filesystem::path& path : shipped) names.push_back(path.stem().string());
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return error_of(message_of("no_exercise_of_link", name) + nearest_of(name, candidates));
 }
 
 }  // namespace braitenlab

@@ -243,6 +243,7 @@ test("A broken link is refused and leaves the open work alone", limit, async () 
             assert.deepEqual((await lab.state()).weights, edited);
         }
     });
+    await withLab("#e1.05-agressor", (lab) => lab.until((state) => /05-aggressor/.test(JSON.stringify(state.notice))));
     // At the start the lab opens its first exercise instead.
     await withLab("#b1.eNpLyy", async (lab) => {
         await lab.until((state) => /incomplete/.test(JSON.stringify(state.notice)));
