@@ -341,6 +341,7 @@ bool App::draw_scene(std::vector<bool> hidden_brains) {
     }
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.resolution = resolution();
+    picture.coarse_ground = picture.quality == Quality::low && !repeatable() && !window_.is_redirected();
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     frame_.shown = shown_snapshot(lab);
     if (!repeatable()) render::stand_between(frame_.shown, lab.playback.previous, between_ticks(lab));

@@ -257,18 +257,30 @@ struct Renderer::Parts {
         glDisable(GL_BLEND);
     }
 
-    // Draws the ground into the backdrop when it has not changed since the last frame. True when the backdrop holds the
-    // ground of this frame.
-    bool update_backdrop(const FrameBlock& frame) {
-        const auto ground = backdrop.look(ground_of(frame));
-        if (ground == StoredPicture::Content::rests) {
-            upload(backdrop.begin_painting());
-            glClear(GL_COLOR_BUFFER_BIT);
-            draw_ground();
-            backdrop.end_painting();
-            upload(frame);
-        }
-        return ground != StoredPicture::Content::moves;
+    // Draws the ground into the backdrop.
+    void paint_backdrop(const FrameBlock& frame) {
+        upload(backdrop.begin_painting());
+        glClear(GL_COLOR_BUFFER_BIT);
+        draw_ground();
+        backdrop.end_painting();
+        upload(frame);
+    }
+
+    // Draws the ground with fewer pixels and enlarges it to the visible parts of the viewport. False, and nothing is
+    // drawn, where the framebuffer has several samples. Changes the viewport, the frame block and the state of blending
+    // and of the depth test.
+    bool draw_coarse_ground(const FrameBlock& frame, const Rect& window) {
+        constexpr float share = 0.5f;
+        if (!resampling.begin_coarse(window, share)) return false;
+        upload(at_resolution(frame, share));
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        leave_out_hidden(window, share);
+        draw_ground_below();
+        resampling.end();
+        set_viewport(window);
+        upload(frame);
+        enlarge(window);
+        return true;
     }
 
     // Draws the ground after all solid objects, so hidden parts of it are not shaded. It writes no depth: flat marks on
@@ -362,14 +374,19 @@ struct Renderer::Parts {
         upload(drawn);
         const bool smooth = !coarse && picture.quality == Quality::high && resampling.begin_smooth(window);
         // OpenGL 3.3 copies into several samples per pixel only from an identical format, OpenGL ES 3.0 not at all.
-        const bool in_backdrop = !smooth && update_backdrop(drawn);
-        glClear(in_backdrop ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const auto ground = smooth ? StoredPicture::Content::moves : backdrop.look(ground_of(drawn));
+        const bool in_backdrop = ground != StoredPicture::Content::moves;
+        if (ground == StoredPicture::Content::rests) paint_backdrop(drawn);
+        const bool below =
+            !in_backdrop && !coarse && !smooth && picture.coarse_ground && draw_coarse_ground(drawn, window);
+        glEnable(GL_DEPTH_TEST);
+        glClear(in_backdrop || below ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         // The copy comes before all draw calls: a software renderer waits for those before it.
         const Rect all{0, 0, drawn.window.x, drawn.window.y};
         if (in_backdrop) backdrop.copy(coarse ? std::span(&all, 1) : std::span<const Rect>(visible));
         leave_out_hidden(window, coarse ? resolution : 1);
         draw_solids(picture.quality);
-        if (!in_backdrop) draw_ground_below();
+        if (!in_backdrop && !below) draw_ground_below();
         draw_flat();
         resampling.end();
         if (!coarse) return;

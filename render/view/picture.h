@@ -20,7 +20,8 @@ struct Picture {
     CameraView camera_view;
     Theme theme = Theme::dark;
     Quality quality = Quality::low;
-    float resolution = 1;  // pixels drawn per pixel of the window, in width and in height, 0..1; labels have all
+    float resolution = 1;        // pixels drawn per pixel of the window, in width and in height, 0..1; labels have all
+    bool coarse_ground = false;  // while the ground moves in the picture, it has half the pixels in width and in height
     // While nothing moves, the scene is drawn once with all pixels and then copied, where a window has one sample per
     // pixel, as those of software renderers have.
     bool copied_at_rest = false;

@@ -4,7 +4,8 @@ namespace braitenlab {
 
 namespace {
 
-constexpr int slow_needed = 3, fast_needed = 8, fast_needed_if_coarse = 2;  // measurements in a row
+// Measurements in a row. Fewer pictures a second are better than coarse ones, and the first ones are slow everywhere.
+constexpr int slow_needed = 3, very_slow_needed = 8, fast_needed = 8, fast_needed_if_coarse = 2;
 
 Quality beside(Quality level, int step) { return static_cast<Quality>(static_cast<int>(level) + step); }
 
@@ -14,7 +15,7 @@ void QualityChoice::add(double seconds) {
     const bool lowest = level_ == Quality::low;
     slow_in_a_row_ = seconds > (lowest ? very_slow : slow) ? slow_in_a_row_ + 1 : 0;
     fast_in_a_row_ = seconds < (coarse_ ? fast_if_coarse : fast) ? fast_in_a_row_ + 1 : 0;
-    if (slow_in_a_row_ >= slow_needed && !coarse_) {
+    if (slow_in_a_row_ >= (lowest ? very_slow_needed : slow_needed) && !coarse_) {
         if (lowest)
             coarse_ = true;
         else

@@ -9,9 +9,8 @@ namespace braitenlab {
 // again until start_over().
 class QualityChoice {
 public:
-    // Begins with this level; with low also at the lower resolution.
-    explicit QualityChoice(Quality first = Quality::medium)
-        : first_(first), level_(first), coarse_(first == Quality::low) {}
+    // Begins with this level and all pixels.
+    explicit QualityChoice(Quality first = Quality::medium) : first_(first), level_(first) {}
 
     Quality level() const { return level_; }
 
@@ -35,16 +34,17 @@ public:
 
     static constexpr int frames_between = 8;
     static constexpr int frames_between_if_copied = 64;
-    static constexpr int frames_between_if_coarse = 240;  // each measurement stops such a slow machine for a moment
-    static constexpr double slow = 0.030, fast = 0.005;   // s
-    // A quarter of the pixels takes a quarter of the time, so the limits are more than a factor of 4 apart.
-    static constexpr double very_slow = 0.060, fast_if_coarse = 0.010;  // s
+    static constexpr int frames_between_if_coarse = 60;  // each measurement stops such a slow machine for a moment
+    static constexpr double slow = 0.030, fast = 0.005;  // s
+    // With widgets a scene of 60 ms gives 12 pictures a second. In software a quarter of the pixels takes about half of
+    // the time, because it is enlarged, so the limits are more than a factor of 2 apart.
+    static constexpr double very_slow = 0.060, fast_if_coarse = 0.025;  // s
     static constexpr float coarse_resolution = 0.5f;
 
 private:
     Quality first_, level_, highest_ = Quality::high;
     int slow_in_a_row_ = 0, fast_in_a_row_ = 0;
-    bool coarse_;
+    bool coarse_ = false;
 };
 
 }  // namespace braitenlab

@@ -153,6 +153,30 @@ TEST_F(StoredPictureTest, DrawsASceneAtRestWithAllPixelsAndThenCopiesIt) {
     EXPECT_EQ(renderer->resolution(), 0.5f);
 }
 
+TEST_F(StoredPictureTest, ShowsVehiclesWithAllPixelsOnACoarseGroundWhichRests) {
+    for (const Boundary edge : {Boundary::wall, Boundary::torus}) {
+        const Snapshot now = arena_with(edge);
+        picture.settings.sensors = false;
+        picture.coarse_ground = false;
+        const auto sharp = drawn_afresh(now);
+        const auto at = *project(picture.camera_view, {now.vehicles[0].x, now.vehicles[0].y}, 0.2f);
+        const float vehicle = brightness(patch(at));
+        picture.coarse_ground = true;
+        const auto moving = drawn_afresh(now);
+        EXPECT_NEAR(brightness(patch(at)), vehicle, 0.004f);
+        int differ = 0;
+        double sum = 0;
+        for (std::size_t i = 0; i < sharp.size(); ++i) {
+            const int difference = std::abs(sharp[i] - moving[i]);
+            differ += difference > 3, sum += difference;
+        }
+        EXPECT_GT(differ, 100) << "lines of the grid are softer";
+        EXPECT_LT(sum / static_cast<double>(sharp.size()), 2) << "of 255";
+        drawn(now);
+        EXPECT_TRUE(alike(drawn(now), sharp)) << "a ground that rests has all pixels";
+    }
+}
+
 TEST_F(StoredPictureTest, CopiesNoSceneInWhichSomethingChanges) {
     Snapshot now = arena_with(Boundary::wall);
     picture.copied_at_rest = true;

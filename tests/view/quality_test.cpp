@@ -30,18 +30,21 @@ TEST(QualityChoice, HalvesTheResolutionWhereLowQualityIsVerySlowToo) {
     add(choice, 0.1, 3);
     EXPECT_EQ(choice.level(), Quality::low);
     EXPECT_EQ(choice.resolution(), 1);
-    add(choice, 0.1, 3);
+    add(choice, 0.1, 7);
+    EXPECT_EQ(choice.resolution(), 1) << "for a moment";
+    add(choice, 0.1, 1);
     EXPECT_EQ(choice.level(), Quality::low);
     EXPECT_EQ(choice.resolution(), 0.5f);
-    add(choice, 0.02, 100);
-    EXPECT_EQ(choice.resolution(), 0.5f) << "all pixels would take four times as long";
+    add(choice, 0.03, 100);
+    EXPECT_EQ(choice.resolution(), 0.5f) << "all pixels would take more than twice as long";
     EXPECT_FALSE(choice.measures(QualityChoice::frames_between)) << "seldom, because it stops the machine";
-    add(choice, 0.008, 2);
+    add(choice, 0.02, 2);
     EXPECT_EQ(choice.resolution(), 1);
 }
 
 TEST(QualityChoice, MeasuresFewFramesAtRestAndNoneOfThemAtTheLowerResolution) {
-    const QualityChoice sharp, coarse(Quality::low);
+    QualityChoice sharp, coarse(Quality::low);
+    add(coarse, 0.1, 8);
     int moving = 0, resting = 0, coarse_resting = 0;
     for (int frame = 0; frame < 960; ++frame) {
         moving += sharp.measures(frame), resting += sharp.measures(frame, true);
@@ -52,11 +55,11 @@ TEST(QualityChoice, MeasuresFewFramesAtRestAndNoneOfThemAtTheLowerResolution) {
     EXPECT_EQ(coarse_resting, 0);
 }
 
-TEST(QualityChoice, BeginsWithHalfTheResolutionWhereItBeginsWithLow) {
+TEST(QualityChoice, BeginsWithAllPixelsAndKeepsThemFromTwelvePicturesASecondOn) {
     QualityChoice choice(Quality::low);
     EXPECT_EQ(choice.level(), Quality::low);
-    EXPECT_EQ(choice.resolution(), 0.5f);
-    add(choice, 0.002, 2);
+    EXPECT_EQ(choice.resolution(), 1);
+    add(choice, 0.055, 100);
     EXPECT_EQ(choice.resolution(), 1);
     add(choice, 0.002, 8);
     EXPECT_EQ(choice.level(), Quality::medium);
