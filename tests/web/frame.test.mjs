@@ -146,6 +146,24 @@ test("An upright telephone has its cards below the scene, and larger type keeps 
         assert.ok(after.time[3] > 1.1 * before.time[3], `larger type: ${before.time} and ${after.time}`);
     }, { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true }));
 
+test("On an upright telephone what came of the prediction is in sight after the drive", limit, async () => {
+    for (const lang of ["en", "de", "es"])
+        await withLab(`?open=01-drive&lang=${lang}`, async (lab) => {
+            const tap = async (anchor) => lab.page.touchscreen.tap(...await lab.middle(anchor));
+            await tap("exercise.predict.2");
+            await lab.until((state) => state.exercise.predicted === 1);
+            await tap("button.play");
+            await lab.until((state) => state.seconds > 2);
+            await tap("button.play");
+            await lab.until((state) => state.mode === "paused");
+            await lab.frames(12);
+            await lab.page.screenshot({ path: path.join(root, `build/web-tests/outcome-${lang}.png`) });
+            const anchors = await lab.anchors(), [, top, , height] = anchors["exercise.predict"];
+            assert.ok(height > 70, `${lang}: ${height} of it are in sight`);
+            assert.ok(top + height <= anchors["exercise.hint"][1], lang);
+        }, { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true });
+});
+
 test("In small windows no tool is below a card, and the hint bar is in the window", limit, async () => {
     for (const [width, height] of [[640, 480], [800, 600]])
         await withLab("?open=2a-coward&lang=de", async (lab) => {

@@ -197,12 +197,12 @@ std::string words_of_step(const Ui& ui, const LessonView& lesson, std::size_t in
 void ticks_of_steps(const LessonView& lesson, ImVec2 at, float right, Ui& ui) {
     const auto count = std::count_if(lesson.verdicts.begin(), lesson.verdicts.end(), [](auto& v) { return v.done; });
     if (count == 0) return;
-    const float pitch = std::min(ui.px(ui.tall(compact_row)), (right - at.x) / static_cast<float>(count));
+    const float pitch = std::min(ui.px(compact_row), (right - at.x) / static_cast<float>(count));
     float x = at.x;
     for (std::size_t i = 0; i < std::min(lesson.exercise->steps.size(), lesson.verdicts.size()); ++i) {
         if (!lesson.verdicts[i].done) continue;
         ImGui::SetCursorScreenPos({x, at.y});
-        const Item tick = item(ui, step_id(i), {pitch, ui.px(ui.tall(compact_row))}, false);
+        const Item tick = item(ui, step_id(i), {pitch, ui.px(compact_row)}, false);
         const std::string id = step_id(i);
         check_mark(ui, {tick.middle_x(), tick.middle_y()}, std::min(ui.px(8), 0.45f * pitch), true,
                    eased(ui, id, 1.0f, 0.2f));
@@ -219,14 +219,15 @@ std::string value_in_row(const Ui& ui, const LessonView& lesson, std::size_t ind
     return {};
 }
 
-// An open step, small, with its value beside it; a click shows it in full.
+// An open step, small, with its value beside it; a click shows it in full. Rows as high as a finger would leave no room
+// for the outcome below them on a telephone.
 void row_of_step(const LessonView& lesson, std::size_t index, PanelState& state, Ui& ui) {
     const float left = ui.px(26), width = card_width(ui), line = line_height(ui, Face::small);
     const std::string value = value_in_row(ui, lesson, index);
     const float room = width - left - text_width(ui, Face::small, value) - (value.empty() ? 0 : ui.px(6));
     const auto lines = lines_of_words(ui, translated(ui, lesson.exercise->steps[index].text), Face::small, room);
     const float words = line * static_cast<float>(lines.size());
-    const Item row = item(ui, step_id(index), {width, std::max(ui.px(ui.tall(compact_row)), words + ui.px(4))});
+    const Item row = item(ui, step_id(index), {width, std::max(ui.px(compact_row), words + ui.px(4))});
     const float top = row.middle_y() - words / 2;
     check_mark(ui, {row.rect.x + ui.px(9), top + line / 2}, ui.px(6), false, 0);
     const Colour tone = mix(ui.palette.second_text, ui.palette.text, row.warmth);
@@ -243,7 +244,8 @@ void row_of_step(const LessonView& lesson, std::size_t index, PanelState& state,
 // Before the first run there are none, and the steps below the question need the room.
 void heading_with_ticks(const LabView& view, Ui& ui) {
     const ImVec2 heading = ImGui::GetCursorScreenPos();
-    const float height = ui.px(ui.tall(compact_row)), right = heading.x + card_width(ui);
+    const float height = ui.px(can_compare(view) ? ui.tall(compact_row) : compact_row);
+    const float right = heading.x + card_width(ui);
     const std::string_view words = ui.strings("exercise.steps");
     put(ui, {heading.x, heading.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text,
         Face::small);
