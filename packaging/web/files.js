@@ -30,6 +30,12 @@ const files = {
             if (path.startsWith(folder + "/") && !path.endsWith(".autosave") && storage.isNewer(path)) files.fetch(path);
     },
 
+    // Another page of the lab has stored the progress of a student: the program reads it within a second.
+    followProgress({ key, storageArea }) {
+        const path = key?.slice(storage.prefix.length);
+        if (storageArea === storage.shelf && path?.startsWith(`${home}/state/students/`) && storage.isNewer(path)) files.fetch(path);
+    },
+
     // Differs after each change: a file is replaced by another one, which may be written in the same millisecond.
     stamp(path) {
         const { ino, mtime } = files.FS.stat(path);
@@ -193,6 +199,7 @@ const files = {
         addEventListener("pagehide", files.markPageAsOld);
         addEventListener("visibilitychange", () => document.visibilityState === "hidden" && files.leave());
         addEventListener("popstate", address.follow_link);
+        addEventListener("storage", files.followProgress);
         addEventListener("dragover", (event) => event.preventDefault());
         addEventListener("drop", (event) => {
             event.preventDefault();

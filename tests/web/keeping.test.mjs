@@ -132,6 +132,22 @@ test("Two pages of the lab keep the progress of both", limit, () =>
         assert.deepEqual(two.errors, []);
     }));
 
+test("A page follows the progress that another page stores", limit, () =>
+    withLab("?open=01-drive", async (one) => {
+        await predict(one);
+        await eventually(one, async () => (await keptExercises(one)).length === 1, "progress is stored");
+        const other = await one.page.context().newPage();
+        await other.route("**/empty.html", (route) => route.fulfill({ contentType: "text/html", body: "" }));
+        await other.goto(labs.server.address + "empty.html");
+        await other.evaluate((key) => {
+            const kept = JSON.parse(localStorage.getItem(key));
+            kept.exercises["01-drive"].notes = "from another page";
+            localStorage.setItem(key, JSON.stringify(kept));
+        }, progress);
+        await one.page.bringToFront();
+        await one.until((state) => state.exercise.notes === "from another page");
+    }));
+
 test("Work of a page that is open is not offered to another one", limit, () =>
     withLab("?open=2a-coward", async (one) => {
         const [x, y, w, h] = await one.rectangle("slider.LL");
