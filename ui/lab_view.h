@@ -74,11 +74,11 @@ struct LessonView {
 };
 
 // True while a question waits for a run of the scene as given, which the student has changed: only Start over leads
-// there. A question about a selection is about its end.
+// there. A question about a selection or a breeding is about its end.
 inline bool needs_start_over(const LessonView& lesson) {
     const bool passed = lesson.grade && lesson.grade->good;
     return is_asked(lesson.exercise->prediction) && !lesson.as_given && !lesson.attempt.work.outcome_known && !passed &&
-           !offers_selection(*lesson.exercise);
+           !offers_selection(*lesson.exercise) && offered_breeding(*lesson.exercise).empty();
 }
 
 // True while the prediction is asked for: before the first run, and until it is made.

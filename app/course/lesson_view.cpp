@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/lesson/selection.h"
+#include "core/lesson/submission.h"
 
 namespace braitenlab {
 
@@ -26,10 +27,12 @@ int seconds_to_hint(const Workspace& space) {
 
 // True if this moment of a run shows what the prediction asks for: what the scene does as given, with every brain,
 // sensor and body of the file and with nothing moved. A run with the student's changes does not show it, also where the
-// question is about another vehicle, because its options may compare both.
+// question is about another vehicle, because its options may compare both. Where the student breeds, the question is
+// about what was bred: a run with it shows it.
 bool shows_outcome(const Exercise& exercise, const Snapshot& now, const Referee& referee) {
+    const bool asks_about_given = offered_breeding(exercise).empty();
     return now.tick > 0 && now.seconds >= static_cast<double>(exercise.prediction.after) && !referee.by_hand() &&
-           referee.as_given();
+           referee.as_given() == asks_about_given;
 }
 
 }  // namespace

@@ -154,6 +154,13 @@ bool offers(const Exercise& exercise, std::string_view part) {
     return offers_all(exercise) || contains(exercise.offers, part);
 }
 
+std::string_view offered_breeding(const Exercise& exercise) {
+    constexpr std::string_view stem = "breeding:";
+    for (const std::string& offer : exercise.offers)
+        if (offer.starts_with(stem)) return std::string_view(offer).substr(stem.size());
+    return {};
+}
+
 std::vector<Offer> offered_dials(const Exercise& exercise) {
     std::vector<Offer> dials;
     for (const std::string& text : exercise.offers)

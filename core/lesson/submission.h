@@ -44,6 +44,9 @@ bool offers_all(const Exercise&);
 bool offers(const Exercise&, Dial);
 bool offers(const Exercise&, std::string_view part);
 
+// The shipped breeding that the exercise offers, "chase-ten"; empty: none.
+std::string_view offered_breeding(const Exercise&);
+
 // The offered dials, in the order of the file.
 std::vector<Offer> offered_dials(const Exercise&);
 

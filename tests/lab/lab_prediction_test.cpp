@@ -131,6 +131,22 @@ TEST(LabPrediction, JudgesAPredictionAboutTwoVehiclesOnlyByARunWithBothAsGiven) 
     }
 }
 
+TEST(LabPrediction, AboutABreedingIsJudgedByARunWithWhatWasBred) {
+    Lab lab = opened_lab("22-breeding");
+    handle(lab, PredictRequest{0});
+    const auto run = [&] {
+        for (int i = 0; i < 16 * 60; ++i) tick(lab);
+        return lesson_of(lab).attempt.work.outcome_known;
+    };
+    EXPECT_FALSE(run()) << "nothing is bred yet";
+    const Submission& champion = lab.document.lesson->exercise->wrong.front().submission;
+    handle(lab, Action::reset);
+    handle(lab, EditRequest{SetSensors{{.kind = 0}, champion.sensors}});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, champion.brain}});
+    EXPECT_FALSE(lesson_of(lab).attempt.work.outcome_known);
+    EXPECT_TRUE(run());
+}
+
 TEST(LabPrediction, KnowsThatTheSceneIsNotAsGivenAfterAChangeOfBrainSensorsOrBody) {
     const auto changed_by = [](const Request& request) {
         Lab lab = aggressor();

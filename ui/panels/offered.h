@@ -18,12 +18,7 @@ bool is_offered(const LabView& view, Control control) {
     return !offers_some(view) || offers(*view.lesson->exercise, control);
 }
 
-// The shipped breeding that the exercise offers, "chase-ten"; empty: none.
-inline std::string_view offered_breeding(const Exercise& exercise) {
-    constexpr std::string_view stem = "breeding:";
-    for (const std::string& offer : exercise.offers)
-        if (offer.starts_with(stem)) return std::string_view(offer).substr(stem.size());
-    return {};
-}
+// True in an exercise that is solved by breeding.
+inline bool is_bred(const LabView& view) { return view.lesson && !offered_breeding(*view.lesson->exercise).empty(); }
 
 }  // namespace braitenlab::ui

@@ -21,8 +21,6 @@ bool has_shipped_opponents(const LabView& view) {
 
 }  // namespace
 
-bool is_bred(const LabView& view) { return view.lesson && !offered_breeding(*view.lesson->exercise).empty(); }
-
 Prompt of_breeding(const PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const BreedingView& bred = view.features.breeding;

@@ -6,9 +6,6 @@
 
 namespace braitenlab::ui {
 
-// True in an exercise that offers a breeding.
-bool is_bred(const LabView&);
-
 // The next step: start the breeding, wait, take the champion, reset, play. A hint, or a champion that has failed, leads
 // to other opponents first.
 Prompt of_breeding(const PromptMemory&, const LabView&);

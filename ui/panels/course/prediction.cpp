@@ -148,6 +148,11 @@ void ask_for_a_run_as_given(Ui& ui) {
     mark(ui, "exercise.as_given", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
 }
 
+// True where the first run does not answer the question: a selection or a breeding does.
+bool is_about_end(const Exercise& exercise) {
+    return offers_selection(exercise) || !offered_breeding(exercise).empty();
+}
+
 void note(Ui& ui, std::string_view key) { paragraph(ui, ui.strings(key), ui.palette.second_text, Face::small); }
 
 // While a run is not at its start, and its outcome is not known.
@@ -156,7 +161,7 @@ void locked_prediction(const LessonView& lesson, bool asks_for_a_run, Ui& ui) {
     paragraph(ui, translated(ui, asked.question), ui.palette.text);  // the steps need the room of the options
     made_prediction(lesson, ui);
     if (asks_for_a_run) return ask_for_a_run_as_given(ui);
-    if (offers_selection(*lesson.exercise)) return;
+    if (is_about_end(*lesson.exercise)) return;
     note(ui, has_predicted(lesson.attempt.answers) ? "exercise.locked" : "exercise.locked_unanswered");
 }
 
@@ -199,11 +204,12 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     } else {
         made_prediction(lesson, ui);
     }
+    const bool is_of_this_run = lesson.as_given || !offered_breeding(*lesson.exercise).empty();
     if (is_known && !asked.outcome.empty())
         paragraph_with_terms(ui, state.glossary,
-                             fill(ui.strings(lesson.as_given ? "exercise.outcome" : "exercise.outcome_before"),
+                             fill(ui.strings(is_of_this_run ? "exercise.outcome" : "exercise.outcome_before"),
                                   {translated(ui, asked.outcome)}),
-                             lesson.as_given ? ui.palette.text : ui.palette.second_text);
+                             is_of_this_run ? ui.palette.text : ui.palette.second_text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     if (std::exchange(state.exercise.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
