@@ -34,9 +34,11 @@ bool acts_on_own_run(const Request& request) {
 }
 
 void handle_breeding(Lab& lab, const BreedingRequest& wanted) {
+    // The run does not go on with champions in its middle when the sheet closes. In an exercise it begins with them.
+    const bool takes = wanted.edit == BreedingEdit::take;
+    if (takes && lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
+    if (takes && lab.document.lesson && lab.document.session.snapshot().tick > 0) reset(lab);
     if (auto match = handle_breeding(lab.breeding, lab, wanted)) lab.window.files.push_back(std::move(*match));
-    // The run does not go on with champions in its middle when the sheet closes.
-    if (wanted.edit == BreedingEdit::take && lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
 }
 
 // While the graded starts run at once, their vehicles cannot be selected.

@@ -300,6 +300,21 @@ TEST_F(LabBreeding, InAnExerciseOnlyItsVehicleGetsSensorsAndBrain) {
     }
 }
 
+TEST_F(LabBreeding, InAnExerciseTheRunBeginsAgainWithTheChampion) {
+    breed_to_the_end();
+    auto exercise = open_document(*find_shipped("18-prey"), std::nullopt, {});
+    ASSERT_TRUE(exercise);
+    replace_document(lab, std::move(*exercise));
+    set_mode(lab, Mode::playing);
+    for (int i = 0; i < 60; ++i) lab.document.session.step();
+    ask(BreedingEdit::take, {3, 2});
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    const std::uint64_t with_champion = lab.document.session.hash();
+    handle(lab, Action::undo);
+    EXPECT_NE(lab.document.session.hash(), with_champion);
+}
+
 TEST_F(LabBreeding, AnotherStartOfTheLabGoesOnWithWhatWasBred) {
     begin_breedings(lab.breeding, folder / "kept", "");
     ask(BreedingEdit::run);
