@@ -54,7 +54,7 @@ void draw_last_path(const SceneInputFrame& frame, const Ui& ui, GhostView run) {
     run.count = run.path->size();
     draw_path_dots(frame, ui, run, ui.palette.second_text);
     const Pose end = run.path->back();
-    name_end(frame, ui, {{end.x, end.y}}, ui.strings("scene_input.last_run"), ui.palette.second_text);
+    name_end(frame, ui, {{end.x, end.y}}, ui.strings("scene_input.last_run_end"), ui.palette.second_text);
     if (const auto at = project(frame.camera_view, {end.x, end.y}))
         ui.anchors.record("stage.last_run", square_around(*at, ui.px(24)));
 }
