@@ -61,6 +61,25 @@ TEST(ChildrenSheet, SaysWhatIsNeededAndThatNoChildStaysAsLongAsItsParent) {
     EXPECT_FALSE(desk.says("No child stays as long as its parent"));
 }
 
+TEST(ChildrenSheet, NamesTheMarkOfTheBestChildOnlyAfterAFirstChoiceOrAHint) {
+    for (const std::string& language : shipped_codes())
+        for (const auto& [generation, hints] : {std::pair{0, 0}, {1, 0}, {0, 1}}) {
+            Desk desk(1280, 800, 1, true);
+            desk.strings = speaking(language);
+            open_selection(desk, generation);
+            desk.lesson.attempt.answers.hints_shown = hints;
+            desk.panels.sheet = Sheet::children;
+            desk.frame(3);
+            const std::string_view first = desk.strings("selection.how_first"), later = desk.strings("selection.how");
+            const auto end_of = [](std::string_view words) {  // after the last gap
+                return std::string(words.substr(words.rfind("{}") + 10, 20));
+            };
+            const bool is_marked = generation + hints > 0;
+            EXPECT_EQ(desk.says(end_of(first)), !is_marked) << language << generation << hints;
+            EXPECT_EQ(desk.says(end_of(later)), is_marked) << language << generation << hints;
+        }
+}
+
 TEST(ChildrenSheet, DigitsAndArrowKeysChoose) {
     Desk desk;
     open_selection(desk);

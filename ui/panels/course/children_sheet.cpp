@@ -50,12 +50,18 @@ bool is_parent_best(const SelectionView& selection) {
            seconds_survived(*selection.parent) > best_merit(selection).first;
 }
 
+// True once the best child has a frame: the first time, the student compares the seconds.
+bool marks_best(const LessonView& lesson) {
+    return lesson.selection->generation > 0 || lesson.attempt.answers.hints_shown > 0;
+}
+
 // What is to be chosen, and what for.
 std::string words_of_choice(const LessonView& lesson, const Ui& ui) {
     if (!has_choices_left(lesson)) return std::string(ui.strings("selection.no_more"));
-    if (is_parent_best(*lesson.selection)) return std::string(ui.strings("selection.how_parent"));
+    const bool marks = marks_best(lesson);
+    if (marks && is_parent_best(*lesson.selection)) return std::string(ui.strings("selection.how_parent"));
     const Exercise& exercise = *lesson.exercise;
-    return fill(ui.strings("selection.how"),
+    return fill(ui.strings(marks ? "selection.how" : "selection.how_first"),
                 {fixed(ui, exercise.seconds, 0), std::to_string(exercise.needed), std::to_string(exercise.starts)});
 }
 
@@ -67,7 +73,7 @@ bool shows_other_starts(const Exercise& exercise, const SelectionView& selection
 
 // A dot for each other start, filled where the child stays. `at`: the left end, in the middle of the line.
 void draw_stays(Ui& ui, ImVec2 at, int stays, std::string_view anchor) {
-    const float radius = ui.px(4), step = ui.px(11);
+    const float radius = ui.px(6), step = ui.px(16);
     for (int i = 0; i < other_starts; ++i) {
         const ImVec2 centre{at.x + radius + static_cast<float>(i) * step, at.y};
         if (i < stays)
@@ -120,7 +126,7 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
     const SelectionView& selection = *lesson.selection;
     const bool may_choose = has_choices_left(lesson);
     const std::pair<float, int> best = best_merit(selection);
-    const bool is_one_best = !is_parent_best(selection);
+    const bool is_one_best = marks_best(lesson) && !is_parent_best(selection);
     const bool has_dots = shows_other_starts(*lesson.exercise, selection) && !selection.stays.empty();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
     ImGui::BeginGroup();
@@ -133,7 +139,7 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
         std::string how(ui.strings(may_choose ? "selection.child_how" : "selection.no_more"));
         if (has_dots && !has_fallen(*lesson.exercise, run)) {
             const int stays = merit_of(selection, i).second;
-            draw_stays(ui, {at.rect.x + ui.px(8), at.rect.y + ui.px(10)}, stays, "selection.stays." + number);
+            draw_stays(ui, {at.rect.x + ui.px(8), at.rect.y + ui.px(12)}, stays, "selection.stays." + number);
             how.insert(
                 0,
                 fill(ui.strings("selection.stays_how"), {std::to_string(stays), std::to_string(other_starts)}) + "\n");
@@ -154,7 +160,8 @@ void parent_picture(const LessonView& lesson, Ui& ui, ImVec2 size) {
     ImGui::BeginGroup();
     paragraph(ui, ui.strings("selection.parent"), ui.palette.second_text, Face::small, size.x);
     const Item at = item(ui, "selection.parent", size, may_choose);
-    if (selection.parent) draw_child(ui, at, *lesson.exercise, *selection.parent, "", is_parent_best(selection));
+    if (selection.parent)
+        draw_child(ui, at, *lesson.exercise, *selection.parent, "", marks_best(lesson) && is_parent_best(selection));
     tooltip(ui, at, ui.strings(may_choose ? "selection.parent_how" : "selection.no_more"));
     if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{-1});
     if (shows_other_starts(*lesson.exercise, selection))
