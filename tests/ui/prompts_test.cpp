@@ -848,3 +848,23 @@ TEST_F(LessonPrompts, PointToResetAfterAFailedRunInWhichTheBrainWasChanged) {
 }
 
 }  // namespace braitenlab::tests::prompts_test
+TEST_F(LessonPrompts, PointToTheSolutionWhenNoHintIsLeftAndEachControlHasHadARun) {
+    desk.opened.offers = {"LL", "RR"};
+    desk.opened.seconds = 15;
+    at(0, Mode::paused), next();
+    Attempt& attempt = desk.lesson.attempt;
+    attempt.answers.hints_shown = static_cast<int>(desk.opened.hints.size());
+    next();
+    desk.view.undo_depth = 1;  // the hint is followed
+    at(16);
+    for (const int runs : {1, 2}) {
+        attempt.work.runs = runs;
+        EXPECT_NE(anchor(), "exercise.show_me") << runs;
+    }
+    attempt.work.runs = 3;
+    EXPECT_EQ(anchor(), "exercise.show_me");
+    EXPECT_EQ(next().hint, "hint.show_me");
+    attempt.answers.hint_ready = false;
+    EXPECT_NE(anchor(), "exercise.show_me") << "not yet";
+}
+

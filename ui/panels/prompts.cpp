@@ -77,8 +77,18 @@ bool has_tried(const PromptMemory& memory, const LabView& view) {
     return edit_count(view) > 0 || has_changed_since_start(memory, view);
 }
 
+// True once no hint is left, the solution may be shown, and there was a run for each offered control since the last
+// hint: the prompts know no better one.
+bool is_at_end_of_hints(const PromptMemory& memory, const LabView& view) {
+    const LessonView& lesson = *view.lesson;
+    const Attempt::Answers& answers = lesson.attempt.answers;
+    const bool is_last = answers.hint_ready && answers.hints_shown >= static_cast<int>(lesson.exercise->hints.size());
+    const int controls = static_cast<int>(offered_dials(*lesson.exercise).size());
+    return is_last && controls > 0 && lesson.attempt.work.runs > memory.runs_before_hint + controls;
+}
+
 // After a run that failed without a change: a control, and a hint once the student has changed something; a reset would
-// only repeat the run. Of children the next generation is what is left to choose.
+// only repeat the run. Of children the next generation is what is left to choose. At the end of the hints the solution.
 Prompt next_try(const PromptMemory& memory, const LabView& view) {
     const Attempt::Answers& answers = view.lesson->attempt.answers;
     const bool has_hint =
@@ -88,6 +98,7 @@ Prompt next_try(const PromptMemory& memory, const LabView& view) {
                          view.lesson->selection->generation < view.lesson->exercise->selection.generations;
     if (has_hint && !chooses && (has_tried(memory, view) || change.anchor.empty()))
         return {"exercise.hint", "hint.ask"};
+    if (is_at_end_of_hints(memory, view)) return {"exercise.show_me", "hint.show_me"};
     return change;
 }
 
