@@ -43,4 +43,29 @@ inline BreedingCell chosen_cell(const BreedingView& view) {
     return view.watched.empty() || view.watches_by_itself ? BreedingCell{last, last} : view.watched.front();
 }
 
+// Two matches of one predator: with an ancestor of the last prey, and with the last prey, which does worse if any match
+// of the matrix shows that.
+struct TellingMatches {
+    BreedingCell ancestor, last;
+};
+
+// Those with the greatest difference of the scores. nullopt before the second generation.
+inline std::optional<TellingMatches> telling_matches(const BreedingView& view) {
+    std::optional<TellingMatches> found;
+    float most = -2;
+    const std::size_t size = view.base && view.matrix ? view.matrix->size() : 0;
+    for (std::size_t predator = 0; predator < size; ++predator)
+        for (std::size_t prey = 0; prey + 1 < size; ++prey) {
+            const auto score_against = [&](std::size_t which) {
+                return view.matrix->score(evolve::Side::predator, predator, which);
+            };
+            const float worse = score_against(size - 1) - score_against(prey);
+            if (!(worse > most)) continue;  // no more, or a score is not known
+            most = worse;
+            const std::vector<int>& generations = view.matrix->generations;
+            found = {{generations[predator], generations[prey]}, {generations[predator], generations[size - 1]}};
+        }
+    return found;
+}
+
 }  // namespace braitenlab

@@ -138,6 +138,69 @@ TEST(BreedingRows, StayInTheirPlacesFromStartToEnd) {
         }
 }
 
+// In an exercise that is solved by breeding.
+void open_bred_exercise(Desk& desk) {
+    desk.opened.offers = {"LL", "breeding:chase"};
+    desk.open_exercise();
+}
+
+TEST(BreedingInAnExercise, ShowsWhatItsStepsNeedAndUnfoldsTheRest) {
+    constexpr const char* of_steps[]{"breeding.hint",           "breeding.against.best_of_last",
+                                     "breeding.against.random", "breeding.matrix",
+                                     "breeding.duel.1",         "breeding.start",
+                                     "breeding.take",           "breeding.close"};
+    constexpr const char* of_rest[]{"breeding.against.generalist",
+                                    "breeding.open.flee",
+                                    "breeding.open_scene",
+                                    "breeding.seed",
+                                    "breeding.curves",
+                                    "breeding.words",
+                                    "breeding.match"};
+    for (const auto& [width, height] : {std::pair{800.0f, 600.0f}, {1280.0f, 800.0f}})
+        for (const std::string& language : shipped_codes()) {
+            SCOPED_TRACE(language + " " + std::to_string(width));
+            Desk desk(width, height, 1, true);
+            desk.strings = speaking(language);
+            open_bred_exercise(desk);
+            desk.frame(5);
+            const int shortened = desk.shortened;
+            BredOnDesk bred(21);
+            bred.show(desk), bred.watch(desk, {18, 16}, {20, 10});
+            desk.frame(5);
+            for (const char* id : of_steps) EXPECT_TRUE(desk.anchors.find(id)) << id;
+            for (const char* id : of_rest) EXPECT_FALSE(desk.anchors.find(id)) << id;
+            EXPECT_TRUE(desk.says(desk.strings("breeding.score_1"))) << "the legend is seen without scrolling";
+            EXPECT_LT(desk.where("breeding.matrix").y + desk.where("breeding.matrix").h,
+                      desk.where("breeding.close").y);
+            EXPECT_EQ(desk.shortened, shortened) << "no text is cut";
+            desk.click("breeding.choices");
+            desk.frame(3);
+            for (const char* id : {"breeding.against.generalist", "breeding.open.flee", "breeding.match"})
+                EXPECT_TRUE(desk.anchors.find(id)) << id;
+        }
+}
+
+TEST(BreedingInAnExercise, NothingMovesFromStartToEnd) {
+    Desk desk(800, 600, 1, true);
+    open_bred_exercise(desk);
+    BredOnDesk none(0), some(7), all(41, 2);
+    std::map<std::string, Rect> before;
+    const auto same_places = [&](BredOnDesk& bred, bool runs) {
+        bred.show(desk);
+        desk.view.features.breeding.runs = runs;
+        desk.frame(5);
+        for (const char* id : {"breeding.hint", "breeding.matrix", "breeding.close"}) {
+            const Rect now = desk.where(id), was = before.try_emplace(id, now).first->second;
+            EXPECT_NEAR(now.y, was.y, 0.5f) << id;
+            EXPECT_NEAR(now.h, was.h, 0.5f) << id;
+        }
+    };
+    same_places(none, false);
+    same_places(some, true);
+    EXPECT_TRUE(desk.says(desk.strings("breeding.while_it_runs").substr(0, 20))) << "how the matrix is read";
+    same_places(all, false);
+}
+
 TEST_F(BreedingDesk, TheButtonNamesTheChampionsThatItTakes) {
     BredOnDesk none(0), bred(5), flee(5, 1, "flee");
     none.show(desk);
@@ -410,7 +473,8 @@ TEST_F(BreedingDesk, SaysWhatTheMatrixShows) {
     EXPECT_TRUE(
         desk.says("no clear change against earlier predators (−0.03 of the score against those of generations "
                   "10–18)"));
-    EXPECT_TRUE(desk.says("The curve of the prey against the panel rises by 0.1")) << "of quarters of ten generations";
+    EXPECT_TRUE(desk.says("The curve of the prey against opponents bred apart rises by 0.1"))
+        << "of quarters of ten generations";
     for (evolve::Generation& each : at(race.state.main.generations, evolve::Side::prey)) each.panel = 0.4f;
     desk.frame(2);
     EXPECT_FALSE(desk.says("rises by"));

@@ -444,8 +444,7 @@ TEST(ExercisesGuided, TheCardOfABredExerciseOpensItsBreedingAndTheSheetPulsesWha
     for (const float width : {1280.0f, 800.0f}) {
         Opened it(exercise_of("22-breeding"), width, width == 800 ? 600.0f : 800.0f);
         it.play_after_prediction();
-        it.desk.lesson.attempt.work.outcome_known = true;
-        for (int tick = 0; tick < 30; ++tick) it.world.step();
+        for (int tick = 0; tick < 60 * 16; ++tick) it.world.step();
         it.show();
         it.desk.frame(6);
         EXPECT_EQ(it.desk.panels.prompts.highlight.anchor, "exercise.breeding");
@@ -471,6 +470,12 @@ TEST(ExercisesGuided, TheCardOfABredExerciseOpensItsBreedingAndTheSheetPulsesWha
         BredOnDesk complete(bred.base->breeding().generations + 1);
         complete.show(it.desk);
         it.desk.view.features.breeding.runs = false;
+        it.desk.frame(6);
+        EXPECT_TRUE(it.desk.panels.prompts.highlight.anchor.starts_with("breeding.cell."));
+        EXPECT_TRUE(it.desk.anchors.find(it.desk.panels.prompts.highlight.anchor));
+        const auto matches = telling_matches(it.desk.view.features.breeding);
+        ASSERT_TRUE(matches);
+        complete.watch(it.desk, matches->last, matches->ancestor);
         it.desk.frame(6);
         EXPECT_EQ(it.desk.panels.prompts.highlight.anchor, "breeding.take");
     }

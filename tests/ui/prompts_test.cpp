@@ -700,7 +700,7 @@ TEST_F(Prompts, DoNotPulseWithReducedMotion) {
     EXPECT_NEAR(pulse(desk.view), 0, 1e-6f);
 }
 
-// An exercise that is solved by breeding, after the run as given has shown the outcome.
+// An exercise that is solved by breeding.
 struct BredPrompts : LessonPrompts {
     BredPrompts() {
         auto scene = std::make_shared<Scene>(*desk.now.scene);
@@ -717,6 +717,13 @@ struct BredPrompts : LessonPrompts {
         BreedingView& view = desk.view.features.breeding;
         view.base = bred.base, view.state = &bred.state, view.matrix = &bred.matrix;
     }
+    // A person has watched both matches.
+    void look_at_both() {
+        BreedingView& view = desk.view.features.breeding;
+        const auto matches = telling_matches(view);
+        ASSERT_TRUE(matches);
+        view.watched = {matches->last, matches->ancestor}, view.watches_by_itself = false;
+    }
     void take_champion() {
         auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);
         brain->wires[0].weight += 0.5f;
@@ -726,37 +733,38 @@ struct BredPrompts : LessonPrompts {
 
 TEST_F(BredPrompts, PlayFirstThenStartTheBreeding) {
     at(3);
-    EXPECT_EQ(anchor(), "") << "the run shows the outcome";
+    EXPECT_EQ(anchor(), "") << "the run shows what the prey do before they are bred";
     EXPECT_EQ(next().hint, "");
     at(3, Mode::paused);
     EXPECT_EQ(anchor(), "button.play");
-    desk.lesson.attempt.work.outcome_known = true;
     at(16);
     EXPECT_EQ(anchor(), "breeding.start") << "and no slider";
     EXPECT_EQ(next().hint, "hint.breed");
     desk.lesson.attempt.answers.hints_shown = 1;
     EXPECT_EQ(anchor(), "breeding.start");
     EXPECT_EQ(next_change(desk.view), "hint.change.breed");
+    at(0, Mode::paused);
+    EXPECT_EQ(anchor(), "breeding.start") << "the run is not to be repeated";
 }
 
-TEST_F(BredPrompts, WaitWhileTheBreedingRunsThenTakeTheChampionResetAndPlay) {
-    desk.lesson.attempt.work.outcome_known = true;
+TEST_F(BredPrompts, WaitWhileTheBreedingRunsThenTakeTheChampionAndPlay) {
+    at(16), next();
     BredOnDesk begun(3);
     show_breeding(begun);
     desk.view.features.breeding.runs = true;
-    at(16);
     EXPECT_EQ(next().hint, "hint.breeding_runs");
     EXPECT_EQ(anchor(), "") << "there is nothing to press";
     desk.view.features.breeding.runs = false;
     EXPECT_EQ(anchor(), "breeding.start") << "it was stopped";
     BredOnDesk bred(begun.base->breeding().generations + 1);
-    show_breeding(bred);
+    show_breeding(bred), look_at_both();
     EXPECT_EQ(anchor(), "breeding.take");
     take_champion();
     EXPECT_EQ(anchor(), "button.reset") << "the run has not shown it from its start on";
     EXPECT_EQ(next().hint, "hint.changed_since");
     at(0, Mode::paused);
     EXPECT_EQ(anchor(), "button.play");
+    EXPECT_EQ(next().hint, "hint.play_bred");
     at(5);
     EXPECT_EQ(next().hint, "");
     EXPECT_EQ(anchor(), "");
@@ -770,8 +778,32 @@ TEST_F(BredPrompts, WaitWhileTheBreedingRunsThenTakeTheChampionResetAndPlay) {
     EXPECT_EQ(next().hint, "hint.breeding_runs");
 }
 
+TEST_F(BredPrompts, LeadToTheMatchInWhichAnAncestorIsBetterThanTheLastPreyBeforeItIsTaken) {
+    at(16), next();
+    BredOnDesk bred(BredOnDesk(0).base->breeding().generations + 1);
+    for (float& score : bred.matrix.scores) score = 0.4f;
+    const std::size_t last = bred.matrix.size() - 1;
+    bred.matrix.scores[12 * bred.matrix.size() + last] = 0.8f;
+    bred.matrix.scores[12 * bred.matrix.size() + 9] = 0.1f;
+    bred.matrix.scores[12 * bred.matrix.size() + 10] = NAN;
+    show_breeding(bred);
+    EXPECT_EQ(anchor(), "breeding.cell.12.9");
+    EXPECT_EQ(next().hint, "hint.look_at_ancestor");
+    BreedingView& view = desk.view.features.breeding;
+    view.watched = {{12, 9}}, view.watches_by_itself = true;
+    EXPECT_EQ(anchor(), "breeding.cell.12.9") << "no person has chosen it";
+    view.watches_by_itself = false;
+    EXPECT_EQ(anchor(), "breeding.cell.12." + std::to_string(last));
+    EXPECT_EQ(next().hint, "hint.look_at_last");
+    view.watched = {{12, static_cast<int>(last)}, {12, 9}};
+    EXPECT_EQ(anchor(), "breeding.take");
+    EXPECT_EQ(next().hint, "hint.take_worse");
+    for (float& score : bred.matrix.scores) score = 0.4f;
+    look_at_both();
+    EXPECT_EQ(next().hint, "hint.take_champion") << "no ancestor is better";
+}
+
 TEST_F(BredPrompts, ThatANewChampionIsTriedBeforeAnotherIsChosen) {
-    desk.lesson.attempt.work.outcome_known = true;
     const int all = BredOnDesk(0).base->breeding().generations + 1;
     BredOnDesk first(all), second(all);
     show_breeding(first);
@@ -789,8 +821,7 @@ TEST_F(BredPrompts, ThatANewChampionIsTriedBeforeAnotherIsChosen) {
     EXPECT_EQ(anchor(), "breeding.matrix");
 }
 
-TEST_F(BredPrompts, SayBeforeTheFirstBreedingThatItsOpponentsBringNoChampion) {
-    desk.lesson.attempt.work.outcome_known = true;
+TEST_F(BredPrompts, SayBeforeTheFirstBreedingThatItsOpponentsSeldomBringAChampion) {
     BredOnDesk bred(0, 2, "chase");
     at(16);
     EXPECT_EQ(next().hint, "hint.breed") << "none is open";
@@ -803,28 +834,46 @@ TEST_F(BredPrompts, SayBeforeTheFirstBreedingThatItsOpponentsBringNoChampion) {
     desk.frame(4);
     EXPECT_TRUE(desk.anchors.find("breeding.hint")) << "the sheet covers the bar";
     for (evolve::Breeding& each : bred.shipped) each.opponents = evolve::Opponents::generalist;
-    EXPECT_EQ(next().hint, "hint.breed") << "others are chosen";
+    EXPECT_EQ(next().hint, "hint.breed_others") << "others are chosen";
 }
 
-TEST_F(BredPrompts, LeadToOtherOpponentsWhereThoseOfTheFileBringNoChampion) {
-    desk.lesson.attempt.work.outcome_known = true;
-    BredOnDesk bred(30, 2, "chase");
+TEST_F(BredPrompts, LeadToOtherOpponentsAfterAChampionOfThoseOfTheFileHasFailed) {
+    BredOnDesk bred(BredOnDesk(0).base->breeding().generations + 1, 2, "chase");
     show_breeding(bred);
     desk.view.features.breeding.shipped = &bred.shipped;
     desk.opened.offers.back() = "breeding:chase";
-    at(16);
-    EXPECT_EQ(anchor(), "breeding.start");
     desk.lesson.attempt.answers.hints_shown = 1;
+    at(16);
+    EXPECT_NE(anchor(), "breeding.against.random") << "the first champion is tried before";
+    take_champion();
+    at(0, Mode::paused), next();
+    at(16);
     EXPECT_EQ(anchor(), "breeding.against.random");
     EXPECT_EQ(next().hint, "hint.breed_against");
     for (evolve::Breeding& each : bred.shipped) each.opponents = evolve::Opponents::generalist;
-    EXPECT_EQ(anchor(), "breeding.start") << "others are chosen";
-    take_champion();
-    at(0, Mode::paused);
-    EXPECT_EQ(anchor(), "button.play");
-    at(16), next();
+    EXPECT_NE(anchor(), "breeding.against.random") << "others are chosen";
     at(0, Mode::paused);
     EXPECT_NE(anchor(), "button.play") << "it has failed from here";
+}
+
+TEST_F(LessonPrompts, PointToTheSolutionWhenNoHintIsLeftAndEachControlHasHadARun) {
+    desk.opened.offers = {"LL", "RR"};
+    desk.opened.seconds = 15;
+    at(0, Mode::paused), next();
+    Attempt& attempt = desk.lesson.attempt;
+    attempt.answers.hints_shown = static_cast<int>(desk.opened.hints.size());
+    next();
+    desk.view.undo_depth = 1;  // the hint is followed
+    at(16);
+    for (const int runs : {1, 2}) {
+        attempt.work.runs = runs;
+        EXPECT_NE(anchor(), "exercise.show_me") << runs;
+    }
+    attempt.work.runs = 3;
+    EXPECT_EQ(anchor(), "exercise.show_me");
+    EXPECT_EQ(next().hint, "hint.show_me");
+    attempt.answers.hint_ready = false;
+    EXPECT_NE(anchor(), "exercise.show_me") << "not yet";
 }
 
 TEST_F(LessonPrompts, PointToResetAfterAFailedRunInWhichTheBrainWasChanged) {
@@ -848,23 +897,3 @@ TEST_F(LessonPrompts, PointToResetAfterAFailedRunInWhichTheBrainWasChanged) {
 }
 
 }  // namespace braitenlab::tests::prompts_test
-TEST_F(LessonPrompts, PointToTheSolutionWhenNoHintIsLeftAndEachControlHasHadARun) {
-    desk.opened.offers = {"LL", "RR"};
-    desk.opened.seconds = 15;
-    at(0, Mode::paused), next();
-    Attempt& attempt = desk.lesson.attempt;
-    attempt.answers.hints_shown = static_cast<int>(desk.opened.hints.size());
-    next();
-    desk.view.undo_depth = 1;  // the hint is followed
-    at(16);
-    for (const int runs : {1, 2}) {
-        attempt.work.runs = runs;
-        EXPECT_NE(anchor(), "exercise.show_me") << runs;
-    }
-    attempt.work.runs = 3;
-    EXPECT_EQ(anchor(), "exercise.show_me");
-    EXPECT_EQ(next().hint, "hint.show_me");
-    attempt.answers.hint_ready = false;
-    EXPECT_NE(anchor(), "exercise.show_me") << "not yet";
-}
-

@@ -249,12 +249,18 @@ std::string words_of_change(const LabView& view, const Ui& ui) {
 
 // The hint with what fills its gaps.
 std::string filled_hint(const LabView& view, const Ui& ui, std::string_view hint) {
+    if (hint == "hint.look_at_ancestor" || hint == "hint.look_at_last" || hint == "hint.take_worse") {
+        const auto [ancestor, last] = telling_matches(view.features.breeding).value_or(TellingMatches{{0, 0}, {0, 0}});
+        const BreedingCell& cell = hint == "hint.look_at_ancestor" ? ancestor : last;
+        const int other = hint == "hint.take_worse" ? ancestor.prey : cell.predator;
+        return fill(hint_text(view, ui, hint), {std::to_string(cell.prey), std::to_string(other)});
+    }
     const auto gap = [&]() -> std::string {
         if (hint == "hint.passed") return std::string(ui.strings(next_exercise_key(view)));
         if (hint == "hint.turn_slider" || hint == "hint.turn_slider_paused") return key_to_slider(view, ui.highlight);
-        if (hint == "hint.breed_against" || hint == "hint.breed_shipped")
-            return std::string(ui.strings("breeding.opponents_random"));
+        if (hint == "hint.breed_against") return std::string(ui.strings("breeding.opponents_random"));
         if (hint == "hint.breeding_runs") return breeding_percent(view.features.breeding, ui);
+        if (hint == "hint.take_champion") return std::to_string(chosen_cell(view.features.breeding).prey);
         return words_of_change(view, ui);
     };
     return fill(hint_text(view, ui, hint), {gap()});

@@ -6,8 +6,8 @@
 
 namespace braitenlab::ui {
 
-// The next step: start the breeding, wait, take the champion, reset, play. A hint, or a champion that has failed, leads
-// to other opponents first.
-Prompt of_breeding(const PromptMemory&, const LabView&);
+// The next step: play, start the breeding, wait, look at two cells of the matrix, take the champion, play; after it has
+// failed, choose other opponents and breed again.
+Prompt of_breeding(PromptMemory&, const LabView&);
 
 }  // namespace braitenlab::ui

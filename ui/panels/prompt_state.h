@@ -14,7 +14,7 @@
 namespace braitenlab::ui {
 
 struct Prompt {
-    std::string_view anchor;  // widget to use next; empty: none. Points into the exercise or to a constant
+    std::string_view anchor;  // widget to use next; empty: none. Points into the exercise, the memory or to a constant
     std::string_view hint;    // key of the words for the hint bar; empty: the usual hint of the mode
 };
 
@@ -62,6 +62,7 @@ struct PromptMemory {
     std::optional<TriedBrain> at_start, failed;  // of the student's vehicle; nullopt: opened later, none has failed
     std::shared_ptr<const void> failed_base{};   // the breeding on its sheet when `failed` did, null: none
     int failed_generation = -1;                  // its last complete generation then
+    std::string cell{};                          // anchor of the cell of the matrix that was suggested last
     bool has_begun = false;                      // the run is after its start
     bool halted_blind = false;                   // it rested without a stimulus in this run, at the start in the last
     std::vector<float> most_read;                // by each of its sensors in this run, at the start in the last one

@@ -125,17 +125,24 @@ private:
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         for (std::size_t predator = 0; predator < matrix_.size(); ++predator)
             for (std::size_t prey = 0; prey < matrix_.size(); ++prey) {
-                const MatrixPlace place{predator, prey};
-                const Rect r = rect_of(place);
-                const BreedingCell cell = cell_at(place);
-                mark(ui_, "breeding.cell." + std::to_string(cell.predator) + "." + std::to_string(cell.prey), r);
+                const Rect r = rect_of({predator, prey});
                 const float score = matrix_.score(Side::predator, predator, prey);
                 if (std::isnan(score)) continue;
                 draw.AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour_of_score(ui_.palette, score)));
             }
+        name_cells();  // last: the ring of a cell that pulses is over its neighbours
         for (const BreedingCell& watched : view_.watched)
             if (const auto place = place_of(watched)) frame_cell(*place, false);
         if (const auto place = place_of(chosen_cell(view_))) frame_cell(*place, true);
+    }
+
+    void name_cells() {
+        for (std::size_t predator = 0; predator < matrix_.size(); ++predator)
+            for (std::size_t prey = 0; prey < matrix_.size(); ++prey) {
+                const BreedingCell cell = cell_at({predator, prey});
+                mark(ui_, "breeding.cell." + std::to_string(cell.predator) + "." + std::to_string(cell.prey),
+                     rect_of({predator, prey}));
+            }
     }
 
     void frame_cell(MatrixPlace place, bool is_chosen) const {

@@ -1,5 +1,6 @@
 // The sheet of the breeding: what is bred, which can be folded, the scores by generation, the matrix of the champions,
-// two matches to watch, and what the matrix shows in words.
+// two matches to watch, and what the matrix shows in words. In an exercise that is solved by breeding it has the step
+// that is next, the opponents, the matrix and the matches; "More" unfolds the rest.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "core/evolve/champions.h"
 #include "ui/panels/breeding/breeding_parts.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sheets.h"
 #include "ui/shortcuts.h"
@@ -99,14 +101,20 @@ std::string_view how_of(evolve::Opponents which, const Ui& ui) {
     return ui.strings("breeding.opponents_" + std::string(row_of(which).word) + "_how");
 }
 
-// What is bred against, and below it what that means.
-void opponents_choice(const Breeding& now, Ui& ui, float right) {
+// Those between which the steps of an exercise lead: those of its breeding, those that pulse, and the present ones.
+bool is_of_steps(evolve::Opponents which, const Breeding& now) {
+    return which == evolve::Opponents::best_of_last || which == evolve::Opponents::random || which == now.opponents;
+}
+
+// What is bred against. `all`: every row of the table is a choice.
+void opponents_choice(const Breeding& now, Ui& ui, float right, bool all) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string_view words = ui.strings("breeding.opponents");
     const float height = ui.px(ui.tall(small_button_height)), width = text_width(ui, Face::small, words);
     put(ui, {at.x, at.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text, Face::small);
     ImGui::Dummy({width, height});
     for (const evolve::OpponentsTraits& row : evolve::opponents_table) {
+        if (!all && !is_of_steps(row.value, now)) continue;
         const std::string stem = "breeding.opponents_" + std::string(row.word),
                           id = "breeding.against." + std::string(row.word);
         const SmallButton which{id, {}, ui.strings(stem), row.value == now.opponents};
@@ -118,9 +126,14 @@ void opponents_choice(const Breeding& now, Ui& ui, float right) {
         choice.opponents = row.value;
         choose(choice, ui);
     }
-    std::size_t lines = 1;  // of the longest explanation: another choice moves nothing
+}
+
+// What the chosen opponents are, in the lines of the longest explanation: another choice moves nothing.
+void words_of_opponents(const Breeding& now, Ui& ui, bool all) {
+    std::size_t lines = 1;
     for (const evolve::OpponentsTraits& row : evolve::opponents_table)
-        lines = std::max(lines, lines_of_words(ui, how_of(row.value, ui), Face::small, card_width(ui)).size());
+        if (all || is_of_steps(row.value, now))
+            lines = std::max(lines, lines_of_words(ui, how_of(row.value, ui), Face::small, card_width(ui)).size());
     paragraph_of_lines(ui, how_of(now.opponents, ui), lines);
 }
 
@@ -184,18 +197,34 @@ std::string words_of_choice(const Breeding& breeding, const Ui& ui) {
     return shortened(ui, translated(ui, breeding.title), Face::text, room) + opponents;
 }
 
-// Whether the choices are unfolded: kept by Dear ImGui with the body of the sheet, as that of a tree node. Create it in
-// the body.
+// Whether the choices are unfolded, at first unless `leads`: kept by Dear ImGui with the body of the sheet, as that of
+// a tree node. Create it in the body.
 class OpenChoices {
 public:
+    explicit OpenChoices(bool leads) : leads_(leads), id_(ImGui::GetID(leads ? "more choices" : "choices")) {}
+
+    bool are_open() const { return kept_.GetBool(id_, !leads_); }
+
     // The row with the title, which folds and unfolds them. True if they are unfolded.
     bool row(const Breeding& breeding, Ui& ui) {
-        bool open = kept_.GetBool(id_, true);
+        bool open = are_open();
         const std::string how =
             std::string(ui.strings("breeding.choices_how")) + "\n" + std::string(how_of(breeding.opponents, ui));
         if (!open && ui.highlight.starts_with("breeding.against.")) ui.highlight = "breeding.choices";
         fold_row(ui, "breeding.choices", words_of_choice(breeding, ui), open, how);
         kept_.SetBool(id_, open);
+        return open;
+    }
+    // In an exercise: the opponents, and a button beside them that unfolds the rest. True if it is unfolded.
+    bool row_of_steps(const Breeding& breeding, Ui& ui, float right) {
+        bool open = are_open();
+        opponents_choice(breeding, ui, right, open);
+        const SmallButton more{"breeding.choices", open ? icon::unfolded : icon::folded, ui.strings("breeding.more"),
+                               open};
+        beside_or_below(ui, small_button_width(ui, more, true), right);
+        if (small_push_button(ui, more, ui.strings("breeding.more_how"))) open = !open;
+        kept_.SetBool(id_, open);
+        words_of_opponents(breeding, ui, open);
         return open;
     }
     void fold() { kept_.SetBool(id_, false); }
@@ -204,11 +233,12 @@ public:
 
 private:
     ImGuiStorage& kept_ = *ImGui::GetStateStorage();
-    ImGuiID id_ = ImGui::GetID("choices");
+    bool leads_;
+    ImGuiID id_;
 };
 
-// What is bred and how.
-void choices_of_breeding(const LabView& lab, PanelState& state, Ui& ui) {
+// What is bred and how. `leads`: the opponents are above.
+void choices_of_breeding(const LabView& lab, PanelState& state, Ui& ui, bool leads) {
     const BreedingView& view = lab.features.breeding;
     const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
     if (view.shipped) shipped_choice(view, ui, right);
@@ -216,25 +246,27 @@ void choices_of_breeding(const LabView& lab, PanelState& state, Ui& ui) {
     if (!view.base) return;
     const Breeding& breeding = view.base->breeding();
     if (!breeding.story.empty()) paragraph(ui, translated(ui, breeding.story), ui.palette.text);
-    opponents_choice(breeding, ui, right);
+    if (!leads) opponents_choice(breeding, ui, right, true), words_of_opponents(breeding, ui, true);
     numbers_of_breeding(lab, breeding, state.sliders, ui);
 }
 
-// Curves, matrix and matches side by side; below each other on a narrow sheet.
-void figures_of_breeding(const LabView& lab, PanelState& state, Ui& ui, float height) {
+// Curves, if they are shown, matrix and matches side by side; below each other on a narrow sheet.
+void figures_of_breeding(const LabView& lab, PanelState& state, Ui& ui, float height, bool has_curves) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float all = card_width(ui), space = ui.px(column_gap_of_breeding);
     const bool is_wide = all >= ui.px(least_of_figures);
-    const float matrix = is_wide ? std::min(0.38f * all, breeding_matrix_width(ui, height)) : all;
-    const float curves = is_wide ? (all - matrix - 2 * space) * 0.48f : all;
-    const float duels = is_wide ? all - matrix - curves - 2 * space : all;
-    const float x = is_wide ? curves + space : 0, down = is_wide ? 0 : height + space;
-    breeding_curves(lab.features.breeding, ui, {at.x, at.y, curves, height});
-    breeding_matrix(lab.features.breeding, ui, {at.x + x, at.y + down, matrix, height});
-    const Rect place{is_wide ? at.x + x + matrix + space : at.x, at.y + 2 * down, duels, height};
+    const float most = has_curves ? 0.38f * all : 0.5f * all;
+    const float matrix = is_wide ? std::min(most, breeding_matrix_width(ui, height)) : all;
+    const float curves = !is_wide ? all : has_curves ? (all - matrix - 2 * space) * 0.48f : 0;
+    const float x = is_wide && has_curves ? curves + space : 0, down = is_wide ? 0 : height + space;
+    const float duels = is_wide ? all - matrix - x - space : all;
+    const float first = has_curves ? down : 0;
+    if (has_curves) breeding_curves(lab.features.breeding, ui, {at.x, at.y, curves, height});
+    breeding_matrix(lab.features.breeding, ui, {at.x + x, at.y + first, matrix, height});
+    const Rect place{is_wide ? at.x + x + matrix + space : at.x, at.y + first + down, duels, height};
     breeding_duels(lab, state.sheets.breeding, ui, place);
     ImGui::SetCursorScreenPos({at.x, at.y});
-    ImGui::Dummy({all, 2 * down + height});
+    ImGui::Dummy({all, first + down + height});
 }
 
 // "Take predator 30 and prey 12": the champions that a press takes. Their numbers come with the first generation.
@@ -275,8 +307,9 @@ bool match_button(const LabView& lab, BreedingEdit edit, const char* id, Ui& ui)
     return true;
 }
 
-// True if the sheet closes. In a low window Start folds the choices, so that what is bred is seen.
-bool breeding_buttons(const LabView& lab, OpenChoices& choices, bool folds, Ui& ui) {
+// True if the sheet closes. In a low window Start folds the choices, so that what is bred is seen. `has_match`: the
+// watched match can be opened.
+bool breeding_buttons(const LabView& lab, OpenChoices& choices, bool folds, bool has_match, Ui& ui) {
     const BreedingView& view = lab.features.breeding;
     const bool is_complete = view.base && last_generation(view) >= view.base->breeding().generations &&
                              std::none_of(view.matrix->scores.begin(), view.matrix->scores.end(),
@@ -307,7 +340,7 @@ bool breeding_buttons(const LabView& lab, OpenChoices& choices, bool folds, Ui& 
     }
     bool closes = false;
     if (view.base) {
-        closes |= match_button(lab, BreedingEdit::match, "breeding.match", ui);
+        if (has_match) closes |= match_button(lab, BreedingEdit::match, "breeding.match", ui);
         closes |= match_button(lab, BreedingEdit::take, "breeding.take", ui);
     }
     const Item close = button(ui, "breeding.close", {{}, ui.strings("keys.close")});
@@ -320,6 +353,25 @@ void prompt_on_sheet(const LabView& lab, std::string_view hint, Ui& ui) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     paragraph(ui, words_of_hint(lab, ui, hint), ui.palette.text, Face::small);
     mark(ui, "breeding.hint", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
+}
+
+// The step of the exercise that is next, in as many lines as the longest one: what is below stays in its place. While
+// nothing is to be pressed it says how to read the matrix.
+void step_on_sheet(const LabView& lab, std::string_view hint, Ui& ui) {
+    constexpr std::string_view steps[]{"hint.breed_shipped", "hint.breed_others",  "hint.look_at_ancestor",
+                                       "hint.look_at_last",  "hint.take_champion", "hint.take_worse",
+                                       "hint.breed_against", "hint.breed_again",   "breeding.while_it_runs"};
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui);
+    std::size_t lines = 1;
+    for (const std::string_view step : steps)
+        lines = std::max(lines, lines_of_words(ui, words_of_hint(lab, ui, step), Face::text, width).size());
+    const bool is_told = ui.highlight.starts_with("breeding.");
+    put_lines(ui, start, words_of_hint(lab, ui, is_told ? hint : "breeding.while_it_runs"), ui.palette.text, Face::text,
+              width, lines);
+    const float height = static_cast<float>(lines) * line_height(ui, Face::text);
+    ImGui::Dummy({1, height});
+    mark(ui, "breeding.hint", {start.x, start.y, width, height});
 }
 
 }  // namespace
@@ -338,25 +390,35 @@ void breeding_sheet(const LabView& lab, PanelState& state, Ui& ui, Rect window) 
     const float most = window.h - 2 * ui.px(spacing::medium) - (sheet.rect.h - ImGui::GetWindowHeight());
     const float top = ImGui::GetCursorScreenPos().y;
     bool is_low = false;
-    OpenChoices choices;
-    if (ui.highlight.starts_with("breeding.")) prompt_on_sheet(lab, state.prompts.highlight.hint, ui);
-    const bool is_open = !view.base || choices.row(view.base->breeding(), ui);
-    if (is_open) choices_of_breeding(lab, state, ui);
+    const bool leads = is_bred(lab) && view.base;
+    OpenChoices choices(leads);
+    bool is_open = true;
+    if (leads) {
+        const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
+        step_on_sheet(lab, state.prompts.highlight.hint, ui);
+        is_open = choices.row_of_steps(view.base->breeding(), ui, right);
+    } else {
+        if (ui.highlight.starts_with("breeding.")) prompt_on_sheet(lab, state.prompts.highlight.hint, ui);
+        if (view.base) is_open = choices.row(view.base->breeding(), ui);
+    }
+    const bool has_all = is_open || !leads;
+    if (is_open) choices_of_breeding(lab, state, ui, leads);
     if (view.error) paragraph(ui, text_of(*view.error, ui.strings), ui.palette.warning);
     if (view.base) {
         breeding_progress(view, ui);
-        const float above = ImGui::GetCursorScreenPos().y - top, below = breeding_words_height(view, ui);
+        const float above = ImGui::GetCursorScreenPos().y - top;
+        const float below = has_all ? breeding_words_height(view, ui) : 0;
         // The figures take the room of folded choices, so that the sheet keeps its height.
         float& unfolded = choices.height_unfolded();
         if (is_open) unfolded = above;
         const float body = std::min(most, std::max(above, unfolded) + ui.px(most_height) + below);
         const float height = std::floor(std::max(ui.px(least_height), body - above - below));
         is_low = is_open && height < ui.px(most_height);
-        figures_of_breeding(lab, state, ui, height);
-        breeding_words(view, ui);
+        figures_of_breeding(lab, state, ui, height, has_all);
+        if (has_all) breeding_words(view, ui);
     }
     sheet_buttons(ui, sheet);
-    const bool closed = breeding_buttons(lab, choices, is_low, ui);
+    const bool closed = breeding_buttons(lab, choices, is_low, has_all, ui);
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
 }
 
