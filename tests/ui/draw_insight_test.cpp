@@ -96,7 +96,7 @@ TEST_F(DrawInsight, TheWholeLastRunIsDrawnWhileTheNewOneWaits) {
     desk.frame();
     const Rect at = desk.where("stage.last_run");
     EXPECT_NEAR(at.x + at.w / 2, pixel({path.back().x, path.back().y}).x, 1);
-    EXPECT_TRUE(desk.says("Last run"));
+    EXPECT_TRUE(desk.says(desk.strings("scene_input.last_run_end")));
 }
 
 TEST_F(DrawInsight, TheWordsOfTheLastRunCoverNoVehicle) {
@@ -110,7 +110,8 @@ TEST_F(DrawInsight, TheWordsOfTheLastRunCoverNoVehicle) {
         desk.now.vehicles[0].x = floor->x, desk.now.vehicles[0].y = floor->y;
         desk.frame();
         for (const ui::Written& w : desk.written)
-            if (w.words == "Last run") covered += w.rect.contains(ghost.x + away.x, ghost.y + away.y);
+            if (w.words == desk.strings("scene_input.last_run"))
+                covered += w.rect.contains(ghost.x + away.x, ghost.y + away.y);
     }
     EXPECT_EQ(covered, 0);
 }
@@ -127,7 +128,7 @@ TEST_F(DrawInsight, TheWordsOfTheLastRunAreNotBelowTheTools) {
             desk.now.tick = 0, desk.view.mode = Mode::paused;
             desk.frame();
             for (const ui::Written& w : desk.written) {
-                if (w.words != "Last run") continue;
+                if (w.words != desk.strings("scene_input.last_run_end")) continue;
                 ++shown;
                 EXPECT_TRUE(w.rect.y >= first.y + first.h || w.rect.x >= last.x + last.w) << x << ", " << y;
             }
@@ -145,7 +146,7 @@ TEST_F(DrawInsight, TheWordsOfBothPathsDoNotOverlap) {
         const ui::Written *coming = nullptr, *earlier = nullptr;
         for (const ui::Written& one : desk.written) {
             if (one.words.starts_with("in ")) coming = &one;
-            if (one.words == "before") earlier = &one;
+            if (one.words == desk.strings("scene_input.before")) earlier = &one;
         }
         ASSERT_TRUE(coming && earlier) << apart;
         EXPECT_GE(std::fabs(coming->rect.y - earlier->rect.y), coming->rect.h + 8) << apart;
@@ -166,8 +167,8 @@ TEST_F(DrawInsight, WordsCoverNeitherOtherWordsNorVehiclesNorBulbs) {
         const LabelSpace& labels = scene_input().labels;
         std::vector<Rect> words;
         for (const ui::Written& one : desk.written)
-            if (one.words == "before" || one.words == "Last run" || one.words == "A" || one.words == "B" ||
-                one.words.starts_with("in "))
+            if (one.words == desk.strings("scene_input.before") || one.words == desk.strings("scene_input.last_run") ||
+                one.words == "A" || one.words == "B" || one.words.starts_with("in "))
                 words.push_back(one.rect);
         ASSERT_EQ(words.size(), 5U) << end;
         const auto apart = [](const Rect& a, const Rect& b) {
