@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/brain/brain.h"
 #include "core/brain/four_neurons.h"
 #include "core/lesson/exercise_file.h"
 #include "core/lesson/grade.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/scene/subject.h"
+#include "ui/panels/panels.h"
 
 namespace braitenlab::ui {
 

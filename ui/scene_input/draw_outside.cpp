@@ -16,7 +16,7 @@ using maths::vec2;
 namespace {
 
 constexpr float arrow_inset = 20, disc = 7, rim = 2, tip = 15, tip_half = 5;  // layout pixels
-constexpr std::size_t most = 24;                                              // sources; of more the marks are a crowd
+constexpr std::size_t most_marked = 24;                                       // sources; of more the marks are a crowd
 
 // Where the line from the middle of the area to a point outside leaves the area.
 vec2 at_edge(const Rect& area, vec2 outside) {
@@ -30,7 +30,8 @@ vec2 at_edge(const Rect& area, vec2 outside) {
 
 void draw_sources_outside(const SceneInputFrame& frame, const Ui& ui) {
     const Snapshot& now = *frame.view.now;
-    if (frame.view.mode == Mode::wiring || rides(frame.view.settings.camera.mode) || now.sources.size() > most) return;
+    if (frame.view.mode == Mode::wiring || rides(frame.view.settings.camera.mode) || now.sources.size() > most_marked)
+        return;
     const float inset = ui.px(arrow_inset);
     const Rect area{frame.area.x + inset, frame.area.y + inset, frame.area.w - 2 * inset, frame.area.h - 2 * inset};
     if (area.w <= 0 || area.h <= 0) return;
