@@ -2,6 +2,7 @@
 
 #include "app/files/data.h"
 #include "app/lab_selection.h"
+#include "app/playback.h"
 #include "app/viewport.h"
 
 namespace braitenlab {

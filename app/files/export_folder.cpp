@@ -6,6 +6,7 @@
 
 #include "app/files/safe_file.h"
 #include "core/messages.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/folder_entries.h"
 
 namespace braitenlab {

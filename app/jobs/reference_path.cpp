@@ -17,8 +17,8 @@ public:
         : run_(exercise, submission, start, seed), ticks_(ticks) {}
 
     std::optional<ReferencePath> operator()() {
-        constexpr std::size_t ticks_per_step = 60;  // about a millisecond
-        known_ = std::min(known_ + ticks_per_step, ticks_);
+        constexpr std::size_t ticks_at_once = 60;  // about a millisecond
+        known_ = std::min(known_ + ticks_at_once, ticks_);
         const ReferencePath& path = run_.until(known_);
         if (known_ < ticks_ && path.size() > known_) return std::nullopt;
         return path;

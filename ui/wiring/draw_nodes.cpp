@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/maths/portable.h"
+#include "core/scene/sensor_edits.h"
 #include "core/utf8.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets/number.h"
