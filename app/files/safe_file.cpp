@@ -170,6 +170,15 @@ std::optional<Error> write_whole(const fs::path& path, std::string_view text) {
     return writer.commit();
 }
 
+std::optional<fs::path> set_aside(const fs::path& path) {
+    std::error_code problem;
+    fs::path aside = path;
+    aside += ".broken";
+    for (int i = 2; fs::exists(aside, problem); ++i) aside = path, aside += ".broken" + std::to_string(i);
+    fs::rename(path, aside, problem);
+    return problem ? std::nullopt : std::optional(aside);
+}
+
 std::filesystem::path free_name(const std::filesystem::path& folder, std::string_view stem,
                                 std::string_view extension) {
     std::error_code none;

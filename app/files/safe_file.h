@@ -66,6 +66,10 @@ struct NewFile {
 };
 std::optional<Error> write_all(const std::vector<NewFile>&);
 
+// Renames a file that cannot be read to PATH.broken, or .broken2 and so on where there is one already, so that it is
+// reported once and its text is kept. Returns the new name; nullopt if it cannot be renamed.
+std::optional<std::filesystem::path> set_aside(const std::filesystem::path&);
+
 // The first file of the form STEM-001.EXTENSION that the folder does not hold. `extension`: with its dot.
 std::filesystem::path free_name(const std::filesystem::path& folder, std::string_view stem, std::string_view extension);
 

@@ -255,14 +255,10 @@ void add_recent(StoredState& r, const fs::path& file, std::string title) {
 
 namespace {
 
-// Renames the file, so that it is reported once and its text is kept.
 Error set_aside_settings(const fs::path& path, const Error& error) {
-    fs::path aside = path;
-    aside += ".broken";
-    std::error_code problem;
-    fs::rename(path, aside, problem);
+    const auto aside = set_aside(path);
     const Message what =
-        problem ? message_of("settings_ignored") : message_of("settings_kept_aside", aside.filename().string());
+        aside ? message_of("settings_kept_aside", aside->filename().string()) : message_of("settings_ignored");
     return error_of(message_of(error) + what, error.file, error.line);
 }
 

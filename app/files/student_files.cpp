@@ -31,14 +31,9 @@ Result<StudentProgress> progress_in(const Result<std::string>& text, const fs::p
 
 Result<std::string> progress_text(const fs::path& path) { return read_text(path, most_bytes, "too_large"); }
 
-// Renames the file, so that it is reported once and its text is kept. An earlier broken file is not replaced.
 Error keep_aside(const fs::path& path, const Error& error) {
-    std::error_code problem;
-    fs::path aside = path;
-    aside += ".broken";
-    for (int i = 2; fs::exists(aside, problem); ++i) aside = path, aside += ".broken" + std::to_string(i);
-    fs::rename(path, aside, problem);
-    const Message kept = problem ? message_of("not_kept_aside") : message_of("kept_aside", aside.filename().string());
+    const auto aside = set_aside(path);
+    const Message kept = aside ? message_of("kept_aside", aside->filename().string()) : message_of("not_kept_aside");
     return error_of(message_of(error) + kept, error.file, error.line);
 }
 

@@ -123,6 +123,16 @@ TEST_F(SettingsOnDisk, RenameABrokenFileAndReportItOnce) {
     EXPECT_TRUE(next.read(preferences, state).empty()) << "reported once";
 }
 
+TEST_F(SettingsOnDisk, SetAsideReplaceNoFileThatWasSetAsideBefore) {
+    put_text(folder / "config" / "settings.toml.broken", "first");
+    put_text(settings, "[[[");
+    const auto complaints = files.read(preferences, state);
+    ASSERT_EQ(complaints.size(), 1u);
+    EXPECT_EQ(complaints[0].phrases.back(), (Phrase{"settings_kept_aside", {"settings.toml.broken2"}}));
+    EXPECT_EQ(text_of(folder / "config" / "settings.toml.broken"), "first");
+    EXPECT_EQ(text_of(folder / "config" / "settings.toml.broken2"), "[[[");
+}
+
 // The parser alone overflows the stack at the first of these texts, and the second takes its time.
 TEST_F(SettingsOnDisk, AreSetAsideWhenTheyAreTooDeepOrTooLarge) {
     std::string dots = "a";
@@ -137,6 +147,7 @@ TEST_F(SettingsOnDisk, AreSetAsideWhenTheyAreTooDeepOrTooLarge) {
             EXPECT_EQ(complaints[0].phrases.back().id, "settings_kept_aside");
             EXPECT_FALSE(fs::exists(file));
             EXPECT_EQ(fs::file_size(file.string() + ".broken"), text.size());
+            fs::remove(file.string() + ".broken");
         }
     EXPECT_EQ(preferences, Preferences{});
     EXPECT_EQ(state, StoredState{});
