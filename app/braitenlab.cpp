@@ -122,6 +122,7 @@ bool is_first_start(const Options& options, const Settings& settings) {
 }
 
 int open_and_run(Options options) {
+    if (const auto fault = fault_of_outputs(options)) return complain(*fault);
     const auto data = data_folder();
     if (!data) return complain(data.error());
     // A picture depends on the command line alone: no settings are read for it.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/files/data.h"
+#include "app/files/outputs.h"
 #include "app/terminal.h"
 #include "core/plain_letters.h"
 #include "core/scene/enums.h"
@@ -43,6 +44,17 @@ std::vector<std::string> camera_modes() {
 }
 
 }  // namespace
+
+std::optional<Error> fault_of_outputs(const Options& options) {
+    std::vector<std::filesystem::path> read;
+    if (!options.file.empty()) add_with_named_files(options.file, read);
+    std::vector<Output> outputs{{"--screenshot", options.screenshot},
+                                {"--clip", options.clip.file},
+                                {"--anchors", options.anchors, Written::report},
+                                {"--state", options.state, Written::report}};
+    std::erase_if(outputs, [](const Output& output) { return output.path.empty(); });
+    return output_fault(read, outputs);
+}
 
 CommandLine read_command_line(int argc, char** argv) {
     CommandLine line;

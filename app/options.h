@@ -65,4 +65,7 @@ struct CommandLine {
 };
 CommandLine read_command_line(int argc, char** argv);
 
+// The error when a file that the program writes is the one that it opens, another output, a scene, a run or an archive.
+std::optional<Error> fault_of_outputs(const Options&);
+
 }  // namespace braitenlab

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <iostream>
 #include <string_view>
 
@@ -11,29 +10,13 @@
 #include "app/ctl/class_files.h"
 #include "app/ctl/ctl.h"
 #include "app/files/breeding_files.h"
-#include "app/files/data.h"
-#include "app/files/safe_file.h"
-#include "core/io/run_file.h"
-#include "core/lesson/hand_in.h"
-#include "core/scene/file_kind.h"
-#include "core/scene/schema.h"
-#include "core/scene/toml_tree.h"
+#include "app/files/outputs.h"
 
 namespace braitenlab {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-// What an option writes decides what it may replace.
-enum class Written { table, page, run, scene };
-
-struct Output {
-    std::string option;
-    fs::path path;
-    Written what;
-    bool may_be_device;
-};
 
 struct OutputOption {
     std::string_view name;
@@ -45,9 +28,6 @@ constexpr std::array output_options{OutputOption{"--csv", Written::table},   Out
                                     OutputOption{"--svg", Written::page},    OutputOption{"--vectors", Written::table},
                                     OutputOption{"--wiring", Written::page}, OutputOption{"--out", Written::scene}};
 constexpr std::array<std::string_view, 5> read_files{"--a", "--b", "--brain", "--compare", "--list"};
-
-// Standard output by a name of the file system, where it has one.
-constexpr const char* standard_output_file = "/dev/stdout";
 
 bool is_named(const CLI::Option& option, std::string_view name) {
     return option.check_lname(std::string(name.substr(2)));
@@ -80,7 +60,7 @@ std::vector<Output> outputs_of(const CLI::App& command) {
     if (is_given(command, "--report"))
         for (const char* name : breeding_report_files)
             outputs.push_back(
-                {"--report", fs::path(command.get_option("--report")->as<std::string>()) / name, Written::page, false});
+                {"--report", fs::path(command.get_option("--report")->as<std::string>()) / name, Written::report});
     return outputs;
 }
 
@@ -96,24 +76,12 @@ std::optional<Error> empty_name_fault(const CLI::App& command) {
     return std::nullopt;
 }
 
-// The files that a study, a breeding, an exercise or a lecture names.
-void add_named_files(const fs::path& file, std::vector<fs::path>& files) {
-    const auto text = read_text(file);
-    if (!text || find_kind(file, *text).value_or(FileKind::run) == FileKind::run) return;
-    const auto toml = parse_toml(*text, file.string());
-    if (!toml) return;
-    for (const TomlNode* named : named_files(toml->root)) files.push_back(file.parent_path() / *named->as_text());
-}
-
 std::vector<fs::path> files_read(const CLI::App& command) {
     std::vector<fs::path> files;
     const auto add = [&](const std::string& value) {
         std::error_code none;
         const bool is_folder = fs::is_directory(value, none);
-        if (const auto file = is_folder ? Result<fs::path>(breeding_in(value)) : find_shipped(value)) {
-            files.push_back(*file);
-            add_named_files(*file, files);
-        }
+        add_with_named_files(is_folder ? breeding_in(value).string() : value, files);
         if (is_folder) files.push_back(state_in(value));
         if (!is_folder || command.get_name() != "grade") return;
         if (const auto of_class = class_files({value}))
@@ -126,42 +94,11 @@ std::vector<fs::path> files_read(const CLI::App& command) {
     return files;
 }
 
-// True if replacing the file would lose a scene or another file of the lab, a run or an archive, whatever its name is.
-// A run replaces a run, a scene or a brain replaces a scene or a brain.
-bool loses_work(const fs::path& file, Written what) {
-    std::error_code none;
-    if (!fs::is_regular_file(file, none) || fs::file_size(file, none) == 0) return false;
-    std::string text(limits::file_bytes, '\0');  // no file of the lab is larger, but for runs and states of breedings
-    std::ifstream in(file, std::ios::binary);
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(in.gcount()));
-    const std::string_view format = foreign_format(text);
-    const fs::path ending = file.extension();
-    if (format == "ZIP" || ending == ".zip") return true;
-    if (format == "JSON") return what != Written::run || ending != io::run_ending;
-    if (format.empty()) {
-        if (holds_hand_in(file.filename().string(), text)) return true;
-        const auto kind = find_kind(fs::path(), text);
-        const bool is_scene = kind == FileKind::scene || kind == FileKind::brain;
-        if (kind) return !(is_scene && what == Written::scene);
-    }
-    return ending == ".toml" || ending == io::run_ending;
-}
-
-bool is_same_file(const fs::path& a, const fs::path& b) {
-    std::error_code none;
-    if (fs::exists(a, none)) return fs::is_regular_file(a, none) && fs::equivalent(a, b, none);
-    return behind_links(a) == behind_links(b);
-}
-
 }  // namespace
 
 std::optional<Error> output_fault(const std::string& read, const std::vector<fs::path>& written) {
     std::vector<fs::path> files{standard_output_file};
-    if (const auto file = find_shipped(read)) {
-        files.push_back(*file);
-        add_named_files(*file, files);
-    }
+    add_with_named_files(read, files);
     for (const fs::path& path : written) {
         const auto is_same = [&](const fs::path& file) { return is_same_file(path, file); };
         if (std::any_of(files.begin(), files.end(), is_same))
@@ -175,33 +112,14 @@ std::optional<Error> output_fault(const std::string& read, const std::vector<fs:
 std::optional<Error> output_fault(const CLI::App& command) {
     if (auto fault = empty_name_fault(command)) return fault;
     const std::vector<fs::path> read = files_read(command);
-    const auto is_in = [](const fs::path& path, const std::vector<fs::path>& files) {
-        return std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return is_same_file(path, file); });
-    };
-    std::vector<fs::path> written{standard_output_file};
-    if (is_in(standard_output_file, read))
+    if (std::any_of(read.begin(), read.end(),
+                    [](const auto& file) { return is_same_file(standard_output_file, file); }))
         return Error{"standard output goes to a file that this command reads; send it to another one"};
-    for (const Output& output : outputs_of(command)) {
-        const auto refused = [&](const std::string& why) { return Error{output.option + why, output.path.string()}; };
-        const bool is_standard_output = output.path == standard_output;
-        if (is_standard_output && output.what != Written::table)
-            return refused(" writes no standard output; give the name of a file");
-        if (is_in(output.path, read)) return refused(" names a file that this command reads; give another one");
-        if (is_in(output.path, written)) return refused(" names a file that another option writes; give another one");
-        if (!is_standard_output) {
-            const fs::path target = behind_links(output.path);
-            const bool is_own_json = output.option == "--report" && output.path.extension() == ".json";
-            if (loses_work(target, output.what) && !is_own_json)
-                return refused(" would write over a scene, another file of the lab, or an archive; give another one");
-            std::error_code none;
-            const bool is_device =
-                fs::exists(target, none) && !fs::is_regular_file(target, none) && !fs::is_directory(target, none);
-            if (auto fault = replacement_fault(output.path); fault && !(output.may_be_device && is_device))
-                return fault;
-        }
-        written.push_back(output.path);
-    }
-    return std::nullopt;
+    const std::vector<Output> outputs = outputs_of(command);
+    for (const Output& output : outputs)
+        if (output.path == standard_output && output.what != Written::table)
+            return Error{output.option + " writes no standard output; give the name of a file", output.path.string()};
+    return output_fault(read, outputs);
 }
 
 int end_with(int code) {

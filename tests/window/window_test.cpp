@@ -3,6 +3,7 @@
 
 #include "render/view/camera.h"
 #include "render/view/framing.h"
+#include "tests/folder.h"
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests::window_test {
@@ -334,6 +335,31 @@ TEST(LabWindow, NamesTheNearestOption) {
         EXPECT_EQ(ran.code, 2);
         EXPECT_NE(ran.out.find("'--lang'"), std::string::npos) << ran.out;
     }
+}
+
+// In a folder of its own: without the check these calls replace what they read.
+TEST(LabWindow, WritesOverNoSceneRunOrArchive) {
+    const Folder folder;
+    const std::string scene = text_of(BRAITENLAB_SOURCE "/exercises/scenes/2b-aggressor.toml");
+    const auto put_back = [&] {
+        put_text(folder / "a.toml", scene), put_text(folder / "b.run", "{\"format\": 1}"),
+            put_text(folder / "c.zip", "PK\x03\x04");
+        put_text(folder / "old.json", "{\n \"mode\": \"paused\"}");
+    };
+    const std::string in =
+        "cd " + folder.path.string() + " && env -u DISPLAY -u WAYLAND_DISPLAY " + program("braitenlab");
+    for (const char* call :
+         {"a.toml --screenshot a.toml", "a.toml --screenshot ./a.toml", "a.toml --clip a.toml --to 0.1",
+          "a.toml --state a.toml", "a.toml --anchors a.toml", "--screenshot b.run", "--state b.run",
+          "--screenshot c.zip", "--state d.json --anchors d.json"}) {
+        put_back();
+        const Ran ran = shell(in + " " + call);
+        EXPECT_EQ(ran.code, 2) << call;
+        EXPECT_NE(ran.out.find("give another one"), std::string::npos) << call << "\n" << ran.out;
+        EXPECT_EQ(text_of(folder / "a.toml"), scene) << call;
+    }
+    put_back();
+    EXPECT_EQ(shell(in + " --state old.json").out.find("give another one"), std::string::npos) << "its own is replaced";
 }
 
 TEST(LabWindow, AnswersVersionAndHelpWithoutADisplay) {
