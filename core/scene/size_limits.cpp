@@ -144,6 +144,7 @@ constexpr double slow_stimulus = 6;  // of a photocell or a table, or on a torus
 constexpr double hiding_side = 0.4;  // of an obstacle that may be before a stimulus
 constexpr double outline_side = 14, noise = 6, mark = 16, in_zone = 8;
 constexpr double node = 10, wire = 2, curved_wire = 12;
+constexpr double birth = 1800;  // of a vehicle of a new generation
 }  // namespace cost
 
 // Half the sides of the rectangle around a polygon, in its frame.
@@ -308,11 +309,17 @@ public:
             largest = std::max(largest, of(kind.sensors) + of(*parts_.of_kinds[k]) +
                                             cost::in_zone * zones_ * static_cast<double>(kind.body.wheels.size() + 2));
         }
-        return vehicles_ * (cost::vehicle + of_touched(touched_) + cost::impact * impacts_ + largest) + own +
+        const double born = cost::birth * new_generations();
+        return vehicles_ * (cost::vehicle + of_touched(touched_) + cost::impact * impacts_ + largest + born) + own +
                of_overlaps() + ObstaclePairs(scene_.obstacles).work();
     }
 
 private:
+    // In a tick, at most, where no vehicle moves.
+    double new_generations() const {
+        const float inactivity = scene_.ecology.inactivity;
+        return inactivity > 0 ? static_cast<double>(std::min(1.0f, tick_seconds / inactivity)) : 0;
+    }
     static double of_touched(double bodies) { return cost::pair * bodies + cost::contact * bodies * bodies; }
     // Of vehicles that the file places in each other. Two share a pair.
     double of_overlaps() const {

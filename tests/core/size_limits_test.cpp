@@ -121,6 +121,11 @@ Scene of_small_robots(Scene scene) {
     return scene;
 }
 
+Scene with_new_generations(Scene scene, float inactivity) {
+    scene.ecology.inactivity = inactivity;
+    return scene;
+}
+
 // So many on each square metre.
 Scene placed_in_each_other(Scene scene, int of_square) {
     const int squares = static_cast<int>(std::sqrt(scene.ecology.population / of_square));
@@ -134,6 +139,7 @@ Scene placed_in_each_other(Scene scene, int of_square) {
 // Scenes that consist of one kind of work.
 std::map<std::string, Scene> costly_scenes() {
     return {{"vehicles", crowd_of(3000, 200)},
+            {"new generations", with_new_generations(crowd_of(3000, 200), 0.01f)},
             {"a full floor", crowd_of(2000, 38)},
             {"a full floor of small robots", of_small_robots(crowd_of(400, 1.3f))},
             {"wheels over other vehicles", with_wide_wheels(crowd_of(200, 20))},
@@ -209,6 +215,9 @@ TEST(SizeLimits, RefuseScenesThatFreezeTheWindow) {
     EXPECT_FALSE(is_refused(with_obstacles(crowd_of(1, 60), 2500, 0, 1)));
     EXPECT_TRUE(is_refused(with_obstacles(crowd_of(1, 60), 4000, 0, 1))) << "4,000 in one place: 0.2 s";
     EXPECT_FALSE(is_refused(with_obstacles(crowd_of(1, 60), 4000, 1e3f, 1)));
+    EXPECT_FALSE(is_refused(with_new_generations(crowd_of(18000, 200), 5)));
+    EXPECT_TRUE(is_refused(with_new_generations(crowd_of(18000, 200), 0.01f)))
+        << "18,000 vehicles are made in each tick";
     Scene wheels = with_wide_wheels(crowd_of(1, 60));
     EXPECT_FALSE(is_refused(with_obstacles(wheels, 1000, 0, 20)));
     wheels.kinds[0].body.wheels.resize(16, wheels.kinds[0].body.wheels[0]);
