@@ -55,6 +55,7 @@ void capture(const WorldData& s, Snapshot& out) {
     const float limit = s.scene->ecology.inactivity;
     out.inactivity_left = limit > 0 ? std::max(0.0f, limit - static_cast<float>(s.still_ticks) * tick_seconds) : 0;
     out.events = s.events;
+    out.is_preview = next.has_value();
     out.predators = out.prey = 0;
     out.vehicles.clear();
     out.brains.clear();

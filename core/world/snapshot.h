@@ -96,6 +96,7 @@ struct Snapshot {
     int generation = 1;
     float inactivity_left = 0;  // s until a new generation starts if no vehicle moves; 0 without a timer
     EventCounts events;
+    bool is_preview = false;            // readings and commands are those of the next tick: an edit changes them
     int predators = 0, prey = 0;        // numbers of vehicles; all: vehicles.size()
     std::vector<VehicleView> vehicles;  // by ascending id
     std::vector<float> sensed;          // 0..1

@@ -42,6 +42,17 @@ TEST(World, HashesDifferForDifferentWeights) {
     EXPECT_NE(a.hash(), b.hash());
 }
 
+TEST(World, ASnapshotTellsWhetherItsCommandsAreThoseOfTheNextTick) {
+    World world = make(alone({.LM = 0.5f, .RM = 0.5f}));
+    EXPECT_FALSE(after(world, 1).is_preview);
+    ASSERT_FALSE(world.apply(TurnDial{{.kind = 0}, Dial::LM, -0.5f}));
+    const Snapshot edited = after(world, 0);
+    EXPECT_TRUE(edited.is_preview);
+    EXPECT_FLOAT_EQ(edited.vehicles[0].motor[0], -0.5f);
+    world.step();
+    EXPECT_FALSE(after(world, 0).is_preview);
+}
+
 TEST(World, WheelsDriveStraightAheadOnEqualCommands) {
     World world = make(alone({.LM = 0.5f, .RM = 0.5f}));
     const Snapshot now = after(world, 5);

@@ -354,6 +354,12 @@ TEST(BrainCard, SaysThatItDrivesBackAndThatSomethingIsInItsWay) {
     EXPECT_TRUE(desk.says("Both wheels alike: straight back."));
     drive({.LM = -0.5f, .RM = -0.5f}, 0);
     EXPECT_TRUE(desk.says("something is in its way"));
+    desk.view.mode = Mode::paused;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says("something is in its way")) << "in a pause, too";
+    desk.now.is_preview = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says("something is in its way")) << "an edit in a pause: it has not tried yet";
     drive({.LM = 0.5f, .RM = 0.2f}, 1);
     EXPECT_TRUE(desk.says("Left wheel faster"));
     drive({.LM = 0.5f, .RM = 0.2f}, 0);

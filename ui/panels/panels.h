@@ -121,7 +121,7 @@ bool stands_still(const LabView&, const VehicleView&);
 std::string_view alike_key(float wheels, bool stuck);
 // True if these wheel commands move a vehicle, forwards or backwards, unless something is in the way.
 bool wheels_push(float left, float right);
-// True while it is played and does not move although its wheels push. Not known in the first half second.
+// True if it does not move although its wheels push. Not known in the first half second, and after an edit in a pause.
 bool is_stuck(const LabView&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);

@@ -328,7 +328,7 @@ std::string_view alike_key(float wheels, bool stuck) {
 bool wheels_push(float left, float right) { return std::fabs(left + right) > 0.1f; }
 
 bool is_stuck(const LabView& view, const VehicleView& vehicle) {
-    return view.mode == Mode::playing && stands_still(view, vehicle) && wheels_push(vehicle.motor[0], vehicle.motor[1]);
+    return !view.now->is_preview && stands_still(view, vehicle) && wheels_push(vehicle.motor[0], vehicle.motor[1]);
 }
 
 void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
