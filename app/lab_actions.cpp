@@ -276,7 +276,7 @@ constexpr LabAction lab_actions[]{
              say(lab, {NoticeKind::notice, "notice.projector_view"});
          }
      }},
-    {Action::first_page, [](Lab& lab) { lab.pages ? show_page(lab, 0) : request_left_lecture(lab, false); }},
+    {Action::first_page, [](Lab& lab) { lab.pages ? begin_pages_again(lab) : request_left_lecture(lab, false); }},
     {Action::next_page, [](Lab& lab) { next_page(lab); }},
     {Action::previous_page, [](Lab& lab) { previous_page(lab); }},
     {Action::notes,

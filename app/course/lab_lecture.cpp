@@ -201,6 +201,11 @@ void show_page(Lab& lab, int page, int steps) {
     if (next.play || next.at_first[static_cast<std::size_t>(PagePart::play)]) set_mode(lab, Mode::playing);
 }
 
+void begin_pages_again(Lab& lab) {
+    for (std::vector<int>& of_page : lab.pages->hands) of_page.assign(of_page.size(), 0);
+    show_page(lab, 0);
+}
+
 void next_page(Lab& lab) {
     if (!lab.pages) return;
     const LecturePage& page = lab.pages->current();

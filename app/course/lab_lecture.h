@@ -44,6 +44,9 @@ void request_left_lecture(Lab&, bool resume);
 // be opened any more, shows the error and keeps the present page. Precondition: Lab::pages.
 void show_page(Lab&, int page, int steps = 0);
 
+// Shows the first page again, with no counted hands on any page. Precondition: Lab::pages.
+void begin_pages_again(Lab&);
+
 // Shows the next step of the page; after the last one, the next page. The step `play` starts the run. Do nothing
 // without an open lecture.
 void next_page(Lab&);

@@ -621,6 +621,18 @@ TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhatIsMissing) {
     EXPECT_EQ(why(), "unavailable.map_secret");
 }
 
+TEST_F(LabLecturePages, TheFirstPageBeginsWithoutCountedHands) {
+    open("four-numbers");
+    const auto question = [&] { return lab.pages->hands[1]; };
+    show_page(lab, 1);
+    handle(lab, HandsRequest{0, 7});
+    previous_page(lab), show_page(lab, 1);
+    EXPECT_EQ(question()[0], 7) << "another page keeps them";
+    press({key::f5});
+    EXPECT_EQ(lab.pages->page, 0);
+    EXPECT_EQ(question(), std::vector<int>(question().size(), 0));
+}
+
 TEST_F(LabLecturePages, ATallyCountsHandsForAQuestionWithoutAPageUntilTheNextScene) {
     const auto hands = [&] { return view_of(lab).tally ? view_of(lab).tally->hands.front() : std::vector<int>{}; };
     handle(lab, Action::tally);
