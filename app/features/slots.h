@@ -28,8 +28,9 @@ struct SlotRuns {
     insight::Design before;  // of the vehicle
 };
 
-// Slots stay when another document is opened, but not on another page of a lecture; the runs end with the document,
-// and when a slot changes.
+// A person who opens another document, or goes to another page of a lecture, begins with empty slots. They stay when
+// the same file is read again, or the document of an exercise changes places with its scene. The runs end with the
+// document, and when a slot changes.
 struct Slots {
     std::array<std::optional<insight::Design>, 2> stored{};
     std::array<std::string, 2> kinds{};  // name of the vehicle's kind

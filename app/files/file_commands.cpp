@@ -6,6 +6,7 @@
 #include "app/course/exercise_check.h"
 #include "app/course/lab_lecture.h"
 #include "app/course/lab_progress.h"
+#include "app/features/slots.h"
 #include "app/files/autosave.h"
 #include "app/files/breeding_files.h"
 #include "app/files/disk.h"
@@ -134,6 +135,7 @@ struct FileCommands {
                         {.next = path.string(), .next_title = title_of(*opened), .passed = passed_before(lab)}))
             return;
         leave_pages(lab);
+        if (path != lab.document.path) empty_slots(lab.slots);
         replace_document(lab, std::move(*opened));
         add_recent_file(state, path, lab.document);
         done(path, {});
@@ -157,6 +159,7 @@ struct FileCommands {
         if (!opened) return fail(opened.error());
         if (!discard && asks_before(lab, view, {.next = link, .next_title = title_of(*opened), .seed = seed})) return;
         leave_pages(lab);
+        empty_slots(lab.slots);
         replace_document(lab, std::move(*opened));
         done({}, {});
     }

@@ -633,6 +633,23 @@ TEST_F(LabLecturePages, TheFirstPageBeginsWithoutCountedHands) {
     EXPECT_EQ(question(), std::vector<int>(question().size(), 0));
 }
 
+TEST_F(LabLecturePages, AnotherSceneBeginsWithEmptySlotsAndTheSameOneKeepsThem) {
+    const auto is_stored = [&](std::size_t slot) { return lab.slots.stored[slot].has_value(); };
+    for (const bool lecture : {false, true}) {
+        open("2a-coward");
+        if (lecture) handle(lab, Action::lecture);
+        handle(lab, Action::slot);
+        ASSERT_TRUE(is_stored(0));
+        open("2a-coward");
+        EXPECT_TRUE(is_stored(0));
+        open("3a-love");
+        EXPECT_FALSE(is_stored(0));
+        handle(lab, Action::slot);
+        EXPECT_TRUE(is_stored(0)) << "the first brain of this scene is A";
+        EXPECT_FALSE(is_stored(1));
+    }
+}
+
 TEST_F(LabLecturePages, ATallyCountsHandsForAQuestionWithoutAPageUntilTheNextScene) {
     const auto hands = [&] { return view_of(lab).tally ? view_of(lab).tally->hands.front() : std::vector<int>{}; };
     handle(lab, Action::tally);
