@@ -237,6 +237,7 @@ std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
 OpenCards open_cards(const LabView& view, const PanelState& state) {
     OpenCards open{.charts = state.charts.open};
     if (asked(view)) open.question = state.lecture.question_height;
+    open.sum = view.lecture && watches_diagram(view, state) && state.canvas.selection.nodes.size() == 1;
     if (view.pages && view.pages->notes) open.notes = state.lecture.notes_height;
     for (const CardTraits& row : cards()) {
         if (row.column == Column::none || !row.shown(view)) continue;

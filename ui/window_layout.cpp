@@ -91,9 +91,9 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
 
 // Whether the question of a page, or one that is asked without a page, is beside the scene. Once it is answered and the
 // page shows its brain, an open card, the diagram or a comparison of two brains takes its place, also while the
-// lecturer hides the brain again.
+// lecturer hides the brain again. A question without a page gives way to a comparison and to a sum in the diagram.
 bool asks_beside(const LabView& view, OpenCards open) {
-    if (!view.pages) return view.tally && !has_asked_card(view);
+    if (!view.pages) return view.tally && !has_asked_card(view) && !open.sum && view.features.slots.seconds <= 0;
     const LectureView& page = *view.pages;
     const bool is_answered =
         page.shows(PagePart::answer) && (page.shows(PagePart::brain) || view.settings.revealed.brain);

@@ -31,6 +31,7 @@ struct OpenCards {
     int folded_left = 0, folded_right = 0;  // how many folded cards a column has of which no card is open
     float notes = 0;     // wanted height of the lecturer's notes, window pixels; 0: they are not shown
     float question = 0;  // wanted height of the page's question, window pixels
+    bool sum = false;    // the diagram beside the scene shows the sum of the selected neuron or motor
 };
 
 // The scale, window pixels per layout pixel, reduced until bars and cards fit into the window. In steps of an eighth,

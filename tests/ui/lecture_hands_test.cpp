@@ -174,6 +174,50 @@ TEST_F(LectureHands, AnAnswerWithoutCountedHandsHasNoBars) {
     }
 }
 
+TEST_F(LectureHands, ACountWithoutAPageGivesWayToAComparisonAndToASum) {
+    Lecture lecture;
+    lecture.pages.resize(1);
+    lecture.pages[0].question.options.resize(4);
+    LectureView tally{.lecture = std::make_shared<const Lecture>(lecture), .hands = {{1, 0, 0, 3}}};
+    const auto logic = load_scene(shipped_exercises() / "scenes" / "5-logic.toml");
+    ASSERT_TRUE(logic);
+    desk.now = first_moment_of(*logic);
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    desk.view.pages = nullptr;
+    desk.view.tally = &tally;
+    const auto counts = [&] { return desk.layout.question.w > 0; };
+    desk.frame(4);
+    ASSERT_TRUE(counts());
+
+    insight::Design design{.brain = *desk.now.brains[0]};
+    insight::CompareNumbers numbers{0.4f, 5.3f, 0.5f, 7, 3};
+    SlotsView& slots = desk.view.features.slots;
+    for (SlotView& slot : slots.slots) slot = {.design = &design, .kind = "vehicle", .numbers = &numbers};
+    slots.seconds = 30;
+    desk.frame(4);
+    EXPECT_FALSE(counts());
+    EXPECT_TRUE(is_inside(desk.where("card.slots"), desk.layout.window));
+    slots = {};
+    desk.frame(4);
+    EXPECT_TRUE(counts()) << "after the comparison";
+
+    desk.view.settings.watching = true;
+    desk.frame(4);
+    EXPECT_TRUE(counts());
+    for (int i = 0; i < 3; ++i) {
+        desk.key({'X'});
+        desk.frame(4);
+        EXPECT_FALSE(counts());
+        EXPECT_TRUE(desk.anchors.find("canvas.sum")) << i;
+    }
+    desk.view.tally = nullptr;
+    desk.frame(2);
+    desk.view.tally = &tally;
+    desk.frame(4);
+    EXPECT_TRUE(counts()) << "a count that begins";
+    EXPECT_FALSE(desk.anchors.find("canvas.sum"));
+}
+
 TEST_F(LectureHands, AQuestionWithoutAPageHasATallyOfLettersBesideTheScene) {
     Lecture lecture;
     lecture.pages.resize(1);

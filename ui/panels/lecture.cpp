@@ -260,6 +260,13 @@ void follow_comparison(const LabView& view, PanelState& state) {
     state.card(Card::slots).folded = compares;
 }
 
+// A count of hands that begins takes the place of the sum in the diagram.
+void follow_tally(const LabView& view, PanelState& state) {
+    const bool counts = view.tally != nullptr;
+    if (!std::exchange(state.lecture.counts, counts) && counts && view.mode != Mode::wiring)
+        state.canvas.selection = {};
+}
+
 // Folds cards when lecture mode begins, and restores them when it ends.
 void follow_lecture_mode(const LabView& view, PanelState& state) {
     if (view.lecture == state.lecture.before.has_value()) return;
@@ -382,6 +389,7 @@ void follow_lecture(const LabView& view, PanelState& state) {
     follow_lecture_mode(view, state);
     follow_page(view, state);
     follow_comparison(view, state);
+    follow_tally(view, state);
 }
 
 }  // namespace braitenlab::ui

@@ -219,6 +219,7 @@ struct LectureState {
     float question_height = 0;            // wanted, as drawn last; window pixels
     std::array<int, 3> step{-1, -1, -1};  // run, page and step whose cards are shown
     bool compares = false;                // both runs of slots A and B were shown last
+    bool counts = false;                  // hands were counted without a page in the last frame
     bool asks_prediction = false;         // the exercise of the page waited for its prediction in the last frame
 };
 
