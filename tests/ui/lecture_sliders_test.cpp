@@ -134,6 +134,32 @@ TEST_F(LectureSliders, AllSlidersAreVisibleWithoutScrollingInEveryLanguage) {
     }
 }
 
+TEST_F(LectureSliders, ADigitChoosesASliderAndTellsThatItsNumberIsTypedAfterEnter) {
+    show(6, 0);
+    desk.view.pages = nullptr;
+    desk.frame(2);
+    for (const auto& [digit, slider, typed] : {std::tuple{'1', "slider.LL", "1.5"}, {'3', "slider.RL", "0"}}) {
+        desk.all.clear();
+        desk.key({digit});
+        ASSERT_TRUE(desk.last<NoticeRequest>()) << slider;
+        EXPECT_EQ(desk.last<NoticeRequest>()->key, "notice.slider_chosen");
+        desk.frame(3);
+        EXPECT_EQ(desk.panels.keyboard.focus, slider);
+        desk.key({key::enter});
+        desk.frame(2);
+        EXPECT_EQ(desk.panels.sliders.typed, slider);
+        desk.type(typed);
+        desk.key({key::enter});
+        desk.frame(2);
+        EXPECT_TRUE(desk.panels.sliders.typed.empty()) << "Enter closes it";
+    }
+    desk.view.lecture = false;
+    desk.frame(2);
+    desk.all.clear();
+    desk.key({'1'});
+    EXPECT_FALSE(desk.last<NoticeRequest>()) << "the hints say it";
+}
+
 TEST_F(LectureSliders, KeysOfSlidersShowNoHiddenBrain) {
     show(1, 0);
     desk.view.settings.revealed.brain = false;

@@ -205,7 +205,8 @@ void focus_slider(const Acting& at, std::size_t number) {
     if (!view.settings.revealed.brain)  // a lecture shows it later
         return at.outbox.push_back(NoticeRequest{"unavailable.hidden_sliders", {}, {}});
     const std::vector<std::string_view> sliders = numbered_sliders(view);
-    if (number >= sliders.size()) {
+    const bool is_chosen = number < sliders.size();
+    if (!is_chosen) {
         std::string offered;
         for (const Offer& offer : offered_dials(*view.lesson->exercise))
             offered += (offered.empty() ? "" : ", ") + words_of(offer);
@@ -217,6 +218,8 @@ void focus_slider(const Acting& at, std::size_t number) {
     at.state.card(Card::brain).folded = false;
     at.state.keyboard.focus = sliders[number];
     at.state.keyboard.revealed = true;
+    // In a lecture nothing else says that digits, which are keys of sliders, are no number before Enter.
+    if (view.lecture && is_chosen) at.outbox.push_back(NoticeRequest{"notice.slider_chosen", {}, {}});
 }
 
 // ── The table ──
