@@ -88,17 +88,21 @@ void check_value(TomlTable table, const StudyValue& value) {
     need("name", value.name.empty()), need("paths", value.paths.empty()), need("levels", value.levels.empty());
 }
 
-// The names of all columns differ.
+// The names of all columns differ, those of values also without their units: a figure and its words have no other name.
 void check_names(TomlTable& top, const Study& study) {
     std::set<std::string> names{"run", "seed"};
     for (const StudyMeasure measure : study.measures)
         if (!names.insert(column_name(row_of(measure))).second)
             top.fail("measures", message_of("column_twice", in_quotes(word(measure))));
-    for (std::size_t i = 0; i < study.values.size(); ++i)
-        if (const std::string name = column_name(study.values[i]);
-            !study.values[i].name.empty() && !names.insert(name).second)
-            top.file().fail(fmt::format("value.{}.name", i + 1), list_at(top, "value")[i].get("name"),
-                            message_of("column_twice", in_quotes(name)));
+    std::set<std::string> without_units;
+    for (std::size_t i = 0; i < study.values.size(); ++i) {
+        const StudyValue& value = study.values[i];
+        if (value.name.empty()) continue;
+        const bool is_new = without_units.insert(value.name).second;
+        if (names.insert(column_name(value)).second && is_new) continue;
+        top.file().fail(fmt::format("value.{}.name", i + 1), list_at(top, "value")[i].get("name"),
+                        message_of("column_twice", in_quotes(is_new ? column_name(value) : value.name)));
+    }
 }
 
 void check_study(TomlTable& top, Study& study) {

@@ -134,6 +134,17 @@ TEST(StudyFile, RefusesWhatIsIncompleteOrUnknownWithLine) {
               std::string::npos);
 }
 
+TEST(StudyFile, TwoValuesOfTheSameNameAreRefusedWithLineAlsoWithOtherUnits) {
+    for (const char* unit : {"m/s", "cm/s", ""}) {
+        const std::string value = std::string("name = \"speed\"\npaths = [\"arena.grip\"]\nlevels = [1]\nunit = \"");
+        const auto study = insight::parse_study(
+            file_text("measures = [\"final\"]", value + "m/s\"\n[[value]]\n" + value + unit + "\"\n"), "s.toml");
+        ASSERT_FALSE(study) << unit;
+        EXPECT_EQ(study.error().phrases.front().id, "column_twice") << unit;
+        EXPECT_EQ(study.error().line, 12) << study.error().text();
+    }
+}
+
 TEST(StudyFile, RefusesWhatTheSceneDoesNotHave) {
     const auto fails = [](const std::string& top, const std::string& value) {
         auto study = insight::parse_study(file_text(top, value), "study.toml");
