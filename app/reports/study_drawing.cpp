@@ -18,7 +18,7 @@ using insight::Study;
 
 constexpr float panel_width = 520, panel_height = 260, panel_step = 350, panel_left = 92, panel_top = 60,
                 panel_legend = 260;             // px
-constexpr float wanted_aside = 12;              // px, so that points of 8 px do not touch
+constexpr float wanted_aside = 6;               // px, between bars; several are within a point of 8 px
 constexpr float never_row = 16, never_gap = 6;  // px, of each series in the strip above the frame
 std::string with_unit(std::string_view name, std::string_view unit) {
     return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
@@ -116,8 +116,8 @@ private:
         return 0;
     }
 
-    // Above the frame, at the side of more: how many runs never come to a number, with a ring where the median does
-    // not.
+    // Above the frame, at the side of more: how many runs never come to a number, beside a ring at the level where the
+    // median does not.
     std::string never_strip(const std::vector<std::vector<SeriesPoint>>& series, const PlotFrame& frame,
                             float height) const {
         std::string out = fmt::format("<rect width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\"/>\n",
@@ -127,9 +127,11 @@ private:
             for (const SeriesPoint& point : series[i]) {
                 if (point.never == 0) continue;
                 const float x = frame.x_of(point.x), y = never_row * (static_cast<float>(i) + 0.5f);
-                out += words_at(x, y + 5, std::to_string(point.never),
-                                fmt::format(" text-anchor=\"middle\" style=\"fill:{}\"", colour(i)));
-                if (!std::isfinite(point.spread.median)) out += ring(x - 19, y, i);
+                const bool has_ring = !std::isfinite(point.spread.median);
+                if (has_ring) out += ring(x, y, i);
+                out += words_at(
+                    has_ring ? x + 8 : x, y + 5, std::to_string(point.never),
+                    fmt::format(" text-anchor=\"{}\" style=\"fill:{}\"", has_ring ? "start" : "middle", colour(i)));
             }
         return out;
     }
@@ -157,7 +159,8 @@ private:
     }
     static const char* colour(std::size_t i) { return series_colours[i % series_colours.size()]; }
     static const char* dashes(std::size_t i) { return i < series_colours.size() ? "" : " stroke-dasharray=\"6 4\""; }
-    // Points and bars of several series stand side by side, within half of the gap between two levels.
+    // Bars of several series stand side by side, within half of the gap between two levels. Points and lines are at
+    // the level.
     float room_aside() const {
         std::vector<double> sorted = levels();
         std::sort(sorted.begin(), sorted.end());
@@ -176,19 +179,18 @@ private:
 
     // A gap where the median is no number.
     std::string line(const std::vector<SeriesPoint>& points, std::size_t index, const PlotFrame& frame) const {
-        const float aside = aside_of(index);
         std::string path, bars, dots;
         bool goes_on = false;
         for (const SeriesPoint& point : points) {
             const bool has_median = has_value(point.spread) && std::isfinite(point.spread.median);
-            const float x = frame.x_of(point.x) + aside, y = has_median ? y_of(frame, point.spread.median) : 0;
+            const float x = frame.x_of(point.x), y = has_median ? y_of(frame, point.spread.median) : 0;
             if (has_median) {
                 path += fmt::format("{}{:.1f} {:.1f}", goes_on ? 'L' : 'M', x, y);
                 dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", x, y);
             }
             goes_on = has_median;
             if (has_value(point.spread) && std::isfinite(point.spread.lower))
-                bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, y_of(frame, point.spread.lower),
+                bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x + aside_of(index), y_of(frame, point.spread.lower),
                                     y_of(frame, point.spread.upper));
         }
         if (path.empty() && bars.empty()) return "";
@@ -202,7 +204,8 @@ private:
         return aside_ * (static_cast<float>(series) - static_cast<float>(names_.size() - 1) / 2);
     }
 
-    // A ring at the lower edge for each series without a value at a level, and words where no series has one.
+    // Rings above each other at the lower edge for the series without a value at a level, and words where no series has
+    // one.
     std::string empty_places(const std::vector<std::vector<SeriesPoint>>& series, const PlotFrame& frame) const {
         std::string out;
         std::map<double, std::size_t> series_without;
@@ -210,11 +213,12 @@ private:
             for (const SeriesPoint& point : series[i]) {
                 if (has_value(point.spread)) continue;
                 const float x = frame.x_of(point.x);
-                out += ring(x + aside_of(i), frame.height - 7, i);
-                if (++series_without[point.x] == names_.size())
-                    out += words_at(
-                        0, 0, strings_("report.no_value"),
-                        fmt::format(" transform=\"translate({:.1f} {:.1f}) rotate(-90)\"", x + 5, frame.height - 18));
+                std::size_t& without = series_without[point.x];
+                out += ring(x, frame.height - 7 - 9 * static_cast<float>(without), i);
+                if (++without == names_.size())
+                    out += words_at(0, 0, strings_("report.no_value"),
+                                    fmt::format(" transform=\"translate({:.1f} {:.1f}) rotate(-90)\"", x + 5,
+                                                frame.height - 9 - 9 * static_cast<float>(without)));
             }
         return out;
     }

@@ -94,13 +94,16 @@ TEST(CtlStudy, AFigureCountsTheRunsThatNeverComeToTheMeasureAboveItsFrame) {
         EXPECT_NE(text.find("drive −0"), std::string::npos) << "a minus, no hyphen";
         EXPECT_NE(text.find(caption), std::string::npos) << "what the strip is";
         EXPECT_NE(text.find(">2</text>"), std::string::npos) << "all runs of the combination that turns away";
+        std::smatch ring;
+        ASSERT_TRUE(std::regex_search(text, ring, std::regex("<circle cx=\"([0-9.]+)\"[^>]* r=\"3.5\"")));
+        EXPECT_EQ(ring[1], "23.6") << "at the first level";
         EXPECT_EQ(text.find("no value"), std::string::npos);
         EXPECT_EQ(shell("python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' " + svg).code, 0);
     }
     std::filesystem::remove(file), std::filesystem::remove(svg);
 }
 
-TEST(CtlStudy, AFigureHasTheWordsOfTheTableAndBarsSideBySide) {
+TEST(CtlStudy, AFigureHasTheWordsOfTheTablePointsAtTheirLevelsAndBarsSideBySide) {
     const std::string file = scratch("drawn-study.toml"), svg = scratch("study.svg");
     std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"predator-prey\"\nseconds = 1\nseeds = 2\n"
                            "measures = [\"captures\"]\n[[value]]\nname = \"eyes\"\nunit = \"°\"\n"
@@ -116,7 +119,16 @@ TEST(CtlStudy, AFigureHasTheWordsOfTheTableAndBarsSideBySide) {
         places.push_back(std::stof(text.substr(at + 12)));
     ASSERT_EQ(places.size(), 6U);
     std::sort(places.begin(), places.end());
-    for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GT(places[i] - places[i - 1], 8.5f) << "points of 8 px";
+    for (std::size_t i = 0; i < places.size(); i += 2) EXPECT_EQ(places[i], places[i + 1]) << "of the same level";
+    for (std::size_t i = 2; i < places.size(); i += 2) EXPECT_GT(places[i] - places[i - 2], 8.5f) << "points of 8 px";
+    std::vector<float> bars;
+    const std::regex bar("M([0-9.]+) [0-9.]+V");
+    for (std::sregex_iterator at(text.begin(), text.end(), bar), end; at != end; ++at)
+        bars.push_back(std::stof((*at)[1]));
+    std::erase_if(bars, [&](float x) { return x < places.front() - 8 || x > places.back() + 8; });
+    ASSERT_EQ(bars.size(), 6U);
+    std::sort(bars.begin(), bars.end());
+    for (std::size_t i = 1; i < bars.size(); ++i) EXPECT_GT(bars[i] - bars[i - 1], 4) << "beside each other";
     EXPECT_EQ(ctl("study " + file + " --csv -").out.substr(0, 36), "run,seed,eyes_deg,speed_m_s,captures");
     std::filesystem::remove(file), std::filesystem::remove(svg);
 }
