@@ -256,7 +256,10 @@ std::string matrix_text(const evolve::Tournament& tournament) {
     text +=
         "Report the word with its gain: it compares quarters of the matrix, so that it finds a lost ability. \"Against "
         "all\n"
-        "generations\" is the mean over all opponents: it can rise although one kind of them wins again.\n";
+        "generations\" is the mean over all opponents: it can rise although one kind of them wins again.\n"
+        "\"Against the panel\" has other opponents, bred apart, and can say something else: report it as well. A rise "
+        "there\n"
+        "with an unclear word: better against strangers, not against the earlier opponents of this breeding.\n";
     return text;
 }
 

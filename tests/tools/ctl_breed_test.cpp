@@ -168,6 +168,7 @@ TEST(CtlBreed, OneCommandWritesAllTablesAndDrawings) {
     const Ran reported = ctl("breed " + folder.path + " --report " + report.path);
     ASSERT_EQ(reported.code, 0);
     EXPECT_NE(reported.out.find("Report the word with its gain"), std::string::npos) << reported.out;
+    EXPECT_NE(reported.out.find("\"Against the panel\" has other opponents"), std::string::npos) << reported.out;
     EXPECT_EQ(content(fs::path(report.path) / "breeding.txt"), reported.out);
     const std::string table = content(fs::path(report.path) / "breeding.csv");
     EXPECT_TRUE(table.starts_with("measure,side,generation,of,value\n")) << table;
