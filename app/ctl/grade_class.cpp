@@ -194,7 +194,7 @@ int grade_class(const ClassOptions& options) {
     if (marks != exit_code::done) return marks;
     bool all_read = true;
     for (const ClassRow& row : report.rows)
-        if (!row.submission)
+        if (!row.submission && row.problem)
             all_read = false, complain({text_of(*row.problem, *strings), row.problem->error ? "" : row.file});
     return all_read ? exit_code::done : exit_code::bad_input;
 }

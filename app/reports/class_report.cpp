@@ -15,6 +15,7 @@
 #include "core/messages.h"
 #include "core/plain_letters.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/toml_tree.h"
 #include "ui/words/measure_text.h"
 
 namespace braitenlab {
@@ -147,7 +148,8 @@ std::string own_problem_text(const ClassRow& row, const Strings& strings) {
     Error error = *row.problem->error;
     const bool is_syntax = !error.phrases.empty() && error.phrases.front().id == "not_toml";
     if (is_syntax)  // the words of the parser are for who grades
-        return fill(strings("report.unreadable_line"), {file, std::to_string(error.line)});
+        return fill(strings(row.problem->key.empty() ? "report.unreadable_line" : row.problem->key),
+                    {file, std::to_string(error.line)});
     if (!error.file.empty()) error.file = file;
     return text_of(error, strings);
 }
@@ -172,6 +174,34 @@ private:
 
 }  // namespace
 
+namespace {
+
+// True where the parser has met the end of the file within a value. The lab ends each file with a line end.
+bool ends_early(std::string_view text, const Error& error) {
+    if (text.ends_with('\n') || error.phrases.empty() || error.phrases.front().id != "not_toml") return false;
+    const std::vector<std::string>& values = error.phrases.front().values;
+    return !values.empty() && values.front().find("end-of-file") != std::string::npos;
+}
+
+// A hand-in for the exercise whose only errors are values outside their ranges, which the lab does not write, is one
+// of a student who failed, from no start. False for another one.
+bool refuse_out_of_range(const Exercise& exercise, ClassRow& row, ReadFile<HandIn> read) {
+    const auto is_range = [](const Error& error) {
+        return !error.phrases.empty() && error.phrases.front().id == "out_of_range";
+    };
+    HandIn& hand_in = read.object;
+    const bool is_known = !hand_in.student.empty() && is_for_exercise(hand_in.exercise, exercise.id);
+    if (!is_known || read.errors.empty() || !std::all_of(read.errors.begin(), read.errors.end(), is_range))
+        return false;
+    if (row.submitter.name.empty()) row.student = hand_in.student;
+    row.hand_in = std::move(hand_in);
+    row.refusal = RowProblem{{}, {}, read.errors.front()};
+    row.grade = Grade{};
+    return true;
+}
+
+}  // namespace
+
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
 ClassRow row_of_other_file(const std::string& file, const Submitter& submitter) {
@@ -190,8 +220,10 @@ ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const
         return row;
     }
     auto hand_in = text ? parse_hand_in(*text, file) : text.error();
+    if (!hand_in && text && refuse_out_of_range(exercise, row, read_hand_in_fully(*text, file))) return row;
     if (!hand_in) {
         row.problem = RowProblem{{}, {}, hand_in.error()};
+        if (text && ends_early(*text, hand_in.error())) row.problem->key = "report.ends_early";
         return row;
     }
     if (submitter.name.empty()) row.student = hand_in->student;
@@ -240,7 +272,7 @@ void mark_replaced(std::vector<ClassRow>& rows) {
     for (ClassRow& row : rows) {
         if (!row.hand_in || row.problem) continue;
         for (const ClassRow& other : rows) {
-            const bool is_alternative = other.hand_in && other.submission && &other != &row &&
+            const bool is_alternative = other.hand_in && (other.submission || other.refusal) && &other != &row &&
                                         is_same_person(other, row) && is_later(other, row);
             if (is_alternative) row.problem = RowProblem{"report.replaced", other.file, {}};
         }
@@ -320,7 +352,9 @@ ClassSummary summary_of(const ClassReport& report) {
 }
 
 std::string text_of(const RowProblem& problem, const Strings& strings) {
-    return problem.error ? text_of(*problem.error, strings) : fill(strings(problem.key), {problem.value});
+    if (!problem.error) return fill(strings(problem.key), {problem.value});
+    if (problem.key.empty()) return text_of(*problem.error, strings);
+    return fill(strings(problem.key), {problem.error->file, std::to_string(problem.error->line)});
 }
 
 std::string problem_text(const ClassRow& row, const Strings& strings) {

@@ -17,9 +17,9 @@ namespace braitenlab {
 
 // Why a row does not count or does not pass: an error of a file, or a text of the strings with its value.
 struct RowProblem {
-    std::string_view key;  // "report.replaced"; empty: `error`
-    std::string value;     // of its {}
-    std::optional<Error> error;
+    std::string_view key;        // "report.replaced"; empty: `error`
+    std::string value;           // of its {}
+    std::optional<Error> error;  // with a key: file and line are its {}
 };
 
 // One file of the class.
@@ -29,7 +29,7 @@ struct ClassRow {
     Submitter submitter{};    // by the names of the file and its folders
     std::string fingerprint;  // the same text for files that differ at most by the student's name
     std::optional<HandIn> hand_in;
-    std::optional<Submission> submission;  // nullopt: the file is broken or of another exercise
+    std::optional<Submission> submission;  // nullopt: broken, of another exercise, or values outside their ranges
     std::optional<RowProblem> problem;     // nullopt: the row counts
     std::optional<RowProblem> refusal;     // why the submission does not pass, whatever its grade is
     std::string same_as;                   // the first file of another person with the same content
@@ -53,7 +53,8 @@ ClassRow row_of_other_file(const std::string& file, const Submitter& = {});
 bool is_blank(std::string_view text);
 
 // The row of a hand-in file, not graded. `file`: its name; `text`: its content or the error of reading it. A hand-in
-// for another exercise is a row with a problem.
+// for another exercise is a row with a problem; one with values outside their ranges has a refusal, and passes no
+// start.
 ClassRow row_of_hand_in(const Exercise&, const std::string& file, const Result<std::string>& text,
                         const Submitter& = {});
 

@@ -58,6 +58,13 @@ void check_hand_in(TomlTable& top, const HandIn& hand_in) {
     }
 }
 
+HandIn read_hand_in_file(TomlFile& file) {
+    HandIn hand_in;
+    TomlTable top = read_top(file, hand_in);
+    if (!file.failed()) check_hand_in(top, hand_in);
+    return hand_in;
+}
+
 std::string numbered_name(const std::string& exercise, const std::string& student, int number) {
     const std::string more = number > 1 ? fmt::format("-{}", number) : "";
     return for_file_name(exercise) + "-" + for_file_name(student) + more;
@@ -81,12 +88,11 @@ std::string write_hand_in(HandIn hand_in) {
 }
 
 Result<HandIn> parse_hand_in(std::string_view toml, const std::string& file_name) {
-    return read_whole(toml, file_name, [](TomlFile& file) {
-        HandIn hand_in;
-        TomlTable top = read_top(file, hand_in);
-        if (!file.failed()) check_hand_in(top, hand_in);
-        return hand_in;
-    });
+    return read_whole(toml, file_name, read_hand_in_file);
+}
+
+ReadFile<HandIn> read_hand_in_fully(std::string_view toml, const std::string& file_name) {
+    return read_fully(toml, file_name, read_hand_in_file);
 }
 
 std::string for_comparison(std::string_view name) {

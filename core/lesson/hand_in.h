@@ -53,6 +53,11 @@ std::string write_hand_in(HandIn);
 // submission, a brain that does not compile.
 Result<HandIn> parse_hand_in(std::string_view toml, const std::string& file_name);
 
+// With all errors. A value outside its range is left out; the others are those of the file.
+template <class T>
+struct ReadFile;
+ReadFile<HandIn> read_hand_in_fully(std::string_view toml, const std::string& file_name);
+
 // Two names of one student: equal but for spaces at the ends, repeated spaces and the case of ASCII letters.
 bool is_same_student(std::string_view, std::string_view);
 

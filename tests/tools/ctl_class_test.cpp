@@ -1,4 +1,5 @@
 // braitenctl grade with a folder: what is in it that is no hand-in, and the table for Excel.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -61,6 +62,46 @@ TEST(CtlGrade, SaysOfADocumentAndOfAnEmptyFileWhatTheyAre) {
         EXPECT_NE(ran.out.find(line), std::string::npos) << line << "\n" << ran.out;
     EXPECT_EQ(ran.out.find("TOML"), std::string::npos) << ran.out;
     EXPECT_NE(text_of(folder / "t.csv").find("\nAna,"), std::string::npos);
+}
+
+TEST(CtlGrade, SaysOfAFileThatIsCutOffThatItEndsEarly) {
+    const std::string whole = handed_in("Ana");
+    const std::size_t in_brain = whole.find("LR = ");
+    for (const std::string& cut :
+         {whole.substr(0, whole.find("exercise") + 3), whole.substr(0, in_brain + 4),
+          whole.substr(0, in_brain) + "cut = fal", whole.substr(0, in_brain) + "[submission.bo"}) {
+        const Folder folder;
+        put_text(folder / "class" / "ana.braiten-handin.toml", cut);
+        const Ran ran = grade_in(folder.path, "05-aggressor class --csv t.csv");
+        EXPECT_EQ(ran.code, 2);
+        const auto line = std::to_string(1 + std::count(cut.begin(), cut.end(), '\n'));
+        EXPECT_NE(ran.out.find("ana.braiten-handin.toml:" + line + ": the file ends early"), std::string::npos)
+            << ran.out;
+        EXPECT_NE(text_of(folder / "t.csv").find("the file ends early"), std::string::npos);
+        EXPECT_EQ(ran.out.find("quotes"), std::string::npos) << ran.out;
+    }
+}
+
+TEST(CtlGrade, AValueOutsideItsRangeFailsAndALaterHandInReplacesIt) {
+    const Folder folder;
+    const auto written = [](std::string text, const std::string& time) {
+        return text.insert(text.find("\n[submission"), "written = \"" + time + "\"\n");
+    };
+    std::string wrong = handed_in("Ana");
+    const std::size_t at = wrong.find("LR = ") + 5;
+    wrong.replace(at, wrong.find('\n', at) - at, "9");
+    put_text(folder / "c" / "a.braiten-handin.toml", written(wrong, "2026-11-22T16:00:00Z"));
+    const Ran failed = grade_in(folder.path, "05-aggressor c --html c.html");
+    EXPECT_EQ(failed.code, 0) << failed.out;
+    EXPECT_EQ(text_of(folder / "c.html").find("without a hand-in"), std::string::npos);
+    const Ran ran = grade_in(folder.path, "05-aggressor c");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_NE(ran.out.find("\nAna,,,a.braiten-handin.toml,no,0,"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("'LR' is 9, outside -2 .. 2"), std::string::npos) << ran.out;
+    put_text(folder / "c" / "b.braiten-handin.toml", written(handed_in("Ana"), "2026-11-22T17:00:00Z"));
+    const Ran later = grade_in(folder.path, "05-aggressor c");
+    EXPECT_NE(later.out.find("\nAna,,,a.braiten-handin.toml,,"), std::string::npos) << later.out;
+    EXPECT_NE(later.out.find("\nAna,,,b.braiten-handin.toml,yes,10,"), std::string::npos) << later.out;
 }
 
 TEST(CtlGrade, AMistypedFolderIsAnErrorAndNoStudent) {
