@@ -34,6 +34,17 @@ TEST(WiringNodeText, SumOfAMotorShowsThatItIsLimited) {
     EXPECT_EQ(shown_value(*find_node(graph, "SL"), 1.1f), 1.1f);
 }
 
+TEST(WiringNodeText, ASumWhoseRoundedNumbersGiveAnotherIsMarked) {
+    const auto with_value = [](float motor) {
+        return [motor](NodeId id) { return id == SL ? 0.3551f : motor; };  // 0.3551 × 1.5 + 0.1 = 0.6327
+    };
+    BrainGraph graph = make_graph({.LL = 1.5f, .LM = 0.1f});
+    EXPECT_EQ(sum_text(graph, ML, with_value(0.63265f)), "0.36·1.50 + 0.10 ≈ 0.63");
+    EXPECT_EQ(sum_text(graph, ML, with_value(0.5f)), "0.36·1.50 + 0.10 → 0.50") << "with memory";
+    find_node(graph, "ML")->curve.response = Response::inverted;
+    EXPECT_EQ(sum_text(graph, ML, with_value(0.5f)).substr(0, 27), "0.36·1.50 + 0.10 ≈ 0.63\n");
+}
+
 TEST(WiringNodeText, ANegativeWeightIsAFactorAsOnTheBrainCard) {
     FourNeurons four;
     four.RR = -0.5f, four.RL = -1, four.RM = -0.1f;

@@ -67,6 +67,15 @@ std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Valu
     return terms;
 }
 
+// The sum of the terms as they are shown, with two decimals each.
+float sum_of_shown(const BrainGraph& graph, const Node& node, const Values& value, const Learned& learned) {
+    const auto shown = [](float number) { return std::round(100 * number) / 100; };
+    float sum = shown(node.bias);
+    for (const Wire* wire : feeding_wires(graph, node.id, learned))
+        sum += shown(let_through(*wire, value(wire->from))) * shown(weight_now(*wire, learned));
+    return sum;
+}
+
 std::string joined(const std::vector<Term>& terms) {
     constexpr std::size_t terms_a_line = 3;
     std::string text;
@@ -160,14 +169,19 @@ std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, co
     const Node* node = find_node(graph, id);
     if (node == nullptr || node->kind == NodeKind::sensor) return {};
     const Decimals number{decimal_mark};
-    const std::string result = " → " + number(shown_value(*node, value(id)));
     const float sum = sum_of(graph, id, value, learned);
+    const bool fits = number(sum_of_shown(graph, *node, value, learned)) == number(sum);
+    const std::string equals = fits ? " = " : " ≈ ", limited = number(shown_value(*node, value(id)));
+    std::string result = " → " + limited;
     std::string text = joined(terms_of(graph, *node, value, learned, named, number));
     if (node->curve.response == Response::step)
-        return text + " = " + number(sum) + (sum >= node->curve.peak ? " ≥ " : " < ") + number(node->curve.peak) +
+        return text + equals + number(sum) + (sum >= node->curve.peak ? " ≥ " : " < ") + number(node->curve.peak) +
                result;
     const bool has_curve = node->curve.response != Response::linear;
-    if (has_curve || shown_value(*node, value(id)) != value(id)) text += " = " + number(sum);
+    if (has_curve || shown_value(*node, value(id)) != value(id))
+        text += equals + number(sum);
+    else if (!fits && limited == number(sum))
+        result = equals + limited;
     if (has_curve) text += "\nf(" + number(sum) + ") = " + number(respond(node->curve, sum));
     return text + result;
 }

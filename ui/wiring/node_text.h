@@ -33,7 +33,8 @@ std::string short_wire_name(const std::vector<Sensor>&, const BrainGraph&, WireE
 // "0.42·0.80 + 0.10 → 0.44": each wire's input after threshold and curve times its weight, the bias, and the node's
 // value. A curve f is on a separate line: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
 // includes leaky memory and lesions. Wires of weight 0 and cut wires are left out; lines have at most three terms.
-// The sum of a motor is limited: "0.55·2.00 = 1.10 → 1.00".
+// The sum of a motor is limited: "0.55·2.00 = 1.10 → 1.00". Where the rounded numbers give another sum, ≈ is before it:
+// "0.36·1.50 + 0.10 ≈ 0.63".
 // `value` gives a node's value, `learned` the learned part of a wire's weight, `named` the name of the node at which a
 // wire begins, which then precedes its input: "SL 0.42·0.80 + 0.10 → 0.44".
 // Empty for a sensor and for a node that the graph does not have.
