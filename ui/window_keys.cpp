@@ -115,10 +115,15 @@ bool is_key_of_pages(const LabView& view, KeyPress press) {
            (view.pages && in_lecture.has_value());
 }
 
-// On the title page Enter, Space and Esc begin; keys of the window work, those of the lab do nothing.
-bool key_for_title_page(KeyPress press, Outbox& outbox) {
-    if (press.key == key::enter || press.key == ' ' || press.key == key::escape) outbox.push_back(BeginRequest{});
+// On the title page Enter, Space and Esc begin, and so do the keys of a lecturer: of lecture mode and of files, which
+// then do their own. Keys of the window work, those of the lab do nothing.
+bool key_for_title_page(const Acting& at, Outbox& outbox) {
+    const KeyPress press = at.press;
     const auto action = action_for(press);
+    const bool begins_lecture = action == Action::lecture || action == Action::open;
+    if (press.key == key::enter || press.key == ' ' || press.key == key::escape || begins_lecture)
+        outbox.push_back(BeginRequest{});
+    if (begins_lecture && !act_on_panels(at, *action)) outbox.push_back(*action);
     if (action == Action::exit || action == Action::full_screen || action == Action::theme) outbox.push_back(*action);
     return true;
 }
@@ -232,7 +237,7 @@ bool presses_button(const PanelState& state, KeyPress press) {
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (presses_button(state, press)) press = {key::enter};
-    if (view.program.title_page) return key_for_title_page(press, outbox);
+    if (view.program.title_page) return key_for_title_page({view, state, press, outbox}, outbox);
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
     if (!is_modifier) state.tooltips.hidden = true;
     if (state.lecture.blank && !is_modifier) {

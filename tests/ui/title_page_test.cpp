@@ -80,13 +80,26 @@ TEST(TitlePage, OnlyKeysOfTheWindowWorkOnIt) {
     Desk desk;
     desk.view.program.title_page = true;
     desk.frame(2);
-    for (const KeyPress press : {KeyPress{'R'}, {'W'}, {key::f9}, {'O', true}, {key::f1}, {'A'}}) desk.key(press);
+    for (const KeyPress press : {KeyPress{'R'}, {'W'}, {key::f1}, {'A'}}) desk.key(press);
     desk.frame(2);
     EXPECT_TRUE(desk.all.empty());
     EXPECT_EQ(desk.panels.sheet, ui::Sheet::none);
     desk.key({key::f11});
     desk.key({'Q', true});
     EXPECT_EQ(desk.actions(), (std::vector{Action::full_screen, Action::exit}));
+}
+
+TEST(TitlePage, KeysOfALecturerBeginAndDoTheirOwn) {
+    Desk desk;
+    desk.view.program.title_page = true;
+    desk.frame(2);
+    desk.key({key::f9});
+    EXPECT_TRUE(begins(desk));
+    EXPECT_EQ(desk.actions(), std::vector{Action::lecture});
+    desk.all.clear();
+    desk.key({'O', true});
+    EXPECT_TRUE(begins(desk));
+    EXPECT_EQ(desk.panels.sheet, ui::Sheet::files);
 }
 
 }  // namespace braitenlab::tests::title_page_test
