@@ -141,7 +141,7 @@ TEST(StudyFile, TwoValuesOfTheSameNameAreRefusedWithLineAlsoWithOtherUnits) {
             file_text("measures = [\"final\"]", value + "m/s\"\n[[value]]\n" + value + unit + "\"\n"), "s.toml");
         ASSERT_FALSE(study) << unit;
         EXPECT_EQ(study.error().phrases.front().id, "column_twice") << unit;
-        EXPECT_EQ(study.error().line, 12) << study.error().text();
+        EXPECT_EQ(study.error().line, 11) << study.error().text();
     }
 }
 
