@@ -394,4 +394,54 @@ TEST(Item, HasARingOfAHintAroundItsWordsAndBothAreInsideTheCard) {
         }
 }
 
+TEST(Item, TheLightBulbOfAFoldedCardCoversNeitherItsWordsNorItsSign) {
+    for (const float width : {800.0f, 1280.0f}) {
+        Desk desk(width, width == 800 ? 600.0f : 800.0f, 1, true);
+        desk.open_exercise();
+        desk.lesson.attempt.work.has_run = true;
+        desk.lesson.attempt.answers.prediction = 0;
+        desk.view.mode = Mode::playing;
+        desk.opened.hints = {{"Lower it.", "slider.LL"}};
+        desk.lesson.attempt.answers.hints_shown = 1;
+        desk.panels.card(Card::brain).folded = true;
+        desk.frame(6);
+        ASSERT_EQ(desk.panels.prompts.highlight.anchor, "card.brain.fold") << width;
+        const Rect heading = desk.where("card.brain.fold"), bulb = desk.pointed_out.bulb;
+        EXPECT_TRUE(bulb.overlaps(heading)) << width;
+        int texts = 0;
+        for (const Written& each : desk.written) {
+            const float x = each.rect.x + each.rect.w / 2, y = each.rect.y + each.rect.h / 2;
+            if (each.words == icon::hint || !heading.contains(x, y)) continue;
+            const float letters = 0.2f * each.rect.h;  // above and below them the line is empty
+            EXPECT_FALSE(bulb.overlaps({each.rect.x, each.rect.y + letters, each.rect.w, each.rect.h - 2 * letters}))
+                << each.words << " " << width;
+            ++texts;
+        }
+        EXPECT_EQ(texts, 2) << width;
+    }
+}
+
+TEST(Item, ASliderThatWasDraggedHasNoTooltipUntilThePointerLeavesIt) {
+    Desk desk(800, 600, 1, true);
+    desk.frame(4);
+    const auto tells = [&] { return desk.says("−2.00 to +2.00"); };
+    const Rect row = desk.where("slider.LL");
+    desk.point(row.x + row.w / 2, row.y + row.h / 2);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    desk.point(row.x + row.w / 2 + 10, row.y + row.h / 2);
+    desk.frame(2);
+    desk.button(0, false);
+    desk.frame(2);
+    desk.point(row.x + row.w / 2 + 11, row.y + row.h / 2);
+    desk.frame(60);
+    EXPECT_FALSE(tells()) << "what it changes is watched";
+    desk.point(300, 300);
+    desk.frame(4);
+    desk.point(row.x + row.w / 2, row.y + row.h / 2);
+    desk.frame(60);
+    EXPECT_TRUE(tells());
+}
+
 }  // namespace braitenlab::tests::item_test

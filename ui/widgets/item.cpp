@@ -168,11 +168,13 @@ void point_out(const Ui& ui, Rect rect, RingRoom room) {
     ImVec2 middle = reaches_the_margin ? ImVec2{card.x + card.w,
                                                 std::min(line.y + line.h / 2, line.y + radius + ui.px(spacing::tight))}
                                        : ImVec2{right + 0.25f * radius, rect.y + 0.1f * radius};
+    // The heading of a folded card has its sign in that margin: there the badge is on the card's upper edge.
+    const bool is_whole_card = rect.h >= card_rect().h - 1;
     // On a thing as small as the badge, such as a pin, it would hide it.
     const bool is_small = std::max(rect.w, rect.h) < 3 * radius;
     if (is_small) middle = {rect.x + rect.w / 2, line.y - radius - ui.px(spacing::tight)};
     middle.x = std::clamp(middle.x, card.x, std::max(card.x, card.x + card.w));
-    middle.y = std::clamp(middle.y, card.y, std::max(card.y, card.y + card.h));
+    middle.y = is_whole_card ? rect.y - ui.px(2) : std::clamp(middle.y, card.y, std::max(card.y, card.y + card.h));
     hint_badge(ui, draw, middle, radius / ui.scale);
     if (ui.pointed_out) *ui.pointed_out = {line, {middle.x - radius, middle.y - radius, 2 * radius, 2 * radius}};
 }

@@ -246,7 +246,9 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     if (!typing)
         put_right(ui, {at.right(), at.middle_y() - line_height(ui, Face::text) / 2}, number,
                   rounds_to_zero(value, shown_decimals(value, look)) ? p.second_text : p.text);
-    if (!typing && at.hovered)
+    const bool is_moved = state.pressed == id;  // its effect is watched until the pointer leaves the slider
+    if (is_moved && !at.hovered && !at.held) state.pressed.clear();
+    if (!typing && at.hovered && !is_moved)
         tooltip(ui, at, look.tooltip,
                 fill(ui.strings("slider.how"),
                      {shown(valid_value(look.home, look)), slider_text(ui, look.low, look), shown(look.high)}));
