@@ -1,6 +1,7 @@
 #include "ui/widgets/menu_bar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -434,6 +435,13 @@ TEST(MenuBarInEachWindow, KeepsEveryRowInsideTheWindow) {
                     EXPECT_GE(at.h, 18 * size.scale) << menu << "." << row << " is not scrolled out of sight, " << code;
                     EXPECT_LE(at.y + at.h, panel.y + panel.h) << menu << "." << row;
                 }
+                for (const Written& each : small.written)
+                    if (panel.contains(each.rect.x, each.rect.y) &&
+                        std::fabs(each.clip.x - panel.x - 4 * size.scale) < 2) {
+                        const float below_letters = 0.1f * each.rect.h;
+                        EXPECT_LE(each.rect.y + each.rect.h - below_letters, each.clip.y + each.clip.h)
+                            << each.words << " is whole, " << code << " " << size.height;
+                    }
             }
         }
 }

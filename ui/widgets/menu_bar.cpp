@@ -216,7 +216,8 @@ int menu_panel(Ui& ui, MenuBarState& state, std::span<const MenuTitle> titles, s
     mark(ui, "menu.rows", panel);
     ImGui::SetCursorScreenPos({panel.x + pad, panel.y + pad});
     const float inner = panel.w - 2 * pad;
-    compat::begin_child(("rows of " + state.open).c_str(), {inner, panel.h - 2 * pad}, ImGuiWindowFlags_NoNav);
+    // Letters are higher than the lowest rows: those of the last one reach into the margin.
+    compat::begin_child(("rows of " + state.open).c_str(), {inner, panel.h - pad - ui.px(1)}, ImGuiWindowFlags_NoNav);
     const int chosen = draw_entries(ui, entries, {inner - scrollbar, height}, with_keys, opens);
     compat::end_child();
     follow_pointer(ui, state, titles);
