@@ -208,6 +208,7 @@ Prompt within_reach(Prompt prompt, const LabView& view, const PanelState& state)
     if (prompt.hint == "hint.think" && is_in_diagram && !view.settings.watching) prompt.anchor = "button.watch";
     if (prompt.anchor == "exercise.reset" && state.exercise.reset_asked) prompt.anchor = "exercise.reset_yes";
     if (prompt.anchor.starts_with("breeding.") && state.sheet != Sheet::breeding) prompt.anchor = "exercise.breeding";
+    if (prompt.anchor == "selection.open" && state.sheet == Sheet::children) return {};  // it is followed
     constexpr std::array of_brain{"slider.", "bias.", "threshold.", "curve.", "lesion.", "brain.", "button.watch"};
     const auto begins = [&](std::string_view stem) { return prompt.anchor.starts_with(stem); };
     const bool is_in_brain = std::any_of(of_brain.begin(), of_brain.end(), begins);

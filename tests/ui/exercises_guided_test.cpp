@@ -482,4 +482,35 @@ TEST(ExercisesGuided, TheCardOfABredExerciseOpensItsBreedingAndTheSheetPulsesWha
     }
 }
 
+TEST(ExercisesGuided, NoHintPulsesInARunThatHasDoneAStepBeforeItsEnd) {
+    int seen = 0;
+    for (const Exercise& exercise : course()) {
+        if (exercise.steps.size() < 2 || !offered_breeding(exercise).empty()) continue;
+        Opened it(exercise);
+        it.play_after_prediction();
+        it.desk.view.undo_depth = 1;
+        it.desk.lesson.attempt.answers.hint_ready = true;
+        it.desk.now.tick = it.desk.view.timeline.latest = 100;
+        it.desk.now.seconds = 0.8 * static_cast<double>(exercise.seconds);
+        it.desk.lesson.verdicts.front().done = true;
+        PromptMemory memory;
+        EXPECT_NE(next_prompt(memory, it.desk.view).anchor, "exercise.hint") << exercise.id;
+        it.desk.lesson.verdicts.front().done = false;
+        seen += next_prompt(memory, it.desk.view).anchor == "exercise.hint";
+    }
+    EXPECT_GT(seen, 10);
+}
+
+TEST(ExercisesGuided, NothingAsksToOpenTheChildrenWhileTheyAreOpen) {
+    Opened it(exercise_of("20-selection"));
+    it.play_after_prediction();
+    it.desk.lesson.attempt.answers.hints_shown = 1;
+    it.desk.frame(4);
+    ASSERT_EQ(it.desk.panels.prompts.highlight.anchor, "selection.open");
+    it.desk.panels.sheet = Sheet::children;
+    it.desk.frame(4);
+    EXPECT_EQ(it.desk.panels.prompts.highlight.anchor, "");
+    EXPECT_EQ(it.desk.panels.prompts.highlight.hint, "");
+}
+
 }  // namespace braitenlab::tests::exercises_guided_test

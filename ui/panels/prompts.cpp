@@ -65,11 +65,14 @@ Prompt of_hint(PromptMemory& memory, const LabView& view) {
                                                                                            : "hint.follow_hint"};
 }
 
+// In a run that has done a step not before its end: it may do the others, too.
 bool may_ask_for_a_hint(const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const Attempt::Answers& answers = lesson.attempt.answers;
     const bool left = answers.hints_shown < static_cast<int>(lesson.exercise->hints.size());
-    return left && answers.hint_ready && view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
+    const bool gains = std::any_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](auto& v) { return v.done; });
+    const double from = gains && !has_failed(view) ? 1 : 0.5;  // share of the run
+    return left && answers.hint_ready && view.now->seconds >= from * static_cast<double>(lesson.exercise->seconds);
 }
 
 // True once the student has changed something: in the runs before, or in this one.
