@@ -345,9 +345,61 @@ TEST(Cards, OfASmallWindowTheExerciseOpensWhenThereIsNewsOfIt) {
         desk.button(0, false);
         desk.frame(4);
         EXPECT_TRUE(is_open(desk, Card::exercise)) << news[which];
+        desk.rest();
         desk.click("card.brain.fold");
         desk.frame(6);
         EXPECT_FALSE(is_open(desk, Card::exercise)) << news[which] << " is seen";
+    }
+}
+
+TEST(Cards, OfASmallWindowAClickDoesNotOpenWhatHasJustReplacedTheHeadingBelowIt) {
+    for (const bool by_itself : {false, true}) {
+        Desk desk(800, 600, 1, true);
+        desk.open_exercise();
+        predict_and_run(desk, 0);
+        desk.frame(6);
+        desk.click("card.brain.fold");
+        ASSERT_TRUE(is_open(desk, Card::brain) && !is_open(desk, Card::exercise));
+        if (by_itself) {
+            desk.rest();
+            const Rect heading = desk.where("card.exercise.fold");
+            desk.point(300, 300);
+            desk.lesson.grade = graded({true, false}, false);
+            desk.frame(2);
+            desk.point(heading.x + heading.w / 2, heading.y + heading.h / 2);
+        }
+        desk.frame();
+        const ImVec2 pointer = ImGui::GetIO().MousePos;
+        const auto below = std::find_if(cards().begin(), cards().end(), [&](const CardTraits& row) {
+            const Rect* at = desk.anchors.find(std::string(row.anchor) + ".fold");
+            return at && at->contains(pointer.x, pointer.y);
+        });
+        ASSERT_TRUE(below != cards().end() && !is_open(desk, below->card));
+        for (const bool waits : {false, true}) {
+            if (waits) desk.rest();
+            desk.button(0, true);
+            desk.frame(2);
+            desk.button(0, false);
+            desk.frame(2);
+            EXPECT_EQ(is_open(desk, below->card), waits) << below->anchor;
+        }
+    }
+}
+
+TEST(Cards, TheExerciseThatIsOpenedShowsItsCardThoughThatOfTheLastOneIsFolded) {
+    for (const float width : {800.0f, 1280.0f}) {
+        Desk desk(width, width == 800 ? 600.0f : 800.0f, 1, true);
+        desk.open_exercise();
+        desk.frame(6);
+        desk.click("card.exercise.fold");
+        desk.rest();
+        ASSERT_FALSE(is_open(desk, Card::exercise)) << width;
+        desk.opened.id = "06-love";
+        desk.frame(4);
+        EXPECT_TRUE(is_open(desk, Card::exercise)) << width;
+        desk.click("card.exercise.fold");
+        desk.rest();
+        EXPECT_FALSE(is_open(desk, Card::exercise)) << width << ": it can be folded";
     }
 }
 

@@ -428,4 +428,31 @@ TEST(ExercisesLayout, NoTextOfTheDiagramIsLowerThanElevenPixelsInASmallWindow) {
     EXPECT_GT(texts, 300);
 }
 
+// A click of the person always wins: no outcome and no grade opens another card for it.
+TEST(ExercisesLayout, AFoldedCardThatIsClickedIsOpenAndStaysSoInASmallWindow) {
+    int clicked = 0;
+    for (const Exercise& exercise : course())
+        for (const bool passes : {false, true}) {
+            Opened it(exercise, 800, 600);
+            it.play_after_prediction();
+            it.desk.frame(8);
+            it.desk.lesson.attempt.work.outcome_known = true;
+            if (passes) it.desk.lesson.grade = graded(std::vector<bool>(10, true), true);
+            it.desk.frame(8);
+            const auto is_open = [&](const CardTraits& row) { return !it.desk.panels.card(row.card).folded; };
+            for (int round = 0; round < 2; ++round)
+                for (const CardTraits& row : cards()) {
+                    if (!it.desk.anchors.find(row.anchor) || is_open(row)) continue;
+                    const std::string heading = std::string(row.anchor) + ".fold";
+                    SCOPED_TRACE(exercise.id + (passes ? " passed: " : ": ") + heading);
+                    it.desk.click(heading);
+                    EXPECT_TRUE(is_open(row));
+                    it.desk.frame(60);
+                    EXPECT_TRUE(is_open(row)) << "a second later";
+                    ++clicked;
+                }
+        }
+    EXPECT_GT(clicked, 200);
+}
+
 }  // namespace braitenlab::tests::exercises_layout_test

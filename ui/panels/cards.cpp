@@ -283,10 +283,15 @@ void draw_folded(const LabView& view, PanelState& state, Ui& ui, const Stack& st
 }
 
 // One column has all cards: there is room for one or two open ones. A card that is not shown counts as open, so that it
-// folds nothing when it appears, unless it is to open then.
+// folds nothing when it appears, unless it is to open then. The card that has just been opened wins over those opened
+// before it, also where they have room beside it at first.
 void keep_open_cards(const Ui& ui, PanelState& state, const Stack& stack, Rect column) {
     open_after(state, stack);
-    fold_for_room(ui, state, stack, column, card_to_keep(state, stack));
+    const CardTraits* kept = card_to_keep(state, stack);
+    const bool is_new = kept && !state.card(kept->card).was_open;
+    for (const CardTraits* row : std::span(stack.rows, stack.count))
+        if (is_new && row != kept) state.card(row->card).opened_by_user = false;
+    fold_for_room(ui, state, stack, column, kept);
     for (const CardTraits& row : card_traits) state.card(row.card).was_open = !opens_when_shown(row);
     for (const CardTraits* row : std::span(stack.rows, stack.count))
         state.card(row->card).was_open = closes_by_fold(*row) || !state.card(row->card).folded;

@@ -56,6 +56,19 @@ float heading_button(Ui& ui, HeadingButton& extra, float left, float right, floa
     return at.rect.x;
 }
 
+// True if the left button went down when the heading had just come to its place, where another one was before: the
+// press was meant for that one, or is the second of two fast ones.
+bool is_pressed_too_soon(Rect heading) {
+    constexpr double too_soon = 0.5;  // s
+    ImGuiStorage& memory = *ImGui::GetStateStorage();
+    const ImGuiID x = ImGui::GetID("heading x"), y = ImGui::GetID("heading y"), since = ImGui::GetID("heading since");
+    const bool has_moved = memory.GetFloat(x, heading.x) != heading.x || memory.GetFloat(y, heading.y) != heading.y;
+    memory.SetFloat(x, heading.x), memory.SetFloat(y, heading.y);
+    if (has_moved) memory.SetFloat(since, static_cast<float>(ImGui::GetTime()));
+    const double came = memory.GetFloat(since, -1);
+    return came >= 0 && ImGui::IsMouseReleased(0) && ImGui::GetIO().MouseClickedTime[0] < came + too_soon;
+}
+
 void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::span<HeadingButton> extras) {
     // Buttons first: of two widgets under the pointer Dear ImGui chooses the earlier one.
     const float padding = r.w < ui.px(narrow_heading) ? spacing::small : side_padding;
@@ -73,7 +86,9 @@ void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::
     put_icon(ui, {r.x + r.w - ui.px(padding + 4), y}, state.folded ? icon::folded : icon::unfolded, colour);
     const bool on_a_button = std::any_of(extras.begin(), extras.end(), [](const auto& extra) { return extra.hovered; });
     tooltip(ui, row, on_a_button ? std::string_view{} : ui.strings(state.folded ? "card.unfold" : "card.fold"));
-    if (row.pressed) state.folded = !state.folded;
+    const bool is_in_row = r.h < ui.px(ui.tall(card_heading));  // of headings that take each other's places
+    const bool too_soon = is_pressed_too_soon(r) && is_in_row;
+    if (row.pressed && !too_soon) state.folded = !state.folded;
 }
 
 void begin_part(const Ui& ui, const char* name, ImVec2 size, ImGuiWindowFlags flags) {

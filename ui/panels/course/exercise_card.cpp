@@ -190,8 +190,9 @@ std::string heading_with_count(const LabView& view, const Ui& ui, bool folded) {
 }
 
 // Forgets what the card of another exercise has scrolled to, and goes back to its top, on a page of a lecture that asks
-// its question to the end of that.
-void follow_exercise(const LessonView& lesson, PanelState& state) {
+// its question to the end of that. Outside of a lecture the card opens: its question comes before Play.
+void follow_exercise(const LabView& view, PanelState& state) {
+    const LessonView& lesson = *view.lesson;
     if (state.exercise.id == lesson.exercise->id) return;
     state.exercise.id = lesson.exercise->id;
     state.exercise.outcome_seen = state.exercise.grade_seen = state.exercise.why_open = state.exercise.note_open =
@@ -202,7 +203,8 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
     state.exercise.step_in_full = -1;
     state.exercise.hints_seen = 0;
     state.exercise.told = {};
-    open_again(state);
+    if (CardState& card = state.card(Card::exercise); card.folded && !view.lecture)
+        card.folded = false, state.is_unsettled = true;
     CardState& sensors = state.card(Card::sensors);  // open, it would take the room of the question
     sensors.folded = traits(Card::sensors).folded, sensors.opened_by_user = false;
     aim_at(state.exercise.rows, state.lecture.asks_prediction ? ExerciseRows::Aim::outcome : ExerciseRows::Aim::top);
@@ -343,7 +345,7 @@ std::string exercise_heading(const LabView& view, const Ui& ui) {
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const LessonView& lesson = *view.lesson;
     const bool passed = has_passed(lesson);
-    follow_exercise(lesson, state);
+    follow_exercise(view, state);
     if (!lesson.grade) state.exercise.grade_seen = false;
     CardState& card = state.card(Card::exercise);
     const bool waits = card.folded && is_in_use(view, column);
