@@ -430,6 +430,8 @@ TEST(Item, ASliderThatWasDraggedHasNoTooltipUntilThePointerLeavesIt) {
     desk.frame(2);
     desk.button(0, true);
     desk.frame(2);
+    desk.point(row.x + row.w / 2 + 10, row.y + 2 * row.h);
+    desk.frame(4);
     desk.point(row.x + row.w / 2 + 10, row.y + row.h / 2);
     desk.frame(2);
     desk.button(0, false);
