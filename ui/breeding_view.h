@@ -26,7 +26,9 @@ struct BreedingView {
     evolve::BySide<evolve::Verdict> verdicts{};        // of the matrix
     std::vector<BreedingCell> watched{};               // at most two, the newest first
     bool watches_by_itself = false;                    // no person has chosen what is watched
+    bool watches_panel = false;                        // these are generations of the panel's breeding
     const std::vector<evolve::Duel>* duels = nullptr;  // of these, from the same start; null: not known yet
+    evolve::MatchStart start{};                        // of `duels`; its match is an index in `watched`
     std::optional<Error> error{};                      // why it could not be opened, continued or kept
     std::string last{};                                // name or path of the one opened last, also by an earlier start
     int shown = 0;  // increases with each breeding that is opened from a file: its sheet is shown then

@@ -5,7 +5,6 @@
 
 #include "app/files/breeding_files.h"
 #include "app/files/data.h"
-#include "app/jobs/in_pieces.h"
 #include "app/lab_edits.h"
 #include "app/workspace.h"
 #include "core/evolve/champions.h"
@@ -48,16 +47,51 @@ private:
     std::vector<float> seconds_;
 };
 
+// One of the runs of watched matches as a part of a job.
+struct WatchedRun {
+    evolve::Trial trial;
+    Duel duel{};
+    float number = 0;
+};
+
+class RunToWatch {
+public:
+    RunToWatch(BreedingBasePtr base, evolve::Trial trial)
+        : base_(std::move(base)), trial_(std::move(trial)), run_(*base_, trial_) {}
+    std::optional<WatchedRun> operator()() {
+        if (!run_.advance(ticks_per_piece)) return std::nullopt;
+        return WatchedRun{trial_, run_.duel(), number_of(*base_, trial_, run_.duel())};
+    }
+
+private:
+    BreedingBasePtr base_;
+    evolve::Trial trial_;
+    evolve::DuelRun run_;
+};
+
+// `all`: of trials_at_all_starts().
+WatchedDuels nearest_duels(const evolve::BreedingBase& base, std::vector<WatchedRun> all, std::size_t matches) {
+    std::vector<float> numbers;
+    for (const WatchedRun& each : all) numbers.push_back(each.number);
+    WatchedDuels watched{.duels = {}, .start = nearest_start(base, numbers)};
+    const std::size_t first = (watched.start.match * evolve::tournament_trials + watched.start.run) * matches;
+    watched.seed = all[first].trial.seed;
+    for (std::size_t i = 0; i < matches; ++i) watched.duels.push_back(std::move(all[first + i].duel));
+    return watched;
+}
+
 void stop_breeding(BreedingRuns& runs) {
     runs.runs = runs.fills = false;
     runs.trials = {}, runs.generation = {}, runs.scores = {};
 }
 
-// The first run of a match, at the start of another cell.
-evolve::Trial first_trial(const BreedingRuns& runs, BreedingCell cell, BreedingCell start) {
-    const evolve::BreedingState& state = *bred_of(runs).state;
-    evolve::Trial trial = trials_of_match(*runs.base, state, cell.predator, cell.prey).front();
-    trial.seed = trials_of_match(*runs.base, state, start.predator, start.prey).front().seed;
+// The run of a match that is watched, else its first one.
+evolve::Trial shown_trial(const BreedingRuns& runs, BreedingCell cell) {
+    evolve::Trial trial = trials_of_match(*runs.base, *bred_of(runs).state, cell.predator, cell.prey).front();
+    const DuelsQuestion* watched = runs.duels.answered();
+    if (watched && !watched->is_of_panel &&
+        std::find(watched->cells.begin(), watched->cells.end(), cell) != watched->cells.end())
+        trial.seed = runs.duels.answer()->seed;
     return trial;
 }
 
@@ -200,23 +234,27 @@ void watch_match(BreedingRuns& runs, BreedingCell cell) {
     ask_for_duels(runs, std::move(question));
 }
 
-// While it runs and until the last champions have been watched. They change only after a match was shown to its end.
+// While it runs and until the last champions have been watched, those of the panel before the first ones. They change
+// only after a match was shown to its end.
 void watch_last_champions(BreedingRuns& runs, double now) {
-    const int last = complete(runs) - 1;
-    const bool begins = !runs.duels.question();
-    if (runs.has_choice || last < 0 || (begins && !runs.runs) || runs.duels.is_computing()) return;
+    const bool is_of_panel = complete(runs) == 0;
+    const int of_panel = static_cast<int>(bred_of(runs).state->panel.generations.front().size());
+    const int last = (is_of_panel ? of_panel : complete(runs)) - 1;
+    const DuelsQuestion* before = runs.duels.question();
+    const bool begins = !before || before->is_of_panel != is_of_panel;
+    if (runs.has_choice || last < 0 || (begins && !runs.runs) || (!begins && runs.duels.is_computing())) return;
     float longest = 0;
-    if (const auto* duels = runs.duels.answer())
-        for (const Duel& each : *duels) longest = std::max(longest, each.seconds());
+    if (const auto* watched = runs.duels.answer())
+        for (const Duel& each : watched->duels) longest = std::max(longest, each.seconds());
     if (!begins && now < runs.duels_asked + static_cast<double>(longest) + rest_after_match) return;
     runs.duels_asked = now;
-    DuelsQuestion question{runs.base->fingerprint(), {{last, last}}};
+    DuelsQuestion question{runs.base->fingerprint(), {{last, last}}, is_of_panel};
     if (last > 0) question.cells.push_back({0, 0});
     ask_for_duels(runs, std::move(question));
 }
 
 OpenRequest scene_of_match(const BreedingRuns& runs, const BreedingRequest& wanted) {
-    const evolve::Trial trial = first_trial(runs, wanted.cell, wanted.cell);
+    const evolve::Trial trial = shown_trial(runs, wanted.cell);
     Scene scene = scene_of(*runs.base, trial);
     if (!wanted.title.empty()) scene.title = wanted.title;
     if (!wanted.story.empty()) scene.story = wanted.story;
@@ -230,7 +268,7 @@ bool take_champions(const BreedingRuns& runs, Workspace& space, BreedingCell cel
     const bool is_lesson = space.document.lesson.has_value();
     const auto kinds = evolve::kinds_for_champions(*runs.base, *space.document.session.snapshot().scene, is_lesson);
     if (!kinds) return false;
-    const evolve::Trial trial = first_trial(runs, cell, cell);
+    const evolve::Trial trial = shown_trial(runs, cell);
     const std::uint64_t gesture = new_gesture(space);
     for (const Side side : evolve::both_sides) {
         const int index = at(*kinds, side);
@@ -398,14 +436,20 @@ void update_breeding(BreedingRuns& runs, Jobs& jobs, double now) {
         runs.fills = submit_scores(runs, jobs);
     }
     watch_last_champions(runs, now);
-    runs.duels.follow([&](const DuelsQuestion& question) -> Result<Job<std::vector<Duel>>> {
-        std::vector<evolve::Trial> trials;
+    runs.duels.follow([&](const DuelsQuestion& question) -> Result<Job<WatchedDuels>> {
+        const evolve::BreedingState& state = *bred_of(runs).state;
+        std::vector<std::vector<evolve::Trial>> matches;
         for (const BreedingCell& cell : question.cells)
-            trials.push_back(first_trial(runs, cell, question.cells.front()));
-        const std::size_t count = trials.size();
-        return jobs.submit(count, [base = runs.base, all = std::move(trials)](std::size_t part) {
-            return InPieces(evolve::DuelRun(*base, all[part]), ticks_per_piece, &evolve::DuelRun::duel);
-        });
+            matches.push_back(question.is_of_panel ? trials_of_panel_match(*runs.base, state, cell.prey)
+                                                   : trials_of_match(*runs.base, state, cell.predator, cell.prey));
+        std::vector<evolve::Trial> trials = trials_at_all_starts(matches);
+        const std::size_t parts = trials.size();
+        return jobs.submit(
+            parts,
+            [base = runs.base, all = std::move(trials)](std::size_t part) { return RunToWatch(base, all[part]); },
+            [base = runs.base, count = matches.size()](std::vector<WatchedRun> all) {
+                return nearest_duels(*base, std::move(all), count);
+            });
     });
 }
 
@@ -421,9 +465,10 @@ BreedingView breeding_of(const BreedingRuns& runs, double now) {
     view.seconds_left = seconds_left(runs, now);
     view.matrix = &runs.matrix;
     view.verdicts = runs.verdicts;
-    if (const DuelsQuestion* asked = runs.duels.question()) view.watched = asked->cells;
     view.watches_by_itself = !runs.has_choice;
-    view.duels = runs.duels.answer();
+    if (const DuelsQuestion* asked = runs.duels.question())
+        view.watched = asked->cells, view.watches_panel = asked->is_of_panel;
+    if (const WatchedDuels* watched = runs.duels.answer()) view.duels = &watched->duels, view.start = watched->start;
     return view;
 }
 

@@ -32,11 +32,19 @@ struct Bred {
     std::map<std::pair<int, int>, float> scores{};  // of the predator, by its generation and that of the prey
 };
 
-// The matches to watch. All begin at the first start of the first one.
+// The matches to watch.
 struct DuelsQuestion {
     std::uint64_t fingerprint = 0;  // of the breeding
     std::vector<BreedingCell> cells;
+    bool is_of_panel = false;  // their champions are those of the panel's breeding
     friend bool operator==(const DuelsQuestion&, const DuelsQuestion&) = default;
+};
+
+// All matches from the start that is nearest to their scores.
+struct WatchedDuels {
+    std::vector<evolve::Duel> duels;
+    evolve::MatchStart start;
+    std::uint64_t seed = 0;
 };
 
 struct BreedingRuns {
@@ -59,7 +67,7 @@ struct BreedingRuns {
     std::vector<BreedingCell> cells{};
     evolve::Tournament matrix{};  // of the complete generations, see matrix_generations()
     evolve::BySide<evolve::Verdict> verdicts{};
-    Asked<DuelsQuestion, std::vector<evolve::Duel>> duels{};
+    Asked<DuelsQuestion, WatchedDuels> duels{};
     bool has_choice = false;  // of a match to watch; without one the last champions are watched while it runs
     double duels_asked = 0;   // wall time, s
 };

@@ -4,6 +4,11 @@
 
 namespace braitenlab::evolve {
 
+float number_of(const BreedingBase& base, const Trial& trial, const Duel& duel) {
+    if (base.breeding().measure) return run_of(base, trial);
+    return duel.is_eaten ? duel.seconds() : base.breeding().seconds;
+}
+
 DuelRun::DuelRun(const BreedingBase& base, const Trial& trial)
     : world_(std::move(*World::create(scene_of(base, trial), trial.seed))),
       most_(static_cast<std::size_t>(std::lround(base.breeding().seconds * 60))),

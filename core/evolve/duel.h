@@ -13,6 +13,9 @@ struct Duel {
     float seconds() const { return static_cast<float>(paths.front().size() - 1) / 60; }
 };
 
+// run_of() the trial of this duel.
+float number_of(const BreedingBase&, const Trial&, const Duel&);
+
 // The same run as run_of(), some ticks at a time.
 class DuelRun {
 public:

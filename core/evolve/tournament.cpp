@@ -72,6 +72,52 @@ float score_of_match(const BreedingBase& base, const std::vector<float>& numbers
     return sum / static_cast<float>(numbers.size());
 }
 
+std::vector<Trial> trials_of_panel_match(const BreedingBase& base, const BreedingState& state, int generation) {
+    BySide<BredKind> kinds;
+    for (const Side side : both_sides) {
+        const Generation& bred = at(state.panel.generations, side)[static_cast<std::size_t>(generation)];
+        at(kinds, side) = BredKind(base, side, bred.champion);
+    }
+    std::vector<Trial> trials;
+    add_match(trials, base, kinds, generation, generation);
+    return trials;
+}
+
+std::vector<Trial> trials_at_all_starts(const std::vector<std::vector<Trial>>& matches) {
+    std::vector<Trial> trials;
+    for (const std::vector<Trial>& starts : matches)
+        for (const Trial& start : starts)
+            for (const std::vector<Trial>& match : matches) trials.push_back({match.front().kinds, start.seed});
+    return trials;
+}
+
+MatchStart nearest_start(const BreedingBase& base, const std::vector<float>& numbers) {
+    std::size_t matches = 1;
+    while (matches * matches * tournament_trials < numbers.size()) ++matches;
+    const auto result = [&](MatchStart start, std::size_t match) {
+        const std::size_t which = (start.match * tournament_trials + start.run) * matches + match;
+        return score_of(base.breeding(), Side::predator, numbers[which]);
+    };
+    std::vector<float> scores(matches, 0.0F);
+    for (std::size_t match = 0; match < matches; ++match)
+        for (std::size_t run = 0; run < tournament_trials; ++run)
+            scores[match] += result({match, run}, match) / tournament_trials;
+    const auto distance = [&](MatchStart start) {
+        float sum = 0;
+        for (std::size_t match = 0; match < matches; ++match) {
+            const float error = result(start, match) - scores[match];
+            sum += std::fabs(error);
+            if (match > 0) sum += std::fabs(error - (result(start, match - 1) - scores[match - 1]));
+        }
+        return sum;
+    };
+    MatchStart nearest;
+    for (std::size_t match = 0; match < matches; ++match)
+        for (std::size_t run = 0; run < tournament_trials; ++run)
+            if (const MatchStart start{match, run}; distance(start) < distance(nearest)) nearest = start;
+    return nearest;
+}
+
 std::vector<Trial> trials_of_tournament(const BreedingBase& base, const BreedingState& state, int most) {
     BySide<std::vector<BredKind>> kinds;
     const std::vector<int> generations = tournament_generations(base, state, most);

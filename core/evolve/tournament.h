@@ -31,6 +31,20 @@ inline constexpr int tournament_trials = 4;  // of each pair
 // order. Precondition: both generations are complete.
 std::vector<Trial> trials_of_match(const BreedingBase&, const BreedingState&, int predator, int prey);
 float score_of_match(const BreedingBase&, const std::vector<float>& numbers);
+// Those of the panel's breeding. Precondition: it has this generation.
+std::vector<Trial> trials_of_panel_match(const BreedingBase&, const BreedingState&, int generation);
+
+// A start of matches: that of one run of one of them.
+struct MatchStart {
+    std::size_t match = 0, run = 0;
+    friend bool operator==(const MatchStart&, const MatchStart&) = default;
+};
+
+// Every match at each start of all of them: by match and run of the start, then by match.
+std::vector<Trial> trials_at_all_starts(const std::vector<std::vector<Trial>>& matches);
+// The start at which the results of all matches, and the difference of two, are nearest to those of their scores.
+// `numbers`: run_of() each of these trials in their order.
+MatchStart nearest_start(const BreedingBase&, const std::vector<float>& numbers);
 
 // At most this many generations of each side, spread evenly. Precondition: a generation is complete.
 std::vector<Trial> trials_of_tournament(const BreedingBase&, const BreedingState&, int most);

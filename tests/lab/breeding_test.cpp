@@ -69,6 +69,18 @@ struct LabBreeding : testing::Test {
     evolve::Trial first_trial(BreedingCell cell) const {
         return trials_of_match(*view().base, *view().state, cell.predator, cell.prey).front();
     }
+    // The match in the run that is watched.
+    evolve::Trial shown_trial(BreedingCell cell) const {
+        const BreedingCell start = view().watched[view().start.match];
+        evolve::Trial trial = first_trial(cell);
+        trial.seed = trials_of_match(*view().base, *view().state, start.predator, start.prey)[view().start.run].seed;
+        return trial;
+    }
+    float result_of(BreedingCell cell, std::uint64_t seed) const {
+        evolve::Trial trial = first_trial(cell);
+        trial.seed = seed;
+        return score_of(view().base->breeding(), Side::predator, run_of(*view().base, trial));
+    }
     // The open run is that of the trial, bit for bit.
     void expect_run_of(const evolve::Trial& trial) {
         auto world = World::create(scene_of(*view().base, trial), trial.seed);
@@ -183,10 +195,81 @@ TEST_F(LabBreeding, TwoMatchesAreWatchedFromTheSameStart) {
     EXPECT_EQ(view().watched, (std::vector<BreedingCell>{{3, 1}, {0, 3}}));
     ASSERT_TRUE(view().duels);
     ASSERT_EQ(view().duels->size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ((*view().duels)[i].seconds(), run_of(*view().base, shown_trial(view().watched[i])));
     const auto& newest = (*view().duels)[0];
-    EXPECT_EQ(newest.seconds(), run_of(*view().base, first_trial({3, 1})));
     for (const Side side : {Side::predator, Side::prey})
         EXPECT_EQ(at(newest.paths, side)[0], at((*view().duels)[1].paths, side)[0]);
+}
+
+// A cell is the mean of its four runs: what is watched must not contradict its colour.
+TEST_F(LabBreeding, NoOtherStartIsNearerToTheScoresOfWhatIsWatched) {
+    breed_to_the_end();
+    const auto score = [&](BreedingCell c) {
+        return view().matrix->score(Side::predator, static_cast<std::size_t>(c.predator),
+                                    static_cast<std::size_t>(c.prey));
+    };
+    // Of each result, and of their difference.
+    const auto error_from = [&](std::uint64_t seed) {
+        std::vector<float> errors;
+        for (const BreedingCell& cell : view().watched) errors.push_back(result_of(cell, seed) - score(cell));
+        if (errors.size() > 1) errors.push_back(errors[0] - errors[1]);
+        float sum = 0;
+        for (const float each : errors) sum += std::abs(each);
+        return sum;
+    };
+    int better_than_first = 0;
+    for (int predator = 0; predator < 4; ++predator)
+        for (int prey = 0; prey < 4; ++prey) {
+            ask(BreedingEdit::watch, {predator, prey});
+            turn();
+            ASSERT_TRUE(view().duels);
+            const float shown = error_from(shown_trial(view().watched.front()).seed);
+            better_than_first += shown < error_from(first_trial(view().watched.front()).seed) - 1e-4f ? 1 : 0;
+            for (const BreedingCell& start : view().watched)
+                for (const auto& trial : trials_of_match(*view().base, *view().state, start.predator, start.prey))
+                    EXPECT_GE(error_from(trial.seed), shown - 1e-4f) << predator << " " << prey;
+        }
+    EXPECT_GT(better_than_first, 0) << "the first run of a cell often contradicts its score";
+}
+
+TEST_F(LabBreeding, TheMatchThatIsWatchedOpensInItsRun) {
+    breed_to_the_end();
+    const auto shows_another_than_the_first = [&](BreedingCell cell) {
+        ask(BreedingEdit::watch, cell);
+        turn();
+        return shown_trial(cell).seed != first_trial(cell).seed;
+    };
+    BreedingCell cell{0, 0};
+    while (!shows_another_than_the_first(cell)) {
+        if (++cell.prey > 3) cell = {cell.predator + 1, 0};
+        ASSERT_LT(cell.predator, 4);
+    }
+    const evolve::Trial shown = shown_trial(cell);
+    ask(BreedingEdit::match, cell);
+    open_what_was_asked();
+    expect_run_of(shown);
+}
+
+TEST_F(LabBreeding, WhileThePanelIsBredItsChampionsDrive) {
+    evolve::Breeding choice = view().base->breeding();
+    choice.panel_generations = 9;
+    handle(lab,
+           BreedingRequest{.edit = BreedingEdit::choose, .choice = std::make_shared<const evolve::Breeding>(choice)});
+    lab.wall_seconds = 1000;
+    ask(BreedingEdit::run);
+    for (int i = 0; i < 20 && !view().duels; ++i) turn();
+    ASSERT_TRUE(view().duels);
+    EXPECT_TRUE(view().watches_panel);
+    EXPECT_EQ(view().watched, (std::vector<BreedingCell>{{0, 0}}));
+    for (int i = 0; i < 4; ++i) turn();
+    lab.wall_seconds += 5;
+    turn();
+    ASSERT_EQ(last_generation(view()), -1);
+    EXPECT_GT(view().watched.front().prey, 0) << "the present ones";
+    for (int i = 0; i < 100 && last_generation(view()) < 0; ++i) turn();
+    EXPECT_FALSE(view().watches_panel) << "at once, the panel is done";
+    EXPECT_EQ(view().watched, (std::vector<BreedingCell>{{0, 0}}));
 }
 
 TEST_F(LabBreeding, WhileItRunsTheLastChampionsDriveBesideTheFirstOnes) {

@@ -431,6 +431,61 @@ TEST_F(BreedingDesk, TheWatchedMatchIsOpenedOrTaken) {
     EXPECT_EQ(desk.last<BreedingRequest>()->title, "Chase, against the last champions: predator 3, prey 1");
 }
 
+TEST_F(BreedingDesk, NamesTheRunOfTheCellThatIsWatchedInEveryLanguage) {
+    BredOnDesk bred(5);
+    bred.show(desk), bred.watch(desk, {3, 1}, {0, 0});
+    for (const std::string& language : shipped_codes()) {
+        SCOPED_TRACE(language);
+        desk.strings = speaking(language);
+        const std::string seconds = language == "en" ? "5.0" : "5,0";
+        const std::string eaten = fill(desk.strings("breeding.eaten"), {seconds}),
+                          lives = fill(desk.strings("breeding.lives"), {seconds});
+        desk.view.features.breeding.start = {0, 2};
+        desk.frame(3);
+        EXPECT_TRUE(desk.says(fill(desk.strings("breeding.run_of_match"), {"3", "4", eaten})));
+        EXPECT_TRUE(desk.says(fill(desk.strings("breeding.same_start"), {lives})));
+        desk.view.features.breeding.start = {1, 0};
+        desk.frame(3);
+        EXPECT_TRUE(desk.says(fill(desk.strings("breeding.same_start"), {eaten})));
+        EXPECT_TRUE(desk.says(fill(desk.strings("breeding.run_of_match"), {"1", "4", lives})));
+    }
+}
+
+TEST_F(BreedingDesk, AsksForAClickOnceThereIsACell) {
+    BredOnDesk none(0), some(3);
+    const std::string words(desk.strings("breeding.watch_how").substr(0, 12));
+    none.show(desk);
+    desk.view.features.breeding.runs = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.says(words));
+    some.show(desk);
+    desk.frame(3);
+    EXPECT_TRUE(desk.says(words));
+}
+
+TEST_F(BreedingDesk, ShowsTheChampionsOfThePanelWhileItIsBred) {
+    BredOnDesk none(0);
+    none.show(desk), none.watch(desk, {7, 7}, {0, 0});
+    BreedingView& view = desk.view.features.breeding;
+    view.runs = view.watches_by_itself = view.watches_panel = true;
+    desk.frame(3);
+    EXPECT_TRUE(desk.says(fill(desk.strings("breeding.panel_duel"), {"7"})));
+    EXPECT_FALSE(desk.says(desk.strings("breeding.nearest_start"))) << "there is no cell";
+    const std::size_t before = desk.all.size();
+    desk.click("breeding.match");
+    EXPECT_EQ(desk.all.size(), before) << "these cannot be opened";
+}
+
+TEST_F(BreedingDesk, SaysWhichRunsSelectAndHowManyACellHas) {
+    BredOnDesk some(7);
+    some.show(desk);
+    for (const std::string& language : shipped_codes()) {
+        desk.strings = speaking(language);
+        desk.frame(3);
+        EXPECT_TRUE(desk.says(fill(desk.strings("breeding.progress"), {"6", "40", "10", "15", "4"}))) << language;
+    }
+}
+
 TEST_F(BreedingDesk, TakesTheLastChampionsUnlessAPersonHasChosenOthers) {
     BredOnDesk bred(5);
     bred.show(desk);

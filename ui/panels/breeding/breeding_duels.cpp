@@ -82,27 +82,37 @@ double moment_of(const LabView& lab, double began) {
                                      : std::fmod(std::max(0.0, lab.wall_seconds - began), longest + rest_after_match);
 }
 
-std::string name_of_match(const Ui& ui, const BreedingCell& cell) {
+std::string name_of_match(const BreedingView& view, const Ui& ui, const BreedingCell& cell) {
+    if (view.watches_panel) return fill(ui.strings("breeding.panel_duel"), {std::to_string(cell.prey)});
     return fill(ui.strings("breeding.duel"), {std::to_string(cell.predator), std::to_string(cell.prey)});
 }
 
-std::string end_of_match(const Ui& ui, bool is_eaten, float seconds) {
-    return fill(ui.strings(is_eaten ? "breeding.eaten" : "breeding.lives"), {fixed(ui, seconds, 1)});
+// "Run 3 of 4: eaten after 1.4 s" of the match whose start is shown, "Same start: …" of the other.
+std::string end_of_match(const BreedingView& view, const Ui& ui, std::size_t match, bool is_eaten, float seconds) {
+    const std::string end = fill(ui.strings(is_eaten ? "breeding.eaten" : "breeding.lives"), {fixed(ui, seconds, 1)});
+    if (view.watches_panel) return end;
+    if (match != view.start.match) return fill(ui.strings("breeding.same_start"), {end});
+    return fill(ui.strings("breeding.run_of_match"),
+                {std::to_string(view.start.run + 1), std::to_string(evolve::tournament_trials), end});
 }
 
 // The lines that the names of the watched matches need.
 std::size_t lines_of_names(const BreedingView& view, const Ui& ui, float width) {
     std::size_t most = 1;
     for (const BreedingCell& cell : view.watched)
-        most = std::max(most, lines_of_words(ui, name_of_match(ui, cell), Face::small, width).size());
+        most = std::max(most, lines_of_words(ui, name_of_match(view, ui, cell), Face::small, width).size());
     return most;
 }
 
 // The same of their ends, whatever these will be: the pictures stay in their places.
 std::size_t lines_of_ends(const BreedingView& view, const Ui& ui, float width) {
-    const float longest = view.base->breeding().seconds;
-    return std::max(lines_of_words(ui, end_of_match(ui, true, longest), Face::small, width).size(),
-                    lines_of_words(ui, end_of_match(ui, false, longest), Face::small, width).size());
+    std::size_t most = 1;
+    for (const std::size_t match : {view.start.match, view.start.match + 1})
+        for (const bool is_eaten : {true, false}) {
+            const std::string end = end_of_match(view, ui, match, is_eaten, view.base->breeding().seconds);
+            most = std::max(most, lines_of_words(ui, end, Face::small, width).size());
+        }
+    return most;
 }
 
 }  // namespace
@@ -111,6 +121,7 @@ void breeding_duels(const LabView& lab, BreedingSheetState& state, Ui& ui, Rect 
     const BreedingView& view = lab.features.breeding;
     if (state.watched != view.watched || !view.duels) state.watched = view.watched, state.began = lab.wall_seconds;
     if (view.watched.empty()) {
+        if (view.matrix->size() == 0) return;  // there is no cell to click
         put_lines(ui, {r.x, r.y}, ui.strings("breeding.watch_how"), ui.palette.second_text, Face::small, r.w, 6);
         return;
     }
@@ -124,15 +135,16 @@ void breeding_duels(const LabView& lab, BreedingSheetState& state, Ui& ui, Rect 
         const BreedingCell& cell = view.watched[i];
         const Rect picture{r.x + static_cast<float>(i) * (width + space), r.y + words, side, side};
         mark(ui, "breeding.duel." + std::to_string(i + 1), picture);
-        put_lines(ui, {picture.x, r.y}, name_of_match(ui, cell), ui.palette.text, Face::small, width, in_names);
+        put_lines(ui, {picture.x, r.y}, name_of_match(view, ui, cell), ui.palette.text, Face::small, width, in_names);
         if (!view.duels) continue;
         const Duel& duel = (*view.duels)[i];
         put_lines(ui, {picture.x, r.y + static_cast<float>(in_names) * line},
-                  end_of_match(ui, duel.is_eaten, duel.seconds()), ui.palette.second_text, Face::small, width, in_ends);
+                  end_of_match(view, ui, i, duel.is_eaten, duel.seconds()), ui.palette.second_text, Face::small, width,
+                  in_ends);
         picture_of_duel(view, duel, moment_of(lab, state.began), ui, picture);
     }
-    if (view.watched.size() > 1)
-        put_lines(ui, {r.x, r.y + words + side + tight}, ui.strings("breeding.same_start"), ui.palette.second_text,
+    if (!view.watches_panel)
+        put_lines(ui, {r.x, r.y + words + side + tight}, ui.strings("breeding.nearest_start"), ui.palette.second_text,
                   Face::small, r.w, 2);
 }
 

@@ -280,7 +280,8 @@ std::string words_of_taking(const LabView& lab, const std::string& predator, con
 bool match_button(const LabView& lab, BreedingEdit edit, const char* id, Ui& ui) {
     const BreedingView& view = lab.features.breeding;
     const bool takes = edit == BreedingEdit::take;
-    const BreedingCell cell = takes || view.watched.empty() ? chosen_cell(view) : view.watched.front();
+    const bool has_match = !view.watched.empty() && !view.watches_panel;
+    const BreedingCell cell = takes || !has_match ? chosen_cell(view) : view.watched.front();
     const bool has_champions = cell.predator >= 0;
     const auto number = [&](int generation) { return has_champions ? std::to_string(generation) : std::string("…"); };
     const std::string predator = number(cell.predator), prey = number(cell.prey);

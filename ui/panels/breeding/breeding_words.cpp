@@ -119,8 +119,9 @@ std::string words_of_panel(const evolve::Breeding& breeding, int bred, const Ui&
 }
 
 std::string words_of_generation(const evolve::Breeding& breeding, int generation, const Ui& ui) {
-    return fill(ui.strings("breeding.progress"), {std::to_string(generation), std::to_string(breeding.generations),
-                                                  std::to_string(breeding.trials), fixed(ui, breeding.seconds, 0)});
+    return fill(ui.strings("breeding.progress"),
+                {std::to_string(generation), std::to_string(breeding.generations), std::to_string(breeding.trials),
+                 fixed(ui, breeding.seconds, 0), std::to_string(evolve::tournament_trials)});
 }
 
 // "Generation 12 of 40".
