@@ -80,6 +80,48 @@ TEST(ChildrenSheet, NamesTheMarkOfTheBestChildOnlyAfterAFirstChoiceOrAHint) {
         }
 }
 
+TEST(ChildrenSheet, OneOfTheBestChildrenHasTheFrame) {
+    Desk desk(1280, 800, 1, true);
+    open_selection(desk);
+    desk.panels.sheet = Sheet::children;
+    for (const std::size_t i : {1u, 4u, 6u}) desk.lesson.selection->children[i].seconds = 60;
+    desk.frame(4);
+    EXPECT_EQ(desk.where("selection.framed").x, desk.where("selection.child.2").x);
+    EXPECT_EQ(desk.where("selection.framed").y, desk.where("selection.child.2").y);
+    desk.lesson.selection->stays = {0, 1, 0, 0, 2, 0, 2, 0, 0};
+    desk.frame(2);
+    EXPECT_EQ(desk.where("selection.framed").x, desk.where("selection.child.5").x);
+    EXPECT_EQ(desk.where("selection.framed").y, desk.where("selection.child.5").y);
+}
+
+TEST(ChildrenSheet, NothingMovesAfterAChoice) {
+    for (const std::string& language : shipped_codes()) {
+        SCOPED_TRACE(language);
+        Desk desk(800, 600, 1, true);
+        desk.strings = speaking(language);
+        open_selection(desk, 0);
+        desk.panels.sheet = Sheet::children;
+        desk.frame(4);
+        const Rect sheet = desk.where("card.children"), parent = desk.where("selection.parent");
+        const auto same_places = [&](const char* when) {
+            desk.frame(4);
+            EXPECT_NEAR(desk.where("card.children").h, sheet.h, 1) << when;
+            EXPECT_NEAR(desk.where("card.children").w, sheet.w, 1) << when;
+            EXPECT_NEAR(desk.where("selection.parent").y, parent.y, 0.5f) << when;
+            EXPECT_NEAR(desk.where("selection.parent").w, parent.w, 0.5f) << when;
+        };
+        const std::vector<StartResult> children = desk.lesson.selection->children;
+        desk.lesson.selection->children.clear();
+        same_places("the children run");
+        desk.lesson.selection->children = children, desk.lesson.selection->generation = 1;
+        same_places("the best has a frame");
+        desk.lesson.selection->parent->seconds = 20;
+        same_places("the parent is better");
+        desk.lesson.selection->generation = 12;
+        same_places("no choice is left");
+    }
+}
+
 TEST(ChildrenSheet, DigitsAndArrowKeysChoose) {
     Desk desk;
     open_selection(desk);

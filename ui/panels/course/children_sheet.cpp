@@ -2,6 +2,7 @@
 // click, by its digit, or by the arrow keys and Enter. Beside them the run of their parent.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -55,14 +56,38 @@ bool marks_best(const LessonView& lesson) {
     return lesson.selection->generation > 0 || lesson.attempt.answers.hints_shown > 0;
 }
 
+// The child that has the frame: of the best ones the first. None while the parent is better.
+std::optional<std::size_t> framed_child(const LessonView& lesson) {
+    const SelectionView& selection = *lesson.selection;
+    if (!marks_best(lesson) || is_parent_best(selection)) return std::nullopt;
+    const std::pair<float, int> best = best_merit(selection);
+    for (std::size_t i = 0; i < selection.children.size(); ++i)
+        if (merit_of(selection, i) >= best) return i;
+    return std::nullopt;
+}
+
+std::string words_of_choice(const LessonView& lesson, const Ui& ui, std::string_view id) {
+    const Exercise& exercise = *lesson.exercise;
+    return fill(ui.strings(id),
+                {fixed(ui, exercise.seconds, 0), std::to_string(exercise.needed), std::to_string(exercise.starts)});
+}
+
 // What is to be chosen, and what for.
 std::string words_of_choice(const LessonView& lesson, const Ui& ui) {
-    if (!has_choices_left(lesson)) return std::string(ui.strings("selection.no_more"));
     const bool marks = marks_best(lesson);
-    if (marks && is_parent_best(*lesson.selection)) return std::string(ui.strings("selection.how_parent"));
-    const Exercise& exercise = *lesson.exercise;
-    return fill(ui.strings(marks ? "selection.how" : "selection.how_first"),
-                {fixed(ui, exercise.seconds, 0), std::to_string(exercise.needed), std::to_string(exercise.starts)});
+    return words_of_choice(lesson, ui,
+                           !has_choices_left(lesson)                    ? "selection.no_more"
+                           : marks && is_parent_best(*lesson.selection) ? "selection.how_parent"
+                           : marks                                      ? "selection.how"
+                                                                        : "selection.how_first");
+}
+
+// Of these words, whatever they will be: nothing moves after a choice.
+std::size_t lines_of_choice(const LessonView& lesson, const Ui& ui, float width) {
+    std::size_t most = 1;
+    for (const char* id : {"selection.no_more", "selection.how_parent", "selection.how", "selection.how_first"})
+        most = std::max(most, lines_of_words(ui, words_of_choice(lesson, ui, id), Face::text, width).size());
+    return most;
 }
 
 // True if the runs at the shown start do not tell the children apart: several stay to the end.
@@ -125,8 +150,7 @@ int taken_digit(Keyboard& keyboard, std::size_t children) {
 void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
     const SelectionView& selection = *lesson.selection;
     const bool may_choose = has_choices_left(lesson);
-    const std::pair<float, int> best = best_merit(selection);
-    const bool is_one_best = marks_best(lesson) && !is_parent_best(selection);
+    const std::optional<std::size_t> framed = framed_child(lesson);
     const bool has_dots = shows_other_starts(*lesson.exercise, selection) && !selection.stays.empty();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
     ImGui::BeginGroup();
@@ -135,7 +159,8 @@ void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
         const std::string number = std::to_string(i + 1);
         const Item at = item(ui, "selection.child." + number, size, may_choose);
         const StartResult& run = selection.children[i];
-        draw_child(ui, at, *lesson.exercise, run, number, is_one_best && merit_of(selection, i) >= best);
+        draw_child(ui, at, *lesson.exercise, run, number, i == framed);
+        if (i == framed) mark(ui, "selection.framed", at.rect);
         std::string how(ui.strings(may_choose ? "selection.child_how" : "selection.no_more"));
         if (has_dots && !has_fallen(*lesson.exercise, run)) {
             const int stays = merit_of(selection, i).second;
@@ -200,7 +225,7 @@ float width_of_rows(const Ui& ui, float picture) {
 
 // Width of a picture: nine with their seconds fit below the words without scrolling where they can. `shape`: height of
 // the floor by its width; `line`: of the seconds.
-float picture_width(const Ui& ui, Rect window, std::string_view words, float shape, float line) {
+float picture_width(const LessonView& lesson, const Ui& ui, Rect window, float shape, float line) {
     const float wide = std::min((window.w - ui.px(100)) / 4, ui.px(most_picture));
     const auto with_lines = [&](std::size_t lines) {  // of the words
         const float around = ui.px(196) + static_cast<float>(lines) * line_height(ui, Face::text);
@@ -209,8 +234,7 @@ float picture_width(const Ui& ui, Rect window, std::string_view words, float sha
     };
     float picture = with_lines(2);
     for (int pass = 0; pass < 2; ++pass)  // smaller pictures make a narrower sheet, which may need more lines
-        picture = with_lines(
-            std::max<std::size_t>(2, lines_of_words(ui, words, Face::text, width_of_rows(ui, picture)).size()));
+        picture = with_lines(std::max<std::size_t>(2, lines_of_choice(lesson, ui, width_of_rows(ui, picture))));
     return picture;
 }
 
@@ -222,21 +246,28 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const std::string generation =
         fill(ui.strings("selection.generation"),
              {std::to_string(lesson.selection->generation), std::to_string(lesson.exercise->selection.generations)});
-    const std::string words = words_of_choice(lesson, ui);
     const Arena& arena = lesson.exercise->scene.arena;
     const float shape = std::clamp(arena.height / arena.width, 0.6f, 1.0f),
                 line = line_height(ui, Face::text) + ui.px(8);
-    const float picture = picture_width(ui, window, words, shape, line);
+    const float picture = picture_width(lesson, ui, window, shape, line);
     const ImVec2 size{picture, picture * shape + line};
     const float width = width_of_rows(ui, picture) + ui.px(56);
     SheetState& sheet = open_sheet(state, ui, Sheet::children, window, generation, width / ui.scale);
-    paragraph(ui, words, ui.palette.text);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const std::size_t lines = lines_of_choice(lesson, ui, card_width(ui));
+    put_lines(ui, start, words_of_choice(lesson, ui), ui.palette.text, Face::text, card_width(ui), lines);
+    ImGui::Dummy({1, static_cast<float>(lines) * line_height(ui, Face::text)});
     parent_picture(lesson, ui, size);
     ImGui::SameLine(0, ui.px(spacing::large));
-    if (lesson.selection->children.empty())
-        paragraph(ui, ui.strings("selection.wait"), ui.palette.second_text, Face::text, 3 * picture);
-    else
+    if (lesson.selection->children.empty()) {  // the words take the room of the pictures
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const int rows = (lesson.exercise->selection.children + children_per_row - 1) / children_per_row;
+        const float space = ui.px(between_children), between_rows = static_cast<float>(rows - 1) * space;
+        put_lines(ui, at, ui.strings("selection.wait"), ui.palette.second_text, Face::text, 3 * picture, 3);
+        ImGui::Dummy({3 * size.x + 2 * space, static_cast<float>(rows) * size.y + between_rows});
+    } else {
         child_pictures(lesson, ui, size);
+    }
     sheet_buttons(ui, sheet);
     const bool closed = children_buttons(view, state, ui);
     if (end_sheet(sheet) || closed) state.sheet = Sheet::none;
