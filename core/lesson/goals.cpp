@@ -153,6 +153,8 @@ Measure opposite(Measure measure) {
     measure.best = false;
     measure.met = !measure.met;
     measure.at_most = !measure.at_most;
+    const bool is_count = measure.unit == "captures" || measure.unit == "vehicles" || measure.unit == "times";
+    if (measure.at_most && is_count) measure.needed -= 1;  // fewer than these
     if (!measure.needed_most) return measure;
     measure.at_most = measure.value < (measure.needed + *measure.needed_most) / 2;
     if (!measure.at_most) measure.needed = *measure.needed_most;

@@ -191,6 +191,8 @@ TEST(Goals, NoneOfShowsTheOppositeOfWhatItsChecksNeed) {
     };
     EXPECT_EQ(shown(near_lamp, {2, 3}), (Measure{3, 1, "m", false, false, {}, {}, "lamp", true}))
         << "the present distance, at least 1";
+    EXPECT_EQ(shown(goals::Captures{2}, {2}), (Measure{0, 1, "captures", true, false, {}, {}, {}, true}))
+        << "fewer than 2";
     EXPECT_EQ(shown(goals::Runs{1}, {2}), (Measure{0, 1, "s", true, false, {}, {}, {}, true}));
     EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {3}), (Measure{3, 4, "m", true, false, {}, {}, "lamp", true}));
     EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {7}), (Measure{7, 6, "m", false, false, {}, {}, "lamp", true}));
