@@ -10,16 +10,18 @@ using maths::vec4;
 
 namespace {
 
+constexpr std::size_t few_vehicles = 64;  // each of them has a trail, however small it is
+
 // Which points of a trail are drawn: those whose number is a multiple of `stride`, at most `most`.
 struct TrailPlan {
     std::size_t stride = 1, most = 0;
 };
 
 TrailPlan plan_of(const Trail& trail, std::size_t vehicles, bool selected) {
-    constexpr std::size_t budget = 3072, few = 64, shortest = 6, widest = 6, recent = 48;
+    constexpr std::size_t budget = 3072, shortest = 6, widest = 6, recent = 48;
     const std::size_t most =
         std::max(shortest, selected && vehicles > 1 ? budget / 2 : budget / std::max<std::size_t>(vehicles, 1));
-    if (vehicles > few) return {1, selected ? recent : std::min(most, recent)};
+    if (vehicles > few_vehicles) return {1, selected ? recent : std::min(most, recent)};
     return {std::clamp<std::size_t>((trail.count() + most - 1) / most, 1, widest), most};
 }
 
@@ -33,8 +35,9 @@ bool are_joined(const Trail& trail, std::size_t i, std::size_t k) {
 }  // namespace
 
 void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
-    if (s.pixels < 10 && !s.selected) return;  // too small for a trail
-    const TrailPlan plan = plan_of(trail, drawing.now.vehicles.size(), s.selected);
+    const std::size_t vehicles = drawing.now.vehicles.size();
+    if (s.pixels < 10 && vehicles > few_vehicles && !s.selected) return;  // too small for a trail
+    const TrailPlan plan = plan_of(trail, vehicles, s.selected);
     std::vector<std::size_t> shown;  // numbers of the points, newest first
     for (std::size_t i = 0; i < trail.count() && shown.size() < plan.most; ++i)
         if (i == 0 || trail.serial(i) % plan.stride == 0) shown.push_back(i);
@@ -61,7 +64,7 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
     };
     // A short trail hardly fades. A coloured one fades less, so that its colours can be compared with the legend.
     const float newest = s.selected ? (plain ? 0.95f : 1) : 0.85f, oldest = (plain ? 0.45f : 0.8f) * newest;
-    const bool fades_out = drawing.now.vehicles.size() > 64;  // the recent part only: it fades out
+    const bool fades_out = vehicles > few_vehicles;  // the recent part only: it fades out
     const auto opacity = [&](std::size_t i) {
         const float age =
             static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(count, fades_out ? 24 : 200));

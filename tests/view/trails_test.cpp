@@ -102,6 +102,25 @@ TEST(Trails, AreBoundedForManyVehicles) {
     EXPECT_LE(pieces(200), 3200U);
 }
 
+TEST(Trails, OfFewVehiclesAreAllShownHoweverSmallTheseAre) {
+    const auto shown = [](int vehicles) {
+        Snapshot now = hand_made::empty(hand_made::scene());
+        for (int i = 0; i < vehicles; ++i) hand_made::add(now, 0, 0, 0, 0);
+        Trails trails;
+        drive(now, trails, 600);
+        Camera camera;
+        camera.zoom = 0.3f;
+        const Rect window{0, 0, 160, 100};
+        Picture tiny;
+        tiny.camera_view = look(camera, Arena{}, nullptr, window, window);
+        DrawList list;
+        fill(list, now, tiny, trails);
+        return !list.trails.empty();
+    };
+    EXPECT_TRUE(shown(24));
+    EXPECT_FALSE(shown(200));
+}
+
 TEST(Trails, DropLaterPointsWhenThePathChanges) {
     Snapshot now = one_vehicle();
     Trails trails;
