@@ -1,6 +1,7 @@
 #include "app/files/autosave.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <tuple>
 #include <utility>
@@ -27,6 +28,7 @@ constexpr const char* autosave_extension = ".autosave";
 constexpr const char* broken_extension = ".broken";
 constexpr std::size_t most_edits_kept = 50;  // a browser has room for about 5 MB
 constexpr int deepest_nesting = 32;          // of arrays and objects
+constexpr int most_runs = 1'000'000;         // of an exercise, read from a file
 
 std::string local_time() {
     const std::time_t now = std::time(nullptr);
@@ -67,6 +69,35 @@ struct AutosaveKeys {
     Edits edits;
 };
 
+Draft::Progress read_progress_keys(const nlohmann::json& exercise) {
+    Draft::Progress progress;
+    exercise.at("prediction").get_to(progress.answers.prediction);
+    exercise.at("hints_shown").get_to(progress.answers.hints_shown);
+    exercise.at("has_run").get_to(progress.has_run);
+    progress.outcome_known = exercise.value("outcome_known", false);
+    progress.runs = std::clamp(exercise.value("runs", int{progress.has_run}), 0, most_runs);
+    for (const auto& [x, y] : exercise.value("drawn_path", std::vector<std::pair<float, float>>()))
+        if (std::isfinite(x) && std::isfinite(y)) progress.answers.drawn_path.push_back({x, y});
+    progress.answers.drawn_seed = exercise.value("drawn_seed", std::uint64_t{0});
+    if (exercise.contains("referee")) progress.referee = io::json_text(exercise.at("referee"));
+    return progress;
+}
+
+nlohmann::json progress_keys(const Draft::Progress& progress) {
+    nlohmann::json keys{{"prediction", progress.answers.prediction},
+                        {"has_run", progress.has_run},
+                        {"runs", progress.runs},
+                        {"outcome_known", progress.outcome_known},
+                        {"hints_shown", progress.answers.hints_shown}};
+    if (!progress.answers.drawn_path.empty()) {
+        std::vector<std::pair<float, float>> path;
+        for (const maths::vec2 point : progress.answers.drawn_path) path.emplace_back(point.x, point.y);
+        keys["drawn_path"] = path, keys["drawn_seed"] = progress.answers.drawn_seed;
+    }
+    if (!progress.referee.empty()) keys["referee"] = nlohmann::json::parse(progress.referee);
+    return keys;
+}
+
 // Reads no more than these keys, with which the file begins.
 Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_name) {
     constexpr std::string_view begin = "{\"autosave\":";
@@ -84,10 +115,7 @@ Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_na
             keys.content = content.get<std::uint64_t>();
         if (json.contains("edits")) keys.edits = read_edits(json.at("edits")).value_or(Edits{});
         if (const auto& exercise = json.at("exercise"); !exercise.is_null())
-            keys.exercise =
-                Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run"),
-                                exercise.value("outcome_known", false),
-                                exercise.contains("referee") ? io::json_text(exercise.at("referee")) : std::string()};
+            keys.exercise = read_progress_keys(exercise);
         return keys;
     } catch (const nlohmann::json::exception& problem) {
         return error_of(message_of("not_an_autosave") + Message(fmt::format(": {}", problem.what())), file_name);
@@ -114,11 +142,14 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         observer = RunObserver::of(std::move(referee));
         Attempt& attempt = document->lesson->attempt;
         const auto hints = static_cast<int>(document->lesson->exercise->hints.size());
-        attempt.answers.prediction = keys.exercise->prediction;
+        const Attempt::Answers& answers = keys.exercise->answers;
+        attempt.answers.prediction = answers.prediction;
+        attempt.answers.drawn_path = answers.drawn_path, attempt.answers.drawn_seed = answers.drawn_seed;
         attempt.work.has_run = keys.exercise->has_run;
+        attempt.work.runs = keys.exercise->runs;
         attempt.answers.hint_ready |= attempt.work.has_run;
         attempt.work.outcome_known = keys.exercise->outcome_known;
-        attempt.answers.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
+        attempt.answers.hints_shown = std::clamp(answers.hints_shown, 0, hints);
     }
     document->session = Session::resume(std::move(run), std::move(observer), keys.edits);
     return document;
@@ -154,13 +185,14 @@ void for_each_leftover(const fs::path& folder, const Visit& visit) {
     });
 }
 
-// True if a person has changed the scene, or what the student of an exercise may change; after a crash also for a run
-// of predators and prey, whose population has a history.
+// True if a person has changed the scene, or what the student of an exercise may change, or has predicted; after a
+// crash also for a run of predators and prey, whose population has a history.
 bool has_work(const Autosaved& kept) {
     const Document& document = kept.document;
     const Snapshot& now = document.session.snapshot();
     if (const auto& lesson = document.lesson)
-        return submission_of(*lesson->exercise, now) != as_shipped(*lesson->exercise);
+        return has_predicted(lesson->attempt.answers) ||
+               submission_of(*lesson->exercise, now) != as_shipped(*lesson->exercise);
     const bool has_history = now.predators > 0 || now.prey > 0;
     return (has_history && !kept.ended) || !document.file || document.session.edited_scene() != *document.file;
 }
@@ -178,8 +210,8 @@ Draft draft_of(const Document& document) {
         const Attempt& attempt = document.lesson->attempt;
         draft.hides_brain = !document.lesson->exercise->hides.empty();
         const auto& referee = *document.session.observer_at_keyframe().as<Referee>();
-        draft.exercise = Draft::Progress{attempt.answers.prediction, attempt.answers.hints_shown, attempt.work.has_run,
-                                         attempt.work.outcome_known, write_referee_state(referee.state())};
+        draft.exercise = Draft::Progress{attempt.answers, attempt.work.has_run, attempt.work.outcome_known,
+                                         attempt.work.runs, write_referee_state(referee.state())};
     }
     const auto& kinds = document.session.snapshot().scene->kinds;
     const bool has_hidden = std::any_of(kinds.begin(), kinds.end(), [](const Kind& kind) { return kind.hidden; });
@@ -197,13 +229,7 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
                         {"content", nullptr}};
     if (draft.content) keys["content"] = *draft.content;
     keys["edits"] = edits_json(draft.edits, most_edits_kept);
-    if (draft.exercise)
-        keys["exercise"] = {{"prediction", draft.exercise->prediction},
-                            {"has_run", draft.exercise->has_run},
-                            {"outcome_known", draft.exercise->outcome_known},
-                            {"hints_shown", draft.exercise->hints_shown}};
-    if (draft.exercise && !draft.exercise->referee.empty())
-        keys["exercise"]["referee"] = nlohmann::json::parse(draft.exercise->referee);
+    if (draft.exercise) keys["exercise"] = progress_keys(*draft.exercise);
     // The first key of the run's object, so that read_keys() need not read the run.
     std::string text = io::write_run(draft.run, draft.hides_brain ? io::Seals::always : io::Seals::hidden_kinds);
     return text.insert(1, "\"autosave\":" + io::json_text(keys) + ",");
@@ -320,6 +346,13 @@ void Autosave::forget_work_on(const fs::path& saved) {
     });
 }
 
+Autosave::Reached Autosave::reached_by(const Document& document) {
+    Reached here{document.edits, document.session.snapshot().tick};
+    if (const auto& lesson = document.lesson)
+        here.prediction = lesson->attempt.answers.prediction, here.drawn_path = lesson->attempt.answers.drawn_path;
+    return here;
+}
+
 bool Autosave::lock() {
     if (lock_) return true;
     std::error_code problem;
@@ -346,7 +379,7 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
     const bool busy = writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     if (busy && !now) return std::nullopt;
     auto error = settle();
-    const Reached here{document.edits, document.session.snapshot().tick};
+    const Reached here = reached_by(document);
     if (lab.pages || here == Reached{document.saved_edits, document.saved_tick}) {
         finish();
         return error;
@@ -356,8 +389,11 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
     const double by_period = std::max(dirty_since_ + soon, written_at_ + period);
     const bool is_costly = failed_ || !has_threads();  // a page writes on the window's thread, also when it is hidden
     const double due_at = here.edits == written_.edits || is_costly ? by_period : written_at_ + soon;
-    if (!now && !due_ && wall_seconds < due_at) return error;
-    if (here.tick == document.saved_tick && !has_unsaved_edits(lab)) {
+    const bool is_answered = here.prediction >= 0 || !here.drawn_path.empty();
+    const bool is_new_answer =
+        is_answered && (here.prediction != written_.prediction || here.drawn_path != written_.drawn_path);
+    if (!now && !due_ && (failed_ || !is_new_answer) && wall_seconds < due_at) return error;
+    if (here.tick == document.saved_tick && !is_answered && !has_unsaved_edits(lab)) {
         finish();
         written_ = here;
         return error;

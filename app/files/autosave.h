@@ -30,8 +30,9 @@ struct Draft {
     SavedRun run;
     Edits edits;  // none where a brain is hidden: only the run is sealed
     struct Progress {
-        int prediction = -1, hints_shown = 0;
+        Attempt::Answers answers{};  // of these, prediction, path and hints are kept
         bool has_run = false, outcome_known = false;
+        int runs = 0;
         std::string referee{};  // at the run's last keyframe, from write_referee_state
     };
     std::optional<Progress> exercise;
@@ -116,7 +117,8 @@ public:
     // Removes leftovers of a scene file that has been saved: the file has newer work.
     void forget_work_on(const std::filesystem::path& saved);
 
-    // Writes if there are edits or ticks that are neither in the document's file nor in the autosave: edits at once,
+    // Writes if there are edits, a prediction or ticks that are neither in the document's file nor in the autosave: a
+    // prediction at once, edits also,
     // but at least `soon` after the last write; without edits `soon` after the first tick and at least `period` after
     // the last write; and at once when the mode changes. Edits that are undone do not count; their autosave is removed
     // when the next write is due. Writing happens on another thread; where there is none, edits also wait for the
@@ -145,8 +147,11 @@ private:
     struct Reached {
         std::int64_t edits = -1;
         std::uint64_t tick = 0;
+        int prediction = -1;                    // of the open exercise
+        std::vector<maths::vec2> drawn_path{};  // the same, as a path
         friend bool operator==(const Reached&, const Reached&) = default;
     };
+    static Reached reached_by(const Document&);
     Reached written_;
     double dirty_since_ = -1;  // wall seconds; negative: nothing to write
     double written_at_ = -period;

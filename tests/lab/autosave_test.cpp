@@ -480,6 +480,39 @@ TEST_F(AutosaveTest, RestoresTheProgressOfAnExercise) {
         << "reset still restores the shipped brain";
 }
 
+TEST_F(AutosaveTest, KeepsAPredictionAtOnceAndItsRunsWithoutAnEdit) {
+    Request by_option = PredictRequest{0}, by_path = PredictPathRequest{{{0, 0}, {0.5f, 0.25f}}};
+    for (const auto& [name, answer] : {std::pair("01-drive", by_option), std::pair("02-circle", by_path)}) {
+        Folder own;
+        lab = open(name);
+        const auto drawn = [](const Document& of) { return of.lesson->attempt.answers.drawn_path; };
+        std::optional<Autosave> autosave(std::in_place, own.path, complaints);
+        EXPECT_FALSE(autosave->keep(lab, 0));
+        EXPECT_TRUE(files_in(own.path).empty()) << name << ": nothing is answered yet";
+        handle(lab, answer);
+        ASSERT_TRUE(has_predicted(lab.document.lesson->attempt.answers)) << name;
+        EXPECT_FALSE(autosave->keep(lab, 0.1));
+        EXPECT_FALSE(autosave->settle());
+        ASSERT_EQ(files_in(own.path).size(), 1u) << name;
+        for (int run = 0; run < 2; ++run) {
+            handle(lab, Action::reset);
+            for (int i = 0; i < 10; ++i) tick(lab);
+        }
+        EXPECT_FALSE(autosave->keep(lab, 1.6, Autosave::Occasion::end));
+        autosave.reset();
+        Autosave next(own.path, complaints);
+        ASSERT_TRUE(next.leftover()) << name;
+        EXPECT_TRUE(next.leftover()->offer.has_work) << name;
+        const auto recovered = next.recover();
+        ASSERT_TRUE(recovered && recovered->lesson) << name;
+        const Attempt &kept = recovered->lesson->attempt, &given = lab.document.lesson->attempt;
+        EXPECT_EQ(kept.answers.prediction, given.answers.prediction) << name;
+        EXPECT_EQ(drawn(*recovered), drawn(lab.document)) << name;
+        EXPECT_EQ(kept.answers.drawn_seed, given.answers.drawn_seed) << name;
+        EXPECT_EQ(kept.work.runs, 2) << name;
+    }
+}
+
 TEST_F(AutosaveTest, TheRefereeOfARecoveredExerciseContinuesAsIfTheLabHadNotCrashed) {
     lab = open("05-aggressor");
     handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
