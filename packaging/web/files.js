@@ -74,7 +74,11 @@ const files = {
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
         const text = window.top === window ? null : textOf(bytes);
-        if (text !== null) notice.open(`download ${link.href}`, words.framed + name, words.copy, () => copyText(text));
+        const shown = `download ${link.href}`;
+        const copy = async () => {
+            if (await copyText(text) && notice.shown === shown) element("notice-text").textContent = words.copied + name;
+        };
+        if (text !== null) notice.open(shown, words.framed + name, words.copy, copy);
     },
 
     // Progress and work that end with the page.
@@ -92,7 +96,8 @@ const files = {
             const name = path.endsWith(".autosave") ? `${JSON.parse(textOf(bytes)).autosave.name || "work"}.run`
                 : `braitenlab-progress${own === "this-computer" ? "" : `-${own}`}.json`;
             files.download(bytes, name);
-        }    },
+        }
+    },
 
     // A notice about what is not kept has its button while there is something to download.
     offerLosses() {
@@ -188,7 +193,10 @@ const files = {
 
     // From the start of the program on.
     follow() {
-        if (!storage.shelf) notice.open("unkept", words.unkept, words.download, files.downloadLosses);
+        if (!storage.shelf) {
+            notice.open("unkept", words.unkept, words.download, files.downloadLosses);
+            notice.offerWindow();
+        }
         files.offerLosses();
         setInterval(files.keep, 500);
         addEventListener("beforeunload", (event) => {
@@ -226,15 +234,17 @@ function textOf(bytes) {
 }
 
 // Copies a text. Without permission for the clipboard, as on a page without a secure connection, by an older way.
-function copyText(text) {
+// Resolves to false if the browser refuses both.
+async function copyText(text) {
     const byField = () => {
         const field = document.createElement("textarea");
         field.value = text;
         document.body.append(field);
         field.select();
-        document.execCommand("copy");
+        const isCopied = document.execCommand("copy");
         field.remove();
         element("canvas").focus();
+        return isCopied;
     };
-    navigator.clipboard ? navigator.clipboard.writeText(text).catch(byField) : byField();
+    return navigator.clipboard ? navigator.clipboard.writeText(text).then(() => true, byField) : byField();
 }

@@ -12,16 +12,19 @@ const texts = {
         stopped: "The lab has stopped. Your work up to the last seconds is kept and offered at the next start. ",
         ended: "The lab is closed.",
         unkept: "This browser lets the page keep nothing: your progress and your work end with the page.",
-        full: "The browser’s storage is full: your newest work is not kept in this browser.",
+        own: "In a window of its own the lab may keep them",
+        full: "The browser’s storage is full: your newest work is not kept in this browser. Download it here, or by " +
+              "Exercises > Student… > Save progress; the lab reads the files that are dropped onto it.",
         download: "Download it", close: "Close",
         framed: "The page that contains this one may refuse downloads. If this file is not among yours, copy its text: ",
-        copy: "Copy its text",
+        copy: "Copy its text", copied: "Its text is copied. Paste it into a file of this name: ",
         unreachable: "the server does not send it",
         page: "in its place the server sends a web page, perhaps of a login: ",
         damaged: "it is incomplete or damaged",
         sandbox: "The page that contains this one does not let it load its files: its frame needs sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". Or open the lab in a window of its own.",
         refused: "The address of this page has a part that the lab does not know: ", without: "Start without it",
+        unknown: "The lab does not know this part of the page’s address and starts without it: ",
         lost: "The browser has taken the graphics from the lab, for example after a fault of the driver. Your work is kept: start again.",
         ended_notes: "These notes no longer follow the lecture: the page of the lab was closed or loaded again. Shift+N in the lab opens them anew.",
     },
@@ -35,16 +38,19 @@ const texts = {
         stopped: "Das Labor wurde angehalten. Ihre Arbeit bis auf die letzten Sekunden ist gespeichert und wird beim nächsten Start angeboten. ",
         ended: "Das Labor ist geschlossen.",
         unkept: "Dieser Browser lässt die Seite nichts aufbewahren: Lernstand und Arbeit enden mit der Seite.",
-        full: "Der Speicher des Browsers ist voll: Ihre neueste Arbeit wird in diesem Browser nicht aufbewahrt.",
+        own: "In einem eigenen Fenster kann das Labor sie aufbewahren",
+        full: "Der Speicher des Browsers ist voll: Ihre neueste Arbeit wird in diesem Browser nicht aufbewahrt. " +
+              "Laden Sie sie hier herunter, oder mit Übungen > Lernende… > Lernstand sichern; das Labor liest Dateien, die darauf gezogen werden.",
         download: "Herunterladen", close: "Schließen",
         framed: "Die Seite, die diese enthält, kann Downloads verbieten. Liegt diese Datei nicht bei Ihren Downloads, kopieren Sie ihren Text: ",
-        copy: "Text kopieren",
+        copy: "Text kopieren", copied: "Der Text ist kopiert. Fügen Sie ihn in eine Datei dieses Namens ein: ",
         unreachable: "der Server sendet sie nicht",
         page: "der Server sendet stattdessen eine Webseite, vielleicht eine Anmeldung: ",
         damaged: "sie ist unvollständig oder beschädigt",
         sandbox: "Die Seite, die diese enthält, lässt sie ihre Dateien nicht laden: ihr Rahmen braucht sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". Oder öffnen Sie das Labor in einem eigenen Fenster.",
         refused: "Die Adresse dieser Seite hat einen Teil, den das Labor nicht kennt: ", without: "Ohne ihn starten",
+        unknown: "Das Labor kennt diesen Teil der Adresse nicht und startet ohne ihn: ",
         lost: "Der Browser hat dem Labor die Grafik entzogen, zum Beispiel nach einem Fehler des Treibers. Ihre Arbeit ist gespeichert: starten Sie neu.",
         ended_notes: "Diese Notizen folgen dem Vortrag nicht mehr: die Seite des Labors wurde geschlossen oder neu geladen. Umschalt+N im Labor öffnet sie neu.",
     },
@@ -58,16 +64,19 @@ const texts = {
         stopped: "El laboratorio se ha detenido. Su trabajo, salvo los últimos segundos, está guardado y se ofrecerá al iniciar de nuevo. ",
         ended: "El laboratorio está cerrado.",
         unkept: "Este navegador no permite a la página guardar nada: su progreso y su trabajo terminan con la página.",
-        full: "El almacenamiento del navegador está lleno: su trabajo más reciente no se guarda en este navegador.",
+        own: "En una ventana propia el laboratorio puede guardarlos",
+        full: "El almacenamiento del navegador está lleno: su trabajo más reciente no se guarda en este navegador. " +
+              "Descárguelo aquí o con Ejercicios > Estudiante… > Guardar progreso; el laboratorio lee los archivos que se arrastran sobre él.",
         download: "Descargarlo", close: "Cerrar",
         framed: "La página que contiene esta puede impedir las descargas. Si este archivo no está entre las suyas, copie su texto: ",
-        copy: "Copiar su texto",
+        copy: "Copiar su texto", copied: "El texto está copiado. Péguelo en un archivo de este nombre: ",
         unreachable: "el servidor no lo envía",
         page: "en su lugar el servidor envía una página web, quizá de inicio de sesión: ",
         damaged: "está incompleto o dañado",
         sandbox: "La página que contiene esta no le permite cargar sus archivos: su marco necesita sandbox=\"allow-scripts " +
                  "allow-same-origin allow-downloads\". O abra el laboratorio en una ventana propia.",
         refused: "La dirección de esta página tiene una parte que el laboratorio no conoce: ", without: "Iniciar sin ella",
+        unknown: "El laboratorio no conoce esta parte de la dirección y se inicia sin ella: ",
         lost: "El navegador ha retirado los gráficos al laboratorio, por ejemplo tras un fallo del controlador. Su trabajo está guardado: inicie de nuevo.",
         ended_notes: "Estas notas ya no siguen la clase: la página del laboratorio se cerró o se cargó de nuevo. Mayús+N en el laboratorio las abre otra vez.",
     },
@@ -118,7 +127,16 @@ const notice = {
         element("notice-act").hidden = !button;
         element("notice-act").textContent = button ?? "";
         element("notice-act").onclick = act;
+        element("notice-own").hidden = true;
         element("notice").hidden = false;
+    },
+
+    // A frame of another site has no storage, or one of its own; a window has that of the lab.
+    offerWindow() {
+        if (window.top === window || !/^https?:/.test(location.protocol)) return;
+        element("notice-own").href = location.href;
+        element("notice-own").textContent = words.own;
+        element("notice-own").hidden = false;
     },
 
     close(name) {
@@ -227,6 +245,7 @@ const lectures = {
 const address = {
     opening: true,  // the next document is that of the address
     open: undefined,
+    lecture: "",    // file of the open lecture
 
     // Whether the address may have opened this document: its file, or "#" and a number of one that came by a link.
     fits(document) {
@@ -235,13 +254,18 @@ const address = {
         return !isLink(location.hash) || document.startsWith("#");
     },
 
-    follow(document) {
-        if (document === address.open) return;
-        const wasOpening = address.opening;
-        address.open = document, address.opening = false;
-        if (wasOpening && address.fits(document)) return;
+    // `lecture`: its file, or empty. A lecture is one document, whichever its page. The scene that it leaves open is
+    // named: it is in no list of the lab that a reload would open again.
+    follow(document, lecture) {
+        const open = lecture || document;
+        if (open === address.open) return;
+        const wasOpening = address.opening, wasLecture = address.lecture;
+        address.open = open, address.opening = false, address.lecture = lecture;
+        if (wasOpening && address.fits(open)) return;
         const kept = new URLSearchParams(location.search);
         for (const key of ["open", "seed", "camera", "play"]) kept.delete(key);
+        const shipped = /^\/data\/exercises\/.*\/([^/]+)\.toml$/.exec(document)?.[1];
+        if (wasLecture && !lecture && shipped) kept.set("open", shipped);
         history.replaceState(null, "", `${location.pathname}?${kept}`.replace(/\?$/, ""));
     },
 
@@ -261,14 +285,22 @@ function documentArguments() {
     return query.get("open") ? [query.get("open").replace(/^-+/, "")] : [];
 }
 
+const valueOptions = ["lang", "seed", "scale", "camera", "quality"], switches = ["play", "lecture", "projector"];
+
 // What the address asks for, as options of the command line: ?open=3a-love&lang=de&play
 function programArguments() {
     const list = documentArguments();
-    for (const name of ["lang", "seed", "scale", "camera", "quality"])
+    for (const name of valueOptions)
         if (query.get(name)) list.push(`--${name}=${query.get(name)}`);
-    for (const name of ["play", "lecture", "projector"])
+    for (const name of switches)
         if (query.has(name)) list.push(`--${name}`);
     return list;
+}
+
+// Learning platforms add options of their own to an address: these do not keep the lab from starting.
+function tellUnknownOptions() {
+    const unknown = [...query.keys()].filter((name) => !["open", ...valueOptions, ...switches].includes(name));
+    if (unknown.length) notice.open("unknown", words.unknown + unknown.join(", "));
 }
 
 // What the program has said before its first picture.
@@ -298,7 +330,7 @@ var Module = {
     openPage: files.openPage,
     onDocument(title, lecture, page, revealed, document) {
         lectures.follow(title, lecture, page, revealed);
-        address.follow(document);
+        address.follow(document, lecture);
     },
     copyText,
     chooseFiles: files.choose,
@@ -307,6 +339,7 @@ var Module = {
         element("cover").hidden = true;
         element("canvas").focus();
         window.braitenlab.ready = true;
+        tellUnknownOptions();
         files.follow();
         typing.follow();
         performance.mark("first picture");

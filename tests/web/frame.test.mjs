@@ -50,6 +50,29 @@ test("An option of the address that the lab does not know is named, and the lab 
     }
 });
 
+test("A part of the address that the lab does not know is named, and the lab starts", limit, () =>
+    withLab("?open=2a-coward&foo=3", async (lab) => {
+        assert.match(await lab.page.innerText("#notice-text"), /foo$/);
+        assert.equal((await lab.state()).opened, "2a-coward");
+    }));
+
+test("The address names a lecture on each of its pages, and then the scene that it leaves open", limit, () =>
+    withLab("?open=four-numbers&lang=en", async (lab) => {
+        const named = () => lab.page.evaluate(() => new URLSearchParams(location.search).get("open"));
+        await lab.page.keyboard.press("PageDown");
+        await lab.until((state) => state.lecture?.page === 2);
+        await lab.frames(3);
+        assert.equal(await named(), "four-numbers");
+        await lab.page.keyboard.press("F9");
+        await lab.until((state) => !state.lecture);
+        await lab.frames(3);
+        const { opened } = await lab.state();
+        assert.equal(await named(), opened);
+        await lab.page.reload();
+        await lab.ready();
+        assert.equal((await lab.state()).opened, opened);
+    }));
+
 test("Before its first picture the page has the colours of the theme", limit, async () => {
     for (const [asked, chosen, ground] of [["light", null, 255], ["dark", null, 20], ["light", "dark", 20], ["dark", "light", 255]]) {
         const context = await labs.browser.newContext({ colorScheme: asked });

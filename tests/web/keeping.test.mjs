@@ -85,11 +85,42 @@ test("In a browser that refuses cookies the lab starts and says that nothing is 
     }
 });
 
+test("A frame that keeps nothing offers a window of its own", limit, async () => {
+    const context = await labs.browser.newContext({ locale: "en-US" });
+    try {
+        await context.addInitScript(refuseStorage);
+        const page = await context.newPage();
+        await page.route("**/course.html", (route) => route.fulfill({ contentType: "text/html",
+            body: '<iframe style="width: 1280px; height: 800px" src="/?open=01-drive"></iframe>' }));
+        await page.goto(labs.server.address + "course.html");
+        const frame = await (await page.waitForSelector("iframe")).contentFrame();
+        await frame.waitForSelector("#notice-own:not([hidden])", { timeout: 60000 });
+        assert.equal(await frame.getAttribute("#notice-own", "href"), labs.server.address + "?open=01-drive");
+    } finally {
+        await context.close();
+    }
+});
+
+test("A reload offers a prediction and its run without an edit", limit, () =>
+    withLab("?open=01-drive", async (lab) => {
+        await predict(lab);
+        await lab.page.keyboard.press("Space");
+        await lab.until((state) => state.tick > 30);
+        await lab.page.reload();
+        await lab.ready();
+        await lab.click("recovery.take");
+        await lab.until((state) => state.exercise.predicted === 1 && state.tick > 30);
+    }));
+
 test("A full storage keeps what it has, and the page offers the rest as a download", limit, () =>
     withLab("?open=01-drive", async (lab) => {
         await predict(lab);
         await eventually(lab, async () => (await keptExercises(lab)).length === 1, "progress is stored");
         const before = await stored(lab, progress);
+        await lab.page.evaluate(() => location.hash = "#e1.05-aggressor");
+        await lab.until((state) => state.exercise?.id === "05-aggressor");
+        const hasWork = () => lab.page.evaluate(() => Object.keys(localStorage).some((key) => key.endsWith(".autosave")));
+        await eventually(lab, async () => !(await hasWork()), "the work on the first exercise is removed");
         await lab.page.evaluate(() => {
             for (let size = 1 << 22; size >= 1; size >>= 1)
                 for (let i = 0; ; ++i)
@@ -99,8 +130,6 @@ test("A full storage keeps what it has, and the page offers the rest as a downlo
                         break;
                     }
         });
-        await lab.page.evaluate(() => location.hash = "#e1.05-aggressor");
-        await lab.until((state) => state.exercise?.id === "05-aggressor");
         await predict(lab);
         await lab.page.waitForSelector("#notice:not([hidden])", { timeout: 15000 });
         assert.match(await noticeText(lab), /full/);
@@ -109,9 +138,9 @@ test("A full storage keeps what it has, and the page offers the rest as a downlo
         const downloads = [];
         lab.page.on("download", (download) => downloads.push(download));
         await lab.page.click("#notice-act");
-        await eventually(lab, () => downloads.length > 0, "a download");
-        assert.deepEqual(downloads.map((each) => each.suggestedFilename()), ["braitenlab-progress.json"]);
-        const [file] = downloads;
+        await eventually(lab, () => downloads.length > 1, "two downloads");
+        assert.deepEqual(downloads.map((each) => each.suggestedFilename()).sort(), ["05-aggressor.run", "braitenlab-progress.json"]);
+        const file = downloads.find((each) => each.suggestedFilename().endsWith(".json"));
         assert.equal(Object.keys(JSON.parse(await readFile(await file.path(), "utf8")).exercises).length, 2);
     }));
 
@@ -355,6 +384,7 @@ test("A frame that may refuse downloads offers the text of a hand-in", limit, as
         assert.match(await frame.textContent("#notice-text"), /a\.braiten-handin\.toml/);
         await frame.click("#notice-act");
         assert.deepEqual(await frame.evaluate(() => window.copied), ["student = 'Ana'"]);
+        await frame.waitForFunction(() => /copied.*a\.braiten-handin\.toml/.test(document.getElementById("notice-text").textContent));
     } finally {
         await context.close();
     }
