@@ -71,6 +71,7 @@ std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& curr
     std::vector<Error> errors;
     book = {};
     files_ = {{nameless_stem}};
+    unused_.clear();
     if (folder_.empty()) return errors;
     for (const fs::path& path : progress_files(folder_)) {
         auto text = progress_text(path);
@@ -85,7 +86,7 @@ std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& curr
             book.all.front() = files_.front().written = std::move(*progress);
             files_.front().text = std::move(*text);
         } else if (auto error = unused(path, *progress, book)) {
-            errors.push_back(std::move(*error));
+            errors.push_back(std::move(*error)), unused_.push_back(stem);
         } else {
             if (stem == current) book.current = book.all.size();
             files_.push_back({stem, *progress, std::move(*text)}), book.all.push_back(std::move(*progress));
@@ -171,9 +172,33 @@ std::optional<Error> StudentFiles::write(OnDisk& file, StudentProgress& progress
     return std::nullopt;
 }
 
+// True if the book goes on with a student whom another window has added.
+bool StudentFiles::follow_name(StudentBook& book) {
+    if (book.current > 0 || files_.size() != book.all.size()) return false;
+    for (const fs::path& path : progress_files(folder_)) {
+        const std::string stem = path.stem().string();
+        const bool is_known =
+            std::any_of(files_.begin(), files_.end(), [&](const OnDisk& each) { return each.stem == stem; }) ||
+            std::find(unused_.begin(), unused_.end(), stem) != unused_.end();
+        if (is_known) continue;
+        auto text = progress_text(path);
+        auto progress = progress_in(text, path);
+        if (!progress || unused(path, *progress, book)) {
+            unused_.push_back(stem);
+            continue;
+        }
+        files_.push_back({stem, *progress, std::move(*text)});
+        book.all.push_back(std::move(*progress));
+        book.current = book.all.size() - 1, book.before_reset.reset();
+        return true;
+    }
+    return false;
+}
+
 StudentFiles::Written StudentFiles::write(StudentBook& book) {
     Written done;
     if (folder_.empty()) return done;
+    done.merged = !files_.empty() && follow_name(book);
     if (files_.empty()) files_ = {{nameless_stem}};
     bool changed = files_.size() < book.all.size();
     for (std::size_t i = 0; i < files_.size() && i < book.all.size(); ++i)

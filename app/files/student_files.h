@@ -31,7 +31,8 @@ public:
         std::optional<Error> failed{};  // of the first failed attempt; later ones are silent until one succeeds
         bool merged = false;            // the book has taken over changes of another window
     };
-    // Writes the students that differ from their files, and takes over what another window has written since.
+    // Writes the students that differ from their files, and takes over what another window has written since. While
+    // the student has no name, a student whom another window has added since read() becomes the current one.
     Written write(StudentBook&);
 
     // The file of the student who works now, without folder and extension; empty for the first one.
@@ -47,6 +48,7 @@ private:
     };
     std::filesystem::path path_of(const OnDisk& file) const { return folder_ / (file.stem + ".json"); }
     std::pair<std::filesystem::file_time_type, std::uintmax_t> stamp_of(const OnDisk&) const;
+    bool follow_name(StudentBook&);
     std::string free_stem(const std::string& name) const;
     std::string stem_for(const std::string& name) const;
     std::optional<Error> unused(const std::filesystem::path&, const StudentProgress&, const StudentBook&) const;
@@ -54,7 +56,8 @@ private:
     std::optional<Error> merge(OnDisk&, StudentProgress&, Written&) const;
     std::optional<Error> write(OnDisk&, StudentProgress&, Written&) const;
     std::filesystem::path folder_;
-    std::vector<OnDisk> files_;  // as StudentBook::all
+    std::vector<OnDisk> files_;        // as StudentBook::all
+    std::vector<std::string> unused_;  // stems of files that were there when they were read, or were tried since
 };
 
 }  // namespace braitenlab

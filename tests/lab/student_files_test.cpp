@@ -142,6 +142,26 @@ TEST(StudentFiles, FollowWhatAnotherWindowHasWrittenWhereNothingIsToBeWritten) {
     EXPECT_EQ(text_of(windows.folder / "zo-z.json"), text);
 }
 
+TEST(StudentFiles, GoOnWithTheStudentWhomAnotherWindowNames) {
+    for (const bool has_name : {false, true}) {
+        TwoWindows windows;
+        windows.ours.current = 0, windows.theirs.current = has_name ? 1 : 0;
+        put_text(windows.folder / "broken.json", "{");
+        EXPECT_FALSE(windows.other.write(windows.theirs).merged);
+        windows.ours.all.push_back({"Cy", {{"06-love", {.hints = 1}}}});
+        windows.ours.current = 2;
+        windows.one.write(windows.ours);
+        EXPECT_EQ(windows.other.write(windows.theirs).merged, !has_name);
+        EXPECT_EQ(windows.theirs.student().name, has_name ? "Zoë / Z" : "Cy");
+        if (has_name) continue;
+        EXPECT_EQ(windows.theirs, windows.ours);
+        EXPECT_EQ(windows.other.current_file(windows.theirs), "cy");
+        EXPECT_FALSE(windows.other.write(windows.theirs).merged) << "once";
+        windows.theirs.current = 0;
+        EXPECT_FALSE(windows.other.write(windows.theirs).merged) << "the person chooses to have no name";
+    }
+}
+
 TEST(StudentFiles, AddAStudentOnceIfTwoWindowsAddHim) {
     TwoWindows windows;
     windows.ours.all.push_back({"Ben", {{"06-love", {.hints = 1}}}});
