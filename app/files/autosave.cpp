@@ -129,7 +129,12 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         document.path = keys.path;
         document.on_disk = mark_of(keys.path);
         document.content = keys.content;
-        if (auto scene = load_scene(keys.path)) document.file = std::make_shared<const Scene>(std::move(*scene));
+        if (auto scene = load_scene(keys.path)) {
+            // A copy that states no name has that of its file; the run keeps the name that it began with.
+            document.is_scene_named_by_file = scene->name == keys.path.stem().string();
+            if (document.is_scene_named_by_file) scene->name = document.session.scene().name;
+            document.file = std::make_shared<const Scene>(std::move(*scene));
+        }
         return document;
     }
     auto document = open_document(keys.path, std::nullopt, {});

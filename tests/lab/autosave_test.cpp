@@ -402,6 +402,24 @@ TEST_F(AutosaveTest, ComparesRecoveredWorkWithTheFileOnTheDisk) {
     EXPECT_TRUE(has_unsaved_edits(make_lab(std::move(*recovered)))) << "the scene as opened differs from the file";
 }
 
+TEST_F(AutosaveTest, KnowsThatACopyWithoutANameOfItsOwnIsSaved) {
+    edit(lab, 1);
+    handle(lab, SaveRequest{(folder / "mine.toml").string(), FileKind::scene});
+    FilesView files;
+    StoredState state;
+    execute_file_requests(lab, files, state, {.home = folder.path});
+    ASSERT_EQ(lab.document.name, "mine");
+    tick(lab);
+    EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, Autosave::Occasion::end));
+    const Autosave next(folder.path, complaints);
+    ASSERT_TRUE(next.leftover());
+    EXPECT_FALSE(next.leftover()->offer.has_work);
+    auto recovered = next.recover();
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    recovered->edits = 1;
+    EXPECT_FALSE(has_unsaved_edits(make_lab(std::move(*recovered))));
+}
+
 TEST_F(AutosaveTest, RecoveredWorkKnowsTheContentOfItsFile) {
     lab.document.path = folder / "mine.toml";
     lab.document.content = 7;
