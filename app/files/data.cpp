@@ -91,7 +91,11 @@ Result<fs::path> find_shipped(const std::string& path_or_name, Shipped wanted) {
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     const fs::path given(path_or_name);
     const std::string stem = given.extension() == ".toml" ? given.stem().string() : path_or_name;
-    return error_of(message_of(kind->none, path_or_name) + nearest_of(stem, candidates));
+    // A list of a hundred names would end before most kinds of files.
+    const Message known = kind->folder.empty() && !candidates.empty()
+                              ? message_of("nearest", in_quotes(nearest_word(stem, candidates)))
+                              : nearest_of(stem, candidates);
+    return error_of(message_of(kind->none, path_or_name) + known);
 }
 
 Result<fs::path> scene_beside(const fs::path& file, const std::string& scene) {

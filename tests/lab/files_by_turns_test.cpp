@@ -18,6 +18,13 @@ TEST(FilesByTurns, ShowTheBeginningOfBothListsFirst) {
     EXPECT_TRUE(files_by_turns({}).empty());
 }
 
+TEST(FindShipped, NamesTheNearestOfAllAndListsNone) {
+    const auto missing = find_shipped("nonsense");
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().text().find("; the nearest is '"), std::string::npos) << missing.error().text();
+    EXPECT_EQ(missing.error().text().find("', '"), std::string::npos) << missing.error().text();
+}
+
 TEST(Catalogue, ListsTheScenesOfRobotsByTheNameOfTheirFile) {
     const std::vector<CatalogueEntry> catalogue = read_catalogue();
     for (const auto& path : shipped_robots())
