@@ -207,7 +207,7 @@ TEST(ClassReport, ARowThatDoesNotCountSaysWhy) {
     EXPECT_EQ(problem(1), "");
     EXPECT_EQ(problem(2), "hand-in for another exercise: 06-love");
     EXPECT_EQ(problem(3), "");
-    EXPECT_TRUE(problem(4).starts_with("f:2: not TOML")) << problem(4);
+    EXPECT_TRUE(problem(4).starts_with("f:2: the file ends early")) << problem(4);
     const ClassSummary summary = summary_of(report);
     EXPECT_EQ(summary.counted, 2);
     EXPECT_EQ(summary.passed, 1);

@@ -2,6 +2,7 @@
 // click, by its digit, or by the arrow keys and Enter. Beside them the run of their parent.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -216,26 +217,23 @@ bool children_buttons(const LabView& view, PanelState& state, Ui& ui) {
     return watch || close;
 }
 
-// Of the parent and three children beside each other, and of the buttons below; without the borders of the sheet.
-float width_of_rows(const Ui& ui, float picture) {
+// Of the parent and three children beside each other, of the buttons below, and of words in few lines, which leave room
+// to the pictures; without the borders of the sheet.
+float width_of_rows(const Ui& ui, Rect window, float picture) {
     float buttons = 2 * ImGui::GetStyle().ItemSpacing.x;
     for (const ButtonLook& look : looks_of_buttons(ui)) buttons += button_width(ui, look);
-    return std::max(4 * picture + 3 * ui.px(between_children), buttons);
+    const float words = std::min(ui.px(640), window.w - ui.px(100));
+    return std::max({4 * picture + 3 * ui.px(between_children), buttons, words});
 }
 
 // Width of a picture: nine with their seconds fit below the words without scrolling where they can. `shape`: height of
 // the floor by its width; `line`: of the seconds.
 float picture_width(const LessonView& lesson, const Ui& ui, Rect window, float shape, float line) {
     const float wide = std::min((window.w - ui.px(100)) / 4, ui.px(most_picture));
-    const auto with_lines = [&](std::size_t lines) {  // of the words
-        const float around = ui.px(196) + static_cast<float>(lines) * line_height(ui, Face::text);
-        const float high = (window.h - around) / 3 - line - ui.px(between_children);
-        return std::max(std::min(high / shape, wide), ui.px(least_picture));
-    };
-    float picture = with_lines(2);
-    for (int pass = 0; pass < 2; ++pass)  // smaller pictures make a narrower sheet, which may need more lines
-        picture = with_lines(std::max<std::size_t>(2, lines_of_choice(lesson, ui, width_of_rows(ui, picture))));
-    return picture;
+    const std::size_t lines = std::max<std::size_t>(2, lines_of_choice(lesson, ui, width_of_rows(ui, window, 0)));
+    const float around = ui.px(196) + static_cast<float>(lines) * line_height(ui, Face::text);
+    const float high = (window.h - around) / 3 - line - ui.px(between_children);
+    return std::max(std::min(high / shape, wide), ui.px(least_picture));
 }
 
 }  // namespace
@@ -250,8 +248,8 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     const float shape = std::clamp(arena.height / arena.width, 0.6f, 1.0f),
                 line = line_height(ui, Face::text) + ui.px(8);
     const float picture = picture_width(lesson, ui, window, shape, line);
-    const ImVec2 size{picture, picture * shape + line};
-    const float width = width_of_rows(ui, picture) + ui.px(56);
+    const ImVec2 size{std::floor(picture), std::floor(picture * shape + line)};
+    const float width = width_of_rows(ui, window, picture) + ui.px(56);
     SheetState& sheet = open_sheet(state, ui, Sheet::children, window, generation, width / ui.scale);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const std::size_t lines = lines_of_choice(lesson, ui, card_width(ui));
