@@ -89,7 +89,7 @@ std::string name_of_match(const BreedingView& view, const Ui& ui, const Breeding
 
 // "Run 3 of 4: eaten after 1.4 s" of the match whose start is shown, "Same start: …" of the other.
 std::string end_of_match(const BreedingView& view, const Ui& ui, std::size_t match, bool is_eaten, float seconds) {
-    const std::string end = fill(ui.strings(is_eaten ? "breeding.eaten" : "breeding.lives"), {fixed(ui, seconds, 1)});
+    std::string end = fill(ui.strings(is_eaten ? "breeding.eaten" : "breeding.lives"), {fixed(ui, seconds, 1)});
     if (view.watches_panel) return end;
     if (match != view.start.match) return fill(ui.strings("breeding.same_start"), {end});
     return fill(ui.strings("breeding.run_of_match"),
