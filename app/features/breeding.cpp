@@ -73,7 +73,7 @@ private:
 WatchedDuels nearest_duels(const evolve::BreedingBase& base, std::vector<WatchedRun> all, std::size_t matches) {
     std::vector<float> numbers;
     for (const WatchedRun& each : all) numbers.push_back(each.number);
-    WatchedDuels watched{.duels = {}, .start = nearest_start(base, numbers)};
+    WatchedDuels watched{.duels = {}, .start = nearest_start(base, matches, numbers)};
     const std::size_t first = (watched.start.match * evolve::tournament_trials + watched.start.run) * matches;
     watched.seed = all[first].trial.seed;
     for (std::size_t i = 0; i < matches; ++i) watched.duels.push_back(std::move(all[first + i].duel));

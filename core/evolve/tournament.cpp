@@ -91,9 +91,7 @@ std::vector<Trial> trials_at_all_starts(const std::vector<std::vector<Trial>>& m
     return trials;
 }
 
-MatchStart nearest_start(const BreedingBase& base, const std::vector<float>& numbers) {
-    std::size_t matches = 1;
-    while (matches * matches * tournament_trials < numbers.size()) ++matches;
+MatchStart nearest_start(const BreedingBase& base, std::size_t matches, const std::vector<float>& numbers) {
     const auto result = [&](MatchStart start, std::size_t match) {
         const std::size_t which = (start.match * tournament_trials + start.run) * matches + match;
         return score_of(base.breeding(), Side::predator, numbers[which]);

@@ -42,9 +42,10 @@ struct MatchStart {
 
 // Every match at each start of all of them: by match and run of the start, then by match.
 std::vector<Trial> trials_at_all_starts(const std::vector<std::vector<Trial>>& matches);
+
 // The start at which the results of all matches, and the difference of two, are nearest to those of their scores.
 // `numbers`: run_of() each of these trials in their order.
-MatchStart nearest_start(const BreedingBase&, const std::vector<float>& numbers);
+MatchStart nearest_start(const BreedingBase&, std::size_t matches, const std::vector<float>& numbers);
 
 // At most this many generations of each side, spread evenly. Precondition: a generation is complete.
 std::vector<Trial> trials_of_tournament(const BreedingBase&, const BreedingState&, int most);
