@@ -520,7 +520,7 @@ TEST(ClassReport, TheMostFrequentMistakeIsFirst) {
         if (i >= 1 && i < 4) each.unchanged = true;
         if (i >= 4 && i < 6) each.refusal = RowProblem{"report.too_many", "1", {}};
     }
-    const Strings& strings = speaking("en");
+    const Strings& strings = english();
     const std::string page = class_page({aggressor(), 1, rows}, strings, "en");
     std::size_t before = page.find(strings("report.resembled"));
     for (const std::string_view name :

@@ -341,7 +341,9 @@ TEST(Cards, OfASmallWindowTheExerciseOpensWhenThereIsNewsOfIt) {
         desk.point(300, 300);
         desk.button(0, true);
         desk.frame(4);
-        if (which < 3) EXPECT_FALSE(is_open(desk, Card::exercise)) << news[which] << ", while a slider is held";
+        if (which < 3) {
+            EXPECT_FALSE(is_open(desk, Card::exercise)) << news[which] << ", while a slider is held";
+        }
         desk.button(0, false);
         desk.frame(4);
         EXPECT_TRUE(is_open(desk, Card::exercise)) << news[which];
@@ -359,6 +361,7 @@ TEST(Cards, OfASmallWindowAClickDoesNotOpenWhatHasJustReplacedTheHeadingBelowIt)
         predict_and_run(desk, 0);
         desk.frame(6);
         desk.click("card.brain.fold");
+        desk.frame(2);
         ASSERT_TRUE(is_open(desk, Card::brain) && !is_open(desk, Card::exercise));
         if (by_itself) {
             desk.rest();

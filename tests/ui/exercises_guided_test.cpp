@@ -317,8 +317,9 @@ TEST(ExercisesGuided, WhatPulsesAfterAFailedRunGainsMostOfWhatIsOffered) {
         const std::string_view pointed = guided.pointed().anchor;
         const auto offers = offered_dials(exercise);
         for (std::size_t i = 0; i < gains.size(); ++i)
-            if (dials_at(exercise, pointed) == offers[i].dials)
+            if (dials_at(exercise, pointed) == offers[i].dials) {
                 EXPECT_EQ(gains[i], *std::max_element(gains.begin(), gains.end())) << exercise.id << ": " << pointed;
+            }
         EXPECT_FALSE(dials_at(exercise, pointed).empty()) << exercise.id << ": " << pointed;
         const bool lacks_left = exercise.id == "04-coward" || exercise.id == "06-love";
         EXPECT_TRUE(!lacks_left || pointed == "slider.LL") << exercise.id << ": " << pointed;

@@ -153,8 +153,9 @@ TEST(ExercisesLayout, NoTextOfAStepIsCutInASmallWindow) {
                     ASSERT_TRUE(step) << i;
                     EXPECT_LE(step->y + step->h, body.y + body.h + 1) << i;
                     for (const Written& each : it.desk.written)
-                        if (step->contains(each.rect.x + 1, each.rect.y + each.rect.h / 2))
+                        if (step->contains(each.rect.x + 1, each.rect.y + each.rect.h / 2)) {
                             EXPECT_LE(each.rect.y + each.rect.h, each.clip.y + each.clip.h + 3) << each.words;
+                        }
                 }
                 // The four long steps of 9 leave the outcome no room in German and Spanish.
                 const bool has_room = exercise.id != "09-explorer" || language == "en";
@@ -406,7 +407,9 @@ TEST(ExercisesLayout, TheFirstStepIsWholeAndInSightWhileTheQuestionIsAskedInASma
             const Rect body = body_of_exercise(it.desk);
             EXPECT_LE(it.desk.where("exercise.step.1").y + it.desk.where("exercise.step.1").h, body.y + body.h);
             for (const Shown& each : it.desk.shown)
-                if (each.id == "exercise.step.1") EXPECT_LE(each.rect.y + each.rect.h, body.y + body.h);
+                if (each.id == "exercise.step.1") {
+                    EXPECT_LE(each.rect.y + each.rect.h, body.y + body.h);
+                }
         }
 }
 

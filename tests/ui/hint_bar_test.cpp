@@ -195,8 +195,9 @@ TEST(HintBar, TellsHowFarABreedingIsWhoseSheetIsClosed) {
         desk.view.notice = {NoticeKind::done, "files.saved", std::string(300, 'a')};
         desk.frame(3);
         for (const Written& w : desk.written)
-            if (bar.contains(w.rect.x, w.rect.y) && w.rect.x < at.x)
+            if (bar.contains(w.rect.x, w.rect.y) && w.rect.x < at.x) {
                 EXPECT_LE(w.rect.x + w.rect.w, at.x + 1) << w.words;
+            }
     }
 }
 

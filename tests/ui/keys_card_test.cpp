@@ -81,7 +81,9 @@ TEST(KeysCard, BeginsWithPlayingOutsideALecture) {
             ASSERT_NE(begin, desk.written.end()) << language;
             for (const char* other : {"keys.place.everywhere", "keys.place.answer"})
                 for (const Written& w : desk.written)
-                    if (w.words == desk.strings(other)) EXPECT_LT(begin->rect.y, w.rect.y) << language << " " << other;
+                    if (w.words == desk.strings(other)) {
+                        EXPECT_LT(begin->rect.y, w.rect.y) << language << " " << other;
+                    }
         }
     }
 }
