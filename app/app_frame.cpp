@@ -10,6 +10,7 @@
 #include "app/applied_theme.h"
 #include "app/course/lab_lecture.h"
 #include "app/files/data.h"
+#include "app/imgui_opengl.h"
 #include "app/lab_edits.h"
 #include "app/lab_requests.h"
 #include "app/platform/page.h"
@@ -201,7 +202,8 @@ void App::frame(float passed) {
               .pulse = seconds_since(times_.change) < pulse_seconds ? ui::pulse(view) : 1,
               .written = reports_.state.wanted() ? &frame_.written : nullptr,
               .shortened = &shortened,
-              .opaque = &frame_.opaque};
+              .opaque = &frame_.opaque,
+              .fill_clip = fill_clip_rectangle};
     ui::draw_window(view, panels_, ui, layout);
     if (bool& asked = panels_.sheets.unsaved.recovery_asked; asked && panels_.sheet != ui::Sheet::recovery)
         autosave_.pass_over(), asked = false;  // "Not now": the next one

@@ -11,8 +11,8 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "app/imgui_opengl.h"
 #include "app/platform/platform.h"
-#include "app/upload_fonts.h"
 #include "core/maths/vec.h"
 #include "ui/mouse_queue.h"
 

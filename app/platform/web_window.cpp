@@ -14,10 +14,10 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "app/imgui_opengl.h"
 #include "app/platform/web_keys.h"
 #include "app/platform/web_pacing.h"
 #include "app/platform/web_touch.h"
-#include "app/upload_fonts.h"
 #include "app/window.h"
 #include "ui/mouse_queue.h"
 #include "ui/wiring/canvas.h"

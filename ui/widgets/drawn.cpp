@@ -22,6 +22,7 @@ std::optional<std::uint64_t> hash_of_drawn(const ImDrawData& drawn) {
             add(&part.ClipRect, sizeof part.ClipRect);
             add(&part.ElemCount, sizeof part.ElemCount);
             add(&texture, sizeof texture);
+            add(&part.UserCallbackData, sizeof part.UserCallbackData);
         }
     }
     return hash;

@@ -49,6 +49,37 @@ float corner_radius(const Ui& ui, Rect r, Corner corner) {
                                      : 0;
 }
 
+// The largest rectangle of whole pixels within one whose corners have this radius.
+Rect whole_pixels_inside(Rect r, float radius) {
+    constexpr float share = 0.293f;  // 1 - sqrt(1/2): where the corner's arc is nearest to the corner's middle
+    const float margin = share * radius;
+    const float left = std::ceil(r.x + margin), right = std::max(left, std::floor(r.x + r.w - margin));
+    const float top = std::ceil(r.y + margin), bottom = std::max(top, std::floor(r.y + r.h - margin));
+    return {left, top, right - left, bottom - top};
+}
+
+Rect grown_to_whole_pixels(Rect r, float margin) {
+    const float left = std::floor(r.x - margin), right = std::ceil(r.x + r.w + margin);
+    const float top = std::floor(r.y - margin), bottom = std::ceil(r.y + r.h + margin);
+    return {left, top, right - left, bottom - top};
+}
+
+// Draws what `drawn` adds between two rectangles, in four strips.
+template <class Drawn>
+void clip_to_rim(ImDrawList& draw, Rect outer, Rect inner, const Drawn& drawn) {
+    const float right = inner.x + inner.w, bottom = inner.y + inner.h;
+    const float outer_right = outer.x + outer.w, outer_bottom = outer.y + outer.h;
+    const std::array<Rect, 4> strips{{{outer.x, outer.y, outer.w, inner.y - outer.y},
+                                      {outer.x, bottom, outer.w, outer_bottom - bottom},
+                                      {outer.x, inner.y, inner.x - outer.x, inner.h},
+                                      {right, inner.y, outer_right - right, inner.h}}};
+    for (const Rect& strip : strips) {
+        draw.PushClipRect({strip.x, strip.y}, {strip.x + strip.w, strip.y + strip.h}, true);
+        drawn();
+        draw.PopClipRect();
+    }
+}
+
 }  // namespace
 
 void record_text(const Ui& ui, const ImDrawList& draw, Rect rect, std::string_view words, float pixels) {
@@ -233,8 +264,18 @@ void put_icon(const Ui& ui, ImVec2 middle, std::string_view name, Colour colour,
 }
 
 void fill_box(const Ui& ui, Rect r, Colour colour, Corner corner) {
-    ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour),
-                                              corner_radius(ui, r, corner));
+    constexpr float least_cleared = 4000;  // px²; a smaller box is not worth five more commands
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float radius = corner_radius(ui, r, corner);
+    const ImU32 paint_of_box = paint(colour);
+    const auto fill_all = [&] { draw.AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint_of_box, radius); };
+    const Rect inside = whole_pixels_inside(r, radius);
+    const bool is_opaque = paint_of_box >> IM_COL32_A_SHIFT == 255;
+    if (!ui.fill_clip || !is_opaque || inside.w * inside.h < least_cleared) return fill_all();
+    draw.PushClipRect({inside.x, inside.y}, {inside.x + inside.w, inside.y + inside.h}, true);
+    draw.AddCallback(ui.fill_clip, reinterpret_cast<void*>(static_cast<std::uintptr_t>(paint_of_box)));
+    draw.PopClipRect();
+    clip_to_rim(draw, grown_to_whole_pixels(r, 1), inside, fill_all);
 }
 
 void line_box(const Ui& ui, Rect r, Colour colour, Corner corner, float thickness) {
@@ -246,24 +287,15 @@ void shadow_box(const Ui& ui, ImDrawList& draw, Rect r, Corner corner, Shadow lo
     const Colour shadow = ui.palette.shadow.with_alpha(ui.palette.shadow.a * look.share);
     const float radius = corner_radius(ui, r, corner), lowered = ui.px(2);
     const float reach = ui.px(look.step) * static_cast<float>(look.rings) + lowered + 1;
-    // Only the rim is drawn, in four strips: below the box a software renderer would shade hidden pixels.
-    const float left = std::ceil(r.x + radius), right = std::max(left, std::floor(r.x + r.w - radius));
-    const float top = std::ceil(r.y + radius), bottom = std::max(top, std::floor(r.y + r.h - radius));
-    const Rect outer{r.x - reach, r.y - reach, r.w + 2 * reach, r.h + 2 * reach};
-    const float outer_right = outer.x + outer.w, outer_bottom = outer.y + outer.h;
-    const std::array<Rect, 4> strips{{{outer.x, outer.y, outer.w, top - outer.y},
-                                      {outer.x, bottom, outer.w, outer_bottom - bottom},
-                                      {outer.x, top, left - outer.x, bottom - top},
-                                      {right, top, outer_right - right, bottom - top}}};
-    for (const Rect& strip : strips) {
-        draw.PushClipRect({strip.x, strip.y}, {strip.x + strip.w, strip.y + strip.h}, true);
+    // Only the rim is drawn: below the box a software renderer would shade hidden pixels.
+    const Rect outer = grown_to_whole_pixels(r, reach);
+    clip_to_rim(draw, outer, whole_pixels_inside(r, radius), [&] {
         for (int ring = look.rings; ring > 0; --ring) {
             const float grown = ui.px(look.step) * static_cast<float>(ring);
             draw.AddRectFilled({r.x - grown, r.y - grown + lowered}, {r.x + r.w + grown, r.y + r.h + grown + lowered},
                                paint(shadow), radius + grown);
         }
-        draw.PopClipRect();
-    }
+    });
 }
 
 void put_role(const Ui& ui, ImVec2 middle, float size, Role role) {

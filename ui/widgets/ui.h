@@ -10,6 +10,8 @@
 #include "ui/request.h"
 #include "ui/widgets/anchors.h"
 
+struct ImDrawCmd;
+struct ImDrawList;
 struct ImFont;
 
 namespace braitenlab {
@@ -19,6 +21,10 @@ class Strings;  // ui/words/strings.h
 namespace ui {
 
 struct Keyboard;  // ui/widgets/keyboard.h
+
+// A callback of Dear ImGui's drawing: fills the clip rectangle of the command with the opaque colour that its
+// UserCallbackData is (ImU32), faster than triangles do.
+using FillClip = void(const ImDrawList*, const ImDrawCmd*);
 
 // Null: Dear ImGui's current font.
 struct Fonts {
@@ -81,6 +87,7 @@ struct Ui {
     std::vector<Shown>* shown = nullptr;      // null: not recorded
     std::vector<Rect>* opaque = nullptr;      // null: not recorded; what cards, bars and sheets cover, window pixels
     PointedOut* pointed_out = nullptr;        // null: not recorded
+    FillClip* fill_clip = nullptr;            // null: triangles fill large boxes, too
     Tooltips* tooltips = nullptr;             // set by draw_window; null: each waits for itself
 
     // Layout pixels to window pixels.
