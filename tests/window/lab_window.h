@@ -189,7 +189,7 @@ public:
         for (double now = state()["time_scale"]; now != wanted; now = state()["time_scale"]) {
             key(now < wanted ? "equal" : "minus");
             if (eventually([&] { return state()["time_scale"] != now; })) continue;
-            ADD_FAILURE() << "the speed stays " << now;
+            ADD_FAILURE() << "the speed stays " << now << ": " << state() << " " << anchors();
             return;
         }
     }

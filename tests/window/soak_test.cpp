@@ -155,7 +155,8 @@ TEST(Soak, TheWindowEnduresARandomUser) {
     EXPECT_LT(memory.slope(settled) * (minutes - settled) / 60, noise);
     go_on(lab);
     lab.key("space");
-    ASSERT_TRUE(LabWindow::eventually([&] { return lab.state()["mode"] == "paused"; }));
+    ASSERT_TRUE(LabWindow::eventually([&] { return lab.state()["mode"] == "paused"; }))
+        << lab.state() << " " << lab.anchors();
     lab.draw_frames();
     EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["hash"] == hash_on_disk(home); }, 10))
         << hash_on_disk(home) << " on the disk, " << lab.state()["hash"];
