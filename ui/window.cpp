@@ -349,6 +349,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     switch_menus(state, ui, open_menus);
     draw_sheets(view, state, ui, layout.window);
     term_card(view, state, ui, layout.window);
+    keep_drawn(state.sliders);
     keep_drawn(state.fields);
     keep_drawn_fields(state);
     for (TextField* field : {&state.values.seed, &state.exercise.note, &state.exercise.hand_in.name})

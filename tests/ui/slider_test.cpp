@@ -377,6 +377,38 @@ TEST(Slider, EscapeKeepsTheNumber) {
     EXPECT_TRUE(desk.actions().empty()) << "Esc must not reach the lab while a number is typed";
 }
 
+TEST(Slider, TypingEndsWhereTheSliderIsGone) {
+    for (const bool folds : {false, true}) {
+        Desk desk;
+        desk.frame(3);
+        desk.click("slider.LL", 0, 0.95f);
+        ASSERT_EQ(desk.panels.sliders.typed, "slider.LL");
+        if (folds)
+            desk.panels.card(Card::brain).folded = true;
+        else
+            desk.view.settings.selection = {};  // as after the death of the vehicle
+        desk.frame(4);
+        ASSERT_FALSE(desk.anchors.find("slider.LL"));
+        desk.key({'='});
+        EXPECT_EQ(desk.actions(), std::vector{Action::faster});
+    }
+}
+
+TEST(Slider, ADragEndsWhereTheSliderIsGone) {
+    Desk desk;
+    desk.frame(3);
+    desk.point("slider.LL", 0.5f);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    ASSERT_EQ(desk.panels.sliders.dragged, "slider.LL");
+    desk.view.settings.selection = {};
+    desk.frame(2);
+    desk.button(0, false);
+    desk.frame(4);
+    EXPECT_EQ(desk.panels.sliders.dragged, "");
+}
+
 TEST(Slider, BlocksShortcutsWhileANumberIsTyped) {
     Desk desk;
     desk.frame(3);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets/item.h"
@@ -120,6 +121,7 @@ std::optional<float> nudge_knob(Ui& ui, SliderState& state, const Item& at, std:
 void open_text(SliderState& state, std::string_view id, const std::string& number) {
     state.typed = id;
     state.text_opened = state.commit = state.give_up = false;
+    state.text_drawn = true;
     std::string plain = number;  // with the minus of the keyboard
     if (const auto minus = plain.find("−"); minus != std::string::npos) plain.replace(minus, 3, "-");
     state.opened_text = plain[0] == '+' ? plain.substr(1) : plain;
@@ -136,6 +138,7 @@ std::optional<std::string> edit_text(Ui& ui, SliderState& state, std::string_vie
     const bool entered = ImGui::InputText("##number", state.text, sizeof state.text,
                                           ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
     const bool active = ImGui::IsItemActive();
+    state.text_drawn = true;
     if (ui.keyboard) ui.keyboard->field = box;
     ImGui::PopFont();
     ImGui::PopStyleVar();
@@ -183,6 +186,11 @@ void draw_slider(const Ui& ui, const Item& at, const SliderTrack& t, float value
 }
 
 }  // namespace
+
+void keep_drawn(SliderState& state) {
+    if (!std::exchange(state.text_drawn, false)) state.typed.clear();
+    if (!ImGui::IsMouseDown(0)) state.dragged.clear();
+}
 
 std::uint64_t gesture_by_keys(const SliderState& state, double wall_seconds) {
     const bool is_recent = state.set_at >= 0 && wall_seconds - state.set_at <= gesture_pause;

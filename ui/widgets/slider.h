@@ -34,8 +34,13 @@ struct SliderState {
     char text[24] = {};
     std::string opened_text;               // at first; leaving it as it is changes nothing
     bool text_opened = false;              // its text field is active
+    bool text_drawn = false;               // in this frame
     bool commit = false, give_up = false;  // Enter and Esc while typing, set by press_key
 };
+
+// Ends typing and dragging at a slider that is not drawn any more, for instance because its vehicle is gone: its text
+// field would take every key. Call once a frame after all sliders.
+void keep_drawn(SliderState&);
 
 // Gesture number of the edit by keys, by typing or by a right click that was made less than a second ago; 0: none was.
 // Call after the sliders of the frame have been drawn.
