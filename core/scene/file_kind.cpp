@@ -6,9 +6,45 @@
 #include <sstream>
 
 #include "core/messages.h"
+#include "core/plain_letters.h"
 #include "core/scene/schema.h"
+#include "core/utf8.h"
 
 namespace braitenlab {
+
+namespace {
+
+std::string_view without_blanks_before(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    return text;
+}
+
+// The language of a text in tags, by its first element.
+std::string_view markup_format(std::string_view text) {
+    bool is_xml = false;
+    while (text.starts_with("<?") || text.starts_with("<!--")) {
+        const std::string_view end = text[1] == '?' ? "?>" : "-->";
+        const std::size_t at = text.find(end);
+        text = at == text.npos ? std::string_view() : without_blanks_before(text.substr(at + end.size()));
+        is_xml = true;
+    }
+    const std::string begin = lower_case(std::string(text.substr(0, 20)));
+    for (const std::string element : {"html", "head", "body", "svg"})
+        if (begin.starts_with("<" + element) || begin.starts_with("<!doctype " + element))
+            return element == "svg" ? "SVG" : "HTML";
+    const bool is_tag =
+        begin.size() > 1 && begin[0] == '<' && (begin[1] == '!' || (begin[1] >= 'a' && begin[1] <= 'z'));
+    return is_xml || is_tag ? "XML" : std::string_view();
+}
+
+// The name of the first file, zeros up to 100 bytes, numbers, and the name of the format.
+bool is_tar(std::string_view content) {
+    constexpr std::size_t name = 100, format = 257;
+    return content.size() > format && content.substr(format).starts_with("ustar") &&
+           content.substr(0, name).find('\0') != content.npos;
+}
+
+}  // namespace
 
 std::optional<FileKind> find_kind(const std::filesystem::path& path, std::string_view text) {
     if (path.extension() == ".run") return FileKind::run;
@@ -30,7 +66,9 @@ std::optional<FileKind> find_kind(const std::filesystem::path& path, std::string
 }
 
 std::string_view foreign_format(std::string_view content) {
-    content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+    if (is_tar(content)) return "tar";
+    if (constexpr std::string_view mark = "\uFEFF"; content.starts_with(mark)) content.remove_prefix(mark.size());
+    content = without_blanks_before(content);
     struct Signature {
         std::string_view bytes, format;
     };
@@ -47,6 +85,9 @@ std::string_view foreign_format(std::string_view content) {
                                                      "7zXZ",
                                                      "xz"},
                                            Signature{"BZh", "bzip2"},
+                                           Signature{"\x28\xB5\x2F\xFD", "zstd"},
+                                           Signature{"SQLite format 3", "SQLite"},
+                                           Signature{"%!PS", "PostScript"},
                                            Signature{"Rar!", "RAR"},
                                            Signature{"RIFF", "RIFF"},
                                            Signature{"\xD0\xCF\x11\xE0", "Office"},
@@ -54,15 +95,32 @@ std::string_view foreign_format(std::string_view content) {
                                                      "ELF",
                                                      "ELF"},
                                            Signature{"{\\rtf", "RTF"},
-                                           Signature{"{", "JSON"},
-                                           Signature{"<!DOCTYPE html", "HTML"},
-                                           Signature{"<!doctype html", "HTML"},
-                                           Signature{"<html", "HTML"},
-                                           Signature{"<?xml", "XML"}};
+                                           Signature{"{", "JSON"}};
     const auto found = std::find_if(signatures.begin(), signatures.end(), [content](const Signature& signature) {
         return content.starts_with(signature.bytes);
     });
-    return found == signatures.end() ? std::string_view() : found->format;
+    return found == signatures.end() ? markup_format(content) : found->format;
+}
+
+std::string_view wide_encoding(std::string_view text) {
+    using namespace std::string_view_literals;
+    if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+    if (text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv)) return "UTF-16";
+    const std::size_t looked_at = std::min<std::size_t>(text.size(), 400) & ~std::size_t{3}, fours = looked_at / 4;
+    std::array<std::size_t, 4> filled{};  // bytes that are no zeros, by their place in each four
+    for (std::size_t i = 0; i < looked_at; ++i) filled[i % 4] += text[i] != '\0';
+    const auto has = [&](std::size_t place) { return filled[place] == fours && fours > 0; };
+    const auto lacks = [&](std::size_t place) { return 4 * filled[place] < fours; };
+    if ((has(0) && lacks(1) && has(2) && lacks(3)) || (lacks(0) && has(1) && lacks(2) && has(3))) return "UTF-16";
+    const bool is_wide = lacks(1) && lacks(2) && ((has(0) && lacks(3)) || (lacks(0) && has(3)));
+    return is_wide ? "UTF-32" : std::string_view();
+}
+
+bool is_binary(std::string_view content) {
+    std::string_view begin = content.substr(0, 1024);
+    while (!begin.empty() && (begin.back() & 0x80)) begin.remove_suffix(1);  // a character may be cut there
+    const auto is_odd = [](unsigned char c) { return c < 0x20 && c != '\f' && is_control(c); };
+    return std::any_of(begin.begin(), begin.end(), is_odd) && !is_utf8(begin);
 }
 
 Result<std::string> read_text(const std::filesystem::path& path) {

@@ -27,9 +27,15 @@ inline FileKind detect_kind(const std::filesystem::path& path, std::string_view 
     return find_kind(path, text).value_or(FileKind::scene);
 }
 
-// The format of a file of other programs by its first bytes, "ZIP", "PDF" or "PNG"; "JSON" for a saved run, too. Empty
-// for any other text.
+// The format of a file of other programs by its first bytes, "ZIP", "PDF" or "PNG"; "JSON" for a saved run, too. A
+// text that begins with a tag is HTML, SVG or XML. A mark of UTF-8 may stand before it. Empty for any other text.
 std::string_view foreign_format(std::string_view content);
+
+// "UTF-16" or "UTF-32" for such a text, also without a mark, if most of its letters are those of Latin; else empty.
+std::string_view wide_encoding(std::string_view text);
+
+// True for a file of no text: it begins with control characters beside bytes that are no UTF-8.
+bool is_binary(std::string_view content);
 
 // The content of a file. Fails if it is absent, no regular file (opening a pipe can block, a device can have no end),
 // unreadable, or larger than limits::file_bytes or `most`; then with the message `too_large`, whose value is `most` in

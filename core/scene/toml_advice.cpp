@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/plain_letters.h"
 #include "core/scene/nearest.h"
@@ -85,21 +88,31 @@ std::string outside_quotes(std::string_view line) {
     return outside;
 }
 
-Advice of_no_break_space(const KeyLine& line) {
+// The first character outside quotes that is meant, "U+00A0"; empty if there is none.
+std::string named_outside_quotes(const KeyLine& line, bool (*is_meant)(char32_t)) {
     const std::string outside = outside_quotes(line.whole);
-    for (const std::string_view blank : {"\u00A0", "\u202F", "\u2007"})
-        if (outside.find(blank) != std::string::npos) return message_of("advice_plain_blanks");
-    return std::nullopt;
+    for (std::string_view rest = outside; !rest.empty();) {
+        const CodePoint first = first_code_point(rest);
+        if (is_meant(first.code)) return fmt::format("U+{:04X}", static_cast<std::uint32_t>(first.code));
+        rest.remove_prefix(first.size);
+    }
+    return {};
+}
+
+Advice of_special_space(const KeyLine& line) {
+    const std::string space = named_outside_quotes(line, [](char32_t code) {  // Unicode's category Zs but for U+0020
+        return code == 0xA0 || code == 0x1680 || (code >= 0x2000 && code <= 0x200A) || code == 0x202F ||
+               code == 0x205F || code == 0x3000;
+    });
+    return space.empty() ? Advice() : message_of("advice_plain_blanks", space);
 }
 
 Advice of_invisible(const KeyLine& line) {
-    constexpr std::pair<std::string_view, std::string_view> names[]{
-        {"\u200B", "U+200B"}, {"\u200C", "U+200C"}, {"\u200D", "U+200D"}, {"\u2060", "U+2060"}, {"\uFEFF", "U+FEFF"},
-        {"\u00AD", "U+00AD"}, {"\u2028", "U+2028"}, {"\u2029", "U+2029"}, {"\u0085", "U+0085"}};
-    const std::string outside = outside_quotes(line.whole);
-    for (const auto& [character, called] : names)
-        if (outside.find(character) != std::string::npos) return message_of("advice_no_invisible", called);
-    return std::nullopt;
+    const std::string mark = named_outside_quotes(line, [](char32_t code) {
+        return is_layout_mark(code) || (code >= 0x200B && code <= 0x200D) || (code >= 0x2060 && code <= 0x2064) ||
+               code == 0xFEFF || code == 0xAD || code == 0x85 || code == 0x180E || code == 0x2800 || code == 0x3164;
+    });
+    return mark.empty() ? Advice() : message_of("advice_no_invisible", mark);
 }
 
 Advice of_typographic_minus(const KeyLine& line) {
@@ -199,19 +212,16 @@ Advice of_repetition(std::string_view above, const KeyLine& line) {
     return std::nullopt;
 }
 
-constexpr std::array causes{of_invisible,  of_no_break_space, of_typographic_minus, of_typographic_quotes,
-                            of_open_quote, of_heading,        of_missing_parts,     of_decimal_comma,
+constexpr std::array causes{of_invisible,  of_special_space, of_typographic_minus, of_typographic_quotes,
+                            of_open_quote, of_heading,       of_missing_parts,     of_decimal_comma,
                             of_unit,       of_bare_word};
 
 }  // namespace
 
 Message toml_advice(std::string_view text, int line) {
-    const bool is_utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
     const std::string_view found = line_of(text, line);
-    // Text of two or four bytes a character has a zero beside each letter.
-    const auto zeros = std::count(found.begin(), found.end(), '\0');
-    if (is_utf16 || !is_utf8(found) || zeros > 1) return message_of("advice_utf8");
-    if (zeros > 0) return message_of("advice_no_zero");
+    if (!is_utf8(found)) return message_of("advice_utf8");
+    if (found.find('\0') != found.npos) return message_of("advice_no_zero");
     const KeyLine parts = key_line_of(found);
     for (const auto cause : causes)
         if (auto advice = cause(parts)) return *advice;
@@ -249,8 +259,11 @@ int line_of_open_list(std::string_view text, int line) {
     const KeyLine next = key_line_of(line_of(text, line));
     if (!next.has_value && heading_name(next).empty()) return 0;
     std::ptrdiff_t open = 0;
+    std::string_view above = text.substr(0, static_cast<std::size_t>(line_of(text, line).data() - text.data()));
     for (int at = line - 1; at > 0; --at) {
-        const KeyLine before = key_line_of(line_of(text, at));
+        above.remove_suffix(above.ends_with('\n'));
+        const KeyLine before = key_line_of(above.substr(above.rfind('\n') + 1));
+        above = above.substr(0, above.rfind('\n') + 1);
         const std::string outside = outside_quotes(before.has_value ? before.value : before.whole);
         open += std::count(outside.begin(), outside.end(), '[') - std::count(outside.begin(), outside.end(), ']');
         if (before.has_value) return before.value.starts_with('[') && open > 0 ? at : 0;

@@ -4,6 +4,33 @@
 
 namespace braitenlab {
 
+namespace {
+
+// True if the next number of a list begins right after the comma behind this one, in "0,5".
+bool stands_at_comma(const TomlNode& number, const TomlNode& next) {
+    const TomlPlace a = number.place, b = next.place;
+    return a.line > 0 && a.line == b.line && b.column == a.column + fmt::formatted_size("{}", *number.as_whole()) + 1;
+}
+
+// "; write 0.5, with a point" for [0,5, 1,5], where commas with a digit behind them stand between such with a blank.
+std::optional<Message> advice_on_commas(const TomlNode::List& list) {
+    std::string first;
+    bool before = false, is_spaced = false;  // the pair before touches; some pair does not
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::int64_t* whole = list[i].as_whole();
+        if (!whole) return std::nullopt;
+        if (i == 0) continue;
+        const bool touch = *whole >= 0 && stands_at_comma(list[i - 1], list[i]);
+        if (touch && before) return std::nullopt;
+        if (touch && first.empty()) first = fmt::format("{}.{}", *list[i - 1].as_whole(), *whole);
+        is_spaced |= !touch, before = touch;
+    }
+    if (first.empty() || !is_spaced) return std::nullopt;
+    return message_of("advice_decimal_point", first);
+}
+
+}  // namespace
+
 void TomlTable::wrong_type(std::string_view key, const TomlNode& found, const Message& wanted) {
     fail(key, message_of("type_wanted", key) + wanted + message_of("type_found") + message_of(found.type()));
 }
@@ -50,7 +77,10 @@ std::optional<maths::vec2> TomlTable::pair(std::string_view key, Range range) {
     if (!node) return std::nullopt;
     const TomlNode::List* both = node->as_list();
     const bool is_pair = both && both->size() == 2 && (*both)[0].as_number() && (*both)[1].as_number();
-    if (!is_pair) return fail(key, message_of("type_wanted", key) + message_of("two_numbers")), std::nullopt;
+    if (!is_pair) {
+        const Message advice = (both ? advice_on_commas(*both) : std::nullopt).value_or(Message());
+        return fail(key, message_of("type_wanted", key) + message_of("two_numbers") + advice), std::nullopt;
+    }
     for (const TomlNode& one : *both)
         if (!range.holds(*one.as_number())) return fail(key, outside(key, *one.as_number(), range)), std::nullopt;
     return maths::vec2{static_cast<float>(*(*both)[0].as_number()), static_cast<float>(*(*both)[1].as_number())};
@@ -76,6 +106,10 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
         if (!range.holds(*number)) return fail(key, outside(key, *number, range)), std::nullopt;
         all.push_back(*number);
     }
+    // Whole numbers that are meant as such and written in pairs ascend or descend.
+    if (!std::is_sorted(all.begin(), all.end()) && !std::is_sorted(all.rbegin(), all.rend()))
+        if (const auto advice = advice_on_commas(*values))
+            return fail(key, message_of("decimal_commas", key) + *advice), std::nullopt;
     return all;
 }
 

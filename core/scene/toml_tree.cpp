@@ -275,6 +275,11 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
         const bool is_run = text.substr(0, 200).find("\"braitenlab_run\"") != text.npos;
         return error_of(is_run ? message_of("run_as_toml") : message_of("other_file", format), std::move(file_name));
     }
+    if (const std::string_view encoding = wide_encoding(text); !encoding.empty())
+        return error_of(message_of("in_encoding", encoding) + message_of("advice_utf8"), std::move(file_name));
+    if (!text.empty() && text.find_first_not_of('\0') == text.npos)
+        return error_of(message_of("only_zeros"), std::move(file_name));
+    if (is_binary(text)) return error_of(message_of("not_text"), std::move(file_name));
     if (const int line = line_of_bare_return(text))
         return error_of(message_of("bare_returns"), std::move(file_name), line);
     if (const int line = line_of_too_deep_key(text))

@@ -125,6 +125,17 @@ TEST(StudyFile, RefusesWhatIsIncompleteOrUnknownWithLine) {
               "study.toml:6: 'name' is missing; a [[value]] has a name, paths and levels");
     EXPECT_NE(problem(file_text(good, "name = \"a\"\npaths = [\"x\"]\nlevels = [\"1\"]\n")).find("list of numbers"),
               std::string::npos);
+    for (const auto& [levels, written] :
+         {std::pair("[0,5, 1,5]", "0.5"), {"[0,1, 0,2, 0,3]", "0.1"}, {"[1, 0,5]", "0.5"}, {"[\n  -1,5, 1,5]", "-1.5"}})
+        EXPECT_TRUE(problem(file_text(good, std::string("name = \"a\"\npaths = [\"x\"]\nlevels = ") + levels + "\n"))
+                        .ends_with(std::string("; write ") + written + ", with a point"))
+            << levels;
+    for (const char* levels :
+         {"[0,5,1,5]", "[0, 5, 1, 5]", "[1,2, 3,4]", "[4,3, 2,1]", "[0.5,1.5, 1,2]", "[5,1]", "[]"})
+        EXPECT_EQ(problem(file_text(good, std::string("name = \"a\"\npaths = [\"x\"]\nlevels = ") + levels + "\n"))
+                      .find("with a point"),
+                  std::string::npos)
+            << levels;
     EXPECT_NE(problem(file_text(good, "name = \"seed\"\npaths = [\"x\"]\nlevels = [1]\n")).find("two columns 'seed'"),
               std::string::npos);
     EXPECT_NE(problem(file_text(good, std::string(weights) + "unti = \"m\"\n")).find("'unti'"), std::string::npos);

@@ -34,9 +34,14 @@ TEST(TomlAdvice, SaysWhatToDoAboutAMistakeOfTheLine) {
                             {"x = -2.5m # metres", "; write the number without its unit: -2.5"},
                             {"strength = 50%", "; write the number without its unit: 50"},
                             {"x =", "; write a value after x ="},
-                            {"x =\u00A03", "; write a plain space in place of the no-break space"},
-                            {"x = 3\u202Fm", "; write a plain space in place of the no-break space"},
+                            {"x =\u00A03", "; write a plain space in place of the special space U+00A0"},
+                            {"x = 3\u202Fm", "; write a plain space in place of the special space U+202F"},
+                            {"x\u1680= 3", "; write a plain space in place of the special space U+1680"},
+                            {"x =\u20033", "; write a plain space in place of the special space U+2003"},
+                            {"x = 3\u205F", "; write a plain space in place of the special space U+205F"},
+                            {"\u3000x = 3", "; write a plain space in place of the special space U+3000"},
                             {"x = \u200B16", "; remove the invisible character U+200B"},
+                            {"x = \u200E16", "; remove the invisible character U+200E"},
                             {"x = 16\u2028", "; remove the invisible character U+2028"},
                             {"x = \u22123", "; write a plain minus - instead of \u2212"},
                             {"x: 3", "; write a key and its value, like x = 1.5"},
@@ -63,6 +68,8 @@ TEST(TomlAdvice, NamesAHeadingOrAKeyThatStandsTwice) {
 TEST(TomlAdvice, KnowsANumberThatIsTooLargeAndAZeroByte) {
     EXPECT_TRUE(complaint("width = 1e400\n").ends_with("could not be interpreted as a value"));
     EXPECT_TRUE(complaint(std::string("width = 1\0\n", 11)).ends_with(message_of("advice_no_zero").text));
+    const std::string cut = complaint("a = 1\nb = 2" + std::string(2000, '\0'));
+    EXPECT_TRUE(cut.starts_with("f.toml:2:") && cut.ends_with(message_of("advice_no_zero").text)) << cut;
 }
 
 TEST(TomlAdvice, ATextOfSeveralLinesThatIsNotClosedIsToldAtItsLine) {

@@ -45,14 +45,61 @@ TEST(TomlTree, CutsAQuotedNameOfTheFileWithASign) {
 }
 
 TEST(TomlTree, NamesTheFormatOfAFileOfAnotherProgram) {
-    for (const auto& [bytes, format] : {std::pair{"PK\x03\x04rest", "ZIP"},
-                                        {"%PDF-1.7\n", "PDF"},
-                                        {"\x89PNG\r\n", "PNG"},
-                                        {"{\"other\": 1}", "JSON"},
-                                        {"\n  <!DOCTYPE html>\n", "HTML"},
-                                        {"\xD0\xCF\x11\xE0", "Office"}})
-        EXPECT_EQ(complaint(bytes), std::string("f.toml: this is a file of the format ") + format +
-                                        "; give a file of the lab, .toml or .run");
+    const std::string tar = "scene.toml" + std::string(247, '\0') + "ustar" + std::string(243, '\0') + "format = 1\n";
+    for (const auto& [bytes, format] : std::vector<std::pair<std::string, std::string>>{
+             {"PK\x03\x04rest", "ZIP"},
+             {"%PDF-1.7\n", "PDF"},
+             {"\uFEFF%PDF-1.7\n", "PDF"},
+             {"\x89PNG\r\n", "PNG"},
+             {"{\"other\": 1}", "JSON"},
+             {"\n  <!DOCTYPE html>\n", "HTML"},
+             {"\uFEFF<!DocType HTML><title>T</title>", "HTML"},
+             {"<!-- saved -->\n<HTML lang=\"de\">", "HTML"},
+             {"<?xml version=\"1.0\"?><!-- c --> <svg width=\"1\">", "SVG"},
+             {"<svg xmlns=\"http://www.w3.org/2000/svg\">", "SVG"},
+             {"<network>\n", "XML"},
+             {"<!DOCTYPE aesl-source>\n", "XML"},
+             {std::string("SQLite format 3\0\x10", 17), "SQLite"},
+             {tar, "tar"},
+             {"\xD0\xCF\x11\xE0", "Office"}})
+        EXPECT_EQ(complaint(bytes),
+                  "f.toml: this is a file of the format " + format + "; give a file of the lab, .toml or .run");
+}
+
+// The text in 2 or 4 bytes a character, the lowest first or last.
+std::string widened(std::string_view text, std::size_t bytes, bool lowest_first) {
+    std::string wide;
+    for (const char c : text) {
+        const std::string zeros(bytes - 1, '\0');
+        wide += lowest_first ? c + zeros : zeros + c;
+    }
+    return wide;
+}
+
+TEST(TomlTree, NamesAnEncodingOtherThanUtf8) {
+    const std::string text = "format = 1\n\n[arena]\nwidth = 20\n";
+    for (const std::size_t bytes : {2u, 4u})
+        for (const bool lowest_first : {true, false})
+            for (const bool has_mark : {true, false}) {
+                std::string mark = bytes == 2 ? "\xFE\xFF" : std::string("\0\0\xFE\xFF", 4);
+                if (lowest_first) std::reverse(mark.begin(), mark.end());
+                EXPECT_EQ(complaint((has_mark ? mark : "") + widened(text, bytes, lowest_first)),
+                          bytes == 2 ? "f.toml: the text is in UTF-16; save the file as UTF-8"
+                                     : "f.toml: the text is in UTF-32; save the file as UTF-8")
+                    << bytes << lowest_first << has_mark;
+            }
+    EXPECT_EQ(complaint("\uFEFF" + text), "");
+}
+
+TEST(TomlTree, NamesAFileThatIsNoText) {
+    EXPECT_EQ(complaint(std::string(5000, '\0')), "f.toml: " + message_of("only_zeros").text);
+    EXPECT_EQ(complaint("\x02\xFF\x80\r\x03rest"), "f.toml: " + message_of("not_text").text);
+    EXPECT_EQ(complaint("# \xFC"
+                        "ber\rx = 1")
+                  .substr(0, 9),
+              "f.toml:1:")
+        << "Latin-1 is a text";
+    EXPECT_EQ(complaint("a = \"\x1B\u00e4\"").substr(0, 9), "f.toml:1:") << "a control character in UTF-8";
 }
 
 TEST(TomlTree, NamesASavedRunWithTheExtensionOfAScene) {
@@ -74,6 +121,23 @@ TEST(TomlTree, LooksForNoErrorThatIsNotKept) {
         all = std::min(all, seconds_of([&] { EXPECT_EQ(errors_of_exercise(text, "f.toml").size(), 200u); }));
     }
     EXPECT_LT(all, 5 * parse) << all << " s, the text alone " << parse;
+}
+
+TEST(TomlTree, FindsTheCauseOfALargeFileInAboutTheTimeOfReadingIt) {
+    std::string rows;
+    for (int i = 0; i < 60000; ++i) rows += "  \"ab\",\n";
+    const auto seconds_of = [](const std::string& text) {
+        double least = 1e9;
+        for (int i = 0; i < 3; ++i) {
+            const std::clock_t began = std::clock();
+            (void)complaint(text);
+            least = std::min(least, static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
+        }
+        return least;
+    };
+    EXPECT_EQ(complaint("x = [\n" + rows + "[kind.a]\n").substr(0, 9), "f.toml:1:");
+    const double closed = seconds_of("x = [\n" + rows + "]\n"), open = seconds_of("x = [\n" + rows + "[kind.a]\n");
+    EXPECT_LT(open, 5 * closed) << open << " s, the list that is closed " << closed;
 }
 
 TEST(TomlTree, NamesALineThatEndsWithACarriageReturnAlone) {
