@@ -423,6 +423,18 @@ struct Message {
 };
 inline Message operator+(Message first, const Message& next) { return std::move(first += next); }
 
+// A number and the limit that it passes, for a message with both: with so many digits in all, or behind the point, or
+// with as many more as tell them apart.
+enum class Digits { in_all, behind_point };
+inline std::pair<std::string, std::string> told_apart(double value, double limit, Digits kind, int digits) {
+    const auto text = [&](double number) {
+        return kind == Digits::in_all ? fmt::format("{:.{}g}", number, digits) : fmt::format("{:.{}f}", number, digits);
+    };
+    constexpr int most = 17;  // digits of any double
+    while (digits < most && value != limit && text(value) == text(limit)) ++digits;
+    return {text(value), text(limit)};
+}
+
 // The id of a message of message_table that takes N values. Another text does not compile.
 template <std::size_t N>
 class MessageId {

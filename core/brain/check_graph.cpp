@@ -16,7 +16,9 @@ namespace {
 std::optional<Message> outside(const char* name, float value, float low, float high) {
     if (value >= low && value <= high) return std::nullopt;
     const auto shown = [](float number) { return fmt::format("{:.6g}", number); };
-    return message_of("out_of_range", name, shown(value), shown(low), shown(high));
+    const float limit = value < low ? low : high;
+    const auto [number, passed] = told_apart(static_cast<double>(value), static_cast<double>(limit), Digits::in_all, 6);
+    return message_of("out_of_range", name, number, shown(low), shown(high));
 }
 
 using GraphFault = std::optional<Message>;

@@ -44,7 +44,7 @@ Refusal check_arduino(const Plan& plan, int robot_rate) {
     if (cost.bytes > arduino::largest_program)
         return error_of(message_of("program_flash", cost.bytes, board, arduino::largest_program));
     if (!arduino::rate_for(cost, robot_rate))
-        return error_of(message_of("program_time", cost.cycles / 16000, board, 1000 / arduino::lowest_rate));
+        return error_of(message_of("program_time", (cost.cycles + 15999) / 16000, board, 1000 / arduino::lowest_rate));
     return std::nullopt;
 }
 

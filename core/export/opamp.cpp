@@ -313,7 +313,9 @@ std::optional<double> reading_for(const Plan& plan, const PlanUnit& motor, const
 }
 
 std::vector<Error> warnings(const Plan& plan) {
-    const auto text = [](double value) { return fmt::format("{:.2f}", value); };
+    const auto text = [](double value, const std::string& limit) {
+        return told_apart(value, std::stod(limit), Digits::behind_point, 2).first;
+    };
     std::vector<Error> found;
     for (const auto& [side, motor] : motors_of(plan)) {
         const double most = static_cast<double>(commands_of(plan, *motor).high), rest = command_at_rest(plan, *motor);
@@ -321,11 +323,12 @@ std::vector<Error> warnings(const Plan& plan) {
         if (most < l298_turns_from) {
             const std::string l298 = rounded_up(l298_turns_from), tb6612 = rounded_up(tb6612_turns_from);
             found.push_back(error_of(most <= stands_below
-                                         ? message_of("circuit_stands", name, text(most), l298, tb6612)
-                                         : message_of("circuit_may_stand", name, text(most), l298, tb6612)));
+                                         ? message_of("circuit_stands", name, text(most, l298), l298, tb6612)
+                                         : message_of("circuit_may_stand", name, text(most, l298), l298, tb6612)));
         } else if (const double least = turns_from(plan); rest >= 0.005 && rest < least) {
-            found.push_back(error_of(message_of("circuit_rest", name, text(rest),
-                                                takes_tb6612(plan) ? "TB6612" : "L298N", rounded_up(least))));
+            const std::string turns = rounded_up(least);
+            found.push_back(error_of(
+                message_of("circuit_rest", name, text(rest, turns), takes_tb6612(plan) ? "TB6612" : "L298N", turns)));
         }
     }
     for (const Input& input : plan.inputs)

@@ -246,11 +246,11 @@ std::vector<Error> place_warnings(const Plan& plan, Board board) {
             std::max(std::fabs(input.place->x), std::fabs(input.place->y)) > edge)
             add(beyond, in_quotes(input.name));
         if (part.range > 0 && input.range > part.range)
-            add(further, fmt::format("{} {:g} m", in_quotes(input.name), input.range)), part_range = part.range;
+            add(further, fmt::format("{} {} m", in_quotes(input.name), input.range)), part_range = part.range;
     }
     std::vector<Error> found;
     if (!beyond.empty()) found.push_back(error_of(message_of("part_beyond", beyond)));
-    if (!further.empty()) found.push_back(error_of(message_of("part_range", fmt::format("{:g}", part_range), further)));
+    if (!further.empty()) found.push_back(error_of(message_of("part_range", part_range, further)));
     return found;
 }
 

@@ -254,7 +254,9 @@ std::optional<Error> refusal(const Plan& plan) {
         for (const PlanTap& tap : unit.taps)
             if (tap.learning_rate > 0) return error_of(message_of("thymio_learns", name));
         if (!fits(plan, unit, 1000))
-            return error_of(message_of("thymio_numbers", name, fmt::format("{:.4g}", largest_of(plan, unit))));
+            return error_of(
+                message_of("thymio_numbers", name,
+                           told_apart(static_cast<double>(largest_of(plan, unit)), 32, Digits::in_all, 4).first));
     }
     const int one = unit_of(plan);
     for (const PlanUnit& unit : plan.units)

@@ -80,7 +80,7 @@ std::optional<Error> work_fault(const State& m) {
     now.ecology.population = std::max(now.ecology.population, in_population);
     const double work = work_of_a_tick(now, world::present_parts(m));
     if (work <= most) return std::nullopt;
-    return error_of(message_of("too_much_work", m.vehicles.size(), std::llround(work / 1e6), std::llround(most / 1e6)));
+    return error_of(too_much_work(static_cast<long long>(m.vehicles.size()), work, most));
 }
 
 std::optional<Error> vehicles_fault(const State& m) {

@@ -105,7 +105,7 @@ Message stands_in(const Scene& scene, const Corners& chassis) {
 
 // ── The warnings, one function each ──
 
-std::string shortly(float value) { return fmt::format("{:g}", value); }
+std::string shortly(float value) { return fmt::format("{}", value); }
 
 void warn_of_sources(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
     const Arena& arena = exercise.scene.arena;
@@ -294,10 +294,11 @@ void warn_of_median(const Exercise& exercise, const WarningPlaces& places, std::
     if (verdicts.empty()) return;
     const float needed = verdicts[static_cast<std::size_t>(rule.step) - 1].measures.front().needed;
     const float wanted = rule.factor * median(measured_values(rule, shipped.starts));
-    if (std::fabs(needed - wanted) > tolerance * std::fabs(wanted))
-        found.push_back(places.at(fmt::format("step.{}", rule.step),
-                                  message_of("median_differs", rule.step, fmt::format("{:.2f}", needed), rule.factor,
-                                             fmt::format("{:.2f}", wanted))));
+    if (std::fabs(needed - wanted) <= tolerance * std::fabs(wanted)) return;
+    const auto [has, should] =
+        told_apart(static_cast<double>(needed), static_cast<double>(wanted), Digits::behind_point, 2);
+    found.push_back(places.at(fmt::format("step.{}", rule.step),
+                              message_of("median_differs", rule.step, has, rule.factor, should)));
 }
 
 // The key in the file of a text's id: "predict.option.2" is the second of the options.

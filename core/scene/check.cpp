@@ -118,7 +118,8 @@ std::optional<Fault> wheels_fault(const Kind& kind) {
     float load = 0;
     for (const Wheel& wheel : kind.body.wheels) load += wheel.load;
     if (std::fabs(load - 1) <= 1e-3f) return std::nullopt;
-    return Fault{"kind." + kind.name + ".body.wheel", message_of("wheel_loads", fmt::format("{:.3g}", load))};
+    return Fault{"kind." + kind.name + ".body.wheel",
+                 message_of("wheel_loads", told_apart(static_cast<double>(load), 1, Digits::in_all, 3).first)};
 }
 
 // `path`: of the owner of the sensors.
@@ -256,7 +257,8 @@ std::optional<Fault> find_fault(const Scene& scene) {
 }
 
 Message outside(std::string_view key, double value, Range range) {
-    return message_of("out_of_range", key, fmt::format("{:.6g}", value), range.low, range.high);
+    const double limit = value < range.low ? range.low : range.high;
+    return message_of("out_of_range", key, told_apart(value, limit, Digits::in_all, 6).first, range.low, range.high);
 }
 
 std::optional<Message> name_fault(std::string_view name) {

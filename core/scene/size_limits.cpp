@@ -75,8 +75,8 @@ std::optional<Fault> density_fault(const Scene& scene) {
     const double covered = placed + of_one * scene.ecology.population;
     if (covered <= floor) return std::nullopt;
     const int most = std::max(always_allowed, static_cast<int>(vehicles * floor / covered));
-    return Fault{"ecology.population",
-                 message_of("too_dense", vehicles, std::llround(covered), std::llround(floor), most)};
+    const auto [area, arena] = told_apart(covered, floor, Digits::behind_point, 0);
+    return Fault{"ecology.population", message_of("too_dense", vehicles, area, arena, most)};
 }
 
 // Where the file places vehicles: squares of the floor as long as the longest vehicle, and how many stand in each.
@@ -383,11 +383,15 @@ private:
 std::optional<Fault> work_fault(const Scene& scene, const PresentParts& parts, const PlacedVehicles& placed) {
     const double work = WorkOfATick(scene, parts, placed).total();
     if (work <= most_work) return std::nullopt;
-    return Fault{"ecology.population", message_of("too_much_work", std::llround(vehicle_count(scene)),
-                                                  std::llround(work / 1e6), std::llround(most_work / 1e6))};
+    return Fault{"ecology.population", too_much_work(std::llround(vehicle_count(scene)), work, most_work)};
 }
 
 }  // namespace
+
+Message too_much_work(long long vehicles, double work, double most) {
+    const auto [millions, limit] = told_apart(std::ceil(work / 1e6), most / 1e6, Digits::behind_point, 0);
+    return message_of("too_much_work", vehicles, millions, limit);
+}
 
 double work_of_a_tick(const Scene& scene) { return work_of_a_tick(scene, parts_of(scene)); }
 

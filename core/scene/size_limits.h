@@ -38,4 +38,7 @@ double work_of_a_tick(const Scene&);
 double work_of_a_tick(const Scene&, const PresentParts&);
 inline constexpr double most_work = 40e6;  // 0.1 s
 
+// That a tick of so many vehicles needs this work, which is more than `most`.
+Message too_much_work(long long vehicles, double work, double most);
+
 }  // namespace braitenlab

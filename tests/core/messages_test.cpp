@@ -45,5 +45,17 @@ TEST(Messages, AreJoinedInEnglishAndByParts) {
     EXPECT_EQ(message_of(Error{"odd"}).phrases, (std::vector<Phrase>{{"", {"odd"}}}));
 }
 
+TEST(Messages, TellANumberFromTheLimitThatItPasses) {
+    for (const auto& [value, limit] :
+         {std::pair(1.0000001, 1.0), {40.0000001, 40.0}, {-5.00000004, -5.0}, {0.4999, 0.5}})
+        for (const Digits kind : {Digits::in_all, Digits::behind_point}) {
+            const auto [shown, passed] = told_apart(value, limit, kind, 2);
+            EXPECT_NE(shown, passed);
+            EXPECT_EQ(std::stod(shown) > std::stod(passed), value > limit) << shown << " " << passed;
+        }
+    EXPECT_EQ(told_apart(0.5, 0.52, Digits::behind_point, 2), (std::pair<std::string, std::string>("0.50", "0.52")));
+    EXPECT_EQ(told_apart(1, 1, Digits::in_all, 3).first, "1");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::messages_test

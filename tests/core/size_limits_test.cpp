@@ -256,6 +256,23 @@ TEST(SizeLimits, HoldWhereverObstaclesArePushed) {
     EXPECT_FALSE(is_refused(with_boxes(with_obstacles(floor, 2000, 1e3f, 1), 20, 0.3f))) << "which are apart";
 }
 
+TEST(SizeLimits, NameANumberThatIsMoreThanTheLimit) {
+    const auto values = [](const Message& message) { return message.phrases.front().values; };
+    EXPECT_EQ(values(too_much_work(1, 40e6 + 1, 40e6)), (std::vector<std::string>{"1", "41", "40"}));
+    EXPECT_NE(values(outside("x", 1.0000001, {0, 1}))[1], "1");
+    Scene full = crowd_of(200, 10);
+    const Body& body = full.kinds[0].body;
+    full.arena.width = full.arena.height = std::sqrt(200 * body.length * body.width) * 0.9999f;
+    const auto fault = find_fault(full);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->what.phrases.front().id, "too_dense");
+    const auto numbers = values(fault->what);
+    EXPECT_GT(std::stod(numbers[1]), std::stod(numbers[2])) << fault->what.text;
+    Scene heavy = crowd_of(1, 10);
+    heavy.kinds[0].body.wheels[0].load += 0.002f;
+    EXPECT_EQ(find_fault(heavy)->what.text.find("add up to 1;"), std::string::npos);
+}
+
 // The command is refused because of the work of a tick, and the world stays as it is.
 void expect_too_much_work(Session& session, const Command& command) {
     const auto hash = session.hash();
