@@ -29,7 +29,7 @@ bool file_exists(const fs::path& path) {
 std::vector<fs::path> candidate_folders() {
     std::vector<fs::path> folders;
     std::error_code none;
-    if (const char* own = std::getenv("BRAITENLAB_DATA")) return {fs::absolute(own, none)};
+    if (const char* own = std::getenv("BRAITENLAB_DATA"); own && *own) return {fs::absolute(own, none)};
     if (const fs::path program = program_file(); !program.empty())
         for (const fs::path& beside : {program.parent_path().parent_path(), program.parent_path()})
             folders.push_back(beside / "share" / "braitenlab");

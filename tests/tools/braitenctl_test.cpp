@@ -21,6 +21,11 @@ TEST(Braitenctl, ExitsWithTwoOnBadInput) {
     EXPECT_NE(ctl("run 2a-cowrad").out.find("2a-coward"), std::string::npos);
 }
 
+TEST(Braitenctl, TakesAnEmptyFolderOfDataForNone) {
+    const Ran ran = shell("BRAITENLAB_DATA= " BRAITENLAB_BINARY "/braitenctl show 2a-coward");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+}
+
 TEST(Braitenctl, NamesTheNearestCommandAndExplainsASeed) {
     EXPECT_NE(ctl("chekc 05-aggressor").out.find("the nearest is 'check'"), std::string::npos);
     const Ran seed = ctl("run 2a-coward --seed -1");
