@@ -146,9 +146,10 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"population_limit", "a world holds 0 to {} vehicles"},
     {"no_vehicle_left", "there is no vehicle left to remove"},
     {"no_run", "is no saved run that can be gone on with: "},
-    {"not_saved", "could not be saved: {}; choose another place. The old file is unchanged"},
-    {"disk_full", "could not be saved: {}; make room on the disk or choose another place. The old file is unchanged"},
-    {"no_permission", "could not be saved: {}; choose a folder that you may write to. The old file is unchanged"},
+    {"not_saved", "could not be saved: {}; choose another place"},
+    {"disk_full", "could not be saved: {}; make room on the disk or choose another place"},
+    {"no_permission", "could not be saved: {}; choose a folder that you may write to"},
+    {"old_file_stays", ". The old file is unchanged"},
     {"special_file", "is not a regular file; choose another name"},
     {"changed_outside",
      "another program has changed this file since it was read; save once more to replace it, or save under another "

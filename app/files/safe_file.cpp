@@ -17,16 +17,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error not_saved(const fs::path& path, int reason) {
+// `target`: the file behind the links of the path; empty where there is none.
+Error not_saved(const fs::path& path, const fs::path& target, int reason) {
     const std::string cause = std::strerror(reason);
+    std::error_code none;
+    const Message stays = fs::is_regular_file(target, none) ? message_of("old_file_stays") : Message();
     bool is_full = reason == ENOSPC || reason == EFBIG;
 #ifdef EDQUOT  // not on every system
     is_full = is_full || reason == EDQUOT;
 #endif
-    if (is_full) return error_of(message_of("disk_full", cause), path.string());
+    if (is_full) return error_of(message_of("disk_full", cause) + stays, path.string());
     if (reason == EACCES || reason == EPERM || reason == EROFS)
-        return error_of(message_of("no_permission", cause), path.string());
-    return error_of(message_of("not_saved", cause), path.string());
+        return error_of(message_of("no_permission", cause) + stays, path.string());
+    return error_of(message_of("not_saved", cause) + stays, path.string());
 }
 
 // The number of the C library for an error of the file system, which may have the system's own number.
@@ -42,8 +45,8 @@ bool is_of_system(const fs::path& absolute) {
 
 std::optional<Error> fault_of(const fs::path& wanted, const fs::path& target) {
     std::error_code none;
-    if (target.empty()) return not_saved(wanted, ELOOP);
-    if (fs::is_directory(target, none)) return not_saved(wanted, EISDIR);
+    if (target.empty()) return not_saved(wanted, {}, ELOOP);
+    if (fs::is_directory(target, none)) return not_saved(wanted, {}, EISDIR);
     if (is_of_system(target) || (fs::exists(target, none) && !fs::is_regular_file(target, none)))
         return error_of(message_of("special_file"), wanted.string());
     return std::nullopt;
@@ -54,7 +57,7 @@ std::optional<Error> make_folder_of(const fs::path& file) {
     if (auto fault = replacement_fault(file)) return fault;
     std::error_code problem;
     fs::create_directories(behind_links(file).parent_path(), problem);
-    if (problem) return not_saved(file, errno_of(problem));
+    if (problem) return not_saved(file, {}, errno_of(problem));
     return std::nullopt;
 }
 
@@ -119,7 +122,7 @@ void FileWriter::remove_beside() {
 
 // Aborts: removes the temporary file and stores the first error.
 void FileWriter::fail(int reason) {
-    error_ = not_saved(wanted_, reason ? reason : EIO);
+    error_ = not_saved(wanted_, path_, reason ? reason : EIO);
     remove_beside();
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/messages.h"
 #include "tests/folder.h"
 #include "tests/full_disk.h"
 
@@ -60,6 +61,21 @@ TEST(SafeFile, KeepsTheOldFileIfTheDiskIsFull) {
     EXPECT_EQ(error->file, file.string());
     EXPECT_EQ(text_of(file), "old");
     EXPECT_EQ(names_in(folder.path), std::set<std::string>{"scene.toml"});
+}
+
+TEST(SafeFile, SaysThatTheOldFileIsUnchangedOnlyWhereThereIsOne) {
+    const Folder folder;
+    const auto says = [](const std::optional<Error>& error) {
+        return error && error->what.ends_with(message_of("old_file_stays").text);
+    };
+    EXPECT_FALSE(says(write_whole(folder.path, "text"))) << "a folder";
+    put_text(folder / "file", "old");
+    EXPECT_FALSE(says(write_whole(folder / "file" / "below", "text")));
+    if (!can_limit_files) return;
+    const std::string large(100000, 'x');
+    const FullDisk full_disk;
+    EXPECT_FALSE(says(write_whole(folder / "new", large)));
+    EXPECT_TRUE(says(write_whole(folder / "file", large)));
 }
 
 TEST(SafeFile, WritesAllOfSeveralFilesOrNone) {
