@@ -49,7 +49,7 @@ std::filesystem::path built_in(const StudyRuns& study) { return study.kept_in / 
 // taken over.
 void keep_runs(StudyRuns& study) {
     if (study.table || study.kept_in.empty()) return;
-    study.kept.emplace(study.base, (study.kept_in / (study.base->study().id + ".csv")).string());
+    study.kept.emplace(study.base, (study.kept_in / (study.base->study().id + ".csv")).string(), OtherRuns::make_room);
     study.kept->read({});
     take_rows(study, *study.kept);
 }

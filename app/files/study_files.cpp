@@ -14,6 +14,12 @@ namespace braitenlab {
 namespace fs = std::filesystem;
 using insight::StudyRow;
 
+namespace {
+
+constexpr std::string_view begin_of_unfinished = "# study ";  // of an unfinished table
+
+}  // namespace
+
 std::vector<insight::Study> shipped_study_list() {
     std::vector<insight::Study> studies;
     for (const fs::path& path : shipped_studies())
@@ -51,13 +57,14 @@ std::vector<Error> errors_of_study(const fs::path& path) {
     return in_order(std::move(errors), path.string());
 }
 
-StudyTable::StudyTable(std::shared_ptr<const insight::StudyBase> base, const std::string& path)
-    : base_(std::move(base)), path_(path) {}
+StudyTable::StudyTable(std::shared_ptr<const insight::StudyBase> base, const std::string& path, OtherRuns other_runs)
+    : base_(std::move(base)), path_(path), other_runs_(other_runs) {}
 
 // The file is removed before the lock is released, so that no other program has locked it meanwhile; Windows removes it
 // afterwards only.
 HeldLock::~HeldLock() {
     std::error_code none;
+    if (!fs::is_empty(path, none)) return;
     const bool is_removed = fs::remove(path, none);
     lock.reset();
     if (!is_removed) fs::remove(path, none);
@@ -69,7 +76,23 @@ fs::path StudyTable::unfinished() const {
     return path;
 }
 
-std::string StudyTable::name_line() const { return fmt::format("# study {:016x}\n", base_->fingerprint()); }
+std::string StudyTable::name_line() const {
+    return fmt::format("{}{:016x}\n", begin_of_unfinished, base_->fingerprint());
+}
+
+// The error if begin() must not replace the file at the path of the unfinished table.
+std::optional<Error> StudyTable::unfinished_fault() const {
+    std::error_code none;
+    if (!fs::is_regular_file(unfinished(), none)) return std::nullopt;  // writing reports others
+    std::string begin(name_line().size(), '\0');
+    std::ifstream in(unfinished(), std::ios::binary);
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(in.gcount()));
+    if (begin.empty() || begin == name_line()) return std::nullopt;
+    if (!begin.starts_with(begin_of_unfinished)) return error_of(message_of("not_unfinished"), unfinished().string());
+    if (other_runs_ == OtherRuns::make_room) return std::nullopt;
+    return error_of(message_of("unfinished_of_other"), unfinished().string());
+}
 
 // Takes the runs of a file that begins with these lines, and returns the part of it that belongs to them.
 std::string StudyTable::take_lines(const fs::path& path, const std::string& first) {
@@ -112,6 +135,7 @@ std::optional<Error> StudyTable::begin() {
     if (!lock_)
         if (auto held = lock_file(lock)) lock_ = std::make_unique<HeldLock>(lock, std::move(*held));
     if (!lock_ && fs::exists(lock, none)) return error_of(message_of("study_table_locked"), unfinished().string());
+    if (auto fault = unfinished_fault()) return fault;
     const std::string kept = take_lines(unfinished(), name_line() + insight::study_header(base_->study()));
     if (auto error = write_whole(unfinished(), kept)) return error;
     file_.open(unfinished(), std::ios::binary | std::ios::app);

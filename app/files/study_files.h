@@ -25,7 +25,7 @@ Result<std::shared_ptr<const insight::StudyBase>> load_study(const std::filesyst
 // Every independent error of the study and of its scene, for a study that cannot be loaded.
 std::vector<Error> errors_of_study(const std::filesystem::path&);
 
-// A locked file, which is removed with the lock.
+// A locked file, which is removed with the lock if it is empty: a file of this name that is not a lock's stays.
 struct HeldLock {
     std::filesystem::path path;
     std::optional<FileLock> lock;
@@ -36,19 +36,22 @@ struct HeldLock {
     ~HeldLock();
 };
 
+// What begin() does with runs of another study in the unfinished table.
+enum class OtherRuns { stay, make_room };
+
 // The table of a study. While runs are missing, those that are complete are in PATH.part, which begins with a line that
 // names the study. The next begin() for the same study and path continues with them.
 class StudyTable {
 public:
     // An empty path: the table is in memory only.
-    StudyTable(std::shared_ptr<const insight::StudyBase>, const std::string& path);
+    StudyTable(std::shared_ptr<const insight::StudyBase>, const std::string& path, OtherRuns = OtherRuns::stay);
 
     // Takes over the runs of the unfinished table, or of a complete one that is newer than the files of the study.
     // Writes nothing.
     void read(const std::vector<std::filesystem::path>& files_of_study);
 
-    // Reads the unfinished table; a table of another study is begun anew. Fails if the file cannot be written, and
-    // while another program, or another table in this one, writes it.
+    // Reads the unfinished table. Fails if the file cannot be written, while another program, or another table in this
+    // one, writes it, if it is no unfinished table, and, with OtherRuns::stay, if it has runs of another study.
     std::optional<Error> begin();
 
     // The next runs in order. They are in the file when it returns.
@@ -66,9 +69,11 @@ public:
 private:
     std::string name_line() const;
     std::string take_lines(const std::filesystem::path&, const std::string& first);
+    std::optional<Error> unfinished_fault() const;
 
     std::shared_ptr<const insight::StudyBase> base_;
     std::filesystem::path path_;
+    OtherRuns other_runs_;
     std::ofstream file_;              // the unfinished table
     std::unique_ptr<HeldLock> lock_;  // from begin() to finish(), on a file beside it
     std::vector<insight::StudyRow> rows_;

@@ -10,6 +10,7 @@
 
 #include "app/files/data.h"
 #include "tests/folder.h"
+#include "tests/tells.h"
 
 namespace braitenlab::tests::study_files_test {
 namespace {
@@ -71,18 +72,49 @@ TEST(StudyTable, GoesOnAfterAnInterruptionInTheMiddleOfALine) {
     EXPECT_FALSE(fs::exists(part));
 }
 
-TEST(StudyTable, OfAnotherStudyBeginsAnew) {
+TEST(StudyTable, OfAnotherStudyBeginsAnewOnlyWhereItMayMakeRoom) {
     const Folder folder;
-    const std::string path = (folder.path / "t.csv").string();
+    const std::string path = (folder.path / "t.csv").string(), part = path + ".part";
     {
         const auto base = study_in(folder.path, "[5, 10]");
         StudyTable table(base, path);
         ASSERT_FALSE(table.begin());
         ASSERT_FALSE(table.add({insight::run_of(base, 0)}));
     }
-    StudyTable table(study_in(folder.path, "[5, 11]"), path);
+    const std::string runs = text_of(part);
+    const auto other = study_in(folder.path, "[5, 11]");
+    {
+        StudyTable table(other, path);
+        const auto refused = table.begin();
+        ASSERT_TRUE(refused);
+        EXPECT_EQ(refused->file, part);
+        EXPECT_TRUE(tells(*refused, message_of("unfinished_of_other")));
+    }
+    EXPECT_EQ(text_of(part), runs);
+    StudyTable table(other, path, OtherRuns::make_room);
     ASSERT_FALSE(table.begin());
     EXPECT_TRUE(table.rows().empty());
+}
+
+TEST(StudyTable, KeepsAFileOfItsUnfinishedTablesNameThatIsNone) {
+    const Folder folder;
+    const auto base = study_in(folder.path, "[5]");
+    const std::string path = (folder.path / "t.csv").string();
+    for (const std::string text : {"mine\n", "# study\n", "# my study\n"}) {
+        std::ofstream(path + ".part") << text;
+        std::ofstream(path + ".part.lock") << text;
+        for (const OtherRuns other : {OtherRuns::stay, OtherRuns::make_room}) {
+            StudyTable table(base, path, other);
+            const auto refused = table.begin();
+            ASSERT_TRUE(refused);
+            EXPECT_TRUE(tells(*refused, message_of("not_unfinished")));
+        }
+        EXPECT_EQ(text_of(path + ".part"), text);
+        EXPECT_EQ(text_of(path + ".part.lock"), text);
+    }
+    std::ofstream(path + ".part").close();
+    StudyTable table(base, path);
+    EXPECT_FALSE(table.begin()) << "nothing is in it";
 }
 
 TEST(StudyTable, OfTwoThatWriteOneFileTheSecondIsRefused) {
