@@ -257,7 +257,8 @@ void add_export(CLI::App& command, ExportOptions& options) {
     add_value(command, "--to", options.target, "TARGET", "what is written: " + listed_words(robots::target_table));
     add_value(command, "--robot", options.robot, "NAME", "the robot; without it, the target's own: " + target_robots());
     add_value(command, "--out", options.folder, "FOLDER", "the folder of the files; created when missing")->required();
-    command.add_flag("--force", options.force, "write into a folder that holds other files, and replace them");
+    command.add_flag("--force", options.force,
+                     "write into a folder of other files, and replace files that were edited");
 }
 
 void add_think(CLI::App& command, ThinkOptions& options) {

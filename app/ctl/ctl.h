@@ -255,11 +255,11 @@ struct ExportOptions {
     std::string target;  // word of robots::Target
     std::string robot;   // name; empty: the target's own
     std::string folder;  // created when it does not exist
-    bool force = false;  // a folder with other files than those of an earlier export is taken
+    bool force = false;  // a folder with other files than those of an earlier export, or with edited ones, is taken
 };
 // Writes the program of a brain for a robot into the folder and prints the names of the files. Files of an earlier
-// export are replaced; a folder with other files only is an error without `force`. A brain that the target cannot hold
-// is an error that names the part; then no file is written.
+// export are replaced; a folder with other files only, or with edited ones, is an error without `force`. A brain that
+// the target cannot hold is an error that names the part; then no file is written.
 int export_to_robot(const ExportOptions&);
 
 struct ThinkOptions {

@@ -69,6 +69,11 @@ int export_to_robot(const ExportOptions& options) {
         error->what += ", or --force to write into it";
         return complain(*error);
     }
+    if (const auto edited = edited_files(options.folder, *files); !edited.empty() && !options.force)
+        return complain({fmt::format("these files are not as an export wrote them: {}; give another folder, or "
+                                     "--force to replace them",
+                                     fmt::join(edited, ", ")),
+                         options.folder});
     std::vector<std::filesystem::path> written;
     for (const robots::ExportedFile& file : *files)
         written.push_back(std::filesystem::path(options.folder) / file.name);

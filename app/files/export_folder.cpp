@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <sstream>
+#include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "app/files/safe_file.h"
+#include "core/maths/fnv.h"
 #include "core/messages.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/folder_entries.h"
@@ -15,11 +21,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// True if the file, if there is one, was written by an export: each text names the lab in its first 1,000 bytes.
-bool is_exported(const fs::path& path) {
+// True for a text of an export: each names the lab in its first 1,000 bytes.
+bool names_lab(std::string_view text) {
     constexpr std::size_t begin = 1000;
+    return text.substr(0, begin).find("xported from Braitenlab") != std::string_view::npos;
+}
+
+// True if the file, if there is one, was written by an export.
+bool is_exported(const fs::path& path) {
     const auto text = read_text(path);
-    return text && std::string_view(*text).substr(0, begin).find("xported from Braitenlab") != std::string_view::npos;
+    return text && names_lab(*text);
+}
+
+// The last lines of a README, a comment that no page shows: the hash of each file as it was exported.
+constexpr std::string_view hashes_begin =
+                               "\n<!-- Hashes of these files as exported, by which the lab finds edited ones:\n",
+                           hashes_end = "-->\n";
+constexpr std::string_view export_readme = "README.md";
+
+std::string hashes_of(const std::vector<robots::ExportedFile>& files) {
+    std::string text(hashes_begin);
+    for (const robots::ExportedFile& file : files)
+        text += fmt::format("{:016x} {}\n", maths::fnv(file.text), file.name);
+    return text += hashes_end;
+}
+
+// Hashes by name of what the export in the folder wrote, and the README without this list.
+struct EarlierExport {
+    std::map<std::string, std::string> hashes;
+    std::string readme_text;
+};
+EarlierExport export_in(const fs::path& folder) {
+    EarlierExport written;
+    const auto text = read_text(folder / export_readme);
+    if (!text) return written;
+    const std::size_t at = text->rfind(hashes_begin);
+    const std::size_t end = at == text->npos ? at : text->find(hashes_end, at);
+    written.readme_text = end == text->npos ? *text : text->substr(0, at) + text->substr(end + hashes_end.size());
+    if (end == text->npos) return written;
+    std::istringstream lines(text->substr(at + hashes_begin.size(), end - at - hashes_begin.size()));
+    for (std::string hash, name; lines >> hash && std::getline(lines >> std::ws, name);) written.hashes[name] = hash;
+    return written;
 }
 
 // True for a file of an earlier export: it has a name that exports give, and a text names the lab, so that a file of
@@ -68,12 +110,34 @@ std::optional<Error> export_folder_fault(const fs::path& folder) {
     return error_of(message_of("foreign_folder"), folder.string());
 }
 
+std::vector<std::string> edited_files(const fs::path& folder, const std::vector<robots::ExportedFile>& files) {
+    const EarlierExport written = export_in(folder);
+    std::vector<std::string> edited;
+    for (const std::string& name : names_in(folder)) {
+        const auto file = std::find_if(files.begin(), files.end(), [&](const auto& each) { return each.name == name; });
+        const auto known = written.hashes.find(name);
+        const bool is_removed = known != written.hashes.end() && is_of_earlier_export(folder, name);
+        if (file == files.end() && !is_removed) continue;
+        const auto text = name == export_readme ? Result<std::string>(written.readme_text) : read_text(folder / name);
+        if (text && file != files.end() && *text == file->text) continue;
+        const bool is_as_written =
+            text && known != written.hashes.end() && known->second == fmt::format("{:016x}", maths::fnv(*text));
+        if (!is_as_written) edited.push_back(name);
+    }
+    return edited;
+}
+
 std::optional<Error> write_export(const fs::path& folder, const std::vector<robots::ExportedFile>& files) {
     if (auto fault = link_fault(folder, files)) return fault;
     std::vector<std::string> earlier;
-    if (is_exported(folder / "README.md")) earlier = names_in(folder);
+    if (is_exported(folder / export_readme)) earlier = names_in(folder);
     std::vector<NewFile> written;
-    for (const robots::ExportedFile& file : files) written.push_back({folder / file.name, file.text});
+    std::string with_hashes;
+    for (const robots::ExportedFile& file : files) {
+        const bool has_list = file.name == export_readme && names_lab(file.text);
+        if (has_list) with_hashes = file.text + hashes_of(files);
+        written.push_back({folder / file.name, has_list ? with_hashes : file.text});
+    }
     if (auto error = write_all(written)) return error;
     std::error_code none;
     for (const std::string& name : earlier)

@@ -1,6 +1,9 @@
 #include "app/files/file_commands.h"
 
+#include <algorithm>
 #include <utility>
+
+#include <fmt/ranges.h>
 
 #include "app/course/edit_again.h"
 #include "app/course/exercise_check.h"
@@ -215,11 +218,14 @@ struct FileCommands {
         const fs::path into = resolved(wanted.folder, folder(), folders.home);
         std::error_code none;
         if (!fs::exists(into.parent_path(), none)) return fail(error_of(message_of("no_such_folder"), into.string()));
-        std::string existing;
+        std::vector<std::string> existing = edited_files(into, *wanted.files);
         for (const robots::ExportedFile& file : *wanted.files)
-            if (fs::exists(into / file.name, none)) existing += (existing.empty() ? "" : ", ") + file.name;
+            if (fs::exists(into / file.name, none) &&
+                std::find(existing.begin(), existing.end(), file.name) == existing.end())
+                existing.push_back(file.name);
         if (!wanted.replace && !existing.empty())
-            return fail(error_of(message_of("files_exist", existing), into.string()));
+            return fail(
+                error_of(message_of("files_exist", fmt::format("{}", fmt::join(existing, ", "))), into.string()));
         if (auto fault = export_folder_fault(into); fault && !wanted.replace)
             return fail(error_of(message_of("foreign_folder") + message_of("foreign_folder_window"), into.string()));
         if (const auto error = write_export(into, *wanted.files)) return fail(*error);

@@ -11,6 +11,7 @@
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
 #include "tests/lab/lab_files.h"
+#include "tests/tells.h"
 
 namespace braitenlab::tests::file_commands_test {
 namespace {
@@ -157,6 +158,23 @@ TEST_F(FileCommands, WritesTheFilesOfAnExportIntoANewFolder) {
     ask(WriteFilesRequest{"nowhere/robot", files_of("one")});
     ASSERT_TRUE(files.refused);
     EXPECT_FALSE(fs::exists(folder / "nowhere"));
+}
+
+TEST_F(FileCommands, AsksBeforeAnExportRemovesAFileThatWasEdited) {
+    const auto files_of = [](const char* name) {
+        return std::make_shared<const std::vector<robots::ExportedFile>>(std::vector<robots::ExportedFile>{
+            {name, "Exported from Braitenlab."}, {"README.md", "Exported from Braitenlab."}});
+    };
+    ask(WriteFilesRequest{"robot", files_of("main.py")});
+    ASSERT_FALSE(files.refused) << files.refused->text();
+    put_text(folder / "robot/main.py", "Exported from Braitenlab. And mine.");
+    fs::remove(folder / "robot/brain.h");
+    ask(WriteFilesRequest{"robot", files_of("brain.h")});
+    ASSERT_TRUE(files.refused);
+    EXPECT_TRUE(tells(*files.refused, message_of("files_exist", "main.py, README.md")));
+    EXPECT_TRUE(fs::exists(folder / "robot/main.py"));
+    ask(WriteFilesRequest{"robot", files_of("brain.h"), true});
+    EXPECT_FALSE(fs::exists(folder / "robot/main.py"));
 }
 
 TEST_F(FileCommands, AsksBeforeItExportsIntoAFolderOfOtherFiles) {

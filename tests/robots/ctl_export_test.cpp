@@ -90,6 +90,27 @@ TEST(CtlExport, WritesIntoAFolderOfOtherFilesOnlyByForce) {
     EXPECT_EQ(ctl("export 2a-coward --to c --out " + folder.path.string()).code, 0) << "an earlier export is replaced";
 }
 
+TEST(CtlExport, ReplacesOrRemovesAFileThatAPersonHasEditedOnlyByForce) {
+    for (const char* name : {"main.py", "README.md", "parts.csv"})
+        for (const char* next : {"micropython", "c"}) {
+            const Folder folder;
+            const fs::path edited = folder / name;
+            const std::string out = " --out " + folder.path.string() + " --to ";
+            ASSERT_EQ(ctl("export 3a-love" + out + "micropython").code, 0);
+            ASSERT_TRUE(fs::exists(edited)) << name;
+            ASSERT_EQ(ctl("export 2a-coward" + out + "micropython").code, 0) << "none is edited";
+            const std::string mine = text_of(edited) + "mine\n";
+            put_text(edited, mine);
+            const Ran ran = ctl("export 3a-love" + out + next);
+            EXPECT_EQ(ran.code, 2) << name << next;
+            EXPECT_NE(ran.out.find(std::string("not as an export wrote them: ") + name + ";"), std::string::npos)
+                << ran.out;
+            EXPECT_EQ(text_of(edited), mine);
+            EXPECT_EQ(ctl("export 3a-love --force" + out + next).code, 0);
+            EXPECT_FALSE(fs::exists(edited) && text_of(edited) == mine);
+        }
+}
+
 TEST(CtlExport, WarnsOfAWheelThatACircuitNeverTurns) {
     const Folder folder;
     const Ran ran = ctl("export 3a-love --to opamp --out " + (folder / "c").string());
