@@ -113,11 +113,12 @@ void check_exercise_for_author(Lab& lab, CheckVoice voice) {
     if (voice == CheckVoice::usual) say(lab, {NoticeKind::notice, "author.checking", now.lesson->exercise->title});
 }
 
-void list_errors_for_author(Lab& lab, const std::filesystem::path& path, std::string_view toml) {
-    if (detect_kind(path, toml) != FileKind::exercise || ships(path)) return;
+std::optional<Error> list_errors_for_author(Lab& lab, const std::filesystem::path& path, std::string_view toml) {
+    if (detect_kind(path, toml) != FileKind::exercise || ships(path)) return std::nullopt;
     lab.findings.clear();
-    for (const Error& error : errors_of_exercise(toml, path))
-        lab.findings.emplace_back().said = notice_of(NoticeKind::failure, error);
+    const std::vector<Error> errors = errors_of_exercise(toml, path);
+    for (const Error& error : errors) lab.findings.emplace_back().said = notice_of(NoticeKind::failure, error);
+    return errors.empty() ? std::nullopt : std::optional(errors.front());
 }
 
 void update_exercise_check(Lab& lab, Jobs& jobs) {

@@ -108,10 +108,14 @@ struct FileCommands {
         }
         const auto file = read_file(path);
         if (!file) return fail(file.error());
-        if (dropped)
+        // A file of megabytes is parsed as few times as possible: the window waits.
+        if (dropped) {
             if (const auto error = fault_of_dropped(*file)) return fail(*error);
-        if (const auto handed_in = parse_hand_in(file->text, typed))
-            return say(lab, {NoticeKind::notice, "files.is_hand_in", handed_in->student, handed_in->exercise});
+            if (const auto error = list_errors_for_author(lab, path, file->text)) return fail(*error);
+        }
+        if (holds_hand_in(path.filename().string(), file->text))
+            if (const auto handed_in = parse_hand_in(file->text, typed))
+                return say(lab, {NoticeKind::notice, "files.is_hand_in", handed_in->student, handed_in->exercise});
         if (path.extension() == ".json")
             if (const auto progress = read_progress(file->text, typed)) return open_progress(*progress, path);
         if (file->kind == FileKind::brain) {
@@ -131,7 +135,6 @@ struct FileCommands {
             return done(path, {});
         }
         auto opened = open_kept(*file);
-        if (!opened && dropped) list_errors_for_author(lab, path, file->text);
         if (!opened) return fail(opened.error());
         if (!discard &&
             asks_before(lab, view,

@@ -1,6 +1,9 @@
 // Opening and saving by the requests of the file browser.
 #include "app/files/file_commands.h"
 
+#include <ctime>
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include "app/course/lab_lesson.h"
@@ -10,6 +13,7 @@
 #include "core/export/export.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
+#include "core/scene/toml_tree.h"
 #include "tests/lab/lab_files.h"
 #include "tests/tells.h"
 
@@ -158,6 +162,30 @@ TEST_F(FileCommands, WritesTheFilesOfAnExportIntoANewFolder) {
     ask(WriteFilesRequest{"nowhere/robot", files_of("one")});
     ASSERT_TRUE(files.refused);
     EXPECT_FALSE(fs::exists(folder / "nowhere"));
+}
+
+TEST_F(FileCommands, ALargeFileWithAnErrorIsRefusedInAboutTheTimeOfReadingIt) {
+    std::string keys = "format = 1\n";
+    for (int i = 0; i < 60000; ++i) keys += "k" + std::to_string(i) + " = 1\n";
+    const auto seconds_of = [](const auto& work) {
+        double least = 1e9;
+        for (int i = 0; i < 3; ++i) {
+            const std::clock_t began = std::clock();
+            work();
+            least = std::min(least, static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
+        }
+        return least;
+    };
+    const double parse = seconds_of([&] { EXPECT_TRUE(parse_toml(keys, "f.toml")); });
+    for (const auto& [end, dropped, most] :
+         {std::tuple("x = 0,5\n", false, 1.8), {"[arena]\n", false, 1.8}, {"[[step]]\n", true, 2.8}}) {
+        put_text(folder / "large.toml", keys + end);
+        const double open = seconds_of([&] {
+            ask(OpenRequest{.path = (folder / "large.toml").string(), .dropped = dropped});
+            EXPECT_TRUE(files.refused);
+        });
+        EXPECT_LT(open, most * parse) << end << open << " s, the text alone " << parse;
+    }
 }
 
 TEST_F(FileCommands, AsksBeforeAnExportRemovesAFileThatWasEdited) {
