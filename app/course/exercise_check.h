@@ -42,8 +42,8 @@ struct ExerciseCheck {
 // Checks the exercise of the document from now on. Does nothing without an exercise, and for one that ships.
 void check_exercise_for_author(Lab&, CheckVoice = CheckVoice::usual);
 
-// Lists every error of a file that cannot be read as an exercise, and returns that of its first line. Does nothing for a
-// file of another kind, and for one that ships.
+// Lists every error of a file that cannot be read as an exercise, and returns that of its first line. Does nothing for
+// a file of another kind, and for one that ships.
 std::optional<Error> list_errors_for_author(Lab&, const std::filesystem::path&, std::string_view toml);
 
 // Call once per turn, after Jobs::deliver. Shows the result once every start has been run. A check ends without a

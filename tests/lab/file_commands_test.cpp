@@ -178,7 +178,7 @@ TEST_F(FileCommands, ALargeFileWithAnErrorIsRefusedInAboutTheTimeOfReadingIt) {
     };
     const double parse = seconds_of([&] { EXPECT_TRUE(parse_toml(keys, "f.toml")); });
     for (const auto& [end, dropped, most] :
-         {std::tuple("x = 0,5\n", false, 1.8), {"[arena]\n", false, 1.8}, {"[[step]]\n", true, 2.8}}) {
+         {std::tuple("x = 0,5\n", false, 2.9), {"[arena]\n", false, 2.1}, {"[[step]]\n", true, 4.0}}) {
         put_text(folder / "large.toml", keys + end);
         const double open = seconds_of([&] {
             ask(OpenRequest{.path = (folder / "large.toml").string(), .dropped = dropped});
