@@ -9,6 +9,7 @@ import gzip
 import hashlib
 import json
 import pathlib
+import re
 import shutil
 import sys
 
@@ -20,7 +21,8 @@ version = hashlib.sha256(b"".join(packed.values())).hexdigest()[:16]
 icon = base64.b64encode((here.parent / "icons" / "braitenlab.svg").read_bytes()).decode()
 facts = {"version": version, "sizes": {name: len(content) for name, content in packed.items()}}
 sources = ["storage.js", "files.js", "typing.js", "graphics.js", "page.js"]
-scripts = [(here / name).read_text(encoding="utf-8") for name in sources]
+# A server may send the page as it is: without comments and indentation it is a fifth smaller.
+scripts = [re.sub(r"^ *(//.*\n)?", "", (here / name).read_text(encoding="utf-8"), flags=re.MULTILINE) for name in sources]
 script = "\n".join([f"const built = {json.dumps(facts)};", *scripts])
 
 
