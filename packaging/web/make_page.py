@@ -19,7 +19,11 @@ names = ["braitenlab.wasm", "braitenlab.data", "braitenlab.js"]
 packed = {name: gzip.compress((built / name).read_bytes(), 9, mtime=0) for name in names}
 version = hashlib.sha256(b"".join(packed.values())).hexdigest()[:16]
 icon = base64.b64encode((here.parent / "icons" / "braitenlab.svg").read_bytes()).decode()
-facts = {"version": version, "sizes": {name: len(content) for name, content in packed.items()}}
+facts = {
+    "version": version,
+    "sizes": {name: len(content) for name, content in packed.items()},
+    "unpacked": {name: (built / name).stat().st_size for name in names},
+}
 sources = ["storage.js", "files.js", "typing.js", "graphics.js", "page.js"]
 # A server may send the page as it is: without comments and indentation it is a fifth smaller.
 scripts = [re.sub(r"^ *(//.*\n)?", "", (here / name).read_text(encoding="utf-8"), flags=re.MULTILINE) for name in sources]

@@ -3,7 +3,7 @@
 
 const texts = {
     en: {
-        loads: "Loading …", again: "Start again",
+        loads: "Loading …", share: "{} % of {} MB", again: "Start again",
         old: "This browser is too old for the lab. Use a current version of Firefox, Chrome, Edge or Safari.",
         graphics: "The lab needs WebGL 2, which this browser does not offer here. Switch on hardware acceleration in " +
                   "the browser’s settings, or use a current version of Firefox, Chrome, Edge or Safari.",
@@ -29,7 +29,7 @@ const texts = {
         ended_notes: "These notes no longer follow the lecture: the page of the lab was closed or loaded again. Shift+N in the lab opens them anew.",
     },
     de: {
-        loads: "Wird geladen …", again: "Neu starten",
+        loads: "Wird geladen …", share: "{} % von {} MB", again: "Neu starten",
         old: "Dieser Browser ist zu alt für das Labor. Nötig ist eine aktuelle Version von Firefox, Chrome, Edge oder Safari.",
         graphics: "Das Labor braucht WebGL 2, das dieser Browser hier nicht bietet. Schalten Sie in den Einstellungen " +
                   "des Browsers die Hardwarebeschleunigung ein, oder nehmen Sie eine aktuelle Version von Firefox, Chrome, Edge oder Safari.",
@@ -55,7 +55,7 @@ const texts = {
         ended_notes: "Diese Notizen folgen dem Vortrag nicht mehr: die Seite des Labors wurde geschlossen oder neu geladen. Umschalt+N im Labor öffnet sie neu.",
     },
     es: {
-        loads: "Cargando…", again: "Iniciar de nuevo",
+        loads: "Cargando…", share: "{} % de {} MB", again: "Iniciar de nuevo",
         old: "Este navegador es demasiado antiguo para el laboratorio. Use una versión actual de Firefox, Chrome, Edge o Safari.",
         graphics: "El laboratorio necesita WebGL 2, que este navegador no ofrece aquí. Active la aceleración por hardware " +
                   "en la configuración del navegador, o use una versión actual de Firefox, Chrome, Edge o Safari.",
@@ -90,7 +90,7 @@ const element = (id) => document.getElementById(id);
 
 function show(message, withButton) {
     element("message").textContent = message;
-    element("bar").hidden = true;
+    element("bar").hidden = element("share").hidden = true;
     element("again").hidden = !withButton;
     element("cover").hidden = false;
 }
@@ -155,12 +155,16 @@ element("notice-close").onclick = notice.hide;
 
 // ── Loading ──
 
-const received = {};
+const received = {};  // compressed bytes
 
-function count(name, bytes) {
-    received[name] = (received[name] ?? 0) + bytes;
+// `isPacked`: the bytes are compressed; else the browser has unpacked them.
+function count(name, bytes, isPacked) {
+    received[name] = (received[name] ?? 0) + (isPacked ? bytes : bytes * built.sizes[name] / built.unpacked[name]);
     const sum = (values) => Object.values(values).reduce((a, b) => a + b, 0);
-    element("bar").value = Math.min(1, sum(received) / sum(built.sizes));
+    const share = Math.min(1, sum(received) / sum(built.sizes));
+    const size = (sum(built.sizes) / 1e6).toLocaleString(document.documentElement.lang, { maximumFractionDigits: 1 });
+    element("bar").value = share;
+    element("share").textContent = words.share.replace("{}", Math.floor(100 * share)).replace("{}", size);
 }
 
 // The compressed bytes of a file of the program: from this page if it contains them, else from the server.
@@ -201,7 +205,7 @@ async function load(name, type) {
             const { done, value } = next ?? await reader.read();
             next = null;
             if (done) return controller.close();
-            count(name, value.length);
+            count(name, value.length, isPacked);
             controller.enqueue(value);
         },
     });

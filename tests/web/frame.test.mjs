@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { test } from "node:test";
 
-import { root, useLabs } from "./page.mjs";
+import { root, squaresOf, useLabs } from "./page.mjs";
 
 const limit = { timeout: 120000 };
 const labs = useLabs();
@@ -34,6 +34,39 @@ test("Without scripts the page says what it needs", limit, async () => {
     await page.goto(labs.server.address);
     assert.match(await page.innerText("noscript"), /JavaScript/);
     await context.close();
+});
+
+test("Without scripts the page has the theme that the browser asks for", limit, async () => {
+    for (const [colorScheme, ground] of [["light", [255, 255, 255]], ["dark", [20, 24, 30]]]) {
+        const context = await labs.browser.newContext({ javaScriptEnabled: false, colorScheme });
+        const page = await context.newPage();
+        await page.goto(labs.server.address);
+        await page.waitForSelector("#cover");
+        const [corner] = await squaresOf(labs.browser, await page.screenshot(), 20);
+        assert.deepEqual(corner, ground, colorScheme);
+        await context.close();
+    }
+});
+
+test("While it loads the page tells the share of the bytes", limit, async () => {
+    for (const isDeclared of [false, true]) {
+        const context = await labs.browser.newContext({ locale: "de-DE" });
+        await context.route("**/braitenlab.wasm.gz?*", () => {});  // never answered
+        if (isDeclared)
+            await context.route(/braitenlab\.(data|js)\.gz/, (route) => route.fetch().then((answer) =>
+                route.fulfill({ response: answer, headers: { ...answer.headers(), "content-encoding": "gzip" } })));
+        const page = await context.newPage();
+        await page.goto(labs.server.address, { waitUntil: "commit" });
+        const share = await page.waitForFunction(() => {
+            const { data, js } = { data: "braitenlab.data", js: "braitenlab.js" };
+            return typeof received === "object" && Math.round(received[data]) === built.sizes[data] &&
+                Math.round(received[js]) === built.sizes[js] && document.getElementById("share").textContent;
+        }, null, { timeout: 20000 });
+        const sizes = await page.evaluate(() => built.sizes), all = Object.values(sizes).reduce((a, b) => a + b);
+        const percent = Math.floor(100 * (all - sizes["braitenlab.wasm"]) / all);
+        assert.equal(await share.jsonValue(), `${percent} % von ${(all / 1e6).toLocaleString("de", { maximumFractionDigits: 1 })} MB`);
+        await context.close();
+    }
 });
 
 test("An option of the address that the lab does not know is named, and the lab starts without it", limit, async () => {
