@@ -255,6 +255,7 @@ void App::show_errors_of_start() {
 void App::save_settings(bool now) {
     if (options_.only_draws() || (!now && seconds_since(times_.settings_saved) < 1)) return;
     times_.settings_saved = Clock::now();
+    follow_progress(lab_);  // notes of this frame
     const StudentFiles::Written written = student_files_.write(lab_.students);
     if (written.failed) show_error(*written.failed);
     if (written.merged) lab_.progress_of.reset();  // the notes are read again

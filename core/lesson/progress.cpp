@@ -90,6 +90,40 @@ const Value& changed(const Value& before, const Value& ours, const Value& theirs
     return ours != before ? ours : theirs;
 }
 
+bool is_blank(char c) { return c == ' ' || c == '\n'; }
+
+// Whether the text has these words one after the other; true for no words.
+bool has_words(std::string_view text, std::string_view words) {
+    for (auto at = text.find(words); at != std::string_view::npos; at = text.find(words, at + 1)) {
+        const std::size_t end = at + words.size();
+        if ((at == 0 || is_blank(text[at - 1])) && (end == text.size() || is_blank(text[end]))) return true;
+    }
+    return words.empty();
+}
+
+// The words of `now` between those with which both texts begin and end.
+std::string_view changed_words(std::string_view before, std::string_view now) {
+    const auto ends_word = [](std::string_view text, std::size_t at) {
+        return at == 0 || at == text.size() || is_blank(text[at]) || is_blank(text[at - 1]);
+    };
+    const std::size_t shorter = std::min(before.size(), now.size());
+    std::size_t begin = 0, end = 0;  // equal bytes at the beginning and at the end
+    while (begin < shorter && before[begin] == now[begin]) ++begin;
+    while (!ends_word(before, begin) || !ends_word(now, begin)) --begin;
+    while (end < shorter - begin && before[before.size() - 1 - end] == now[now.size() - 1 - end]) ++end;
+    while (!ends_word(before, before.size() - end) || !ends_word(now, now.size() - end)) --end;
+    return trimmed(now.substr(begin, now.size() - begin - end), " \n");
+}
+
+// Ours; where both have changed, with what theirs adds below, unless one has the words of the other.
+std::string merged_notes(const std::string& before, const std::string& ours, const std::string& theirs) {
+    if (ours == before || theirs == before) return changed(before, ours, theirs);
+    const std::string_view added = changed_words(before, theirs);
+    if (has_words(ours, added)) return ours;
+    if (has_words(theirs, ours)) return theirs;
+    return utf8_cut(ours + "\n" + std::string(added), longest_notes);
+}
+
 bool passed_alone(const ExerciseProgress& progress) { return progress.passed && !progress.shown; }
 
 ExerciseProgress merged(const ExerciseProgress& before, const ExerciseProgress& ours, const ExerciseProgress& theirs) {
@@ -101,7 +135,7 @@ ExerciseProgress merged(const ExerciseProgress& before, const ExerciseProgress& 
     const ExerciseProgress& predicted = ours.prediction != before.prediction ? ours : theirs;
     both.prediction = predicted.prediction, both.predicted_right = predicted.predicted_right;
     both.drew_path = ours.drew_path || theirs.drew_path;
-    both.notes = changed(before.notes, ours.notes, theirs.notes);
+    both.notes = merged_notes(before.notes, ours.notes, theirs.notes);
     both.submission = ours.passed != theirs.passed ? (ours.passed ? ours : theirs).submission
                                                    : changed(before.submission, ours.submission, theirs.submission);
     return both;

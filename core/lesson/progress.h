@@ -39,7 +39,7 @@ const ExerciseProgress* find_progress(const StudentProgress&, std::string_view e
 
 // The progress with the changes of two windows, `ours` and `theirs`, that both began with `before`. An exercise that
 // only one of them has changed is as there. One that both have changed is passed if it is in either, has the larger
-// numbers, and of texts and predictions what `ours` has changed.
+// numbers, of predictions what `ours` has changed, and of notes this with the words that `theirs` has added below.
 StudentProgress merged_progress(const StudentProgress& before, const StudentProgress& ours,
                                 const StudentProgress& theirs);
 

@@ -2,7 +2,7 @@
 // Files of the lab in a browser. The program writes to a file system in memory; this keeps the home folder in the
 // browser's storage (storage.js) and downloads what the user saves. Used by page.js, before the program starts.
 
-const home = "/home/web_user";
+const home = "/home/web_user", students = home + "/state/students";
 const files = {
     known: new Map(),      // path → stamp of the content that is stored or downloaded
     unstored: new Set(),   // paths whose content the browser has no room for
@@ -33,7 +33,7 @@ const files = {
     // Another page of the lab has stored the progress of a student: the program reads it within a second.
     followProgress({ key, storageArea }) {
         const path = key?.slice(storage.prefix.length);
-        if (storageArea === storage.shelf && path?.startsWith(`${home}/state/students/`) && storage.isNewer(path)) files.fetch(path);
+        if (storageArea === storage.shelf && path?.startsWith(students + "/") && storage.isNewer(path)) files.fetch(path);
     },
 
     // Differs after each change: a file is replaced by another one, which may be written in the same millisecond.
@@ -83,7 +83,7 @@ const files = {
 
     // Progress and work that end with the page.
     losses() {
-        const isLoss = (path) => path.startsWith(home + "/state/students/") || path.endsWith(".autosave");
+        const isLoss = (path) => path.startsWith(students + "/") || path.endsWith(".autosave");
         return (storage.shelf ? [...files.unstored] : files.list()).filter(isLoss);
     },
 
@@ -205,7 +205,7 @@ const files = {
         });
         addEventListener("pagehide", files.leave);
         addEventListener("pagehide", files.markPageAsOld);
-        addEventListener("visibilitychange", () => document.visibilityState === "hidden" && files.leave());
+        addEventListener("visibilitychange", () => (document.visibilityState === "hidden" ? files.leave() : files.takeOver(students)));
         addEventListener("popstate", address.follow_link);
         addEventListener("storage", files.followProgress);
         addEventListener("dragover", (event) => event.preventDefault());

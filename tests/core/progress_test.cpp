@@ -121,7 +121,33 @@ TEST(Progress, OfOneExerciseInTwoWindowsKeepsThePassAndTheLargerNumbers) {
         EXPECT_EQ(both.notes, "new");
     }
     theirs.exercises["a"].notes = "theirs", ours.exercises["a"].notes = "ours";
-    EXPECT_EQ(merged_progress(before, ours, theirs).exercises.at("a").notes, "ours");
+    EXPECT_EQ(merged_progress(before, ours, theirs).exercises.at("a").notes, "ours\ntheirs");
+}
+
+TEST(Progress, OfNotesInTwoWindowsHasTheWordsOfBothOnce) {
+    struct Case {
+        std::string before, ours, theirs, both;
+    };
+    const std::vector<Case> cases{
+        {"", "ours", "theirs", "ours\ntheirs"},
+        {"old", "old ours", "old theirs", "old ours\ntheirs"},
+        {"old", "old ours", "old ours\ntheirs", "old ours\ntheirs"},  // it has taken ours over
+        {"old", "old ours\ntheirs", "old theirs", "old ours\ntheirs"},
+        {"ours", "ours too", "theirs\nours", "ours too\ntheirs"},
+        {"the cat sat", "the cat sat down", "the cow sat", "the cat sat down\ncow"},
+        {"old", "old ours", "", "old ours"},
+        {"", "13 cm", "3 cm", "13 cm\n3 cm"},
+        {"3 m", "3 m", "4 m", "4 m"},
+        {"", "grö", "grü", "grö\ngrü"},
+    };
+    for (const Case& each : cases) {
+        const auto with = [](const std::string& notes) { return StudentProgress{"Ben", {{"a", {.notes = notes}}}}; };
+        const StudentProgress both = merged_progress(with(each.before), with(each.ours), with(each.theirs));
+        EXPECT_EQ(both.exercises.at("a").notes, each.both) << each.before << " | " << each.ours << " | " << each.theirs;
+    }
+    const std::string full(longest_notes - 1, 'n');
+    const StudentProgress ours{"Ben", {{"a", {.notes = full}}}}, theirs{"Ben", {{"a", {.notes = "ü"}}}};
+    EXPECT_EQ(merged_progress({"Ben", {}}, ours, theirs).exercises.at("a").notes, full + "\n");
 }
 
 }  // namespace

@@ -71,6 +71,33 @@ TEST_F(Note, ShowsTheNotesOfTheStudent) {
     EXPECT_FALSE(desk.last<NotesRequest>());
 }
 
+TEST_F(Note, TakesOverWhatAnotherWindowHasWrittenWhileItIsActive) {
+    const auto typed = [this](const char* words) {
+        desk.type(words);
+        desk.frame(2);
+        take_notes();
+        desk.all.clear();
+    };
+    desk.click("exercise.note");
+    desk.frame(3);
+    typed("mine");
+    desk.lesson.attempt.notes = "mine\nof the other";
+    desk.frame(2);
+    ASSERT_TRUE(desk.panels.exercise.note.active);
+    EXPECT_EQ(desk.panels.exercise.note.text, "mine\nof the other");
+    EXPECT_FALSE(desk.last<NotesRequest>()) << "the earlier text does not come back";
+    typed("!");
+    EXPECT_EQ(desk.lesson.attempt.notes, "mine!\nof the other") << "the cursor has stayed";
+    desk.lesson.attempt.notes = "ü";
+    desk.frame(2);
+    desk.key({'Z', true});
+    desk.frame(2);
+    take_notes();
+    EXPECT_EQ(desk.lesson.attempt.notes, "ü") << "undo does not go back to the earlier text";
+    typed("a");
+    EXPECT_EQ(desk.lesson.attempt.notes, "üa");
+}
+
 TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     press({'2'});
     ASSERT_TRUE(desk.last<PredictRequest>()) << "wherever the focus is";

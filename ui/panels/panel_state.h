@@ -189,6 +189,7 @@ struct ExerciseState {
     bool note_open = false;    // the notes are unfolded
     bool note_begins = false;  // their field gets the focus when it is drawn
     TextField note;
+    std::string noted;  // the notes that the field was drawn with last
     HandInState hand_in;
     CardsBelowExercise below;
 };

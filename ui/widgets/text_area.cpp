@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets/button.h"
@@ -21,7 +22,29 @@ struct AreaEdit {
     ImFont* font;
     float room;          // for a line, window pixels
     bool cursor_to_end;  // once
+    bool is_new;         // once: the active field takes this text over
+    std::string given;   // a copy of it
 };
+
+// Replaces the text of the active field. The cursor stays as far from its beginning.
+void take_over(ImGuiInputTextCallbackData& data, const std::string& given) {
+    const int cursor = std::min(data.CursorPos, static_cast<int>(given.size()));
+    data.DeleteChars(0, data.BufTextLen);
+    data.InsertChars(0, given.data(), given.data() + given.size());
+    data.CursorPos = data.SelectionStart = data.SelectionEnd = cursor;
+}
+
+// Call after a callback has replaced the text of a field: what it would undo refers to the earlier one. From 1.88 on
+// Dear ImGui does so.
+void forget_undo([[maybe_unused]] ImGuiID field) {
+#if IMGUI_VERSION_NUM < 18800
+    ImGuiInputTextState* state = ImGui::GetInputTextState(field);
+    if (!state) return;
+    auto& undo = state->Stb.undostate;
+    undo.undo_point = 0, undo.undo_char_point = 0;
+    undo.redo_point = STB_TEXTEDIT_UNDOSTATECOUNT, undo.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
+#endif
+}
 
 // Index of the last space of the first line that is too wide; −1 if there is none.
 int break_in(const AreaEdit& edit, std::string_view text) {
@@ -46,6 +69,8 @@ int edit_area(ImGuiInputTextCallbackData* data) {
         for (int at = 0; (at = break_in(edit, {data->Buf, static_cast<std::size_t>(data->BufTextLen)})) >= 0;
              data->BufDirty = true)
             data->Buf[at] = '\n';
+    } else if (std::exchange(edit.is_new, false)) {
+        take_over(*data, edit.given);
     } else if (std::exchange(edit.cursor_to_end, false)) {
         data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
     }
@@ -53,13 +78,19 @@ int edit_area(ImGuiInputTextCallbackData* data) {
 }
 
 void input_area(Ui& ui, TextField& field, std::string_view id, ImVec2 size, ImVec2 pad, bool begins) {
-    AreaEdit edit{&field.text, ImGui::GetFont(), size.x - 2 * pad.x - ImGui::GetStyle().ScrollbarSize - ui.px(4),
-                  begins};
+    AreaEdit edit{&field.text,
+                  ImGui::GetFont(),
+                  size.x - 2 * pad.x - ImGui::GetStyle().ScrollbarSize - ui.px(4),
+                  begins,
+                  std::exchange(field.is_new, false) && field.active,
+                  field.text};
+    const bool is_new = edit.is_new;
     ImGui::PushID(id.data(), id.data() + id.size());
     ImGui::InputTextMultiline("##area", field.text.data(), field.text.capacity() + 1, size,
                               ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackEdit |
                                   ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoHorizontalScroll,
                               edit_area, &edit);
+    if (is_new) forget_undo(ImGui::GetID("##area"));
     ImGui::PopID();
 }
 

@@ -19,6 +19,7 @@ struct TextField {
     bool drawn = false;      // in this frame
     bool is_masked = false;  // a sign stands for each letter; of a field of one line
     bool at_end = false;     // once it is active, the cursor is behind its text, of which nothing is selected
+    bool is_new = false;     // its text was replaced from outside: an active field of several lines takes it over
 };
 
 // Draws a field of several lines at the cursor: it is `rows` lines high, a line that becomes too wide is broken at a

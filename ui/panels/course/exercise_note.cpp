@@ -16,11 +16,15 @@ void note_field(const LabView& view, PanelState& state, Ui& ui) {
     constexpr int rows = 5;
     if (!state.exercise.note_open) return;
     const std::string& notes = view.lesson->attempt.notes;
-    if (!state.exercise.note.active) state.exercise.note.text = notes;
+    TextField& field = state.exercise.note;
+    // They may change below the active field: another window has stored its own.
+    const bool have_changed = state.exercise.noted != notes;
+    if ((have_changed || !field.active) && field.text != notes) field.text = notes, field.is_new = true;
+    state.exercise.noted = notes;
     if (std::exchange(state.exercise.note_begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.note.text";
-    text_area(ui, state.exercise.note, "exercise.note.text", card_width(ui), rows, ui.strings("exercise.note_empty"),
+    text_area(ui, field, "exercise.note.text", card_width(ui), rows, ui.strings("exercise.note_empty"),
               ui.strings("exercise.note_how"));
-    if (state.exercise.note.text != notes) ui.outbox.emplace_back(NotesRequest{state.exercise.note.text});
+    if (field.text != notes) ui.outbox.emplace_back(NotesRequest{field.text});
     gap(ui, 12);
 }
 
