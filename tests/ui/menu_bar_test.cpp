@@ -651,4 +651,29 @@ TEST_F(MenuBar, OpensTheViewMenuOnItsKey) {
     EXPECT_FALSE(desk.anchors.find("menu.rows"));
 }
 
+TEST(MenuBarType, IsOfOneSizeInEachMenu) {
+    const std::vector<CatalogueEntry> catalogue{
+        {"01-drive", "/x/01-drive.toml", "Drive", "", 1},
+        {"02-long", "/x/02-long.toml", "Make the vehicle follow the line for a whole lap without leaving it once", "",
+         2}};
+    for (const float width : {512.0f, 1280.0f})
+        for (const std::string& menu : menus) {
+            Desk desk(width, 1024, 1, true);
+            desk.view.program.touch = true, desk.view.program.finger = 57;
+            desk.view.documents.catalogue = &catalogue;
+            desk.frame(3);
+            std::set<const void*> below;
+            for (const Written& w : desk.written) below.insert(w.sheet);
+            desk.panels.menu_bar.open = menu;
+            desk.frame(3);
+            std::set<float> sizes;
+            for (const std::string& row : rows_of(desk))
+                if (const Rect* at = desk.anchors.find("menu." + menu + "." + row))
+                    for (const Written& w : desk.written)
+                        if (!below.contains(w.sheet) && w.rect.y >= at->y && w.rect.y + w.rect.h <= at->y + at->h)
+                            sizes.insert(w.size);
+            EXPECT_EQ(sizes.size(), 1u) << menu << width;
+        }
+}
+
 }  // namespace braitenlab::tests::menu_bar_test

@@ -63,7 +63,17 @@ float entry_height(const Ui& ui, std::span<const MenuEntry> entries, float room)
 
 struct EntryLook {
     bool signs, keys;  // with room for signs before the words, with keys after them
+    Face face;         // of all rows
 };
+
+// The small face where the words of a row have no room else.
+Face face_of_rows(const Ui& ui, std::span<const MenuEntry> entries, float width) {
+    const float room = width - 2 * ui.px(entry_pad) - (has_signs(entries) ? ui.px(menu_sign_room) : 0);
+    const bool fit = std::all_of(entries.begin(), entries.end(), [&](const MenuEntry& e) {
+        return e.heading || text_width(ui, Face::text, e.words) <= room;
+    });
+    return fit ? Face::text : Face::small;
+}
 
 void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, EntryLook look) {
     const Palette& p = ui.palette;
@@ -83,8 +93,8 @@ void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, EntryLook 
     if (look.signs) x += ui.px(menu_sign_room);
     const Colour colour = entry.enabled ? p.text : p.second_text.with_alpha(0.6f);
     const float room = at.right() - ui.px(entry_pad) - x;
-    const Face face = text_width(ui, Face::text, entry.words) <= room ? Face::text : Face::small;
-    put(ui, {x, at.middle_y() - line_height(ui, face) / 2}, shortened(ui, entry.words, face, room), colour, face);
+    put(ui, {x, at.middle_y() - line_height(ui, look.face) / 2}, shortened(ui, entry.words, look.face, room), colour,
+        look.face);
     if (!look.keys) return;
     put_right(ui, {at.right() - ui.px(entry_pad), at.middle_y() - line_height(ui, Face::small) / 2}, entry.keys,
               entry.enabled ? p.second_text : colour, Face::small);
@@ -113,7 +123,7 @@ bool menu_entry(Ui& ui, const MenuEntry& entry, ImVec2 size, EntryLook look) {
 int draw_entries(Ui& ui, std::span<const MenuEntry> entries, ImVec2 size, bool with_keys, bool opens) {
     int chosen = -1;
     const auto [width, height] = size;
-    const EntryLook look{has_signs(entries), with_keys};
+    const EntryLook look{has_signs(entries), with_keys, face_of_rows(ui, entries, width)};
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     if (opens) ImGui::SetScrollY(0);
     for (std::size_t i = 0; i < entries.size(); ++i) {
