@@ -50,7 +50,8 @@ TEST_F(WiringInspector, ShowsTheParametersOfASingleSelection) {
 namespace {
 
 // The wiring editor of an exercise in this language, with a selected wire.
-void show_wire(Desk& desk, const std::string& language) {
+void show_wire(Desk& desk, const std::string& language, float finger = 0) {
+    desk.view.program.touch = finger > 0, desk.view.program.finger = finger;
     desk.strings = speaking(language);
     desk.open_exercise();
     desk.view.mode = Mode::wiring;
@@ -82,6 +83,18 @@ TEST(WiringInspectorWidth, AllNumbersOfAWireAreInSight) {
                 const Rect* slider = desk.anchors.find(id);
                 ASSERT_TRUE(slider) << id << ", " << language << width;
                 EXPECT_GE(slider->h, 28) << id << " is cut, " << language << width;
+            }
+        }
+}
+
+TEST(WiringInspectorWidth, AllNumbersOfAWireAreInSightForAFinger) {
+    for (const std::string& language : shipped_codes())
+        for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}}) {
+            Desk desk(width, height, 1, true);
+            show_wire(desk, language, 44);
+            for (const char* id : {"inspector.weight", "inspector.decay", "inspector.lesion"}) {
+                const Rect* row = desk.anchors.find(id);
+                EXPECT_GE(row ? row->h : 0, 44) << id << " is cut, " << language << width;
             }
         }
 }

@@ -167,7 +167,8 @@ void show(Inspected& in) {
 }  // namespace
 
 Rect inspector_rect(const Ui& ui, const CanvasState& state, Rect canvas) {
-    const float open = std::min(sheet_height(ui, canvas.w - ui.px(2 * spacing::large)), canvas.h * 0.4f);
+    const float most = ui.finger > 0 ? 0.45f : 0.4f;  // of the height
+    const float open = std::min(sheet_height(ui, canvas.w - ui.px(2 * spacing::large)), canvas.h * most);
     const float height = state.inspector.folded ? folded_height(ui) : open;
     return {canvas.x, canvas.y + canvas.h - height, canvas.w, height};
 }
