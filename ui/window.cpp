@@ -309,7 +309,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         without_camera.camera_view = nullptr;
         scene_input(without_camera, state.scene_input, ui, layout.scene, {});
     } else {
-        scene_input(view, state.scene_input, ui, layout.scene, place_of_tool_palette(view, ui, layout.tools));
+        scene_input(view, state.scene_input, ui, layout.scene, place_of_tool_palette(view, state, ui, layout.tools));
     }
     trail_legend(view, ui, layout.scene);
     why_callout(view, ui, layout.scene);

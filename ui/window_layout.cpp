@@ -32,6 +32,7 @@ constexpr float tab_width = 156, tab_pitch = 44;                   // of a folde
 constexpr float scene_aspect = 1.4f;                               // width by height, of most arenas
 constexpr float inset_height = 232;
 constexpr float upright_scene = 0.4f, upright_diagram = 0.55f;  // of the height between the bars
+constexpr float upright_scene_of_finger = 0.34f;                // the answers of a question need the room
 constexpr float upright_cards = 300;                            // at least, below the diagram
 constexpr float two_row_toolbar = 720;                          // a narrower upright window has two rows of buttons
 constexpr float charts_height = 248, low_middle = 560, below_tools = 12;
@@ -206,6 +207,7 @@ void stand_up(WindowLayout& l, const LabView& view, OpenCards open, float margin
     const float headings = static_cast<float>(open.folded_left + open.folded_right) * tab_pitch * l.scale;
     const float upper = view.mode == Mode::wiring ? upright_diagram * column
                         : is_folded               ? std::max(0.0f, column - headings)
+                        : view.program.touch      ? upright_scene_of_finger * column
                                                   : upright_scene * column;
     const float below = top + upper + margin, rest = std::max(0.0f, column - upper - margin);
     l.left = {}, l.left_on_right = true;
@@ -357,7 +359,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     } else if (!view.lecture) {
         l.timeline = take_timeline(l.scene, scale, timeline);
     }
-    if (upright && view.mode != Mode::wiring && l.tools.w <= 0) tools_beside(l, std::max(tool_size, finger), margin);
+    if (upright && view.mode != Mode::wiring && l.tools.w <= 0 && !view.program.touch)
+        tools_beside(l, std::max(tool_size, finger), margin);
     if (watches) split_for_canvas(l, view, margin, open.right);
     if (l.tools.w <= 0) l.tools = l.scene;
     l.exercise_on_right = view.lesson && l.left.w <= 0 && !view.lecture;

@@ -458,4 +458,23 @@ TEST(ExercisesLayout, AFoldedCardThatIsClickedIsOpenAndStaysSoInASmallWindow) {
     EXPECT_GT(clicked, 200);
 }
 
+// A telephone of 400 x 800 shows a window of 512 x 1024.
+TEST(ExercisesLayout, EachAnswerIsWholeOnAnUprightTelephone) {
+    int seen = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            const std::size_t answers = exercise.prediction.options.size();
+            if (answers == 0 || !exercise.prediction.path_of.empty()) continue;  // the button that draws has the room
+            Opened it(exercise, 512, 1024);
+            it.desk.strings = speaking(language);
+            if (language != "en") add_translations(it.desk.strings, texts_of(exercise), words_of_course(language));
+            it.desk.view.program.touch = true, it.desk.view.program.finger = 57;
+            it.desk.frame(8);
+            const Rect* last = it.desk.anchors.find("exercise.predict." + std::to_string(answers));
+            EXPECT_GE(last ? last->h : 0, 57) << exercise.id << ", " << language;
+            ++seen;
+        }
+    EXPECT_GT(seen, 40);
+}
+
 }  // namespace braitenlab::tests::exercises_layout_test

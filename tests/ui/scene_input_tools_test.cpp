@@ -252,4 +252,32 @@ TEST_F(SceneInputTools, ContinueALineFromTheMenuOfTheFloor) {
 }
 
 }  // namespace
+TEST(ToolPalette, ShowsAFingerTheChosenToolOnAnUprightPageUntilItIsOpened) {
+    Desk desk(512, 1024, 1, true);
+    desk.view.program.touch = true, desk.view.program.finger = 57;
+    CameraView camera_view;
+    desk.view.camera_view = &camera_view;
+    desk.frame(2);
+    camera_view = look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 512, 1024}, desk.layout.scene);
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("tool.lamp"));
+    EXPECT_GE(desk.where("tools").h, 57);
+    EXPECT_LE(desk.layout.scene.x, 12) << "the scene has the width";
+    desk.click("tools");
+    desk.frame(2);
+    for (const char* id :
+         {"tool.hand", "tool.lamp", "tool.box", "tool.polygon", "tool.zone", "tool.tape", "tool.ruler"}) {
+        const Rect at = desk.where(id);
+        EXPECT_EQ(at.y, desk.where("tool.hand").y) << id;
+        EXPECT_LE(at.x + at.w, 512) << id;
+    }
+    desk.click("tool.lamp");
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.scene_input.tool, SceneInputTool::lamp);
+    EXPECT_FALSE(desk.anchors.find("tool.lamp"));
+    desk.view.program.touch = false, desk.view.program.finger = 0;
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("tool.lamp")) << "the mouse has all";
+}
+
 }  // namespace braitenlab::tests::scene_input_tools_test

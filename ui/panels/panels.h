@@ -44,7 +44,9 @@ void follow_map(const LabView&, PanelState&);      // call once a frame, before 
 void toolbar(const LabView&, PanelState&, Ui&, Rect);
 void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect, std::string_view hint);  // `hint`: key of a prompt's words, or empty
-void tool_palette(const LabView&, PanelState&, Ui&, Rect area);   // in the upper left corner of the area
+// In the upper left corner of the area: all tools, or for a finger on an upright page the chosen one, anchor `tools`,
+// which opens the row of all until one is chosen.
+void tool_palette(const LabView&, PanelState&, Ui&, Rect area);
 // A small window that is higher than wide, as of a telephone or a tablet. `width`, `height`: layout pixels.
 inline bool is_upright(float width, float height) { return width < 900 && height > 1.2f * width; }
 
@@ -53,7 +55,7 @@ inline bool is_upright(float width, float height) { return width < 900 && height
 float tool_palette_height(float width, float finger);
 inline constexpr float tool_size = 32, tool_pad = 4;
 // Where it is drawn; width 0 where it is not.
-Rect place_of_tool_palette(const LabView&, const Ui&, Rect area);
+Rect place_of_tool_palette(const LabView&, const PanelState&, const Ui&, Rect area);
 void scene_menu(const LabView&, PanelState&, Ui&, Rect window);  // menu of an object or of the floor
 
 // menu_bar.cpp: the menu bar. A chosen action is added to PanelState::chosen.

@@ -76,6 +76,25 @@ std::size_t tools_in_a_row(float width, float size) {
     return static_cast<std::size_t>(std::clamp(fitting, 1.0f, static_cast<float>(tool_looks.size())));
 }
 
+// True where only the chosen tool is shown: a finger needs large ones, and on an upright page the scene is low.
+bool folds_tools(const LabView& view, const PanelState& state, const Ui& ui) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const bool is_low = view.program.touch && is_upright(window.x / ui.px(1), window.y / ui.px(1));
+    return is_low && !state.scene_input.tools_open && !ui.highlight.starts_with("tool.");
+}
+
+void folded_tools(PanelState& state, Ui& ui, Rect bar, ImVec2 size) {
+    ImGui::SetCursorScreenPos({bar.x + ui.px(tool_pad), bar.y + ui.px(tool_pad)});
+    const Item at = item(ui, "tools", size);
+    const bool draws = state.scene_input.tool != SceneInputTool::hand;
+    if (draws) line_box(ui, at.rect, ui.palette.accent);
+    tool_sign(ui, state.scene_input.tool, {at.middle_x(), at.middle_y()}, ui.palette.text);
+    put_icon(ui, {at.right() - ui.px(8), at.rect.y + at.rect.h - ui.px(8)}, icon::folded, ui.palette.second_text,
+             Face::small);
+    tooltip(ui, at, ui.strings("tools.all"));
+    if (at.pressed) state.scene_input.tools_open = true;
+}
+
 }  // namespace
 
 float tool_palette_height(float width, float finger) {
@@ -84,18 +103,20 @@ float tool_palette_height(float width, float finger) {
     return static_cast<float>(rows) * size + 2 * tool_pad;
 }
 
-Rect place_of_tool_palette(const LabView& view, const Ui& ui, Rect area) {
+Rect place_of_tool_palette(const LabView& view, const PanelState& state, const Ui& ui, Rect area) {
     if (!view.camera_view || view.mode == Mode::wiring || view.lecture) return {};
-    const float width = area.w / ui.px(1), size = ui.tall(tool_size);
+    const float width = area.w / ui.px(1), size = ui.tall(tool_size), one = ui.px(size + 2 * tool_pad);
+    if (folds_tools(view, state, ui)) return {area.x, area.y, one, one};
     const float row = static_cast<float>(tools_in_a_row(width, size)) * size + 2 * tool_pad;
     return {area.x, area.y, ui.px(row), ui.px(tool_palette_height(width, ui.finger))};
 }
 
 void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
-    const Rect bar = place_of_tool_palette(view, ui, area);
+    const Rect bar = place_of_tool_palette(view, state, ui, area);
     if (bar.w <= 0) return;
     const float size = ui.px(ui.tall(tool_size)), inset = ui.px(tool_pad);
     begin_bar(ui, "tools", bar, false, Corner::box);
+    if (folds_tools(view, state, ui)) return folded_tools(state, ui, bar, {size, size}), end_bar();
     const Palette& p = ui.palette;
     const std::size_t in_a_row = tools_in_a_row(area.w / ui.px(1), ui.tall(tool_size));
     for (std::size_t i = 0; i < tool_looks.size(); ++i) {
@@ -110,6 +131,7 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect area) {
         tooltip(ui, at, ui.strings(look.words), ui.strings(look.how));
         if (at.pressed) {
             choose_tool(state.scene_input, on ? SceneInputTool::hand : look.tool);
+            state.scene_input.tools_open = false;
             const bool draws = state.scene_input.tool != SceneInputTool::hand;
             if ((draws || !at.entered) && ui.keyboard) ui.keyboard->focus.clear();  // keys then apply to the tool
         }

@@ -149,6 +149,7 @@ struct PathDrawing {
 
 struct SceneInputState {
     SceneInputTool tool = SceneInputTool::hand;
+    bool tools_open = false;  // all tools are shown where there is room for one
     // Set with the tool so far, m: corners of a polygon, points of a line, the first corner of a box or zone; one or
     // both ends of a measurement.
     std::vector<maths::vec2> corners;

@@ -191,7 +191,9 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     ExerciseRows& rows = state.exercise.rows;
     const float top = begin_row(rows);
     const bool can_choose = is_open && view.may.open_prediction;
-    if (!can_choose || !has_close_rows(view, ui)) subheading(ui, ui.strings("exercise.predict"));
+    // To a finger the rows of the answers are high: they need the room.
+    if (!can_choose || (!has_close_rows(view, ui) && !view.program.touch))
+        subheading(ui, ui.strings("exercise.predict"));
     if (!can_choose && ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
     if (can_choose) {
         open_prediction(view, state, ui);
