@@ -36,12 +36,28 @@ struct NotesPage : testing::Test {
 
 TEST_F(NotesPage, HasTheNotesTheTimeAndTheNextCaption) {
     lab.pages->seconds = 125;
-    const std::string page = notes_page(*lab.pages, strings, "en");
+    const std::string page = notes_page(*lab.pages, strings, "en", Theme::dark);
     EXPECT_EQ(xml_fault(page), "");
     for (const std::string& shown : {std::string("2:05"), caption(0), "Next: " + caption(1)})
         EXPECT_NE(page.find(shown), std::string::npos) << shown;
     EXPECT_NE(page.find(lab.pages->current().notes.substr(0, 12)), std::string::npos);
     EXPECT_NE(page.find("reload"), std::string::npos);
+}
+
+TEST_F(NotesPage, HasTheThemeOfTheWindow) {
+    const auto ground = [&] {
+        const std::string page = *read_text(file);
+        return page.substr(page.find("--ground: ") + 10, 7);
+    };
+    const auto follows = [&](Theme theme) {
+        lab.preferences.theme = theme;
+        turn();
+        EXPECT_EQ(ground(), theme == Theme::light ? "#ffffff" : "#14171c");
+    };
+    handle(lab, Action::notes_page);
+    follows(Theme::dark), follows(Theme::light);
+    end_lecture(lab);
+    follows(Theme::dark), follows(Theme::light);
 }
 
 TEST_F(NotesPage, HasTheNotesInTheLanguageOfTheWindow) {
@@ -51,7 +67,7 @@ TEST_F(NotesPage, HasTheNotesInTheLanguageOfTheWindow) {
     });
     ASSERT_NE(notes, texts.end());
     strings.add(notes->text, "Laufen lassen");
-    EXPECT_NE(notes_page(*lab.pages, strings, "de").find("<p>Laufen lassen</p>"), std::string::npos);
+    EXPECT_NE(notes_page(*lab.pages, strings, "de", Theme::dark).find("<p>Laufen lassen</p>"), std::string::npos);
 }
 
 TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {
@@ -66,8 +82,12 @@ TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {
     show_page(lab, 1);
     turn();
     EXPECT_NE(read_text(file)->find("<h1>" + caption(1)), std::string::npos);
+    const std::string last = caption(1);
     end_lecture(lab);
     turn();
+    EXPECT_EQ(read_text(file)->find(last), std::string::npos) << "the lecture is over";
+    EXPECT_NE(read_text(file)->find(std::string(strings("lecture.is_over"))), std::string::npos);
+    EXPECT_EQ(xml_fault(*read_text(file)), "");
     handle(lab, Action::notes_page);
     EXPECT_FALSE(lab.window.opens_notes) << "there is no lecture";
 }
