@@ -365,6 +365,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
                      {"pan", {lab.view.camera.pan.x, lab.view.camera.pan.y}}};
     state["opened"] = lab.document.name;
     state["notice"] = lab.notice.words;
+    state["notice_key"] = lab.notice.key;
     state["lecture"] = lecture_json(lab);
     state["sensors"] = lab.view.sensors;
     state["focus"] = frame.focus;

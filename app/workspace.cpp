@@ -50,6 +50,11 @@ void say(Workspace& space, const Error& error) {
     say(space, std::move(notice));
 }
 
+void say_downloaded(Workspace& space, std::string_view key, const std::filesystem::path& path) {
+    const std::string_view said = may_refuse_downloads() ? std::string_view("notice.framed_download") : key;
+    say(space, {NoticeKind::notice, std::string(said), path.filename().string()});
+}
+
 void set_mode(Workspace& space, Mode mode) {
     Playback& playback = space.playback;
     const bool was_playing = playback.mode == Mode::playing, plays = mode == Mode::playing;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/course/together.h"
@@ -92,6 +94,8 @@ std::uint64_t new_gesture(Workspace&);
 // failures are shown longest.
 void say(Workspace&, Notice, double least_seconds = 0);
 void say(Workspace&, const Error&);
+// Says where a download is; `key`: of the string with its name. A browser does not tell whether it downloads.
+void say_downloaded(Workspace&, std::string_view key, const std::filesystem::path&);
 
 // The error as the user is told it: a page shows the name of a file without its folder, which the user does not know.
 Error for_user(Error);

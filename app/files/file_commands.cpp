@@ -74,7 +74,7 @@ struct FileCommands {
     void done(const fs::path& path, std::string_view said) const {
         const std::string file = path.filename().string();
         if (said.starts_with("files.saved") && saves_by_download())
-            say(lab, {NoticeKind::notice, "notice.downloaded", file});  // a browser does not tell whether it downloads
+            say_downloaded(lab, "notice.downloaded", path);
         else if (!said.empty())
             say(lab, {NoticeKind::done, std::string(said), file});
         view.refused.reset();
@@ -340,7 +340,7 @@ void reload(Lab& lab, FilesView& view, Document opened) {
 }  // namespace
 
 void say_saved(Lab& lab, std::string_view key, const fs::path& path) {
-    if (saves_by_download()) return say(lab, {NoticeKind::notice, "notice.downloaded", path.filename().string()});
+    if (saves_by_download()) return say_downloaded(lab, "notice.downloaded", path);
     say(lab, {NoticeKind::done, std::string(key), path.string()});
 }
 

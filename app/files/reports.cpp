@@ -77,10 +77,10 @@ void follow_refusal(Lab& lab) {
 
 // Tells where the file is; `downloaded`: key of the string with its name among the downloads, `saved`: with its path.
 void say_written(Lab& lab, std::string_view downloaded, std::string_view saved, const fs::path& path) {
-    const bool downloads = saves_by_download();
-    lab.document.lesson->attempt.work.written = downloads ? path.filename().string() : path.string();
-    say(lab, {downloads ? NoticeKind::notice : NoticeKind::done,  // a browser does not tell whether it downloads
-              std::string(downloads ? downloaded : saved), lab.document.lesson->attempt.work.written});
+    std::string& written = lab.document.lesson->attempt.work.written;
+    if (saves_by_download()) return written = path.filename().string(), say_downloaded(lab, downloaded, path);
+    written = path.string();
+    say(lab, {NoticeKind::done, std::string(saved), written});
 }
 
 std::optional<Error> hand_in(Lab& lab, const HandInRequest& request, const fs::path& folder, WrittenAt at) {

@@ -93,6 +93,10 @@ bool open_with_system(const std::filesystem::path&);
 // True in a browser: it downloads what the user saves, and the user does not see the program's folders.
 bool saves_by_download();
 
+// True where a page contains that of the program: it may refuse downloads without a word. The program's page then
+// offers the text of each file.
+bool may_refuse_downloads();
+
 // A running program that reads what is written to it. It is started without a shell: each argument is passed as it is.
 class ProgramPipe {
 public:

@@ -153,6 +153,8 @@ bool has_threads() { return true; }
 
 bool saves_by_download() { return false; }
 
+bool may_refuse_downloads() { return false; }
+
 std::filesystem::path find_program(const std::string& name) {
     const std::string folders = environment_path("PATH").string();
     for (std::size_t from = 0; from <= folders.size();) {

@@ -18,6 +18,7 @@ constexpr const char* home = "/home/web_user";  // emscripten's home folder
 EM_JS(void, take_over_on_page, (const char* folder), { if (Module.takeOver) Module.takeOver(UTF8ToString(folder)); });
 EM_JS(void, keep_on_page, (), { if (Module.keepFiles) Module.keepFiles(); });
 EM_JS(bool, open_on_page, (const char* path), { return !!Module.openPage && Module.openPage(UTF8ToString(path)); });
+EM_JS(bool, is_framed_page, (), { return typeof window === "object" && window.top !== window; });
 EM_JS(int, number_of_page, (), { return Module.pageNumber || 1; });
 // clang-format on
 
@@ -75,6 +76,8 @@ bool open_with_system(const std::filesystem::path& path) {
 }
 
 bool saves_by_download() { return true; }
+
+bool may_refuse_downloads() { return is_framed_page(); }
 
 struct ProgramPipe::Running {};
 ProgramPipe::ProgramPipe(ProgramPipe&&) noexcept = default;

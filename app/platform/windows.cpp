@@ -157,6 +157,8 @@ bool has_threads() { return true; }
 
 bool saves_by_download() { return false; }
 
+bool may_refuse_downloads() { return false; }
+
 std::filesystem::path find_program(const std::string& name) {
     std::wstring found(32768, L'\0');
     const DWORD length =
