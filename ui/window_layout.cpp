@@ -8,6 +8,7 @@
 #include "ui/panels/map/map_parts.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/menu_bar.h"
+#include "ui/wiring/layout.h"
 
 namespace braitenlab::ui {
 
@@ -20,6 +21,7 @@ constexpr float lecture_bar_height = 56, figures_height = 92, counts_height = 60
 constexpr float caption_height = 84, question_share = 0.45f;       // of the width
 constexpr float lecture_canvas_share = 0.52f;                      // at least: its weights are legible
 constexpr float canvas_share_beside_card = 0.5f;                   // at least, in a lecture
+constexpr float canvas_share_of_network = 0.66f;                   // at least, of many nodes: their names are large
 constexpr float question_above_card = 0.55f;                       // of the height, at most
 constexpr float largest_notes = 0.36f;                             // of the height
 constexpr float least_notes = 100;                                 // three lines below the heading
@@ -62,14 +64,23 @@ Rect take_timeline(Rect& middle, float scale, float height) {
     return {middle.x, middle.y + middle.h + above_timeline * scale, middle.w, strip};
 }
 
+// True for a diagram of many nodes that is shown.
+bool shows_network(const LabView& view) {
+    const VehicleView* vehicle = selected_vehicle(view);
+    const bool has_brain = vehicle && vehicle->brain >= 0 && vehicle->brain < static_cast<int>(view.now->brains.size());
+    return has_brain && !hides_brain(view, vehicle->kind) &&
+           brain_of(*view.now, *vehicle)->nodes.size() > wiring::few_nodes;
+}
+
 // Gives a part of the scene to the canvas: the right part of a wide scene, else the lower part, because a diagram is
 // wider than high. In a lecture, where the scene is low, also the right part of a less wide one; then folded cards of
 // the right column are over the scene, and an open one has a column of its own.
 void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool card_is_open) {
     const float wide = view.lecture ? 1.5f : 1.9f;  // width by height
-    const float least = !view.lecture  ? least_canvas_share
-                        : card_is_open ? canvas_share_beside_card
-                                       : lecture_canvas_share;
+    const float least = !view.lecture         ? least_canvas_share
+                        : card_is_open        ? canvas_share_beside_card
+                        : shows_network(view) ? canvas_share_of_network
+                                              : lecture_canvas_share;
     const float share = std::clamp(view.settings.canvas_share, least, largest_canvas_share);
     if (view.lecture && card_is_open && !asked(view)) l.scene.w -= l.right.w + border;
     if (l.scene.w > wide * l.scene.h) {

@@ -1,5 +1,6 @@
 // The watched diagram of a lecture, whose letters are larger than the cards and labels that hold them elsewhere.
 #include "lecture_on_desk.h"
+#include "ui/wiring/layout.h"
 
 namespace braitenlab::tests::lecture_diagram_test {
 
@@ -113,6 +114,38 @@ TEST(LectureDiagram, AWholeNameIsInsideTheBoxOfItsNode) {
             EXPECT_TRUE(is_inside(diagram.desk.where("name." + node.name), diagram.desk.where("node." + node.name)))
                 << node.name;
     });
+}
+
+TEST(LectureDiagram, AMapOfManyNodesHasLargeNamesOfOneHeightAndNamesItsGroups) {
+    constexpr float legible = 0.022f, line_by_letters = 1.362f, larger = 1.2f;
+    constexpr Size projectors[]{{1024, 768, 1.375f}, {1280, 800, 1.4f}, {1920, 1080, 1.75f}};
+    LectureView pages = opened_lecture("wheels-to-neurons");
+    pages.page = 12, pages.step = 1;
+    for (const Size& size : projectors)
+        for (const std::string& code : shipped_codes()) {
+            SCOPED_TRACE(code + " at " + std::to_string(size.width));
+            Diagram diagram(first_moment(pages.current()), size, code);
+            Desk& desk = diagram.desk;
+            desk.view.pages = &pages;
+            desk.frame(5);
+            const std::vector<Node>& nodes = desk.now.brains[0]->nodes;
+            ASSERT_GT(nodes.size(), wiring::few_nodes);
+            const float first = desk.where("name." + nodes.front().name).h;
+            for (const Node& node : nodes) {
+                EXPECT_GE(desk.where("name." + node.name).h, larger * legible * line_by_letters * size.height)
+                    << node.name;
+                EXPECT_NEAR(desk.where("name." + node.name).h, first, 0.1f * first) << node.name;
+            }
+            EXPECT_EQ(desk.shortened, 0);
+            for (const char* group : {"wiring.group.sensors", "wiring.group.neurons", "wiring.group.motors"}) {
+                EXPECT_TRUE(is_inside(desk.where(group), desk.where("canvas"))) << group;
+                EXPECT_GE(desk.where(group).h, larger * legible * line_by_letters * size.height) << group;
+                for (const Rect& node : diagram.starting_with("node."))
+                    EXPECT_FALSE(overlap(desk.where(group), node)) << group;
+            }
+            EXPECT_FALSE(desk.says("≥")) << "a number of one neuron of eight";
+            EXPECT_GE(desk.where("viewport").w, 0.25f * size.width) << "the scene is still seen";
+        }
 }
 
 TEST(LectureDiagram, SaysAtWhichSumANeuronSteps) {

@@ -67,6 +67,13 @@ void fit_letters(CanvasCamera& camera, LayOut lay_out, Rect area, float ui_scale
     }
 }
 
+// Makes the diagram of many nodes that a lecture watches so small that it is a map: its labels would cover each other.
+void keep_to_names(CanvasCamera& camera, Rect area, float ui_scale, float least_type) {
+    constexpr float step = 0.98f;
+    while (camera.zoom > least_zoom && !is_map(view_of(camera, area, ui_scale), ui_scale, least_type))
+        camera.zoom *= step;
+}
+
 // Moves the camera between frames. Parts of the picture stay under the mouse while the brain is edited or a card opens
 // or folds. The whole brain is fitted when the canvas is entered, when it is another brain (a preset, a file) and when
 // the window or the pane beside the scene changes its size, unless the user has moved the camera.
@@ -194,6 +201,8 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
         return state.layout.get(brain, state.held, letter_room(pen, view, vehicle, graph));
     };
     follow(state, view, vehicle, brain, lay_out, area, ui.scale);
+    const bool is_network = view.lecture && !has_buttons(view) && graph.nodes.size() > few_nodes;
+    if (is_network && !state.camera.by_user) keep_to_names(state.camera, area, ui.scale, ui.least_type);
     const Layout& before = lay_out();
     drop_stale_selection(state, before);
 

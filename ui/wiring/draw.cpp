@@ -84,11 +84,13 @@ void fade_out(ImDrawList& list, const ImVec2* pairs, int count, ImU32 colour) {
 }
 
 // The least width of a neuron's card in which every neuron's name is whole, and beside its curve also the widest
-// number, within the gap of two columns.
+// number, within the gap of two columns. On the map of many nodes a card is as wide as the wires beside it allow.
 float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
-    const float least = LetterRoom{}.neuron_width, most = 1.6f * least;
-    const float own = compat::size_of(font(pen.ui, Face::strong)), height = pen.least_type() / pen.view.scale;
+    constexpr float on_large_map = 212;  // units
     const bool map = detail_of(pen) == Detail::map;
+    const float usual = LetterRoom{}.neuron_width, most = 1.6f * usual;
+    const float least = map && graph.nodes.size() > few_nodes ? on_large_map : usual;
+    const float own = compat::size_of(font(pen.ui, Face::strong)), height = pen.least_type() / pen.view.scale;
     const float beside = map ? 2 * map_name_margin : beside_neuron_text;
     float widest = map ? 0 : text_width(pen.ui, Face::text, with_sign(pen.ui, 1, 2));
     for (const Node& node : graph.nodes)

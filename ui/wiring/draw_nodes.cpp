@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/maths/portable.h"
 #include "core/scene/sensor_edits.h"
@@ -306,8 +307,25 @@ std::string map_name_of(const Pen& pen, const Picture& picture, const NodeShape&
     return pen.cuts(word, Face::strong, shape.size.x - 2 * map_name_margin) ? name : word;
 }
 
-// On the map: as large as the card allows, at least least_type() high if the card is as high.
-void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
+bool is_large_map(const Pen& pen, const Picture& picture) {
+    return picture.view.lecture && detail_of(pen) == Detail::map && picture.layout.nodes.size() > few_nodes;
+}
+
+// The height of all names on a large map of a lecture, units: the largest at which each fits into its card.
+std::optional<float> height_of_names(const Pen& pen, const Picture& picture) {
+    constexpr float share = 0.85f;  // of the card's height, at most
+    if (!is_large_map(pen, picture)) return std::nullopt;
+    float height = share * card_size(NodeKind::neuron).y;
+    const float own = compat::size_of(font(pen.ui, Face::strong));
+    for (const NodeShape& shape : picture.layout.nodes) {
+        const std::string name = map_name_of(pen, picture, shape, picture.graph.nodes[shape.node]);
+        height = std::min(height, map_room(pen, picture, shape, name) * own / text_width(pen.ui, Face::strong, name));
+    }
+    return height;
+}
+
+// On the map: as large as the card allows, or `common` units high; at least least_type() high if the card is as high.
+void draw_name(const Pen& pen, const Picture& picture, std::size_t index, std::optional<float> common) {
     constexpr float share = 0.6f;  // of the card's height
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
@@ -321,8 +339,33 @@ void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
         pen.box(shape.centre, extent, 6, mix(p.panel, p.raised, 0.45f));
         pen.box(shape.centre, extent, 6, map_colour(p, picture.readings.nodes[index]));
     }
-    const float height = std::max(share * shape.size.y, least / pen.view.scale);
+    const float height = std::max(common.value_or(share * shape.size.y), least / pen.view.scale);
     record_name(pen, picture, node.name, pen.text(shape.centre, height, 0.5f, name, p.text, Face::strong, room));
+}
+
+// The names of the three groups above the columns of a large map, where these are apart and there is room.
+void draw_group_names(const Pen& pen, const Picture& picture) {
+    if (!is_large_map(pen, picture)) return;
+    constexpr std::array<std::string_view, 3> keys{"wiring.group.sensors", "wiring.group.neurons",
+                                                   "wiring.group.motors"};
+    struct Span {
+        float low = 1e9f, high = -1e9f;
+    };
+    std::array<Span, 3> spans;
+    for (const NodeShape& shape : picture.layout.nodes) {
+        Span& span = spans[shape.kind == NodeKind::sensor ? 0 : shape.kind == NodeKind::neuron ? 1 : 2];
+        span.low = std::min(span.low, shape.centre.x - shape.size.x / 2);
+        span.high = std::max(span.high, shape.centre.x + shape.size.x / 2);
+    }
+    constexpr float growth = 1.25f, above = 24;  // of the least type; units between cards and letters
+    const float height = growth * pen.least_type() / pen.view.scale, y = picture.layout.low.y - above - height / 2;
+    const bool apart = spans[0].high < spans[1].low && spans[1].high < spans[2].low;
+    if (!apart || y - height / 2 < picture.low.y) return;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const vec2 at{(spans[i].low + spans[i].high) / 2, y};
+        pen.ui.anchors.record(keys[i], pen.text(at, height, 0.5f, pen.ui.strings(keys[i]), pen.palette().text,
+                                                Face::strong, spans[i].high - spans[i].low));
+    }
 }
 
 void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {
@@ -352,15 +395,13 @@ void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {
     pen.box(shape.centre, shape.size - vec2{24, 24}, 6, map_colour(p, value));
 }
 
-// What a card of a lecture has no room for: the step of a neuron, as "≥ 0.50", and on the map of a small brain the
-// value of the node before it.
+// What a card of a lecture has no room for: the step of a neuron, as "≥ 0.50", and on the map the value of the node
+// before it. Nothing on a large map.
 std::string words_below(const Pen& pen, const Picture& picture, const NodeShape& shape, float value) {
-    constexpr std::size_t small_brain = 12;  // nodes
     const Node& node = picture.graph.nodes[shape.node];
-    if (!picture.view.lecture) return {};
+    if (!picture.view.lecture || is_large_map(pen, picture)) return {};
     std::string words;
-    if (detail_of(pen) == Detail::map && picture.layout.nodes.size() <= small_brain)
-        words = fixed(pen.ui, shown_value(node, value), 2);
+    if (detail_of(pen) == Detail::map) words = fixed(pen.ui, shown_value(node, value), 2);
     if (node.kind == NodeKind::neuron && node.curve.response == Response::step)
         words += (words.empty() ? "≥ " : " (≥ ") + fixed(pen.ui, node.curve.peak, 2) + (words.empty() ? "" : ")");
     return words;
@@ -433,6 +474,7 @@ bool cuts_name(const Pen& pen, const Picture& picture, const NodeShape& shape) {
 void draw_nodes(const Pen& pen, const Picture& picture) {
     const Hit& over = picture.state.hovered;
     const float size = finger_size(picture.view);
+    const std::optional<float> names = height_of_names(pen, picture);
     for (std::size_t i = 0; i < picture.layout.nodes.size(); ++i) {
         const NodeShape& shape = picture.layout.nodes[i];
         if (!picture.is_visible(shape.centre - shape.size / 2, shape.centre + shape.size / 2)) continue;
@@ -442,9 +484,10 @@ void draw_nodes(const Pen& pen, const Picture& picture) {
         if (shape.has_in)
             draw_pin(pen, shape.in_pin(), size, shape.in_spread, in, invites(picture, shape, false), false);
         if (shape.has_out) draw_pin(pen, shape.out_pin(), size, 0, out, invites(picture, shape, true), true);
-        if (detail_of(pen) == Detail::map) draw_name(pen, picture, i);
+        if (detail_of(pen) == Detail::map) draw_name(pen, picture, i, names);
     }
     if (!picture.view.lecture) return;
+    draw_group_names(pen, picture);
     OccupiedBoxes taken;
     for (const NodeShape& node : picture.layout.nodes) taken.add(node.centre, node.size);
     if (detail_of(pen) != Detail::map)

@@ -19,6 +19,9 @@
 
 namespace braitenlab::wiring {
 
+// A diagram of more nodes is a map in a lecture: it is read by the names of its nodes and of their groups alone.
+inline constexpr std::size_t few_nodes = 12;
+
 using Positions = std::map<NodeId, maths::vec2>;  // centres of nodes, canvas units
 
 struct NodeShape {
