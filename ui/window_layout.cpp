@@ -120,10 +120,18 @@ float right_share(const LabView& view, OpenCards open) {
     return asks_beside(view, open) || open.left ? column_share : lone_column_share;
 }
 
+// True for an open card of the left column that is alone beside the scene of a lecture: there its type is large.
+bool is_lone_left(const LabView& view, OpenCards open) { return view.lecture && open.left && !open.right; }
+
+// True while the open card of an exercise asks for a prediction, outside a lecture file.
+bool asks_in_card(const LabView& view, OpenCards open) {
+    return !view.pages && open.left && view.lesson && view.may.open_prediction && awaits_prediction(*view.lesson);
+}
+
 // The behaviour map of a lecture is read from the last row: it has the width that the scene and an open card leave.
 float left_share(const LabView& view, OpenCards open) {
     constexpr float least_scene = 0.25f, beside_map = 0.42f;
-    if (!shows_map_of_lecture(view)) return column_share;
+    if (!shows_map_of_lecture(view)) return is_lone_left(view, open) ? lone_column_share : column_share;
     return open.right ? 1 - right_share(view, open) - least_scene : 1 - beside_map;
 }
 
@@ -300,9 +308,9 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         const bool is_large = !watches;
         const bool is_picture = vehicle_of_live_picture(view) != nullptr;
         const float figures = (!is_picture ? counts_height : is_large ? live_height : figures_height) * scale;
-        // A card beside the diagram has the numbers, too: both have the room.
+        // A card beside the diagram has the numbers, too: both have the room. A question has the height of its values.
         l.hint_bar = {0, height, width, 0};
-        if (!watches || !open.right) l.hint_bar.y -= figures, l.hint_bar.h = figures;
+        if ((!watches || !open.right) && !asks_in_card(view, open)) l.hint_bar.y -= figures, l.hint_bar.h = figures;
     }
     const float margin = c.margin * scale;
     // A page shows its values on request only; below the editor they then need no room.
@@ -311,7 +319,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float top = l.toolbar.y + l.toolbar.h + margin, bottom = (has_figures ? l.hint_bar.y : height) - margin;
     const float column = std::max(0.0f, bottom - top);
     // At most three eighths of the window each, so that a quarter stays free.
-    const float wanted = shows_map_of_lecture(view) ? width : c.left * scale;
+    const float wanted = shows_map_of_lecture(view) || is_lone_left(view, open) ? width : c.left * scale;
     const float left = std::min(wanted, width * left_share(view, open) - 2 * margin);
     const float right = std::min(c.right * scale, width * right_share(view, open) - margin);
     l.left = {margin, top, left, column};

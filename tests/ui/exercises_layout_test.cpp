@@ -262,6 +262,26 @@ TEST(ExercisesLayout, NoStepMovesWhenTheOutcomeArrivesOrAStepIsDone) {
     }
 }
 
+TEST(ExercisesLayout, AProjectorShowsEveryAnswerOfAPrediction) {
+    int answers = 0;
+    for (const char* language : {"en", "de", "es"})
+        for (const Exercise& exercise : course()) {
+            SCOPED_TRACE(std::string(language) + " " + exercise.id);
+            Opened it(exercise, 1024, 768, 1.375f);
+            it.desk.strings = speaking(language);
+            if (language != std::string("en"))
+                add_translations(it.desk.strings, texts_of(exercise), words_of_course(language));
+            it.desk.view.lecture = true;
+            it.desk.frame(3);
+            it.desk.panels.card(Card::exercise).folded = false;
+            it.desk.frame(6);
+            for (std::size_t i = 1; i <= exercise.prediction.options.size(); ++i, ++answers)
+                EXPECT_TRUE(is_in_body(it.desk, "exercise.predict." + std::to_string(i))) << i;
+            EXPECT_GE(it.desk.where("viewport").w, 0.47f * 1024);
+        }
+    EXPECT_GT(answers, 3 * 50);
+}
+
 TEST(ExercisesLayout, ASliderHasATrackThatCanBeUsedInASmallWindow) {
     int sliders = 0;
     for (const char* language : {"en", "de", "es"})
