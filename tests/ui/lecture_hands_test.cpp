@@ -1,5 +1,6 @@
 // The question of a page of a lecture: counted hands, shares and the answer.
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
@@ -124,6 +125,30 @@ TEST_F(LectureHands, TheBarOfAnOptionHasTheShareOfAllHands) {
             if (bar.contains(v.pos.x, v.pos.y) && v.col == paint(palette(desk.view.program.theme).accent))
                 from = std::min(from, v.pos.x), to = std::max(to, v.pos.x);
     EXPECT_NEAR((to - from) / bar.w, 12.0f / 16, 0.02f);
+}
+
+TEST_F(LectureHands, AShortBarIsAsLongAsItsShareToo) {
+    for (const int step : {0, 2}) {
+        show(1, step);
+        pages.hands[1] = {2, 45, 3};  // 4 %, 90 %, 6 %
+        desk.frame(3);
+        std::array<float, 3> lengths{};
+        const Palette& p = palette(desk.view.program.theme);
+        for (std::size_t option = 0; option < lengths.size(); ++option) {
+            const Rect bar = desk.where("lecture.share." + std::to_string(option + 1));
+            float from = 1e9f, to = 0;
+            const ImDrawData& data = *ImGui::GetDrawData();
+            for (int l = 0; l < data.CmdListsCount; ++l)
+                for (const ImDrawVert& v : data.CmdLists[l]->VtxBuffer)
+                    if (bar.contains(v.pos.x, v.pos.y) &&
+                        (v.col == paint(p.accent) || v.col == paint(p.text) || v.col == paint(p.success)))
+                        from = std::min(from, v.pos.x), to = std::max(to, v.pos.x);
+            lengths[option] = (to - from) / bar.w;
+        }
+        EXPECT_NEAR(lengths[0], 0.04f, 0.01f) << step;
+        EXPECT_NEAR(lengths[1], 0.90f, 0.01f) << step;
+        EXPECT_NEAR(lengths[2], 0.06f, 0.01f) << step;
+    }
 }
 
 TEST_F(LectureHands, TheTallyHasPercentagesBesideTheBarsAlsoOnceTheAnswerIsKnown) {

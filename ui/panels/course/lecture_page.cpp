@@ -80,7 +80,8 @@ void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colou
     if (all > 0) put_right(ui, {at.x + width, at.y + (row - line) / 2}, percent(share), ui.palette.text, Face::strong);
     if (all > 0 || page.awaits_answer())
         line_box(ui, bar, ui.palette.second_text.with_alpha(0.5f), Corner::round);  // an empty frame: no hands
-    if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, Corner::round);
+    const Rect of_share{bar.x, bar.y, bar.w * share, bar.h};  // as long as the share says, also a short one
+    if (share > 0) fill_box(ui, of_share, colour, Corner::round);
     mark(ui, option_id("lecture.share.", option), bar);
     ImGui::Dummy({width, row});
 }
