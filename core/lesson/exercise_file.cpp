@@ -126,20 +126,29 @@ std::string describe_goals(const std::variant<Goals...>&) {
     return text + check.text();
 }
 
-// The text of the exercise's scene, which is read into `exercise`; nullopt if it has errors or no vehicle.
-std::optional<SceneText> read_scene_of(TomlTable& top, const std::filesystem::path& path,
-                                       const std::vector<Setting>& settings, Exercise& exercise) {
+// The scene's text, and whether the exercise's own values could be put into it.
+struct SceneOfExercise {
+    SceneText text;
+    bool is_set = true;
+};
+
+// The exercise's scene is read into `exercise`; without its own values where these have errors, so that names can be
+// judged: no value changes one. nullopt if the scene has errors or no vehicle.
+std::optional<SceneOfExercise> read_scene_of(TomlTable& top, const std::filesystem::path& path,
+                                             const std::vector<Setting>& settings, Exercise& exercise) {
     auto text = scene_text(top, path);
     if (!text) return std::nullopt;
     ReadScene read = read_scene_fully(text->file, text->table, settings);
     for (Error& each : read.errors) top.file().faults.push_back({"scene", std::move(each)});
+    const bool is_set = read.errors.empty();
+    if (!is_set) read = read_scene_fully(text->file, text->table, {});
     if (!read.errors.empty()) return std::nullopt;
     if (read.scene.starts.empty()) return top.fail("scene", message_of("exercise_without_vehicle")), std::nullopt;
     exercise.scene = std::move(read.scene);
-    return text;
+    return SceneOfExercise{std::move(*text), is_set};
 }
 
-// Reads the whole file. What refers to the scene is judged only if the scene has no error.
+// Reads the whole file. What refers to the scene is judged only if the scene has no error of its own.
 Exercise read_exercise_file(TomlFile& file, const std::filesystem::path& path, const std::vector<Setting>& more) {
     check_format(file);
     Exercise exercise;
@@ -148,16 +157,17 @@ Exercise read_exercise_file(TomlFile& file, const std::filesystem::path& path, c
     std::vector<Setting> settings;
     if (const TomlNode* set = top.table("set")) top.gather_settings(*set, "set", "", settings);
     settings.insert(settings.end(), more.begin(), more.end());
-    const auto text = read_scene_of(top, path, settings, exercise);
+    const auto scene = read_scene_of(top, path, settings, exercise);
     TomlReader<Exercise> reader(top, exercise);
     describe(reader, Of<Exercise>{});
     top.done();
     if (exercise.id.empty()) exercise.id = exercise_id_of(path);
     check_exercise(top, exercise);
-    if (!text) return exercise;
+    if (!scene) return exercise;
     check_against_scene(top, exercise);
-    check_first_start(*text, exercise.scene, file);
-    resolve_answers(top, *text, settings, exercise);
+    if (!scene->is_set) return exercise;
+    check_first_start(scene->text, exercise.scene, file);
+    resolve_answers(top, scene->text, settings, exercise);
     return exercise;
 }
 

@@ -266,7 +266,7 @@ std::optional<Error> check_pages(const Lecture& lecture) {
 
 std::vector<Error> errors_of_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
     auto file = parse_toml(toml, path.string());
-    if (!file) return {file.error()};
+    if (!file) return syntax_errors(toml, path.string());
     const Lecture lecture = read_lecture_file(*file, path, exercises);
     for (std::size_t i = 0; i < lecture.pages.size(); ++i) {
         const std::string page = fmt::format("page.{}", i + 1);

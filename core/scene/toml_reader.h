@@ -293,7 +293,7 @@ TomlTable read_top(TomlFile& file, T& object) {
 template <class Read, class T = std::invoke_result_t<Read, TomlFile&>>
 ReadFile<T> read_fully(std::string_view toml, const std::string& file_name, const Read& read) {
     auto file = parse_toml(toml, file_name);
-    if (!file) return {{}, {file.error()}};
+    if (!file) return {{}, syntax_errors(toml, file_name)};
     T object = read(*file);
     return {std::move(object), file->errors()};
 }

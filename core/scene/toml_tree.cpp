@@ -171,6 +171,24 @@ TomlNode value_of(const std::string& text) {
     return {text};
 }
 
+// Empties a line, from 1, that gives a key a value of one line. False for another line.
+bool empty_line(std::string& text, int line) {
+    std::size_t from = 0;
+    for (; line > 1; --line) {
+        from = text.find('\n', from);
+        if (from == text.npos) return false;
+        ++from;
+    }
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view content = std::string_view(text).substr(from, end - from);
+    const std::size_t first = content.find_first_not_of(" \t");
+    const bool gives_value = first != content.npos && content[first] != '[' && content.find('=') != content.npos;
+    for (const std::string_view opens : {"[", "{", "\"\"\"", "'''"})
+        if (!gives_value || content.find(opens) != content.npos) return false;
+    text.erase(from, end - from);
+    return true;
+}
+
 TomlNode::Table::const_iterator position(const TomlNode::Table& members, std::string_view key) {
     return std::lower_bound(members.begin(), members.end(), key,
                             [](const TomlMember& member, std::string_view wanted) { return member.key < wanted; });
@@ -298,6 +316,22 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
                             open);
         return error_of(message_of("not_toml", what) + toml_advice(text, line), std::move(file_name), line);
     }
+}
+
+std::vector<Error> syntax_errors(std::string_view text, const std::string& file_name) {
+    constexpr std::size_t most = 20, largest = std::size_t{1} << 18u;  // errors; bytes: for each the text is read again
+    std::string rest(text);
+    std::vector<Error> errors;
+    while (errors.size() < most) {
+        const auto file = parse_toml(rest, file_name);
+        if (file) break;
+        Error error = file.error();
+        if (!errors.empty() && error.line <= errors.back().line) break;
+        const int line = error.line;
+        errors.push_back(std::move(error));
+        if (line <= 0 || rest.size() > largest || !empty_line(rest, line)) break;
+    }
+    return errors;
 }
 
 bool put(TomlNode& root, const Setting& setting) {

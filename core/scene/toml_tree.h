@@ -97,6 +97,11 @@ std::vector<Error> in_order(std::vector<Error>, std::string_view file);
 // stack with neither its size nor its depth.
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name);
 
+// All syntax errors that can be told at once: each line with a wrong value is read as if it were empty. Only the first
+// error of a large file, and where another line may be wrong because of it: after a heading, and in a value of several
+// lines. Empty for a file that parse_toml() reads.
+std::vector<Error> syntax_errors(std::string_view text, const std::string& file_name);
+
 // What a file says; meaningful only without errors.
 template <class T>
 struct ReadFile {

@@ -324,6 +324,28 @@ TEST(Exercise, EveryErrorOfItsSceneIsReportedToo) {
     EXPECT_NE(found[2].find("'y' is 6000"), std::string::npos) << found[2];
 }
 
+// A wrong value of the scene hides no wrong name.
+TEST(Exercise, NamesAreJudgedBesideWrongValuesOfItsScene) {
+    std::string text = changed(aggressor(), "\"kind.aggressor.brain.LL\"", "\"kind.agressor.brain.LL\"");
+    text =
+        changed(text, "source = \"lamp\"\nmetres = 0.75\n\n[[step]]", "source = \"lampp\"\nmetres = 0.75\n\n[[step]]");
+    text = changed(text, "anchor = \"slider.LR\"", "anchor = \"slider.XY\"");
+    const auto found = errors_in(text);
+    ASSERT_EQ(found.size(), 3u) << testing::PrintToString(found);
+    EXPECT_NE(found[0].find("'kind.agressor.brain.LL'"), std::string::npos) << found[0];
+    EXPECT_NE(found[1].find("'lampp'"), std::string::npos) << found[1];
+    EXPECT_NE(found[2].find("'slider.XY'"), std::string::npos) << found[2];
+}
+
+TEST(Exercise, EverySyntaxErrorIsReported) {
+    std::string text = changed(aggressor(), "seconds = 20", "seconds = ");
+    text = changed(text, "metres = 0.75", "metres = 0,75");
+    const auto found = errors_in(text);
+    ASSERT_EQ(found.size(), 2u) << testing::PrintToString(found);
+    EXPECT_TRUE(found[0].starts_with(std::to_string(line_of(text, "seconds = ")) + ": ")) << found[0];
+    EXPECT_TRUE(found[1].starts_with(std::to_string(line_of(text, "metres = 0,75")) + ": ")) << found[1];
+}
+
 TEST(Exercise, AStepNamesAVehicleAndAHoldTime) {
     const auto exercise = parse_exercise(
         with_check("goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\nvehicle = \"one\"\nhold = 5\n"),

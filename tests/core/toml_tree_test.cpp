@@ -163,6 +163,28 @@ TEST(TomlTree, AsksForAWholeFormatNumberAndForAnotherProgramOnlyWhereThatHelps) 
     EXPECT_EQ(fault("format = 1"), "");
 }
 
+TEST(TomlTree, TellsTheSyntaxErrorsOfAllLines) {
+    const auto lines_of = [](const std::string& text) {
+        std::vector<int> lines;
+        for (const Error& each : syntax_errors(text, "f.toml")) {
+            EXPECT_EQ(each.file, "f.toml");
+            lines.push_back(each.line);
+        }
+        return lines;
+    };
+    EXPECT_EQ(lines_of("format = 1\n"), std::vector<int>{});
+    EXPECT_EQ(lines_of("format =\ntitle = \"T\"\nx = 0,5\n[a]\ny = lamp\n"), (std::vector{1, 3, 5}));
+    // Lines that can be wrong because of another one are not told.
+    EXPECT_EQ(lines_of("a =\n[b\nc = 1\nd =\n"), (std::vector{1, 2}));
+    EXPECT_EQ(lines_of("a =\nb = [1, 2\nc = x\n"), (std::vector{1, 2}));
+    EXPECT_EQ(lines_of("a = \"\"\"open\nb = x\nc =\n"), std::vector{1});
+    std::string many, large;
+    for (int i = 0; i < 100; ++i) many += "k" + std::to_string(i) + " =\n";
+    EXPECT_EQ(lines_of(many).size(), 20u);
+    while (large.size() < 300000) large += "# words\n";
+    EXPECT_EQ(lines_of(many + large).size(), 1u);
+}
+
 TEST(TomlTree, KeepsAsManyErrorsAsAPersonReads) {
     TomlFile file{.name = "f.toml"};
     for (int i = 0; i < 100000; ++i) file.add("k" + std::to_string(i), Error{"no such key"});
