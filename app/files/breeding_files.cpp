@@ -61,7 +61,7 @@ Result<std::shared_ptr<const BreedingBase>> load_breeding(const fs::path& path) 
     if (!text) return text.error();
     auto breeding = evolve::parse_breeding(*text, path.string());
     if (!breeding) return breeding.error();
-    const auto scene = scene_beside(path, breeding->scene);
+    const auto scene = scene_at_key(path, *text, breeding->scene);
     if (!scene) return scene.error();
     const auto scene_text = read_text(*scene);
     if (!scene_text) return scene_text.error();
@@ -74,7 +74,7 @@ std::vector<Error> errors_of_breeding(const fs::path& path) {
     auto [breeding, errors] = evolve::read_breeding_fully(*text, path.string());
     std::erase_if(breeding.breeds, [](const evolve::Breed& each) { return each.kind.empty(); });
     if (!breeding.scene.empty()) {
-        const auto scene = scene_beside(path, breeding.scene);
+        const auto scene = scene_at_key(path, *text, breeding.scene);
         const auto scene_text = scene ? read_text(*scene) : scene.error();
         const auto more = scene_text ? BreedingBase::errors(std::move(breeding), *scene_text, scene->string())
                                      : std::vector<Error>{scene_text.error()};

@@ -13,6 +13,7 @@
 #include "core/scene/folder_entries.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/toml_tree.h"
 #include "ui/lab_view.h"
 
 namespace braitenlab {
@@ -102,6 +103,16 @@ Result<fs::path> scene_beside(const fs::path& file, const std::string& scene) {
     const fs::path beside = file.parent_path() / scene;
     std::error_code none;
     return fs::is_regular_file(beside, none) ? beside : find_shipped(scene);
+}
+
+Result<fs::path> scene_at_key(const fs::path& file, std::string_view toml, const std::string& scene) {
+    auto found = scene_beside(file, scene);
+    if (found) return found;
+    Error error = found.error();
+    const auto parsed = parse_toml(toml, file.string());
+    const TomlNode* key = parsed ? parsed->root.get("scene") : nullptr;
+    if (error.file.empty() && key) error.file = file.string(), error.line = static_cast<int>(key->place.line);
+    return error;
 }
 
 std::vector<const TomlNode*> named_files(const TomlNode& root) {

@@ -31,6 +31,10 @@ Result<std::filesystem::path> find_shipped(const std::string& path_or_name, Ship
 // The scene that a file names: a path relative to the file, or the name of a shipped scene.
 Result<std::filesystem::path> scene_beside(const std::filesystem::path& file, const std::string& scene);
 
+// The same for the text at the key `scene` of a file with this content: an error has the file and the line of the key.
+Result<std::filesystem::path> scene_at_key(const std::filesystem::path& file, std::string_view toml,
+                                           const std::string& scene);
+
 // The values in a study, a breeding, an exercise or a lecture that name other files: texts.
 std::vector<const TomlNode*> named_files(const TomlNode& root);
 

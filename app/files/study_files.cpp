@@ -33,7 +33,7 @@ Result<std::shared_ptr<const insight::StudyBase>> load_study(const fs::path& pat
     if (!text) return text.error();
     auto study = insight::parse_study(*text, path.string());
     if (!study) return study.error();
-    const auto scene = scene_beside(path, study->scene);
+    const auto scene = scene_at_key(path, *text, study->scene);
     if (!scene) return scene.error();
     const auto scene_text = read_text(*scene);
     if (!scene_text) return scene_text.error();
@@ -46,7 +46,7 @@ std::vector<Error> errors_of_study(const fs::path& path) {
     auto [study, errors] = insight::read_study_fully(*text, path.string());
     const bool is_read = errors.empty();  // else the scene's errors are those of what was read
     if (!study.scene.empty()) {
-        const auto scene = scene_beside(path, study.scene);
+        const auto scene = scene_at_key(path, *text, study.scene);
         const auto scene_text = scene ? read_text(*scene) : scene.error();
         const auto more = scene_text ? insight::errors_in_scene(study, *scene_text, scene->string())
                                      : std::vector<Error>{scene_text.error()};

@@ -113,9 +113,10 @@ Result<std::shared_ptr<const StudyBase>> StudyBase::create(Study study, std::str
     if (!first) return first.error();
     if (is_about_vehicle(base->study_) && base->vehicle(*first) == no_vehicle) {
         if (base->study_.vehicle.empty()) return error_of(message_of("study_without_vehicle"), scene_file);
+        const int line = base->study_.vehicle_line;
         return error_of(message_of("no_vehicle_of_scene", in_quotes(base->study_.vehicle)) +
                             nearest_of(base->study_.vehicle, known_names(base->scenes_.front().starts)),
-                        scene_file);
+                        line > 0 ? base->study_.file : scene_file, line);
     }
     return std::shared_ptr<const StudyBase>(std::move(base));
 }

@@ -73,6 +73,8 @@ void read_measures(TomlTable& top, Study& study) {
 }
 
 void note_lines(const TomlTable& top, Study& study) {
+    if (const TomlNode* vehicle = top.content().get("vehicle"))
+        study.vehicle_line = static_cast<int>(vehicle->place.line);
     for (std::size_t i = 0; i < study.values.size(); ++i)
         if (const TomlNode* paths = list_at(top, "value")[i].get("paths"); paths && paths->as_list())
             for (const TomlNode& path : *paths->as_list())

@@ -86,9 +86,10 @@ struct Study {
     std::string id;    // the file's name without folder and ending
     std::string file;  // as given, for messages; empty for a study that was not read
     std::string title, story;
-    std::string scene;    // a name or a path, as in the file
-    std::string vehicle;  // NAME of a [vehicle.NAME]; empty: the first
-    float seconds = 60;   // of each run
+    std::string scene;     // a name or a path, as in the file
+    std::string vehicle;   // NAME of a [vehicle.NAME]; empty: the first
+    int vehicle_line = 0;  // of this key in the file; 0: it has none
+    float seconds = 60;    // of each run
     int seeds = 20;
     std::uint64_t first_seed = 1;
     std::vector<StudyValue> values;

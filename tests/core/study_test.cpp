@@ -1,6 +1,7 @@
 // Studies: the file, the runs, the table and its summary.
 #include "core/insight/study.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -170,7 +171,12 @@ TEST(StudyFile, RefusesWhatTheSceneDoesNotHave) {
               std::string::npos);
     EXPECT_NE(fails(good, "name = \"a\"\npaths = [\"kind.aggressor.body.mass\"]\nlevels = [5, 5000]\n").find("1000"),
               std::string::npos);
-    EXPECT_NE(fails(good + "\nvehicle = \"x\"", weights).find("no vehicle called 'x'"), std::string::npos);
+    const std::string vehicle = fails(good + "\nvehicle = \"x\"", weights);
+    EXPECT_NE(vehicle.find("no vehicle called 'x'"), std::string::npos) << vehicle;
+    const std::string text = file_text(good + "\nvehicle = \"x\"", weights);
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("vehicle =")), '\n');
+    EXPECT_TRUE(vehicle.starts_with("study.toml:" + std::to_string(line) + ": ")) << vehicle;
 }
 
 TEST(StudyTable, ReadsItsOwnLinesAndNoOthers) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/files/breeding_files.h"
 #include "app/files/data.h"
 #include "tests/folder.h"
 #include "tests/tells.h"
@@ -50,6 +51,16 @@ TEST(StudyFiles, HaveTheSceneBesideThemOrAShippedOne) {
     const auto wrong = load_study(folder.path / "c.toml");
     ASSERT_FALSE(wrong);
     EXPECT_NE(wrong.error().text().find("2b-aggressor"), std::string::npos) << wrong.error().text();
+    const std::string place = (folder.path / "c.toml").string() + ":3: ";
+    EXPECT_TRUE(wrong.error().text().starts_with(place)) << wrong.error().text();
+    const std::vector<Error> all = errors_of_study(folder.path / "c.toml");
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_TRUE(all[0].text().starts_with(place)) << all[0].text();
+    std::ofstream(folder.path / "d.toml") << "format = 1\ntitle = \"T\"\nscene = \"chase-arina\"\n";
+    bool has_line = false;
+    for (const Error& each : errors_of_breeding(folder.path / "d.toml"))
+        has_line |= each.text().find("chase-arina") != std::string::npos && each.line == 3;
+    EXPECT_TRUE(has_line) << "the scene of a breeding, too";
 }
 
 TEST(StudyTable, GoesOnAfterAnInterruptionInTheMiddleOfALine) {
