@@ -97,7 +97,7 @@ Notice result_of(const ExerciseCheck& check) {
     for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
         if (check.grades[i + 2].good) return {NoticeKind::failure, "author.wrong_passes", exercise.wrong[i].name};
     if (check.remarks->prediction) return {NoticeKind::failure, "author.contradicted"};
-    if (is_answer_untested(exercise)) return {NoticeKind::notice, "author.sound_untested", before, after};
+    if (doubt_answer(check.remarks->warnings)) return {NoticeKind::notice, "author.sound_untested", before, after};
     return {NoticeKind::done, "author.sound", before, after};
 }
 

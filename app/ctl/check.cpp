@@ -117,7 +117,7 @@ struct Soundness {
     std::vector<Grade> wrong;                   // as Exercise::wrong
     std::vector<std::string> solution_outside;  // controls that the solution uses and the exercise does not offer
     bool too_many_changes = false;              // the solution changes more than Exercise::changes controls
-    bool prediction = false;                    // the prediction's answer is what happens
+    bool prediction = false;                    // no check contradicts the prediction's answer
     bool sound = false;
     std::optional<Error> prediction_fault;
     std::vector<Error> warnings;  // they do not make an exercise unsound
@@ -156,9 +156,13 @@ std::string warning_text(Error warning) {
 }
 
 std::string soundness_text(const Exercise& exercise, const Soundness& found) {
-    std::string text = format_lines(
-        "{}: as shipped {} of {} starts pass (none should), with its solution {} (all should): {}\n", exercise.id,
-        found.shipped.count, exercise.starts, found.solution.count, found.sound ? "good" : "wrong");
+    const std::string_view verdict = !found.sound ? "wrong"
+                                     : doubt_answer(found.warnings)
+                                         ? "good, but a wrong answer of its prediction would not be noticed"
+                                         : "good";
+    std::string text =
+        format_lines("{}: as shipped {} of {} starts pass (none should), with its solution {} (all should): {}\n",
+                     exercise.id, found.shipped.count, exercise.starts, found.solution.count, verdict);
     // First: a lamp outside the arena is the cause of what fails below.
     for (const Error& warning : found.warnings) text += format_lines("  {}\n", warning_text(warning));
     for (const StartResult& start : found.shipped.starts)
@@ -183,6 +187,7 @@ CheckJson soundness_json(const Exercise& exercise, const Soundness& found) {
     json["solution_outside"] = found.solution_outside;
     json["too_many_changes"] = found.too_many_changes;
     json["prediction"] = found.prediction;
+    json["prediction_tested"] = !doubt_answer(found.warnings);
     json["warnings"] = CheckJson::array();
     for (const Error& each : found.warnings)
         json["warnings"].push_back({{"file", each.file}, {"line", each.line}, {"what", each.what}});

@@ -1,9 +1,11 @@
 #include "core/lesson/warnings.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -246,6 +248,12 @@ void warn_of_weak_checks(const Exercise& exercise, const WarningPlaces& places, 
             places.at(fmt::format("predict.shows.{}", checks.front() + 1), message_of("answer_of_any_brain")));
 }
 
+// True if the prediction has an answer that no check tests.
+bool is_answer_untested(const Exercise& exercise) {
+    const Prediction& asked = exercise.prediction;
+    return is_asked(asked) && checks_of_option(asked, static_cast<std::size_t>(asked.answer)).empty();
+}
+
 void warn_of_prediction(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
     const Prediction& asked = exercise.prediction;
     if (asked.question.empty()) return;
@@ -343,9 +351,12 @@ std::vector<Error> warnings_of(const Exercise& exercise, std::string_view toml, 
     return found;
 }
 
-bool is_answer_untested(const Exercise& exercise) {
-    const Prediction& asked = exercise.prediction;
-    return is_asked(asked) && checks_of_option(asked, static_cast<std::size_t>(asked.answer)).empty();
+bool doubt_answer(const std::vector<Error>& warnings) {
+    constexpr std::array<std::string_view, 3> doubts{"answer_untested", "check_without_option", "answer_of_any_brain"};
+    return std::any_of(warnings.begin(), warnings.end(), [&](const Error& each) {
+        return !each.phrases.empty() &&
+               std::find(doubts.begin(), doubts.end(), each.phrases.front().id) != doubts.end();
+    });
 }
 
 std::optional<Error> prediction_fault(const Exercise& exercise, std::string_view toml,

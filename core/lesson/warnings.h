@@ -18,8 +18,8 @@ inline constexpr int most_first_words = 40;
 // The words of a text, separated by blanks; a sign alone, such as an arrow, is no word.
 int word_count(std::string_view);
 
-// True if the prediction has an answer that no check tests.
-bool is_answer_untested(const Exercise&);
+// True if one of these warnings says that a wrong answer of the prediction would not be noticed.
+bool doubt_answer(const std::vector<Error>& warnings);
 
 // Each with file and line. `toml`: the text of the file from which the exercise was read. Runs two ticks of each graded
 // start, all starts as shipped for an exercise with a MedianRule, and Prediction::after seconds for an untested answer

@@ -93,6 +93,29 @@ TEST(CtlCheck, AWarningHasFileAndLineAndDoesNotMakeAnExerciseUnsound) {
     EXPECT_EQ(ctl("check 05-aggressor").out.find("warning"), std::string::npos);
 }
 
+TEST(CtlCheck, TheVerdictSaysThatAWrongAnswerOfThePredictionWouldNotBeNoticed) {
+    const std::string sound = ": good\n",
+                      doubtful = ": good, but a wrong answer of its prediction would not be noticed\n";
+    EXPECT_NE(ctl("check 05-aggressor").out.find(sound), std::string::npos);
+    const std::string answer = "answer = \"It turns away from the lamp\"",
+                      straight = "answer = \"It drives straight on\"";
+    const std::string check = "[[predict.shows]]\noption = \"It turns away from the lamp\"\n",
+                      option = "[[predict.shows]]\n";
+    const std::string whole = check + "goal = \"turns_away\"\nsource = \"lamp\"\ndegrees = 60\n";
+    // No check at all; a check of no option; a check that every brain meets.
+    for (const auto& [from, to] :
+         {std::pair{whole, std::string()},
+          {check, option},
+          {whole, "[[predict.shows]]\noption = \"It drives straight on\"\ngoal = \"drives\"\nspeed = 0.01\n"}}) {
+        const Ran ran = check_changed({{answer, straight}, {from, to}});
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        EXPECT_NE(ran.out.find(doubtful), std::string::npos) << ran.out;
+        EXPECT_EQ(Json::parse(check_changed({{answer, straight}, {from, to}}, "--json ").out)["prediction_tested"],
+                  false);
+    }
+    EXPECT_EQ(Json::parse(ctl("check 05-aggressor --json").out)["prediction_tested"], true);
+}
+
 // The exercise in docs/writing-exercises.md: the indented lines from `format = 1` on.
 std::string documented_exercise() {
     std::ifstream page(std::string(BRAITENLAB_SOURCE) + "/docs/writing-exercises.md");
