@@ -192,7 +192,27 @@ void add_grade(CLI::App& command, ClassOptions& options) {
     command.add_option("--seed", options.first_seed, "seed of the first start; default: 1");
 }
 
+// What the words of a map mean; docs/command-line.md has the rules with their numbers.
+constexpr const char* words_of_map =
+    R"(Measures: the object is the nearest source that the vehicle senses, else any source, else another vehicle.
+  kind       the kind of behaviour, see below
+  closest    closest approach: least distance of the run from the middle of the vehicle to the object, m
+  final      distance from it at the end, m
+  touch      time until the vehicle touches it, s; empty: never
+  captures   bites by which predators have taken energy from prey
+  survival   time until the vehicle dies or falls over an edge, s
+Kinds, the first that holds:
+  leaves     dies, falls over an open edge, or the object is out of reach of its sensors at the end
+  touches    has come within 0.2 m of the object
+  stands     has never been 0.3 m from its start, or rests there
+  circles    has gone once round the object
+  rests_near stands still in the end, nearer than at the start
+  flees      farther at the end, and never nearer than half the distance at the start
+  approaches nearer at the end, and within 0.5 m of its closest approach
+  passes     any other path: it comes nearer and drives on)";
+
 void add_map(CLI::App& command, MapOptions& options) {
+    command.footer(words_of_map);
     command.add_option("SCENE", options.file, "a path, or the bare name of a shipped scene")->required();
     add_value(command, "--x", options.x, "PATH=A:B", "values from left to right, e.g. LL=RR=-1:1; default: LL=RR=-2:2");
     add_value(command, "--y", options.y, "PATH=A:B", "values from the bottom to the top; default: LR=RL=-2:2");

@@ -48,7 +48,9 @@ inline constexpr auto study_measure_table = std::to_array<StudyMeasureTraits>({
     {StudyMeasure::falls, "falls", "", false, "falls over an open edge"},
     {StudyMeasure::predators, "predators", "", false, "predators at the end"},
     {StudyMeasure::prey, "prey", "", false, "prey at the end"},
-    {StudyMeasure::closest, "closest", "m", true, "closest approach of the vehicle to the nearest object it senses"},
+    {StudyMeasure::closest, "closest", "m", true,
+     "closest approach: least distance of the run from the middle of the vehicle to the nearest source it senses, else "
+     "to any source or, without sources, to another vehicle"},
     {StudyMeasure::final_distance, "final", "m", true, "its distance from the nearest such object at the end"},
     {StudyMeasure::time_to_touch, "touch", "s", true, "time until it touches the object; empty: never"},
     {StudyMeasure::survival, "survival", "s", true, "time until the vehicle leaves the world"},

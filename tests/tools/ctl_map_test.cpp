@@ -8,12 +8,21 @@
 
 #include <gtest/gtest.h>
 
+#include "core/insight/behaviour.h"
 #include "tests/tools/ctl.h"
 
 namespace braitenlab::tests::ctl_map_test {
 namespace {
 
 using namespace ctl_runs;
+
+TEST(CtlMap, TheHelpDefinesEveryWordOfAMap) {
+    const std::string help = ctl("map --help").out;
+    for (const auto& row : insight::behaviour_table)
+        EXPECT_NE(help.find("\n  " + std::string(row.word) + " "), std::string::npos) << row.word;
+    for (const auto& row : insight::map_measure_table)
+        EXPECT_NE(help.find("\n  " + std::string(row.word) + " "), std::string::npos) << row.word;
+}
 
 TEST(CtlMap, PrintsJsonThatDoesNotDependOnThreads) {
     const std::string arguments =
