@@ -150,6 +150,19 @@ void end_comparison(Slots& slots, Workspace& space) {
     if (is_saved) space.document.saved_edits = space.document.edits;
 }
 
+std::optional<Session> session_with_own_brain(const Slots& slots, const Workspace& space) {
+    const SlotRuns* asked = slots.runs.question();
+    if (!asked || !is_shown(space, *asked)) return std::nullopt;
+    const Session& shown = space.document.session;
+    const VehicleView* vehicle = find_vehicle(shown.snapshot(), asked->vehicle);
+    if (!vehicle) return std::nullopt;
+    Session own = Session::resume(shown.save(), shown.observer_at_keyframe(), shown.edits());
+    for (const Command& command :
+         insight::commands_for(asked->before, shown.snapshot(), *vehicle, target_of(space.view.selection, *vehicle)))
+        if (own.apply(command)) return std::nullopt;
+    return own;
+}
+
 void update_slots(Slots& slots, const Workspace& space, Jobs& jobs) {
     const SlotRuns* asked = slots.runs.question();
     if (!asked) return;

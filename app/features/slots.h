@@ -10,6 +10,7 @@
 
 #include "app/jobs/asked.h"
 #include "core/insight/compare.h"
+#include "core/session/session.h"
 #include "core/world/character.h"
 
 namespace braitenlab {
@@ -64,6 +65,11 @@ void update_slots(Slots&, const Workspace&, Jobs&);
 // Forgets both runs and gives the vehicle the brain that it had before, unless it has been edited since. What needed no
 // saving before needs none then.
 void end_comparison(Slots&, Workspace&);
+
+// While the run of A is shown that was asked to be compared: the same run with the brain that the vehicle had before,
+// so that what is kept after a crash is the person's own work. Else nullopt. Costs the steps since the run's last
+// keyframe.
+std::optional<Session> session_with_own_brain(const Slots&, const Workspace&);
 
 // True at the last tick of the compared runs, while the run on the screen is that of A.
 bool ends_comparison(const Slots&, const Workspace&);

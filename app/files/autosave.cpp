@@ -208,17 +208,19 @@ Error cannot_store(const Error& reason) {
 
 }  // namespace
 
-Draft draft_of(const Document& document) {
-    Draft draft{title_of(document),       document.name, document.path, document.content, document.session.save(),
-                document.session.edits(), std::nullopt,  false};
+Draft draft_of(const Document& document) { return draft_of(document, document.session); }
+
+Draft draft_of(const Document& document, const Session& session) {
+    Draft draft{title_of(document), document.name,   document.path, document.content,
+                session.save(),     session.edits(), std::nullopt,  false};
     if (document.lesson) {
         const Attempt& attempt = document.lesson->attempt;
         draft.hides_brain = !document.lesson->exercise->hides.empty();
-        const auto& referee = *document.session.observer_at_keyframe().as<Referee>();
+        const auto& referee = *session.observer_at_keyframe().as<Referee>();
         draft.exercise = Draft::Progress{attempt.answers, attempt.work.has_run, attempt.work.outcome_known,
                                          attempt.work.runs, write_referee_state(referee.state())};
     }
-    const auto& kinds = document.session.snapshot().scene->kinds;
+    const auto& kinds = session.snapshot().scene->kinds;
     const bool has_hidden = std::any_of(kinds.begin(), kinds.end(), [](const Kind& kind) { return kind.hidden; });
     if (has_hidden || draft.hides_brain) draft.edits = {};
     return draft;
@@ -407,18 +409,21 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
     written_at_ = wall_seconds;
     due_ = false;
     written_ = here;
-    write(document, occasion == Occasion::end);
+    write(lab, occasion == Occasion::end);
     return now ? settle() : error;
 }
 
-void Autosave::write(const Document& document, bool ended) {
+void Autosave::write(const Lab& lab, bool ended) {
     if (!lock()) {
         std::promise<std::optional<Error>> failed;
         failed.set_value(cannot_store({"check that the folder may be written to and has room", folder_.string()}));
         writing_ = failed.get_future();
         return;
     }
-    const auto task = [file = file_, draft = draft_of(document), when = local_time(), ended]() -> std::optional<Error> {
+    const auto own = session_with_own_brain(lab.slots, lab);
+    const Session& kept = own ? *own : lab.document.session;
+    const auto task = [file = file_, draft = draft_of(lab.document, kept), when = local_time(),
+                       ended]() -> std::optional<Error> {
         if (auto error = write_whole(file, write_autosave(draft, when, ended))) return cannot_store(*error);
         return std::nullopt;
     };

@@ -39,6 +39,8 @@ struct Draft {
     bool hides_brain = false;  // the exercise hides one: the run is sealed
 };
 Draft draft_of(const Document&);
+// The same with another state of its run.
+Draft draft_of(const Document&, const Session&);
 
 // A saved run (see core/io/run_file.h) with one more key, "autosave". `ended`: the lab was told to end and has ended
 // without a crash.
@@ -135,7 +137,7 @@ private:
     void take_up(const std::filesystem::path&, std::vector<Error>& errors);  // a leftover
     void offer_newest();
     bool lock();  // chooses a file name and locks it
-    void write(const Document&, bool ended);
+    void write(const Lab&, bool ended);
 
     std::filesystem::path folder_, file_;
     std::optional<FileLock> lock_;

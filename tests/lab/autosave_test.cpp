@@ -118,6 +118,39 @@ TEST_F(AutosaveTest, WritesAnEditAtOnceAndFurtherOnesSoonAfterTheLastWrite) {
     EXPECT_EQ(at(67), 0.75f) << "also after a save";
 }
 
+// The runs that are compared are those of stored brains. What a crash leaves is the work before.
+TEST_F(AutosaveTest, KeepsThePersonsOwnBrainDuringAComparison) {
+    for (const char* name : {"2a-coward", "05-aggressor"}) {
+        SCOPED_TRACE(name);
+        Folder own;
+        lab = open(name);
+        if (lab.document.lesson) {
+            lab.document.lesson->attempt.answers.prediction = 0;
+            lab.document.lesson->attempt.work.has_run = lab.document.lesson->attempt.work.outcome_known = true;
+        }
+        for (const float stored : {0.25f, 0.5f}) {
+            edit(lab, stored);
+            handle(lab, Action::slot);
+        }
+        edit(lab, 0.75f);
+        Autosave dying(own.path, complaints);
+        handle(lab, Action::compare);
+        ASSERT_FLOAT_EQ(dials(lab.document).LR, 0.25f) << "A drives";
+        const auto hash = lab.document.session.hash();
+        for (const Autosave::Occasion occasion : {Autosave::Occasion::frame, Autosave::Occasion::now}) {
+            for (int i = 0; i < 90; ++i) tick(lab);
+            EXPECT_FALSE(dying.keep(lab, 30.0 * (1 + static_cast<int>(occasion)), occasion));
+            EXPECT_FALSE(dying.keep(lab, 30.0 * (1 + static_cast<int>(occasion)), Autosave::Occasion::now));
+            EXPECT_FLOAT_EQ(kept_in(own.path).value_or(-1), 0.75f);
+        }
+        EXPECT_FLOAT_EQ(dials(lab.document).LR, 0.25f) << "the run on the screen goes on";
+        EXPECT_NE(lab.document.session.hash(), hash);
+        edit(lab, 0.9f);
+        EXPECT_FALSE(dying.keep(lab, 100, Autosave::Occasion::now));
+        EXPECT_FLOAT_EQ(kept_in(own.path).value_or(-1), 0.9f) << "an edit of the person during the comparison";
+    }
+}
+
 TEST_F(AutosaveTest, DistinguishesAProperEndFromACrash) {
     crash_with(1);
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover()->offer.ended);
