@@ -147,6 +147,7 @@ int write_marks(const ClassReport& report, const Strings& strings, const ClassOp
     else if (const auto error = write_whole(options.marks, book->table))
         return complain(*error);
     std::cerr << fill(strings("report.marks"), {std::to_string(book->marked)}) << '\n';
+    if (!book->shown.empty()) std::cerr << one_line(with_names(strings("report.marks_shown"), book->shown)) << '\n';
     const std::string_view unmarked = strings(options.list.empty() ? "report.unmarked_of_files" : "report.unmarked");
     if (!book->unmarked.empty()) std::cerr << one_line(with_names(unmarked, book->unmarked)) << '\n';
     if (book->not_in_list.empty()) return exit_code::done;

@@ -1,6 +1,8 @@
 // The results of a class as a page.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -55,11 +57,33 @@ struct Page {
         return out + "</div>\n";
     }
 
+    // Students who passed so many starts, of one way to pass or not; the bars of one number are one above the other.
+    struct Bars {
+        std::string_view colour, words;  // words: key of the string
+        std::vector<int> students;       // by number of starts passed
+    };
+
+    // The numbers of the tile "passed": with the solution shown, alone, and those who do not pass, e.g. because they
+    // change what is not offered.
+    std::array<Bars, 3> bars() const {
+        const std::vector<int> none(static_cast<std::size_t>(exercise.starts) + 1);
+        std::array<Bars, 3> all{
+            Bars{"#0b6e4f", summary.passed_shown > 0 ? "report.passed_alone" : "report.passed", none},
+            Bars{"#c98a00", "report.passed_with_solution", none}, Bars{"#a3a39c", "report.not_passed", none}};
+        for (const Row& row : report.rows) {
+            if (row.problem || !row.grade) continue;
+            const std::size_t which = !row.passed ? 2 : passed_with_solution_shown(row) ? 1 : 0;
+            ++all[which].students[static_cast<std::size_t>(row.grade->count)];
+        }
+        return all;
+    }
+
     // How many students passed 0, 1, … starts.
     std::string histogram() const {
+        const std::array<Bars, 3> parts = bars();
         std::vector<int> counts(static_cast<std::size_t>(exercise.starts) + 1);
-        for (const Row& row : report.rows)
-            if (!row.problem && row.grade) ++counts[static_cast<std::size_t>(row.grade->count)];
+        for (const Bars& part : parts)
+            for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += part.students[i];
         const int most = std::max(1, *std::max_element(counts.begin(), counts.end()));
         const float step = std::min(44.0f, 900.0f / static_cast<float>(counts.size())), high = 90;
         std::string out = html::element("h2", words("report.distribution"));
@@ -68,18 +92,36 @@ struct Page {
             "height=\"130\" viewBox=\"0 0 {:.0f} 130\" font-size=\"12\" text-anchor=\"middle\">",
             xml_text(strings("report.distribution")), step * static_cast<float>(counts.size()),
             step * static_cast<float>(counts.size()));
-        for (std::size_t i = 0; i < counts.size(); ++i) {
-            const float tall = high * static_cast<float>(counts[i]) / static_cast<float>(most);
-            const float left = step * static_cast<float>(i);
-            const bool is_good = static_cast<int>(i) >= exercise.needed;
+        const auto box = [&](float left, float top, float tall, std::string_view colour) {
             out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>",
-                               left + 2, 108 - tall, step - 4, std::max(tall, 1.0f), is_good ? "#0b6e4f" : "#a3a39c");
+                               left + 2, top, step - 4, tall, colour);
+        };
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const float left = step * static_cast<float>(i);
+            float top = 108;
+            if (counts[i] == 0) box(left, top, 1, "#a3a39c");
+            for (const Bars& part : parts) {
+                const float tall = high * static_cast<float>(part.students[i]) / static_cast<float>(most);
+                if (part.students[i] > 0) box(left, top -= tall, tall, part.colour);
+            }
             out += fmt::format("<text x=\"{:.1f}\" y=\"124\" fill=\"#1c1c1a\">{}</text>", left + step / 2, i);
             if (counts[i] > 0)
                 out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#1c1c1a\">{}</text>", left + step / 2,
-                                   104 - tall, counts[i]);
+                                   top - 4, counts[i]);
         }
-        return out + "</svg>\n";
+        return out + "</svg>\n" + legend(parts);
+    }
+
+    // The colours of the histogram with the number of students of each.
+    std::string legend(const std::array<Bars, 3>& parts) const {
+        std::string out = "<p class=\"quiet\">";
+        for (const Bars& part : parts) {
+            const int students = std::accumulate(part.students.begin(), part.students.end(), 0);
+            if (students > 0)
+                out += fmt::format("<span style=\"color:{}\">■</span> {}: {} &#160; ", part.colour,
+                                   xml_text(strings(part.words)), students);
+        }
+        return out + "</p>\n";
     }
 
     std::string steps() const {

@@ -154,6 +154,14 @@ std::string own_problem_text(const ClassRow& row, const Strings& strings) {
     return text_of(error, strings);
 }
 
+// Why a hand-in does not pass, for the student: what it changes, or the line of a value outside its range.
+std::string refusal_text(const ClassRow& row, const Strings& strings) {
+    if (!row.refusal->error) return fill(strings("report.refused"), {text_of(*row.refusal, strings)});
+    Error error = *row.refusal->error;
+    error.file.erase(0, error.file.rfind('/') + 1);  // the platform's folders are not the student's
+    return fill(strings("report.refused_value"), {text_of(error, strings)});
+}
+
 class CsvLine {
 public:
     explicit CsvLine(std::string& out) : out_(out) {}
@@ -370,10 +378,14 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
     if (is_superseded(row)) return problem_text(row, strings);
     if (row.problem) return fill(strings("report.not_judged"), {own_problem_text(row, strings)});
     if (!row.grade) return "";
-    if (row.refusal) return fill(strings("report.refused"), {text_of(*row.refusal, strings)});
+    if (row.refusal) return refusal_text(row, strings);
     const Grade& grade = *row.grade;
     const std::string count = std::to_string(grade.count), of = std::to_string(grade.starts.size());
-    if (row.passed) return fill(strings("report.passed_from"), {count, of});
+    if (row.passed) {
+        const std::string passed = fill(strings("report.passed_from"), {count, of});
+        return passed_with_solution_shown(row) ? passed + " " + std::string(strings("report.passed_after_solution"))
+                                               : passed;
+    }
     const std::string needed = std::to_string(report.exercise->needed);
     const std::string text = fill(strings("report.failed_from"), {count, of, needed}) + " ";
     const std::string step = failed_step_text(report, grade, strings);

@@ -111,6 +111,12 @@ struct Writer {
         return row.refusal || starts == 0 ? 0 : points * row.grade->count / starts;
     }
 
+    // A row that gets a mark.
+    void count(const ClassRow& row) {
+        ++book.marked;
+        if (passed_with_solution_shown(row)) book.shown.push_back(row.student);
+    }
+
     std::string told(const ClassRow& row) const { return io::table_text(feedback(report, row, strings)); }
 
     Error wrong_columns(const std::string& wanted) const {
@@ -142,7 +148,7 @@ struct Writer {
             const std::string name = name_of(cells);
             const ClassRow* row = people.take(id ? number_at_end(cells[*id]) : "", name, same_names[name_key(name)]);
             if (row && has_mark(*row))
-                ++book.marked;
+                count(*row);
             else
                 book.unmarked.push_back(name);
             fill(cells, row);
@@ -263,21 +269,22 @@ struct Writer {
             cells[3] = io::table_text(who.last_name.empty() ? who.name : who.last_name);
             fill_status(cells, *row);
             add(cells, ',');
-            ++book.marked;
+            count(*row);
         }
         for (const ClassRow* row : people_without(report.rows)) book.unmarked.push_back(row->student);
         return std::nullopt;
     }
 
     void plain() {
-        add({"student", "id", "folder", "mark", "points", "passed", "feedback"}, ',');
+        add({"student", "id", "folder", "mark", "points", "passed", "solution_shown", "feedback"}, ',');
         const auto line = [&](const ClassRow& row, const std::string& mark, std::string_view passed) {
+            const std::string shown = !row.hand_in ? "" : row.hand_in->solution_shown ? "yes" : "no";
             add({io::table_text(row.student), row.submitter.id, io::table_text(row.submitter.folder), mark,
-                 mark_text(points), std::string(passed), told(row)},
+                 mark_text(points), std::string(passed), shown, told(row)},
                 ',');
         };
         for (const ClassRow* row : people.marked())
-            line(*row, mark_text(mark(*row)), row->passed ? "yes" : "no"), ++book.marked;
+            line(*row, mark_text(mark(*row)), row->passed ? "yes" : "no"), count(*row);
         for (const ClassRow* row : people_without(report.rows))
             line(*row, "", ""), book.unmarked.push_back(row->student);
     }

@@ -27,6 +27,7 @@ struct GradebookOptions {
 struct Gradebook {
     std::string table;
     int marked = 0;
+    std::vector<std::string> shown;        // of those with a mark, who pass and had the solution shown
     std::vector<std::string> unmarked;     // people of the list, or without one of the files, without a graded hand-in
     std::vector<std::string> not_in_list;  // files with a grade for which the list has no person, or one with a mark
 };

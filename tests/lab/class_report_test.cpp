@@ -113,7 +113,7 @@ TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
                         "both wheels alike"),
               said.npos)
         << said;
-    EXPECT_NE(said.find("Step 1 (“It turns towards the lamp”) was not done from 10 of 10 starts. Start 1: best"),
+    EXPECT_NE(said.find("Step 1 (“It turns towards the lamp”) is not done in 10 of 10 starts. Start 1: best"),
               said.npos)
         << said;
     EXPECT_TRUE(report.rows[2].unchanged);
@@ -211,6 +211,20 @@ TEST(ClassReport, ARowThatDoesNotCountSaysWhy) {
     const ClassSummary summary = summary_of(report);
     EXPECT_EQ(summary.counted, 2);
     EXPECT_EQ(summary.passed, 1);
+}
+
+TEST(ClassReport, TheFeedbackOnAValueOutsideItsRangeNamesTheFileAsTheStudentKnowsIt) {
+    std::string text = write_hand_in(hand_in("Olu", good));
+    const std::size_t at = text.find("LR = ") + 5;
+    text.replace(at, text.find('\n', at) - at, "9");
+    const ClassReport report{aggressor(), 1, {row_of_hand_in(*aggressor(), "Olu_103_file_/a.toml", text)}};
+    ASSERT_TRUE(report.rows[0].refusal);
+    for (const std::string& code : shipped_codes()) {
+        const Strings strings = speaking(code);
+        const std::string told = feedback(report, report.rows[0], strings), start(strings("report.refused_value"));
+        EXPECT_TRUE(told.starts_with(start.substr(0, start.find("{}")) + "a.toml:")) << told;
+        EXPECT_EQ(told.find("Olu_103"), told.npos) << told;
+    }
 }
 
 TEST(ClassReport, WhoChangesWhatIsNotOfferedFailsAndIsCountedEverywhere) {
@@ -466,6 +480,36 @@ TEST(ClassReport, APassWithTheSolutionShownIsCountedApart) {
     EXPECT_NE(line_of(page, "Ana").find("<td class=\"shown\">yes (solution shown)</td>"), page.npos);
     EXPECT_NE(line_of(page, "Ben").find("<td>solution shown"), page.npos) << line_of(page, "Ben");
     EXPECT_EQ(line_of(page, "Eva").find("shown"), page.npos);
+    for (const std::string& code : shipped_codes()) {
+        const Strings strings = speaking(code);
+        const std::string said(strings("report.passed_after_solution"));
+        EXPECT_TRUE(feedback(report, report.rows[0], strings).ends_with(said)) << code;
+        for (const std::size_t other : {1u, 2u})
+            EXPECT_EQ(feedback(report, report.rows[other], strings).find(said), said.npos) << code;
+    }
+}
+
+// Green and yellow are those whom the tile "passed" counts; a hand-in that changes what is not offered is neither.
+TEST(ClassReport, TheHistogramAgreesWithTheTile) {
+    HandIn shown = hand_in("Ana", good), outside = hand_in("Olu", good);
+    shown.solution_shown = true;
+    outside.submission.sensors[0].range = 30;
+    const ClassReport report = graded(
+        {row("a", shown), row("b", hand_in("Ben", four_wires)), row("e", hand_in("Eva", good)), row("o", outside)});
+    ASSERT_FALSE(report.rows[3].passed);
+    const std::string page = class_page(report, speaking("en"), "en");
+    const std::size_t begin = page.find("Students by number of starts passed");
+    const std::string histogram = page.substr(begin, page.find("</p>", begin) - begin);
+    const auto count = [&](const std::string& part) {
+        int found = 0;
+        for (std::size_t at = 0; (at = histogram.find(part, at)) != histogram.npos; at += part.size()) ++found;
+        return found;
+    };
+    EXPECT_NE(page.find("<b>2 (1 with the solution shown) / 4</b>"), page.npos);
+    EXPECT_EQ(count("</span> passed alone: 1"), 1);
+    EXPECT_EQ(count("</span> passed with the solution shown: 1"), 1);
+    EXPECT_EQ(count("</span> not passed: 2"), 1);
+    for (const char* colour : {"#0b6e4f", "#c98a00"}) EXPECT_EQ(count(std::string("fill=\"") + colour), 1) << colour;
 }
 
 TEST(ClassReport, PeopleWithoutAHandInThatCanBeGradedAreCounted) {

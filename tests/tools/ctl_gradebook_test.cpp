@@ -257,9 +257,30 @@ TEST(CtlGradebook, APlainTableNeedsNoList) {
     const Ran ran = grade_in(folder, "class.zip --gradebook csv --points 100 --marks -");
     EXPECT_EQ(ran.code, 0);
     EXPECT_TRUE(
-        ran.out.starts_with("student,id,folder,mark,points,passed,feedback\nMüller Anna,101,Müller "
-                            "Anna_101_assignsubmission_file_,100,100,yes,Passed: 10 of 10 starts.\n"))
+        ran.out.starts_with("student,id,folder,mark,points,passed,solution_shown,feedback\nMüller Anna,101,Müller "
+                            "Anna_101_assignsubmission_file_,100,100,yes,no,Passed: 10 of 10 starts.\n"))
         << ran.out;
+    EXPECT_EQ(ran.out.find("with the solution shown"), std::string::npos) << ran.out;
+}
+
+// A pass after the lab has set the solution is a pass, and is said: in the feedback, the table and on standard error.
+TEST(CtlGradebook, APassWithTheSolutionShownIsSaid) {
+    const Folder folder;
+    const auto exercise = load_exercise(*find_shipped("05-aggressor"));
+    HandIn made{.student = "Anna", .exercise = "05-aggressor", .solution_shown = true};
+    made.submission = with_solution(*exercise);
+    put_text(folder / "s" / "Mueller_Anna_am_101" / "a.toml", write_hand_in(made));
+    put_text(folder / "s" / "Nowak_Jan_jn_102" / "a.toml", handed_in("Jan", Work::solved));
+    put_text(folder / "grades.csv", "Student,ID,SIS User ID,SIS Login ID,Section\n\"Mueller, Anna\",101,,am,G1\n");
+    const std::string told = "Passed: 10 of 10 starts. The lab had shown the solution.";
+    for (const char* platform : {"ilias", "csv", "canvas --list grades.csv"}) {
+        const Ran ran = grade_in(folder, std::string("s --marks - --gradebook ") + platform + " 2>&1");
+        EXPECT_NE(ran.out.find("passed with the solution shown, marked as others: 1: Mueller Anna"), std::string::npos)
+            << ran.out;
+        if (std::string(platform).starts_with("canvas")) continue;  // takes no feedback
+        EXPECT_NE(ran.out.find(told), std::string::npos) << ran.out;
+    }
+    EXPECT_NE(grade_in(folder, "s --marks - --gradebook csv").out.find(",yes,yes,Passed"), std::string::npos);
 }
 
 }  // namespace
