@@ -57,11 +57,19 @@ void switch_orbit(Lab& lab) {
 
 constexpr std::string_view hidden_notice = "notice.asks_first";
 
-// Hides or reveals a part of a lecture. A notice that says what is hidden ends.
-void hide_or_reveal(Lab& lab, bool& part) {
+// Keys of what is said once a part of a lecture is hidden, and once it is revealed. An empty one: nothing is said.
+struct PartNotices {
+    std::string_view hidden, revealed;
+};
+
+// Hides or reveals a part of a lecture and says so, because a page may show nothing of it now. The bar shows a revealed
+// title itself. A notice that says what is hidden ends.
+void hide_or_reveal(Lab& lab, bool& part, PartNotices notices) {
     if (!lab.before_lecture) return;
     part = !part;
-    if (lab.notice.key == hidden_notice) lab.notice = {};
+    if (part || lab.notice.key == hidden_notice) lab.notice = {};
+    const std::string_view said = part ? notices.revealed : notices.hidden;
+    if (!said.empty()) say(lab, {NoticeKind::notice, std::string(said)});
 }
 
 // Shows or hides the cause of the selected vehicle's turn.
@@ -202,9 +210,18 @@ constexpr LabAction lab_actions[]{
          lab.view.orbits = false;
      }},
     {Action::slow_orbit, [](Lab& lab) { switch_orbit(lab); }},
-    {Action::hide_title, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.title); }},
-    {Action::hide_character, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.character); }},
-    {Action::hide_brain, [](Lab& lab) { hide_or_reveal(lab, lab.view.revealed.brain); }},
+    {Action::hide_title,
+     [](Lab& lab) {
+         hide_or_reveal(lab, lab.view.revealed.title, {"notice.hidden_title", ""});
+     }},
+    {Action::hide_character,
+     [](Lab& lab) {
+         hide_or_reveal(lab, lab.view.revealed.character, {"notice.hidden_character", "notice.shown_character"});
+     }},
+    {Action::hide_brain,
+     [](Lab& lab) {
+         hide_or_reveal(lab, lab.view.revealed.brain, {"notice.hidden_brain", "notice.shown_brain"});
+     }},
     {Action::ask_first, [](Lab& lab) { ask_first(lab); }},
     {Action::tally, [](Lab& lab) { switch_tally(lab); }},
     {Action::next_field, [](Lab& lab) { show_next_field(lab); }},

@@ -99,11 +99,14 @@ bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Out
         return outbox.emplace_back(back_to_page(view)), true;
     if (!has_effect_in_lecture(*action, view.pages)) {
         // Without pages N is not the key of a new population, and a clicker does not move the camera.
-        const bool is_of_pages = *action == Action::notes || turns_page(view, press);
+        const bool is_of_pages = *action == Action::notes || *action == Action::notes_page || turns_page(view, press);
         if (is_of_pages) outbox.push_back(NoticeRequest{"unavailable.no_lecture", {}, {}});
         return is_of_pages;
     }
-    if (!act_on_panels({view, state, press, outbox}, *action)) outbox.push_back(*action);
+    if (const std::string_view why_not = why_unavailable(view, state, *action); !why_not.empty())
+        outbox.push_back(NoticeRequest{std::string(why_not), {}, {}});
+    else if (!act_on_panels({view, state, press, outbox}, *action))
+        outbox.push_back(*action);
     return true;
 }
 

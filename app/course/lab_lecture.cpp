@@ -203,7 +203,9 @@ void show_page(Lab& lab, int page, int steps) {
 
 void begin_pages_again(Lab& lab) {
     for (std::vector<int>& of_page : lab.pages->hands) of_page.assign(of_page.size(), 0);
+    lab.lectures.began = lab.wall_seconds;
     show_page(lab, 0);
+    say(lab, {NoticeKind::notice, "notice.lecture_again"});
 }
 
 void next_page(Lab& lab) {
@@ -227,7 +229,7 @@ void previous_page(Lab& lab) {
         if (starts_the_run(lab.pages->current(), step - 1)) set_mode(lab, Mode::paused), reset(lab);
         return;
     }
-    if (lab.pages->page == 0) return;
+    if (lab.pages->page == 0) return say(lab, {NoticeKind::notice, "notice.lecture_begin"});
     const LecturePage& page = lab.pages->lecture->pages[static_cast<std::size_t>(lab.pages->page - 1)];
     show_page(lab, lab.pages->page - 1, static_cast<int>(page.reveal.size()));
 }
@@ -236,6 +238,8 @@ void switch_tally(Lab& lab) {
     auto& tally = lab.lectures.tally;
     if (lab.pages) return say(lab, {NoticeKind::notice, "unavailable.tally"});
     if (!lab.before_lecture) return;
+    const bool is_covered = lab.view.map || lab.view.reality || slots_of(lab.slots, lab).seconds > 0;
+    if (is_covered) return say(lab, {NoticeKind::notice, "unavailable.tally_covered"});
     tally = tally ? std::nullopt : std::optional(empty_tally(lab.lectures.tally_options));
 }
 

@@ -44,18 +44,20 @@ void request_left_lecture(Lab&, bool resume);
 // be opened any more, shows the error and keeps the present page. Precondition: Lab::pages.
 void show_page(Lab&, int page, int steps = 0);
 
-// Shows the first page again, with no counted hands on any page. Precondition: Lab::pages.
+// Shows the first page again, with no counted hands on any page, and the clock begins again. Precondition: Lab::pages.
 void begin_pages_again(Lab&);
 
 // Shows the next step of the page; after the last one, the next page. The step `play` starts the run. Do nothing
 // without an open lecture.
 void next_page(Lab&);
 // Hides the last step shown; hiding the step `play` returns the run to its start and keeps edits. Before the first
-// step, goes to the previous page with all of its steps. Its run begins anew; the step `play` does not start it.
+// step, goes to the previous page with all of its steps; on the first page, says so. Its run begins anew; the step
+// `play` does not start it.
 void previous_page(Lab&);
 
 // Begins or ends the count of hands for a question that is asked about a scene without a page. A page has its own
-// question: then shows a notice. Does nothing outside a lecture. Another scene begins a new count.
+// question: then shows a notice, and so it does where the map, the robots or a comparison have the room. Does nothing
+// outside a lecture. Another scene begins a new count.
 void switch_tally(Lab&);
 
 // Gives the tally another number of options; their hands stay.

@@ -70,10 +70,10 @@ void follow_notes_page(Lab& lab, const Strings& strings, const std::string& lang
     if (!opens) return;
     const bool is_open = open(file);
     if (is_open && saves_by_download()) return say(lab, {NoticeKind::done, "notice.notes_page"});
-    if (is_open) return say(lab, {NoticeKind::done, "notice.notes_page_opened", file.string()});  // as the system says
     if (saves_by_download()) return say(lab, {NoticeKind::notice, "notice.notes_page_refused"});
-    lab.window.to_copy = file.string();
-    say(lab, {NoticeKind::notice, "notice.notes_page_at", file.string()});
+    lab.window.to_copy = file.string();  // also where a browser was opened: the system does not tell whether it appears
+    is_open ? say(lab, {NoticeKind::done, "notice.notes_page_opened"})
+            : say(lab, {NoticeKind::notice, "notice.notes_page_at"});
 }
 
 }  // namespace braitenlab

@@ -2,6 +2,8 @@
 // saved.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +12,7 @@
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
 #include "app/lab_requests.h"
+#include "app/playback.h"
 #include "core/maths/angle.h"
 #include "opened_lab.h"
 #include "tests/folder.h"
@@ -38,6 +41,7 @@ struct LabLecturePages : testing::Test {
         ui::press_key(view_of(lab), panels, key, outbox);
         for (const Request& request : outbox) handle(lab, request);
     }
+    static std::size_t opened_pages(const char* name) { return read_whole_lecture(*find_shipped(name))->pages.size(); }
     // The first Esc says that a second one leaves.
     void leave_by(int leave) {
         press({leave});
@@ -558,7 +562,7 @@ TEST_F(LabLecturePages, AfterARevealAskFirstHidesAllAgainAndSaysThatItGoesOn) {
     press({'F', false, true});
     EXPECT_EQ(lab.notice.key, "notice.asks_first");
     press({'B', false, true});
-    EXPECT_TRUE(lab.notice.empty()) << "the brain is shown";
+    EXPECT_EQ(lab.notice.key, "notice.shown_brain") << "and no longer that it is hidden";
     for (const char letter : {'T', 'C'}) press({letter, false, true});
     press({'F', false, true});
     EXPECT_EQ(lab.view.revealed, hidden_until_asked);
@@ -568,6 +572,83 @@ TEST_F(LabLecturePages, AfterARevealAskFirstHidesAllAgainAndSaysThatItGoesOn) {
     EXPECT_EQ(lab.notice.key, "notice.asks_again");
     press({'F', false, true});
     EXPECT_EQ(lab.view.revealed, hidden_until_asked);
+}
+
+// Each key changes what is shown, or a line in the bar says what it did or why not.
+TEST_F(LabLecturePages, EveryKeyOfALectureGivesASign) {
+    const auto open_page = [&](int page) {
+        open("four-numbers");
+        show_page(lab, page);
+    };
+    const int last = static_cast<int>(opened_pages("four-numbers")) - 1;
+    const std::vector<std::pair<std::string, std::function<void()>>> places{
+        {"scene", [&] { open("2b-aggressor"); }},
+        {"first page", [&] { open_page(0); }},
+        {"page of a question", [&] { open_page(1); }},
+        {"last page", [&] { open_page(last); }}};
+    handle(lab, Action::lecture);
+    int keys = 0;
+    for (const auto& [place, go] : places)
+        for (const Shortcut& shortcut : shortcuts())
+            for (const int times : {1, 2}) {  // hidden, then shown
+                if (shortcut.place != KeyPlace::lecture) continue;
+                SCOPED_TRACE(place + ", " + std::string(braitenlab::name(shortcut.action)) + " " +
+                             std::to_string(times));
+                go();
+                ui::PanelState panels;
+                const auto seen = [&] {
+                    const LectureView* pages = lab.pages ? &*lab.pages : nullptr;
+                    return std::tuple(pages ? pages->page : -1, pages ? pages->step : -1, pages && pages->notes,
+                                      lab.lectures.tally.has_value(), lab.view.revealed.title, lab.window.opens_notes,
+                                      panels.lecture.blank, panels.lecture.marks.drawing);
+                };
+                auto before = seen();
+                for (int i = 0; i < times; ++i) {
+                    lab.window.opens_notes = false;
+                    before = seen();
+                    lab.notice = {};
+                    Outbox outbox;
+                    ui::press_key(view_of(lab), panels, shortcut.press, outbox);
+                    for (const Request& request : outbox) handle(lab, request);
+                    ++keys;
+                }
+                EXPECT_TRUE(seen() != before || !lab.notice.empty());
+                lab.window.opens_notes = false;
+                if (lab.lectures.tally) handle(lab, Action::tally);
+            }
+    EXPECT_GT(keys, 4 * 12);
+}
+
+TEST_F(LabLecturePages, F5BeginsTheClockAgainAndSaysSo) {
+    open("four-numbers");
+    advance(lab, 100);
+    EXPECT_NEAR(view_of(lab).pages->seconds, 100, 1);
+    press({key::f5});
+    EXPECT_EQ(lab.notice.key, "notice.lecture_again");
+    advance(lab, 5);
+    EXPECT_NEAR(view_of(lab).pages->seconds, 5, 1);
+}
+
+TEST_F(LabLecturePages, NoCountBeginsWhereItHasNoRoom) {
+    handle(lab, Action::lecture);
+    handle(lab, Action::map);
+    ASSERT_TRUE(lab.view.map);
+    press({'V', false, true});
+    EXPECT_EQ(lab.notice.key, "unavailable.tally_covered");
+    handle(lab, Action::tally);
+    EXPECT_FALSE(lab.lectures.tally);
+    handle(lab, Action::cancel);
+    handle(lab, Action::slot);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LM, 0.9f}});
+    handle(lab, Action::slot);
+    handle(lab, Action::compare);
+    lab.notice = {};
+    press({'V', false, true});
+    EXPECT_EQ(lab.notice.key, "unavailable.tally_covered");
+    EXPECT_FALSE(lab.lectures.tally);
+    handle(lab, Action::cancel);
+    press({'V', false, true});
+    EXPECT_TRUE(lab.lectures.tally);
 }
 
 TEST_F(LabLecturePages, TheKeyOfTheMapSaysWhyThereIsNone) {

@@ -245,6 +245,18 @@ TEST_F(LectureKeys, AKeyOfAnImpossibleActionSaysWhy) {
     }
 }
 
+TEST_F(LectureKeys, TheKeyThatRemovesLinesSaysThatThereAreNone) {
+    show(1, 0);
+    desk.key({'D', false, true});
+    ASSERT_TRUE(desk.last<NoticeRequest>());
+    EXPECT_EQ(desk.last<NoticeRequest>()->key, "unavailable.no_marks");
+    desk.all.clear();
+    desk.panels.lecture.marks.lines.emplace_back();
+    desk.key({'D', false, true});
+    EXPECT_TRUE(desk.all.empty());
+    EXPECT_TRUE(desk.panels.lecture.marks.lines.empty());
+}
+
 TEST_F(LectureKeys, XWalksThroughTheDiagramBesideTheScene) {
     show(1, 0);
     desk.view.pages = nullptr;

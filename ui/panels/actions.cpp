@@ -143,6 +143,19 @@ std::string_view no_chart(const LabView& view, const PanelState& state) {
     return empty ? "charts.nothing" : "";
 }
 
+// The map, the robots and a comparison have the room of the count.
+std::string_view no_tally(const LabView& view, const PanelState&) {
+    if (!view.lecture) return "unavailable.no_lecture_view";
+    if (view.pages) return "unavailable.tally";
+    const bool is_covered = view.settings.map || view.settings.reality || view.features.slots.seconds > 0;
+    return is_covered ? "unavailable.tally_covered" : "";
+}
+
+std::string_view no_marks(const LabView& view, const PanelState& state) {
+    if (!view.lecture) return "unavailable.no_lecture_view";
+    return state.lecture.marks.lines.empty() ? "unavailable.no_marks" : "";
+}
+
 // ── Effects ──
 
 // In a lecture the browser begins with what ships: there a word that is typed is searched for.
