@@ -1,11 +1,14 @@
 // The window with each exercise of the course: what is in sight in a small window, and what stays in its place.
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 
 #include "course_on_desk.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/course/lesson_text.h"
+#include "ui/panels/course/prediction.h"
 
 namespace braitenlab::tests::exercises_layout_test {
 
@@ -167,6 +170,55 @@ TEST(ExercisesLayout, NoTextOfAStepIsCutInASmallWindow) {
             }
 }
 
+namespace {
+
+// The lines that the verdict on the answer and the outcome take on the card of the exercise.
+std::size_t lines_of_outcome(const Desk& desk, bool came_true) {
+    Anchors anchors;
+    Outbox asked;
+    const Ui ui{desk.strings, palette(Theme::dark), test_fonts(1).loaded.fonts, 1, anchors, asked, {}, 1};
+    const float width = card_width(ui, desk.where("card.exercise")), beside_sign = 26;
+    const std::string words = fill(desk.strings("exercise.outcome"), {translated(ui, desk.opened.prediction.outcome)});
+    const std::string_view verdict = desk.strings(came_true ? "exercise.came_true" : "exercise.not_true");
+    return lines_of_words(ui, words, Face::text, width).size() +
+           lines_of_words(ui, verdict, Face::strong, width - beside_sign).size();
+}
+
+}  // namespace
+
+// The verdict on the answer and the first lines of what happened, also after a run that has failed and with hints.
+TEST(ExercisesLayout, TheOutcomeIsInSightAsSoonAsItIsKnownInASmallWindow) {
+    constexpr float line = 22;
+    int shown = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course())
+            for (const bool came_true : {true, false})
+                for (const int hints : {0, 2}) {
+                    if (exercise.prediction.options.empty()) continue;
+                    SCOPED_TRACE(exercise.id + " " + language + (came_true ? " true " : " false ") +
+                                 std::to_string(hints));
+                    Opened it(exercise, 800, 600);
+                    it.desk.strings = speaking(language);
+                    if (language != "en")
+                        add_translations(it.desk.strings, texts_of(exercise), words_of_course(language));
+                    it.play_after_prediction();
+                    if (!came_true) it.desk.lesson.attempt.answers.prediction = exercise.prediction.answer == 0 ? 1 : 0;
+                    it.desk.lesson.attempt.answers.hints_shown = std::min<int>(hints, std::ssize(exercise.hints));
+                    it.desk.lesson.as_given = !is_about_end(exercise);
+                    it.desk.lesson.verdicts[0].lost = true;
+                    it.desk.frame(8);
+                    it.desk.lesson.attempt.work.outcome_known = true;
+                    it.desk.frame(8);
+                    const Rect* outcome = it.desk.anchors.find("exercise.outcome");
+                    ASSERT_TRUE(outcome);
+                    const std::size_t first_lines = exercise.steps.size() > 3 ? 4 : 5;
+                    const std::size_t lines = std::min(lines_of_outcome(it.desk, came_true), first_lines);
+                    EXPECT_GE(outcome->h, line * static_cast<float>(lines) - 1);
+                    ++shown;
+                }
+    EXPECT_GT(shown, 200);
+}
+
 TEST(ExercisesLayout, WhatExplainsTheWheelsIsSeenWithoutScrollingInASmallWindow) {
     int sums = 0;
     for (const std::string& language : shipped_codes())
@@ -186,6 +238,72 @@ TEST(ExercisesLayout, WhatExplainsTheWheelsIsSeenWithoutScrollingInASmallWindow)
             EXPECT_LE(equations->y + equations->h + 16, it.desk.where("card.brain").y + it.desk.where("card.brain").h);
         }
     EXPECT_GT(sums, 30);
+}
+
+namespace {
+
+constexpr std::pair<float, float> common_windows[]{{800.0f, 600.0f}, {1280.0f, 800.0f}};
+
+// The exercise in this language, as it is after so many ticks of the run as given.
+struct Played : Opened {
+    Played(const Exercise& exercise, const std::string& language, std::pair<float, float> window, int ticks)
+        : Opened(exercise, window.first, window.second) {
+        desk.strings = speaking(language);
+        if (language != "en") add_translations(desk.strings, texts_of(exercise), words_of_course(language));
+        play_after_prediction();
+        for (int i = 0; i < ticks; ++i) world.step();
+        show();
+    }
+    void open_brain() {
+        desk.frame(8);
+        if (desk.panels.card(Card::brain).folded) desk.click("card.brain.fold");
+        desk.frame(8);
+    }
+};
+
+bool is_cut_off(const Written& text) { return text.rect.y + text.rect.h > text.clip.y + text.clip.h + 1; }
+
+}  // namespace
+
+TEST(ExercisesLayout, WhyTheAnswerIsLockedIsReadWholeOrNotAtAllInASmallWindow) {
+    int notes = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            SCOPED_TRACE(exercise.id + " " + language);
+            Played it(exercise, language, {800.0f, 600.0f}, 0);
+            it.desk.frame(8);
+            if (!is_asked(exercise.prediction) || is_about_end(exercise)) continue;
+            const auto note = std::find_if(it.desk.written.begin(), it.desk.written.end(), [&](const Written& each) {
+                return each.words == it.desk.strings("exercise.locked");
+            });
+            ASSERT_NE(note, it.desk.written.end());
+            const float end = std::min(note->rect.y + note->rect.h, note->clip.y + note->clip.h);
+            const float seen = end - std::max(note->rect.y, note->clip.y);
+            EXPECT_TRUE(seen <= 1 || seen >= note->rect.h - 4) << seen << " of " << note->rect.h;
+            ++notes;
+        }
+    EXPECT_GT(notes, 40);
+}
+
+TEST(ExercisesLayout, NoTextIsCutAtTwiceTheScale) {
+    const float scale = fitting_scale(2, {0, 0, 1600, 1200}, false);
+    int texts = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course())
+            for (const bool tells : {false, true}) {
+                SCOPED_TRACE(exercise.id + " " + language + (tells ? " tells" : " plays"));
+                Opened it(exercise, 1600, 1200, scale);
+                it.desk.strings = speaking(language);
+                if (language != "en") add_translations(it.desk.strings, texts_of(exercise), words_of_course(language));
+                it.play_after_prediction();
+                it.desk.lesson.attempt.work.outcome_known = tells;
+                it.desk.frame(8);
+                EXPECT_EQ(it.desk.shortened, 0);
+                for (const Written& each : it.desk.written)
+                    if (!each.scrolls) EXPECT_FALSE(is_cut_off(each)) << each.words;
+                texts += static_cast<int>(it.desk.written.size());
+            }
+    EXPECT_GT(texts, 2000);
 }
 
 TEST(ExercisesLayout, TheStepsAreInSightInTheWiringEditorOfASmallWindow) {

@@ -239,7 +239,7 @@ float key_cap(const Ui& ui, ImVec2 at, std::string_view words, Face face) {
 
 bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how,
                std::string_view key) {
-    constexpr float narrow = 230;  // layout pixels: such a card is low, too
+    constexpr float narrow = 230, low = 640;  // layout pixels: such a card is low, too; of the window
     const float width = card_width(ui), left = ui.px(34);
     ImFont* f = font(ui, Face::text);
     const float cap = key.empty() ? 0 : key_cap_width(ui, key) + ui.px(8);
@@ -247,7 +247,8 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     const std::string lines = wrapped_at_spaces(ui, Face::text, words, wrap);
     const char *begin = lines.c_str(), *end = begin + lines.size();
     const ImVec2 text = f->CalcTextSizeA(compat::size_of(f), 1e9f, wrap, begin, end);
-    const float top = std::max(ui.px(width < ui.px(narrow) ? 4 : 7), (ui.px(ui.finger) - text.y) / 2);
+    const bool is_close = width < ui.px(narrow) || ImGui::GetIO().DisplaySize.y < ui.px(low);
+    const float top = std::max(ui.px(is_close ? 4 : 7), (ui.px(ui.finger) - text.y) / 2);
     const Item at = item(ui, id, {width, text.y + 2 * top}, enabled);
     const Palette& p = ui.palette;
     fill_box(ui, at.rect, chosen ? mix(p.panel, p.accent, 0.16f) : mix(p.panel, p.line, at.warmth * 0.6f));

@@ -180,15 +180,6 @@ bool has_news(const LessonView& lesson, ExerciseNews& told) {
     return (told.outcome && !before.outcome) || (told.grade && !before.grade) || told.hints > before.hints;
 }
 
-// The heading of the folded card tells how many steps are done.
-std::string heading_with_count(const LabView& view, const Ui& ui, bool folded) {
-    const std::vector<Verdict>& steps = view.lesson->verdicts;
-    std::string words = exercise_heading(view, ui);
-    if (!folded || view.lecture || !view.lesson->attempt.work.has_run || steps.empty()) return words;
-    const auto done = std::count_if(steps.begin(), steps.end(), [](const Verdict& each) { return each.done; });
-    return words + "  " + std::to_string(done) + "/" + std::to_string(steps.size());
-}
-
 // Forgets what the card of another exercise has scrolled to, and goes back to its top, on a page of a lecture that asks
 // its question to the end of that. Outside of a lecture the card opens: its question comes before Play.
 void follow_exercise(const LabView& view, PanelState& state) {
@@ -277,14 +268,45 @@ bool shows_title(const LabView& view) {
     return !hides_outcome(view) && !hides_open_title(view) && (!can_change || view.pages);
 }
 
+// In the wiring editor hints and goal are read together.
+bool is_goal_short(const LabView& view, const Ui& ui, float card) {
+    return card < ui.px(lower_card) && view.mode != Mode::wiring;
+}
+
+// True while the title is in the heading of the card: in a lower card the outcome needs its room.
+bool has_title_in_heading(const LabView& view, const Ui& ui, float card) {
+    const LessonView& lesson = *view.lesson;
+    return is_goal_short(view, ui, card) && lesson.attempt.work.outcome_known && !has_passed(lesson) &&
+           shows_title(view);
+}
+
+// Once the exercise is passed, and where many steps leave no room for the outcome, the goal scrolls.
+bool is_goal_below(const LabView& view, const Ui& ui, float card) {
+    return has_passed(*view.lesson) ||
+           (has_title_in_heading(view, ui, card) && view.lesson->exercise->steps.size() > few_steps);
+}
+
+// The heading of the folded card tells how many steps are done.
+std::string heading_of_card(const LabView& view, const Ui& ui, bool folded, float card) {
+    const std::vector<Verdict>& steps = view.lesson->verdicts;
+    std::string words = exercise_heading(view, ui);
+    if (!folded && has_title_in_heading(view, ui, card))
+        return words + "  ·  " + std::string(translated(ui, view.lesson->exercise->title));
+    if (!folded || view.lecture || !view.lesson->attempt.work.has_run || steps.empty()) return words;
+    const auto done = std::count_if(steps.begin(), steps.end(), [](const Verdict& each) { return each.done; });
+    return words + "  " + std::to_string(done) + "/" + std::to_string(steps.size());
+}
+
 // Title and goal, which do not scroll: they are read again while the steps and hints are. Once the exercise is passed,
-// the goal is below the result and scrolls.
-void head(const LabView& view, PanelState& state, Ui& ui, bool has_short_goal, float spare) {
-    if (shows_title(view)) paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
+// the goal is below the result and scrolls. `card`: the height of the card.
+void head(const LabView& view, PanelState& state, Ui& ui, float card, float spare) {
+    const bool has_short_goal = is_goal_short(view, ui, card);
+    if (shows_title(view) && !has_title_in_heading(view, ui, card))
+        paragraph(ui, translated(ui, view.lesson->exercise->title), ui.palette.text, Face::title);
     // The answers to a question need the room.
     const bool has_room = !has_close_rows(view, ui) || !view.may.open_prediction;
     if (!has_passed(*view.lesson) && view.lesson->standing.passed_before && has_room) passed_mark(ui);
-    if (has_passed(*view.lesson)) return;
+    if (is_goal_below(view, ui, card)) return;
     const Attempt& attempt = view.lesson->attempt;
     const bool has_question = is_question_first(view), is_begun = attempt.work.has_run;
     const bool has_more = attempt.answers.hints_shown > 0 || attempt.work.outcome_known ||  // that needs the room
@@ -309,17 +331,12 @@ void reason(const LabView& view, PanelState& state, Ui& ui) {
     gap(ui, 12);
 }
 
-// In the wiring editor hints and goal are read together.
-bool is_goal_short(const LabView& view, const Ui& ui, float card) {
-    return card < ui.px(lower_card) && view.mode != Mode::wiring;
-}
-
 // Where hints, what came of the prediction, or questions and answers of the foot, need the room, no step is in full.
 StepsLook look_of_steps(const LessonView& lesson, const Ui& ui, float card, float foot) {
     if (card >= ui.px(low_card)) return StepsLook::full;
     const Attempt& attempt = lesson.attempt;
     const bool has_hints = card < ui.px(lower_card) && attempt.answers.hints_shown > 0;
-    const bool has_outcome = attempt.work.outcome_known && lesson.as_given;
+    const bool has_outcome = attempt.work.outcome_known && (lesson.as_given || is_about_end(*lesson.exercise));
     const bool has_many = lesson.exercise->steps.size() > few_steps;
     return has_hints || (card < ui.px(lower_card) && (has_outcome || has_many)) ||
                    card - foot < ui.px(room_for_full_step)
@@ -358,22 +375,22 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         card.head.reset();
     else if (!card.head)
         card.head = 0;
-    const bool open = open_card(state, ui, Card::exercise, place, {}, heading_with_count(view, ui, card.folded));
+    const bool open = open_card(state, ui, Card::exercise, place, {}, heading_of_card(view, ui, card.folded, place.h));
     if (open) {
         ExerciseRows& rows = state.exercise.rows;
         const bool question_first = is_question_first(view), hints_first = view.mode == Mode::wiring && !passed;
-        const bool hints_need_top = hints_first && has_head, has_short_goal = is_goal_short(view, ui, place.h);
+        const bool hints_need_top = hints_first && has_head;
         const bool steps_in_head = is_low && !question_first && !steps_on_top && !hints_need_top;
         const StepsLook look = look_of_steps(lesson, ui, place.h, card.footer);
         const float spare = card.content > 0 ? place.h - wanted_height(ui, card) : 0;
         if (!has_head) begin_rows(rows);
-        if (!steps_on_top) head(view, state, ui, has_short_goal, spare);
+        if (!steps_on_top) head(view, state, ui, place.h, spare);
         if (passed && is_low) result_title(lesson, ui);
         if (steps_in_head) exercise_steps(view, state, ui, look);
         if (has_head) end_head(ui, card, place), begin_rows(rows);
         if (steps_on_top) gap(ui, spacing::small), exercise_steps(view, state, ui, look);
         if (hints_first) hints(view, state, ui, steps_on_top);
-        if (steps_on_top) head(view, state, ui, has_short_goal, spare);
+        if (steps_on_top) head(view, state, ui, place.h, spare);
         const bool outcome_first = passed && place.h < ui.px(lower_card);
         if (outcome_first) prediction(view, state, ui);
         result(view, ui, !(passed && is_low));
@@ -381,6 +398,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         if (outcome_next) prediction(view, state, ui);
         if (passed && !is_low) exercise_steps(view, state, ui, look);
         if (passed) question(lesson, state, ui), goal(lesson, state, ui);
+        const bool goal_last = !passed && is_goal_below(view, ui, place.h);
         if (!is_low) reason(view, state, ui);
         if (!hides_outcome(view)) generation_of_selection(view, ui);
         const bool has_steps_here = !passed && !steps_on_top && !steps_in_head;
@@ -391,6 +409,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place, R
         if (has_steps_here && question_first) exercise_steps(view, state, ui, look);
         if (is_low) reason(view, state, ui);
         if (!hints_first && hints_last) hints(view, state, ui, true);
+        if (goal_last) goal(lesson, state, ui);
         kept_button(view, ui);
         note_field(view, state, ui);
         if (lesson.grade && !state.exercise.grade_seen) aim_at(rows, ExerciseRows::Aim::top);

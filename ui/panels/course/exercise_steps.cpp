@@ -229,11 +229,11 @@ void row_of_step(const LessonView& lesson, std::size_t index, PanelState& state,
     const float words = line * static_cast<float>(lines.size());
     const Item row = item(ui, step_id(index), {width, std::max(ui.px(compact_row), words + ui.px(4))});
     const float top = row.middle_y() - words / 2;
+    const WholeLines whole_row(top, words);  // a line without the others would be another step
     check_mark(ui, {row.rect.x + ui.px(9), top + line / 2}, ui.px(6), false, 0);
     const Colour tone = mix(ui.palette.second_text, ui.palette.text, row.warmth);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const float y = top + line * static_cast<float>(i);
-        const WholeLines whole(y, line);
         put(ui, {row.rect.x + left, y}, lines[i], tone, Face::small);
         if (i == 0) put_right(ui, {row.rect.x + row.rect.w, y}, value, ui.palette.text, Face::small);
     }

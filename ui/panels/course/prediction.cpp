@@ -120,25 +120,57 @@ float length_of_vehicle(const Exercise& exercise) {
     return Body{}.length;
 }
 
-// The prediction is shown beside the outcome. It is not graded.
-void made_prediction(const LessonView& lesson, Ui& ui) {
-    const Attempt::Answers& answers = lesson.attempt.answers;
+// The chosen option; empty if there is none.
+std::string_view chosen_option(const LessonView& lesson) {
+    const std::vector<std::string>& options = lesson.exercise->prediction.options;
+    const int chosen = lesson.attempt.answers.prediction;
+    return chosen >= 0 && static_cast<std::size_t>(chosen) < options.size() ? options[static_cast<std::size_t>(chosen)]
+                                                                            : std::string_view{};
+}
+
+void you_predicted(const LessonView& lesson, Ui& ui) {
+    const std::string_view option = chosen_option(lesson);
+    if (option.empty()) return;
+    paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, option)}), ui.palette.second_text);
+}
+
+// How much the path that was drawn differs from that of the run.
+void difference_of_paths(const LessonView& lesson, Ui& ui) {
     const Attempt::Work& work = lesson.attempt.work;
-    const Prediction& asked = lesson.exercise->prediction;
-    const auto chosen = static_cast<std::size_t>(answers.prediction);
-    if (answers.prediction >= 0 && chosen < asked.options.size()) {
-        const bool result_first = is_in_low_body(ui);  // the rest may be below the edge
-        if (work.outcome_known && result_first) came_true(lesson, ui);
-        paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
-                  ui.palette.second_text);
-        if (work.outcome_known && !result_first) came_true(lesson, ui);
-    }
     if (work.real_path.empty()) return;
     paragraph(ui,
               fill(ui.strings("exercise.path_differs"),
                    {fixed(ui, work.path_difference, 1), fixed(ui, length_of_vehicle(*lesson.exercise), 1)}),
               ui.palette.text);
     if (work.path_reversed) paragraph(ui, ui.strings("exercise.path_reversed"), ui.palette.text);
+}
+
+// What the run has shown.
+void outcome(const LessonView& lesson, PanelState& state, Ui& ui) {
+    const Prediction& asked = lesson.exercise->prediction;
+    if (asked.outcome.empty()) return;
+    const bool is_of_this_run = lesson.as_given || is_about_end(*lesson.exercise);
+    paragraph_with_terms(ui, state.glossary,
+                         fill(ui.strings(is_of_this_run ? "exercise.outcome" : "exercise.outcome_before"),
+                              {translated(ui, asked.outcome)}),
+                         is_of_this_run ? ui.palette.text : ui.palette.second_text);
+}
+
+// The prediction beside the outcome. It is not graded. In a low body the outcome is first: the rest may be below the
+// edge.
+void judged_prediction(const LessonView& lesson, PanelState& state, Ui& ui) {
+    const bool outcome_first = is_in_low_body(ui), is_known = lesson.attempt.work.outcome_known;
+    if (!outcome_first) you_predicted(lesson, ui);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    if (is_known && !chosen_option(lesson).empty()) came_true(lesson, ui);
+    difference_of_paths(lesson, ui);
+    if (is_known) {
+        outcome(lesson, state, ui);
+        mark(ui, "exercise.outcome",
+             {start.x, start.y, card_width(ui),
+              ImGui::GetCursorScreenPos().y - start.y - ImGui::GetStyle().ItemSpacing.y});
+    }
+    if (outcome_first) you_predicted(lesson, ui);
 }
 
 // Runs with the student's changes do not judge the prediction.
@@ -148,24 +180,30 @@ void ask_for_a_run_as_given(Ui& ui) {
     mark(ui, "exercise.as_given", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
 }
 
-// True where the first run does not answer the question: a selection or a breeding does.
-bool is_about_end(const Exercise& exercise) {
-    return offers_selection(exercise) || !offered_breeding(exercise).empty();
+// All of it is in sight or nothing.
+void note(Ui& ui, std::string_view key) {
+    const std::string_view words = ui.strings(key);
+    const float line = line_height(ui, Face::small);
+    const WholeLines whole(ImGui::GetCursorScreenPos().y,
+                           line * static_cast<float>(lines_of_words(ui, words, Face::small, card_width(ui)).size()));
+    paragraph(ui, words, ui.palette.second_text, Face::small);
 }
-
-void note(Ui& ui, std::string_view key) { paragraph(ui, ui.strings(key), ui.palette.second_text, Face::small); }
 
 // While a run is not at its start, and its outcome is not known.
 void locked_prediction(const LessonView& lesson, bool asks_for_a_run, Ui& ui) {
-    const Prediction& asked = lesson.exercise->prediction;
-    paragraph(ui, translated(ui, asked.question), ui.palette.text);  // the steps need the room of the options
-    made_prediction(lesson, ui);
+    const std::string_view question = translated(ui, lesson.exercise->prediction.question);
+    paragraph(ui, question, ui.palette.text);  // the steps need the room of the options
+    you_predicted(lesson, ui);
     if (asks_for_a_run) return ask_for_a_run_as_given(ui);
     if (is_about_end(*lesson.exercise)) return;
     note(ui, has_predicted(lesson.attempt.answers) ? "exercise.locked" : "exercise.locked_unanswered");
 }
 
 }  // namespace
+
+bool is_about_end(const Exercise& exercise) {
+    return offers_selection(exercise) || !offered_breeding(exercise).empty();
+}
 
 void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -191,9 +229,10 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     ExerciseRows& rows = state.exercise.rows;
     const float top = begin_row(rows);
     const bool can_choose = is_open && view.may.open_prediction;
-    // To a finger the rows of the answers are high: they need the room.
-    if (!can_choose || (!has_close_rows(view, ui) && !view.program.touch))
-        subheading(ui, ui.strings("exercise.predict"));
+    // Above answers and outcomes of a low card, and above the high rows of answers for a finger, it would take their room.
+    const bool needs_room =
+        can_choose ? has_close_rows(view, ui) || view.program.touch : !is_open && is_in_low_body(ui);
+    if (!needs_room) subheading(ui, ui.strings("exercise.predict"));
     if (!can_choose && ui.keyboard && ui.keyboard->focus.starts_with("exercise.predict.")) ui.keyboard->focus.clear();
     if (can_choose) {
         open_prediction(view, state, ui);
@@ -204,14 +243,8 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     } else if (is_open) {
         locked_prediction(lesson, asks_for_a_run, ui);
     } else {
-        made_prediction(lesson, ui);
+        judged_prediction(lesson, state, ui);
     }
-    const bool is_of_this_run = lesson.as_given || !offered_breeding(*lesson.exercise).empty();
-    if (is_known && !asked.outcome.empty())
-        paragraph_with_terms(ui, state.glossary,
-                             fill(ui.strings(is_of_this_run ? "exercise.outcome" : "exercise.outcome_before"),
-                                  {translated(ui, asked.outcome)}),
-                             is_of_this_run ? ui.palette.text : ui.palette.second_text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     if (std::exchange(state.exercise.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});

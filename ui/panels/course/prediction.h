@@ -11,9 +11,12 @@ namespace braitenlab::ui {
 
 // The question with its options and the button that begins a drawing, or both once made; then the outcome, whether the
 // chosen option came true, and how much a drawn path differs. Only a run of the scene as given shows the outcome.
-// Anchors: exercise.predict, exercise.predict.N, exercise.draw, exercise.came_true, exercise.as_given. Precondition:
-// view.lesson.
+// Anchors: exercise.predict, exercise.predict.N, exercise.draw, exercise.came_true, exercise.outcome,
+// exercise.as_given. Precondition: view.lesson.
 void prediction(const LabView&, PanelState&, Ui&);
+
+// True where the first run does not answer the question: a selection or a breeding does.
+bool is_about_end(const Exercise&);
 
 // The button that shows the run with the solution, at the right end of the heading that begins at `heading`, and what
 // is seen then, at the cursor; without `words` the button is its icon. Nothing while can_compare() is false. Anchor:
